@@ -2,17 +2,14 @@
 
 #include <CLI/CLI.hpp>
 
+#include "app/base/counted.hpp"
 #include "app/base/errors.hpp"
-#include "app/base/suggest.hpp"
 #include "app/base/version.hpp"
 #include "app/bodies/fit.hpp"
 #include "app/caches/frame_sink.hpp"
 #include "app/command_line_parts.hpp"
-#include "app/drawing/drawn_scene.hpp"
 #include "app/figures/figures.hpp"
-#include "app/output/output_pattern.hpp"
 #include "app/output/run_report.hpp"
-#include "app/scene/scene.hpp"
 #include "renderer/context/context.hpp"
 
 namespace taut::app {
@@ -41,11 +38,11 @@ struct KeyOption {
   const char* value = nullptr;  ///< of an option without one
 };
 
-constexpr KeyOption untangle_option = {"--untangle", "garment.untangle",
-                                       "where the garment crosses itself at the start, move it apart first, "
-                                       "such as a thick one whose walls pierce "
-                                       "each other; it keeps its rest shape",
-                                       "true"};
+constexpr KeyOption untangle_option = {
+    "--untangle", "garment.untangle",
+    "where the garment crosses itself at the start, move it apart first, such as a thick one whose walls "
+    "pierce each other; it keeps its rest shape",
+    "true"};
 constexpr KeyOption fabric_option = {"--fabric", "cloth.fabric",
                                      "what the garment is made of: a name of taut fabrics, or a file like "
                                      "theirs; sets weight, stiffness and look"};
@@ -83,26 +80,25 @@ void add_set(CLI::App& command, std::vector<Override>& overrides) {
 }
 
 void add_body(CLI::App& command, std::vector<Override>& overrides) {
-  add_keys(
-      command, overrides,
-      {{"--body", "body.file",
-        "a closed 3D model that cloth cannot enter, besides the scene's bodies; glTF, FBX and Collada may "
-        "bring joints and animations"},
-       {"--body-motion", "body.motion",
-        "how the body moves: a PC2, MDD or BVH file, or OBJ files, as a folder or a pattern such as "
-        "body-%04d.obj"},
-       {"--body-clip", "body.clip",
-        "which of its animations is played, or all at once, or none (default: the first)"},
-       {"--body-fps", "body.frame_rate",
-        "frames a second of its motion (default: what the file says, or else 60)"},
-       {"--body-loop", "body.loop", "repeat its motion after its last frame (default: it stays there)",
-        "true"},
-       {"--body-units", "body.scale", "of the body, as --units"},
-       {"--dress", "body.dress",
-        "simulate so many frames before frame 0, in which the body grows from its bones to its shape, into "
-        "what it wears (default: 90 of a body that is given together with a garment, where it can); a garment "
-        "that lies elsewhere is moved to it first"},
-       {"--body-up", "body.up", "the body's direction that is up, as --up"}});
+  add_keys(command, overrides,
+           {{"--body", "body.file",
+             "a closed 3D model that cloth cannot enter, besides the scene's bodies; glTF, FBX and Collada "
+             "may bring joints and animations"},
+            {"--body-motion", "body.motion",
+             "how the body moves: a PC2, MDD or BVH file, or OBJ files, as a folder or a pattern such as "
+             "body-%04d.obj"},
+            {"--body-clip", "body.clip",
+             "which of its animations is played, or all at once, or none (default: the first)"},
+            {"--body-fps", "body.frame_rate",
+             "frames a second of its motion (default: what the file says, or else 60)"},
+            {"--body-loop", "body.loop", "repeat its motion after its last frame (default: it stays there)",
+             "true"},
+            {"--body-units", "body.scale", "of the body, as --units"},
+            {"--dress", "body.dress",
+             "simulate so many frames before frame 0, in which the body grows from its bones to its shape, "
+             "into what it wears (default: 90 of a body that is given together with a garment, where it "
+             "can); a garment that lies elsewhere is moved to it first"},
+            {"--body-up", "body.up", "the body's direction that is up, as --up"}});
 }
 
 void add_garment_arguments(CLI::App& command, std::vector<Override>& overrides) {
@@ -124,13 +120,11 @@ void add_scene_arguments(CLI::App& command, Options& options, const std::string&
   add_wind(command, options.overrides);
   command.add_option(
       "--stats", options.statistics,
-      "write measurements of every frame to this file, .jsonl or .csv, as they come (taut help "
-      "stats)");
-  command.add_flag(
-      "--verify", options.verify,
-      "check every frame, the start included, by a way of its own: no triangle crosses another or a "
-      "body, but for what does so since the start until it is apart, and nothing is longer than the bound; "
-      "else end with exit code 3");
+      "write measurements of every frame to this file, .jsonl or .csv, as they come (taut help stats)");
+  command.add_flag("--verify", options.verify,
+                   "check every frame, the start included, by a way of its own: no triangle crosses another "
+                   "or a body, but for what does so since the start until it is apart, and nothing is longer "
+                   "than the bound; else end with exit code 3");
 }
 
 void add_backend(CLI::App& command, std::string& backend) {
@@ -148,10 +142,9 @@ std::function<int()> add_figures(CLI::App& app) {
       ->delimiter(',')
       ->check(CLI::IsMember(figure_names()));
   command->add_option("--output", options->output, "folder for the pictures")->capture_default_str();
-  command->add_option(
-      "--data", options->data,
-      "folder with the tables (CSV) of an earlier run: draw from those instead of simulating and "
-      "measuring anew; no report");
+  command->add_option("--data", options->data,
+                      "folder with the tables (CSV) of an earlier run: draw from those instead of simulating "
+                      "and measuring anew; no report");
   command->add_option("--scale", options->scale, "pictures this many times as wide and high, 0.1 to 4")
       ->check(CLI::Range(0.1, 4.0))
       ->capture_default_str();
@@ -165,33 +158,28 @@ std::function<int()> add_figures(CLI::App& app) {
 std::function<int()> add_render(CLI::App& app, std::span<const char* const> arguments) {
   auto options = std::make_shared<RenderOptions>();
   options->arguments.assign(arguments.begin() + 1, arguments.end());
-  // A resumed run makes the same bytes as one that was never interrupted.
-  std::erase(options->arguments, "--resume");
   CLI::App* command = app.add_subcommand("render", "Simulate a scene and draw pictures of it");
   add_scene_arguments(*command, *options,
                       std::string(scene_help_text) + ", or a picture of taut render, to make it again");
-  command->add_option("--output", options->output,
-                      "file, or pattern such as frames/frame_{frame:04}.png, or a video, .mp4 or .gif "
-                      "(default SCENE.png)");
+  command->add_option(
+      "--output", options->output,
+      "file, or pattern such as frames/frame_{frame:04}.png, or a video, .mp4 (default SCENE.png)");
   command->add_option("--frames", options->frames,
                       std::string("frames to draw: ") + frame_range_help + " (default: last; of a video 0:)");
   command->add_option("--export", options->shapes, export_help);
-  command->add_flag("--resume", options->resume,
-                    "draw only those pictures of a sequence that an earlier run did not finish");
   add_resolution(*command, options->overrides);
   add_side(*command, options->overrides);
-  add_keys(
-      *command, options->overrides,
-      {{"--background", "picture.background",
-        "what is behind: studio (default), none (transparent, with the shadow), or a colour such as white or "
-        "#rrggbb"},
-       {"--wireframe", "picture.wireframe", "draw the springs over the surface", "true"},
-       {"--stretch", "picture.surface", "colour the surface by its stretch", "stretch"},
-       texture_option,
-       {"--quality", "picture.quality", "draft, normal or high, which is for print (default normal)"},
-       {"--samples", "picture.samples", "samples in a pixel, 1 to 16 (default 4)"},
-       {"--supersampling", "picture.supersampling",
-        "draw N times as wide and high and average, 1 to 8 (default 1)"}});
+  add_keys(*command, options->overrides,
+           {{"--background", "picture.background",
+             "what is behind: studio (default), none (transparent, with the shadow), or a colour such as "
+             "white or #rrggbb"},
+            {"--wireframe", "picture.wireframe", "draw the springs over the surface", "true"},
+            {"--stretch", "picture.surface", "colour the surface by its stretch", "stretch"},
+            texture_option,
+            {"--quality", "picture.quality", "draft, normal or high, which is for print (default normal)"},
+            {"--samples", "picture.samples", "samples in a pixel, 1 to 16 (default 4)"},
+            {"--supersampling", "picture.supersampling",
+             "draw N times as wide and high and average, 1 to 8 (default 1)"}});
   add_set(*command, options->overrides);
   add_backend(*command, options->backend);
   command->footer(
@@ -219,15 +207,13 @@ std::function<int()> add_simulate(CLI::App& app) {
       "print what --stats writes as JSON lines, and nothing else; remarks go to standard error");
   command->add_option("--checkpoint", options->checkpoint,
                       "save the run to this file now and then, at its end, and when it is interrupted "
-                      "(SIGTERM, SIGINT), which "
-                      "ends it with exit code 75");
+                      "(SIGTERM, SIGINT), which ends it with exit code 75");
   command->add_option("--checkpoint-every", options->checkpoint_every, "save it after so many frames")
       ->check(CLI::Range(1, 1000000))
       ->capture_default_str();
-  command->add_option(
-      "--resume", options->resume,
-      "go on from such a file with the same bits, and save to it where --checkpoint names no other; --stats "
-      "and --export go on where they stopped");
+  command->add_option("--resume", options->resume,
+                      "go on from such a file with the same bits, and save to it where --checkpoint names no "
+                      "other; --stats and --export go on where they stopped");
   command->footer(
       "Examples:\n  taut simulate pinned-9x9-5\n"
       "  taut simulate tshirt-gravity --frames :60 --set solver.substeps=40 --stats run.csv\n"
@@ -296,8 +282,8 @@ std::function<int()> add_inspect(CLI::App& app) {
   add_backend(*command, options->backend);
   command->footer(
       "Examples:\n  taut inspect shirt.obj\n  taut inspect shirt.obj --output shirt.png\n"
-      "  taut inspect my-jacket.obj --untangle\n  taut inspect "
-      "shirt.stl --units mm --up z --json\n  taut inspect --body mannequin.glb --body-motion walk.bvh\n");
+      "  taut inspect my-jacket.obj --untangle\n  taut inspect shirt.stl --units mm --up z --json\n  taut "
+      "inspect --body mannequin.glb --body-motion walk.bvh\n");
   return [options] { return run(*options); };
 }
 
@@ -322,8 +308,7 @@ std::function<int()> add_fit(CLI::App& app) {
       "below 0, " +
       fit_thresholds() +
       ". A garment whose girths are too small\neven when it is stretched is refused with exit code 1; one "
-      "that "
-      "cannot be put on for another reason\nends the command with exit code 3. Both say where it is too "
+      "that cannot be put on for another reason\nends the command with exit code 3. Both say where it is too "
       "small.\n\n"
       "Examples:\n  taut fit shirt.obj --body person.glb\n"
       "  taut fit shirt.obj --body person.glb --body-motion stand.bvh --output shirt.png\n"
@@ -376,11 +361,8 @@ std::function<int()> add_import_model(CLI::App& app) {
 }
 
 std::function<int()> add_scenes(CLI::App& app) {
-  auto options = std::make_shared<ScenesOptions>();
-  CLI::App* command = app.add_subcommand("scenes", "List the built-in scenes, or print one to start from");
-  command->add_option("SCENE,--show", options->show, "print this scene's file, each key with what it means");
-  command->footer("Examples:\n  taut scenes\n  taut scenes tshirt > my.toml\n");
-  return [options] { return run(*options); };
+  app.add_subcommand("scenes", "List the built-in scenes");
+  return list_scenes;
 }
 
 std::function<int()> add_fabrics(CLI::App& app) {
@@ -401,10 +383,9 @@ std::function<int()> add_bench(CLI::App& app) {
   CLI::App* command = app.add_subcommand(
       "bench", "Measure the time of a frame, its stretch, and whether any frame breaks a promise");
   command->add_flag("--contact", options->contact, "all scenes about contact and being worn: takes an hour");
-  command->add_flag(
-      "--quick", options->quick,
-      "a shirt that hangs, in winds, and on someone who walks, 60 frames of each, on one thread: "
-      "three minutes at most (default)");
+  command->add_flag("--quick", options->quick,
+                    "a shirt that hangs, in winds, and on someone who walks, 60 frames of each, on one "
+                    "thread: three minutes at most (default)");
   command->add_option("--scenes", options->scenes, "some of the rows alone")->delimiter(',');
   command
       ->add_option(
@@ -414,8 +395,8 @@ std::function<int()> add_bench(CLI::App& app) {
       ->check(CLI::Range(1e-5, 1.0));
   command
       ->add_option("--runs", options->runs,
-                   "so many runs of each scene, each with its start moved at random by a "
-                   "twentieth of the cloth's thickness (default: one run of the scene as it is)")
+                   "so many runs of each scene, each with its start moved at random by a twentieth of the "
+                   "cloth's thickness (default: one run of the scene as it is)")
       ->check(CLI::Range(1, 1000));
   command->add_option("--frames", options->frames, "frames of each run (default: as the scene has it)")
       ->check(CLI::Range(1, 1000000));

@@ -2,13 +2,7 @@
 
 #include <future>
 
-#include "renderer/frame_check.hpp"
-#include "renderer/gl/frame_block.hpp"
-#include "renderer/gl/picture_target.hpp"
-#include "renderer/gl/shader.hpp"
-#include "renderer/light/studio_light.hpp"
 #include "renderer/passes/backdrop_pass.hpp"
-#include "renderer/passes/covered_squares.hpp"
 #include "renderer/passes/mark_pass.hpp"
 #include "renderer/passes/surface_pass.hpp"
 

@@ -1,10 +1,5 @@
 #include "sim/blocked_contact.hpp"
 
-#include <algorithm>
-#include <cstdio>
-#include <string>
-#include <utility>
-
 namespace taut::sim {
 namespace {
 
@@ -14,9 +9,7 @@ bool is_pinned(Index vertex, const Pins& pins) {
 
 std::string listed(const std::vector<Index>& vertices) {
   std::string text;
-  for (const Index vertex : vertices) {
-    text += (text.empty() ? "" : ", ") + std::to_string(vertex);
-  }
+  for (const Index vertex : vertices) text += (text.empty() ? "" : ", ") + std::to_string(vertex);
   return text;
 }
 
@@ -54,9 +47,7 @@ std::string formatted(const char* format, double a, double b = 0.0, double c = 0
 std::string meeting(const BlockedContact& blocked, const Pins& pins, std::span<const Body> bodies) {
   const auto& [first, second] = blocked.sides;
   const std::string one = name_of(first, pins, bodies);
-  if (second == ContactSide{}) {
-    return one + " gets further away than what it meets could be looked for";
-  }
+  if (second == ContactSide{}) return one + " gets further away than what it meets could be looked for";
   const std::string other = name_of(second, pins, bodies);
   const bool is_first_led = is_led(first, pins);
   const bool is_second_led = is_led(second, pins);
@@ -72,9 +63,7 @@ std::string meeting(const BlockedContact& blocked, const Pins& pins, std::span<c
 std::string describe(const BlockedContact& blocked, const Pins& pins, std::span<const Body> bodies) {
   const Vec3& at = blocked.place_m;
   std::string text = meeting(blocked, pins, bodies);
-  if (blocked.behind) {
-    text += ", which " + name_of(*blocked.behind, pins, bodies) + " keeps from giving way";
-  }
+  if (blocked.behind) text += ", which " + name_of(*blocked.behind, pins, bodies) + " keeps from giving way";
   if (blocked.sides[1] != ContactSide{}) {
     text += blocked.distance_m > 0.0 ? formatted("; they are %.3g mm apart", 1e3 * blocked.distance_m)
                                      : "; they touch already";

@@ -1,11 +1,5 @@
 #pragma once
 
-#include <array>
-#include <optional>
-#include <span>
-#include <stdexcept>
-#include <vector>
-
 #include "sim/contact/bodies.hpp"
 #include "sim/pins.hpp"
 

@@ -21,9 +21,7 @@ std::vector<Vec3> ByteReader::get_positions(const char* what, std::size_t count)
   get<std::uint64_t>(what, count, count);
   std::vector<Vec3> positions_m(count);
   for (Vec3& p : positions_m) {
-    for (int axis = 0; axis < 3; ++axis) {
-      p[axis] = get<double>(what);
-    }
+    for (int axis = 0; axis < 3; ++axis) p[axis] = get<double>(what);
   }
   return positions_m;
 }

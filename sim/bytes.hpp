@@ -1,17 +1,5 @@
 #pragma once
 
-#include <algorithm>
-#include <array>
-#include <bit>
-#include <cstdint>
-#include <limits>
-#include <span>
-#include <sstream>
-#include <stdexcept>
-#include <string>
-#include <string_view>
-#include <vector>
-
 #include "sim/mesh/types.hpp"
 
 namespace taut::sim {
@@ -30,9 +18,7 @@ constexpr std::array<char, sizeof(T)> little_endian(T value) {
 /// before.
 constexpr std::uint64_t fnv1a(std::uint64_t hash, std::string_view bytes) {
   constexpr std::uint64_t prime = 0x100000001B3ULL;
-  for (const char byte : bytes) {
-    hash = (hash ^ static_cast<std::uint8_t>(byte)) * prime;
-  }
+  for (const char byte : bytes) hash = (hash ^ static_cast<std::uint8_t>(byte)) * prime;
   return hash;
 }
 
@@ -88,9 +74,7 @@ class ByteReader {
     if (!(value >= least && value <= most)) {
       std::ostringstream found;
       found << +value << ", expected " << +least;
-      if (least != most) {
-        found << " to " << +most;
-      }
+      if (least != most) found << " to " << +most;
       refuse(at, what, found.str());
     }
     return value;

@@ -1,8 +1,5 @@
 #include "sim/checkpoint.hpp"
 
-#include <limits>
-
-#include "sim/bytes.hpp"
 #include "sim/measures.hpp"
 
 namespace taut::sim {
@@ -19,16 +16,12 @@ constexpr double longest_s = 1e9;
 std::uint64_t hash_of_rest(const Garment& garment) {
   ByteWriter rest;
   rest.put_positions(garment.mesh.positions);
-  for (const Triangle& triangle : garment.mesh.triangles) {
-    rest.put(triangle);
-  }
+  for (const Triangle& triangle : garment.mesh.triangles) rest.put(triangle);
   for (std::size_t s = 0; s < garment.springs.ends.size(); ++s) {
     rest.put(garment.springs.ends[s]);
     rest.put(garment.springs.rest_lengths_m[s]);
   }
-  for (const double mass_kg : garment.masses_kg) {
-    rest.put(mass_kg);
-  }
+  for (const double mass_kg : garment.masses_kg) rest.put(mass_kg);
   return fnv1a(fnv1a_of_nothing, rest.bytes());
 }
 
@@ -118,19 +111,13 @@ FrameReport get_report(ByteReader& in) {
 
 }  // namespace
 
-bool is_rest_judged(const State& state) {
-  return state.quiet_frames > 0 && !state.asleep;
-}
+bool is_rest_judged(const State& state) { return state.quiet_frames > 0 && !state.asleep; }
 
 std::string encode(const Checkpoint& checkpoint, const Garment& garment) {
   ByteWriter out;
-  for (const char c : magic) {
-    out.put(c);
-  }
+  for (const char c : magic) out.put(c);
   out.put(version);
-  for (const Identity& part : identity_of(garment)) {
-    out.put(part.value);
-  }
+  for (const Identity& part : identity_of(garment)) out.put(part.value);
   put_state(checkpoint.state, out);
   out.put_positions(checkpoint.before_m);
   out.put_positions(checkpoint.quiet_since_m);
@@ -145,9 +132,7 @@ Checkpoint decode(std::string_view bytes, const Garment& garment) {
   ByteReader in(bytes);
   in.require_text("what the bytes are", magic);
   in.get("the version", version, version);
-  for (const Identity& part : identity_of(garment)) {
-    in.get(part.what, part.value, part.value);
-  }
+  for (const Identity& part : identity_of(garment)) in.get(part.what, part.value, part.value);
   const std::size_t count = garment.mesh.positions.size();
   Checkpoint checkpoint;
   checkpoint.state = get_state(count, in);

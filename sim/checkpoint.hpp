@@ -1,11 +1,6 @@
 #pragma once
 
-#include <string>
-#include <string_view>
-#include <vector>
-
 #include "sim/solvers/solver.hpp"
-#include "sim/state.hpp"
 
 namespace taut::sim {
 

@@ -1,10 +1,97 @@
 #include "sim/forces.hpp"
 
-#include <algorithm>
-#include <cassert>
-#include <glm/geometric.hpp>
-
 namespace taut::sim {
+namespace {
+
+/// A value in [-1, 1] for each whole number (the finaliser of MurmurHash3 by Appleby).
+double lattice_value(std::int64_t cell, std::uint64_t seed) {
+  std::uint64_t h = static_cast<std::uint64_t>(cell) * 0x9E3779B97F4A7C15ULL + seed;
+  h = (h ^ (h >> 33)) * 0xFF51AFD7ED558CCDULL;
+  h = (h ^ (h >> 33)) * 0xC4CEB9FE1A85EC53ULL;
+  h ^= h >> 33;
+  return static_cast<double>(h >> 11) * 0x1.0p-52 - 1.0;
+}
+
+/// Value noise, twice continuously differentiable (Perlin 2002's quintic).
+double smooth_noise(double x, std::uint64_t seed) {
+  const double cell = std::floor(x);
+  const double t = x - cell;
+  const double blend = t * t * t * (t * (t * 6.0 - 15.0) + 10.0);
+  const auto i = static_cast<std::int64_t>(cell);
+  const double left = lattice_value(i, seed);
+  return left + (lattice_value(i + 1, seed) - left) * blend;
+}
+
+/// Two directions at right angles to `direction` and to each other.
+void make_perpendicular(const Vec3& direction, Vec3& sideways, Vec3& upwards) {
+  const Vec3 helper = std::abs(direction.y) < 0.9 ? Vec3(0.0, 1.0, 0.0) : Vec3(1.0, 0.0, 0.0);
+  sideways = glm::normalize(glm::cross(direction, helper));
+  upwards = glm::cross(sideways, direction);
+}
+
+/// The three functions below add to `forces_n`, in newtons, one entry per vertex of the garment.
+void add_gravity(const Garment& garment, const Vec3& gravity_m_per_s2, std::span<Vec3> forces_n) {
+  assert(forces_n.size() == garment.masses_kg.size());
+  for (std::size_t v = 0; v < forces_n.size(); ++v) forces_n[v] += garment.masses_kg[v] * gravity_m_per_s2;
+}
+
+/// The force on a vertex is -mass * air_drag_per_s * velocity.
+void add_air_drag(const Garment& garment, const State& state, double air_drag_per_s,
+                  std::span<Vec3> forces_n) {
+  assert(forces_n.size() == garment.masses_kg.size() && state.current.size() == forces_n.size());
+  if (air_drag_per_s == 0.0) return;
+  for (std::size_t v = 0; v < forces_n.size(); ++v) {
+    forces_n[v] -= (garment.masses_kg[v] * air_drag_per_s) * velocity(state, static_cast<Index>(v));
+  }
+}
+
+/// Requires that the vertex of every force exists (require_possible checks it).
+void add_artificial_forces(std::span<const PointForce> artificial, std::span<Vec3> forces_n) {
+  for (const PointForce& f : artificial) {
+    assert(f.vertex < forces_n.size());
+    forces_n[f.vertex] += f.force_n;
+  }
+}
+
+}  // namespace
+
+Vec3 wind_velocity(const Wind& wind, double time_s) {
+  const double length = glm::length(wind.direction);
+  if (!(wind.speed_m_per_s != 0.0) || !(length > 0.0)) return Vec3(0.0);
+  const Vec3 direction = wind.direction / length;
+  // Neighbouring lattice values are independent, so one rise and fall takes about two cells.
+  const double phase = 2.0 * time_s / wind.gust_period_s;
+  const double strength = 1.0 + wind.gust_amplitude * smooth_noise(phase, wind.gust_seed);
+  Vec3 sideways, upwards;
+  make_perpendicular(direction, sideways, upwards);
+  const Vec3 turn =
+      sideways * smooth_noise(phase, wind.gust_seed + 1) + upwards * smooth_noise(phase, wind.gust_seed + 2);
+  return wind.speed_m_per_s * strength * (direction + wind.gust_turn * turn);
+}
+
+void add_wind_forces(const Garment& garment, const State& state, const Wind& wind, double time_step_s,
+                     std::span<Vec3> forces_n) {
+  assert(forces_n.size() == state.current.size());
+  const Vec3 air_velocity = wind_velocity(wind, state.time_s);
+  const double half_rho = 0.5 * air_density_kg_per_m3;
+  for (const Triangle& t : garment.mesh.triangles) {
+    const Vec3 doubled_area = doubled_area_vector(state.current, t);
+    const double doubled_size = glm::length(doubled_area);
+    if (!(doubled_size > 0.0)) continue;
+    const Vec3 normal = doubled_area / doubled_size;
+    const Vec3 cloth_velocity = (velocity(state, t[0]) + velocity(state, t[1]) + velocity(state, t[2])) / 3.0;
+    const Vec3 u = air_velocity - cloth_velocity;
+    const Vec3 u_n = normal * glm::dot(u, normal);
+    const double normal_drag = half_rho * wind.pressure_coefficient * glm::length(u_n);
+    const double tangential_drag = half_rho * wind.friction_coefficient * glm::length(u);
+    // F' / m of the linearised drag; per area, so that it holds for every triangle of the cloth.
+    const double per_density = time_step_s / garment.material.areal_density_kg_per_m2;
+    const Vec3 pressure = u_n * (normal_drag / (1.0 + 2.0 * per_density * normal_drag)) +
+                          (u - u_n) * (tangential_drag / (1.0 + 2.0 * per_density * tangential_drag));
+    const Vec3 share = pressure * (doubled_size / 6.0);
+    for (const Index v : t) forces_n[v] += share;
+  }
+}
 
 Vec3 gravity_at(const ExternalForces& external, double time_s) {
   return external.gravity_m_per_s2 + offset_at(external.gravity_path, time_s);
@@ -16,31 +103,6 @@ double largest_gravity_m_per_s2(const ExternalForces& external) {
     largest = std::max(largest, glm::length(external.gravity_m_per_s2 + point.offset));
   }
   return largest;
-}
-
-void add_gravity(const Garment& garment, const Vec3& gravity_m_per_s2, std::span<Vec3> forces_n) {
-  assert(forces_n.size() == garment.masses_kg.size());
-  for (std::size_t v = 0; v < forces_n.size(); ++v) {
-    forces_n[v] += garment.masses_kg[v] * gravity_m_per_s2;
-  }
-}
-
-void add_air_drag(const Garment& garment, const State& state, double air_drag_per_s,
-                  std::span<Vec3> forces_n) {
-  assert(forces_n.size() == garment.masses_kg.size() && state.current.size() == forces_n.size());
-  if (air_drag_per_s == 0.0) {
-    return;
-  }
-  for (std::size_t v = 0; v < forces_n.size(); ++v) {
-    forces_n[v] -= (garment.masses_kg[v] * air_drag_per_s) * velocity(state, static_cast<Index>(v));
-  }
-}
-
-void add_artificial_forces(std::span<const PointForce> artificial, std::span<Vec3> forces_n) {
-  for (const PointForce& f : artificial) {
-    assert(f.vertex < forces_n.size());
-    forces_n[f.vertex] += f.force_n;
-  }
 }
 
 void add_external_forces(const Garment& garment, const State& state, const ExternalForces& external,

@@ -1,15 +1,44 @@
 #pragma once
 
-#include <span>
-#include <vector>
-
-#include "sim/garment.hpp"
 #include "sim/hand.hpp"
 #include "sim/rigid_motion.hpp"
-#include "sim/state.hpp"
-#include "sim/wind.hpp"
 
 namespace taut::sim {
+
+/// The wind. The paper's "wind value" is the speed in m/s.
+struct Wind {
+  double speed_m_per_s = 0.0;
+  Vec3 direction = {0.0, 0.0, -1.0};  ///< where the air goes; any length
+  /// How much gusts raise and lower the speed, as a fraction of it. At 0 the speed is steady.
+  double gust_amplitude = 0.0;
+  double gust_period_s = 1.0;  ///< the mean time from one gust to the next; above 0
+  /// How far gusts turn the wind sideways, as the tangent of the angle.
+  double gust_turn = 0.0;
+  /// The same seed gives the same gusts.
+  std::uint64_t gust_seed = 1;
+  /// The coefficient C_n of the pressure on a face that the air meets at right angles; about 1.2 for a flat
+  /// plate.
+  double pressure_coefficient = 1.2;
+  /// The coefficient C_t of the friction of air that flows along a face.
+  double friction_coefficient = 0.05;
+
+  bool operator==(const Wind&) const = default;
+};
+
+/// The rho of add_wind_forces.
+inline constexpr double air_density_kg_per_m3 = 1.2;
+
+/// Returns the velocity of the air at a time, with gusts, in m/s.
+Vec3 wind_velocity(const Wind& wind, double time_s);
+
+/// Adds the force of the air on every triangle to `forces_n`, in newtons, one entry per vertex of the
+/// garment. Each corner gets one third. Still air brakes the cloth. With the air's velocity u relative to the
+/// triangle, its normal part u_n and its tangential part u_t:
+///   F = 1/2 rho A (C_n |u_n| u_n + C_t |u| u_t)
+/// (quadratic drag as in Keckeisen, Kimmerle, Thomaszewski and Wacker 2004). A light triangle would take on
+/// more than the air's velocity within one step. The factor 1 / (1 + dt F' / m) prevents that.
+void add_wind_forces(const Garment& garment, const State& state, const Wind& wind, double time_step_s,
+                     std::span<Vec3> forces_n);
 
 /// The paper's artificial force on one vertex, in newtons.
 struct PointForce {
@@ -38,14 +67,6 @@ struct ExternalForces {
 Vec3 gravity_at(const ExternalForces& external, double time_s);
 /// Returns the largest that it is at any time, in m/s^2.
 double largest_gravity_m_per_s2(const ExternalForces& external);
-
-/// The three functions below add to `forces_n`, in newtons, one entry per vertex of the garment.
-void add_gravity(const Garment& garment, const Vec3& gravity_m_per_s2, std::span<Vec3> forces_n);
-/// The force on a vertex is -mass * air_drag_per_s * velocity.
-void add_air_drag(const Garment& garment, const State& state, double air_drag_per_s,
-                  std::span<Vec3> forces_n);
-/// Requires that the vertex of every force exists (require_possible checks it).
-void add_artificial_forces(std::span<const PointForce> artificial, std::span<Vec3> forces_n);
 
 /// Adds all external forces: gravity, wind, air drag, artificial forces and the forces of hands.
 /// `time_step_s` is the step in which the forces will act; wind and hands need it to stay stable. Requires

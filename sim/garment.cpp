@@ -1,11 +1,5 @@
 #include "sim/garment.hpp"
 
-#include <algorithm>
-#include <glm/geometric.hpp>
-#include <numeric>
-#include <stdexcept>
-#include <utility>
-
 namespace taut::sim {
 namespace {
 
@@ -21,9 +15,7 @@ double area(const Mesh& mesh, std::size_t triangle) {
 
 void raise_to_least_mass(std::vector<double>& masses) {
   const double mean = std::accumulate(masses.begin(), masses.end(), 0.0) / static_cast<double>(masses.size());
-  for (double& mass : masses) {
-    mass = std::max(mass, least_mass * mean);
-  }
+  for (double& mass : masses) mass = std::max(mass, least_mass * mean);
 }
 
 std::vector<double> lumped_masses(const Mesh& mesh, double density) {
@@ -36,9 +28,7 @@ std::vector<double> lumped_masses(const Mesh& mesh, double density) {
     }
   }
   for (std::size_t t = 2 * mesh.quads.size(); t < mesh.triangles.size(); ++t) {
-    for (const Index v : mesh.triangles[t]) {
-      masses[v] += density * area(mesh, t) / 3.0;
-    }
+    for (const Index v : mesh.triangles[t]) masses[v] += density * area(mesh, t) / 3.0;
   }
   raise_to_least_mass(masses);
   return masses;
@@ -58,8 +48,8 @@ void require_usable(const Material& material) {
   if (given != 3 && (given != 0 || material.tensile_warp_n_per_m < 0.0 ||
                      material.tensile_weft_n_per_m < 0.0 || material.shear_n_per_m < 0.0)) {
     throw std::invalid_argument(
-        "the tensile stiffness along warp and weft and the shear stiffness of cloth must all be above 0 N/m, or "
-        "all 0 for none");
+        "the tensile stiffness along warp and weft and the shear stiffness of cloth must all be above 0 N/m, "
+        "or all 0 for none");
   }
 }
 

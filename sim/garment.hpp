@@ -1,16 +1,47 @@
 #pragma once
 
-#include <memory>
-#include <utility>
-#include <vector>
-
-#include "sim/material.hpp"
-#include "sim/mesh/adjacency.hpp"
-#include "sim/mesh/mesh.hpp"
 #include "sim/springs.hpp"
 #include "sim/surface.hpp"
 
 namespace taut::sim {
+
+/// No cloth is thinner than this: planes leave a tenth of it, which is more than single precision rounds away
+/// from vertices a metre from each other.
+inline constexpr double least_thickness_m = 1e-5;
+
+/// The physical properties of the cloth. They do not depend on how fine the mesh is.
+struct Material {
+  /// Must be above 0. The default is a light jersey. Wind moves heavier cloth less.
+  double areal_density_kg_per_m2 = 0.15;
+  /// Used by `bounded` and `implicit`. The default is a soft jersey. Denim has about ten times this value and
+  /// folds less.
+  double bending_rigidity_n_m = 5e-6;
+  /// Used by `bounded` only: the stiffness of springs that are shorter than their rest length. A lower value
+  /// lets the cloth crumple sooner. For its upper limit see FrameReport::followed_compression_n_per_m.
+  double compression_stiffness_n_per_m = 30.0;
+  /// Used by `bounded` where it holds the surface: tension over strain along the warp and the weft, and
+  /// against shear per radian. All are 0 in cloth that has no such law, which gives as far as its bound lets
+  /// it, or all above 0.
+  double tensile_warp_n_per_m = 0.0;
+  double tensile_weft_n_per_m = 0.0;
+  double shear_n_per_m = 0.0;
+  /// The strains at which threads lock.
+  double warp_limit = 10.0;
+  double weft_limit = 10.0;
+  /// The thickness of a single layer by a gauge. It is the distance kept between layers and to bodies. Solvers
+  /// other than `bounded` do not keep layers apart.
+  double thickness_m = 0.001;
+  /// Coulomb's coefficient, between layers and for bodies that have none of their own.
+  double friction = 0.3;
+
+  bool operator==(const Material&) const = default;
+};
+
+/// Whether its tension depends on its strain.
+inline bool has_law(const Material& material) {
+  return material.tensile_warp_n_per_m > 0.0 && material.tensile_weft_n_per_m > 0.0 &&
+         material.shear_n_per_m > 0.0;
+}
 
 /// The cloth itself. Nothing here changes while the cloth is simulated.
 struct Garment {

@@ -1,9 +1,5 @@
 #include "sim/hand.hpp"
 
-#include <cassert>
-#include <cmath>
-#include <glm/geometric.hpp>
-
 namespace taut::sim {
 
 Vec3 hand_force(const HeldVertex& held, double mass_kg, const Vec3& position_m, const Vec3& velocity_m_per_s,

@@ -1,9 +1,5 @@
 #pragma once
 
-#include <span>
-#include <vector>
-
-#include "sim/garment.hpp"
 #include "sim/state.hpp"
 
 namespace taut::sim {

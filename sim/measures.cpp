@@ -1,11 +1,5 @@
 #include "sim/measures.hpp"
 
-#include <algorithm>
-#include <cassert>
-#include <cmath>
-#include <glm/geometric.hpp>
-#include <limits>
-
 namespace taut::sim {
 namespace {
 
@@ -32,9 +26,7 @@ constexpr double none = -std::numeric_limits<double>::infinity();
 }  // namespace
 
 Stretch measure_stretch(const Springs& springs, std::span<const Vec3> positions) {
-  if (springs.structural_count == 0) {
-    return {};
-  }
+  if (springs.structural_count == 0) return {};
   std::vector<double> stretches(springs.structural_count);
   double sum = 0.0;
   for (std::size_t s = 0; s < stretches.size(); ++s) {
@@ -54,9 +46,7 @@ std::vector<double> vertex_stretch(const Springs& springs, std::span<const Vec3>
   std::vector<double> stretch(positions.size(), none);
   for (std::size_t s = 0; s < springs.structural_count; ++s) {
     const double value = stretch_of(springs, s, positions);
-    for (const Index v : springs.ends[s]) {
-      stretch[v] = std::max(stretch[v], value);
-    }
+    for (const Index v : springs.ends[s]) stretch[v] = std::max(stretch[v], value);
   }
   std::replace(stretch.begin(), stretch.end(), none, 0.0);
   return stretch;
@@ -70,9 +60,7 @@ SurfaceStretch measure_surface_stretch(const Garment& garment, std::span<const V
       stretches.push_back(surface_stretch_of(garment, t, positions));
     }
   }
-  if (stretches.empty()) {
-    return {};
-  }
+  if (stretches.empty()) return {};
   const double largest = *std::max_element(stretches.begin(), stretches.end());
   return {largest, percentile_99(stretches)};
 }
@@ -80,9 +68,7 @@ SurfaceStretch measure_surface_stretch(const Garment& garment, std::span<const V
 std::vector<double> triangle_surface_stretch(const Garment& garment, std::span<const Vec3> positions) {
   std::vector<double> stretch(garment.mesh.triangles.size(), none);
   for (std::size_t t = 0; t < stretch.size(); ++t) {
-    if (garment.triangles_at_rest[t].has_surface()) {
-      stretch[t] = surface_stretch_of(garment, t, positions);
-    }
+    if (garment.triangles_at_rest[t].has_surface()) stretch[t] = surface_stretch_of(garment, t, positions);
   }
   std::replace(stretch.begin(), stretch.end(), none, 0.0);
   return stretch;
@@ -93,9 +79,7 @@ std::vector<double> vertex_surface_stretch(const Garment& garment, std::span<con
   for (std::size_t t = 0; t < garment.mesh.triangles.size(); ++t) {
     if (garment.triangles_at_rest[t].has_surface()) {
       const double value = surface_stretch_of(garment, t, positions);
-      for (const Index v : garment.mesh.triangles[t]) {
-        stretch[v] = std::max(stretch[v], value);
-      }
+      for (const Index v : garment.mesh.triangles[t]) stretch[v] = std::max(stretch[v], value);
     }
   }
   std::replace(stretch.begin(), stretch.end(), none, 0.0);
@@ -115,9 +99,7 @@ Convergence measure_convergence(const ShapeChange& change) {
     result.max_m = std::max(result.max_m, moved_m);
     sum_of_squares += moved_m * moved_m;
   }
-  if (!change.now.empty()) {
-    result.rms_m = std::sqrt(sum_of_squares / static_cast<double>(change.now.size()));
-  }
+  if (!change.now.empty()) result.rms_m = std::sqrt(sum_of_squares / static_cast<double>(change.now.size()));
   return result;
 }
 

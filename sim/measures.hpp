@@ -1,7 +1,5 @@
 #pragma once
 
-#include <span>
-
 #include "sim/garment.hpp"
 #include "sim/mesh/types.hpp"
 

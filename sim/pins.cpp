@@ -1,10 +1,5 @@
 #include "sim/pins.hpp"
 
-#include <algorithm>
-#include <stdexcept>
-#include <string>
-#include <utility>
-
 namespace taut::sim {
 
 Pins make_pins(const Garment& garment, std::vector<Index> vertices) {
@@ -17,12 +12,8 @@ Pins make_pins(const Garment& garment, std::vector<Index> vertices) {
   }
   std::vector<double> inverse_masses_per_kg;
   inverse_masses_per_kg.reserve(count);
-  for (const double mass_kg : garment.masses_kg) {
-    inverse_masses_per_kg.push_back(1.0 / mass_kg);
-  }
-  for (const Index pin : vertices) {
-    inverse_masses_per_kg[pin] = 0.0;
-  }
+  for (const double mass_kg : garment.masses_kg) inverse_masses_per_kg.push_back(1.0 / mass_kg);
+  for (const Index pin : vertices) inverse_masses_per_kg[pin] = 0.0;
   return {std::move(vertices), std::move(inverse_masses_per_kg)};
 }
 

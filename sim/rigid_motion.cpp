@@ -1,11 +1,5 @@
 #include "sim/rigid_motion.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <glm/common.hpp>
-#include <glm/geometric.hpp>
-#include <numbers>
-
 #include "sim/mesh/elementary.hpp"
 
 namespace taut::sim {
@@ -28,9 +22,7 @@ glm::dmat3 rotation(const Vec3& axis, double turns) {
 }
 
 template <typename Part>
-bool lasts_after(const Part& part, double time_s) {
-  return part.until_s > std::max(time_s, part.from_s);
-}
+bool lasts_after(const Part& part, double time_s) { return part.until_s > std::max(time_s, part.from_s); }
 
 }  // namespace
 
@@ -65,9 +57,7 @@ Pose pose_at(const RigidMotion& motion, double time_s) {
 }
 
 Vec3 RigidMove::displacement_m(const Vec3& point_m) const {
-  if (from_.rotation == to_.rotation) {
-    return to_.offset_m - from_.offset_m;
-  }
+  if (from_.rotation == to_.rotation) return to_.offset_m - from_.offset_m;
   return to_(from_.modelled(point_m)) - point_m;
 }
 

@@ -1,10 +1,5 @@
 #pragma once
 
-#include <glm/mat3x3.hpp>
-#include <glm/matrix.hpp>
-#include <limits>
-#include <vector>
-
 #include "sim/mesh/types.hpp"
 
 namespace taut::sim {

@@ -1,15 +1,10 @@
 #include "sim/simulation.hpp"
 
-#include <string>
-#include <utility>
-
 namespace taut::sim {
 namespace {
 
 void require_frame_rate(const SimulationSettings& settings) {
-  if (!(settings.frame_rate_hz > 0.0)) {
-    throw std::invalid_argument("the frame rate must be above 0 Hz");
-  }
+  if (!(settings.frame_rate_hz > 0.0)) throw std::invalid_argument("the frame rate must be above 0 Hz");
 }
 
 void require_shape(const Garment& garment, std::span<const Vec3> positions_m) {
@@ -54,9 +49,7 @@ Simulation::Simulation(std::shared_ptr<const Garment> garment, std::vector<Index
   require_frame_rate(settings);
   require_possible(surroundings_, state_.current.size());
   solver_->require_promised(*garment_, surroundings_);
-  if (start_m) {
-    begin_in(std::move(*start_m));
-  }
+  if (start_m) begin_in(std::move(*start_m));
 }
 
 void Simulation::begin_in(std::vector<Vec3> start_m) {
@@ -81,9 +74,7 @@ void Simulation::advance_frame(const std::function<void()>& poll) {
   State next = state_;
   const FrameReport report = solver_->advance_frame(frame(poll), next);
   const std::size_t lost = first_lost(next.current);
-  if (lost < next.current.size()) {
-    throw Diverged(static_cast<Index>(lost), next.time_s);
-  }
+  if (lost < next.current.size()) throw Diverged(static_cast<Index>(lost), next.time_s);
   solver_->keep_frame();
   std::swap(state_, next);
   before_m_ = std::move(next.current);
@@ -103,9 +94,7 @@ const FrameReport& Simulation::frame_report() const {
 }
 
 MeasuredContact Simulation::measure_contact() const {
-  if (solver_->ignores_contact() && surroundings_.bodies.empty()) {
-    return {};
-  }
+  if (solver_->ignores_contact() && surroundings_.bodies.empty()) return {};
   if (!measure_ || measure_->bodies() != surroundings_.bodies) {
     measure_.emplace(garment_->mesh.triangles, garment_->mesh.positions, surroundings_.bodies);
   }
@@ -125,9 +114,7 @@ Checkpoint Simulation::save() const {
   saved.state = state_;
   saved.state.predicted.clear();
   saved.before_m = before_m_;
-  if (is_rest_judged(state_)) {
-    saved.quiet_since_m = quiet_since_m_;
-  }
+  if (is_rest_judged(state_)) saved.quiet_since_m = quiet_since_m_;
   saved.report = frame_report();
   saved.report.blocked.reset();
   saved.report.left_out.clear();
@@ -215,9 +202,7 @@ void Simulation::fall_asleep_at_rest() {
     state_.quiet_frames = 0;
     return;
   }
-  if (state_.quiet_frames == 0) {
-    quiet_since_m_ = before_m_;
-  }
+  if (state_.quiet_frames == 0) quiet_since_m_ = before_m_;
   ++state_.quiet_frames;
   const ShapeChange drift = {quiet_since_m_, state_.current, rest.frames * frame_time_s()};
   if (!(rms_speed(drift) < rest.speed_m_per_s)) {

@@ -1,18 +1,10 @@
 #pragma once
 
-#include <functional>
-#include <memory>
-#include <optional>
-#include <stdexcept>
-#include <vector>
-
 #include "sim/checkpoint.hpp"
 #include "sim/contact/contact_measure.hpp"
-#include "sim/garment.hpp"
 #include "sim/measures.hpp"
 #include "sim/pins.hpp"
 #include "sim/solvers/make_solver.hpp"
-#include "sim/state.hpp"
 #include "sim/surroundings.hpp"
 
 namespace taut::sim {

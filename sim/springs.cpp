@@ -1,12 +1,5 @@
 #include "sim/springs.hpp"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <glm/geometric.hpp>
-#include <limits>
-#include <numeric>
-
 #include "sim/mesh/elementary.hpp"
 
 namespace taut::sim {
@@ -14,9 +7,7 @@ namespace {
 
 constexpr double turns_per_radian = 0.15915494309189535;
 
-Edge make_edge(Index a, Index b) {
-  return a < b ? Edge{a, b} : Edge{b, a};
-}
+Edge make_edge(Index a, Index b) { return a < b ? Edge{a, b} : Edge{b, a}; }
 
 void sort_and_deduplicate(std::vector<Edge>& edges) {
   std::sort(edges.begin(), edges.end());
@@ -54,9 +45,7 @@ Index straightest_neighbour(const Neighbour& a, std::span<const Neighbour> neigh
   Index best = a.vertex;
   double best_cosine = largest_cosine;
   for (const Neighbour& b : neighbours) {
-    if (b.vertex == a.vertex) {
-      continue;
-    }
+    if (b.vertex == a.vertex) continue;
     const double cosine = glm::dot(a.direction, b.direction);
     // The smaller index wins a tie, so that the mapping does not depend on the order of the edges.
     if (cosine < best_cosine || (cosine == best_cosine && (best == a.vertex || b.vertex < best))) {
@@ -81,9 +70,7 @@ std::vector<Edge> angular_pairs(const Mesh& mesh, const std::vector<Edge>& struc
     }
     for (const Neighbour& a : neighbours) {
       const Index b = straightest_neighbour(a, neighbours, largest_cosine);
-      if (b != a.vertex) {
-        pairs.push_back(make_edge(a.vertex, b));
-      }
+      if (b != a.vertex) pairs.push_back(make_edge(a.vertex, b));
     }
   }
   return pairs;
@@ -91,9 +78,7 @@ std::vector<Edge> angular_pairs(const Mesh& mesh, const std::vector<Edge>& struc
 
 Index corner_opposite(const Triangle& t, const Edge& edge) {
   for (const Index v : t) {
-    if (v != edge[0] && v != edge[1]) {
-      return v;
-    }
+    if (v != edge[0] && v != edge[1]) return v;
   }
   return t[0];
 }
@@ -102,14 +87,10 @@ std::vector<Edge> opposite_vertex_pairs(const Mesh& mesh, const Adjacency& adjac
   std::vector<Edge> pairs;
   for (std::size_t e = 0; e < adjacency.edges.size(); ++e) {
     const auto triangles = adjacency.edge_triangles[e];
-    if (triangles.size() != 2) {
-      continue;
-    }
+    if (triangles.size() != 2) continue;
     const Index a = corner_opposite(mesh.triangles[triangles[0]], adjacency.edges[e]);
     const Index b = corner_opposite(mesh.triangles[triangles[1]], adjacency.edges[e]);
-    if (a != b) {
-      pairs.push_back(make_edge(a, b));
-    }
+    if (a != b) pairs.push_back(make_edge(a, b));
   }
   return pairs;
 }
@@ -188,9 +169,7 @@ Springs map_to_springs(const Mesh& mesh, const Adjacency& adjacency, const Mappi
   append(springs, shear, mesh.positions);
   springs.shear_count = springs.size() - springs.structural_count;
   append(springs, flexural, mesh.positions);
-  if (!mesh.cut_m.empty()) {
-    take_lengths_of_pieces(mesh, adjacency, springs);
-  }
+  if (!mesh.cut_m.empty()) take_lengths_of_pieces(mesh, adjacency, springs);
   return springs;
 }
 

@@ -1,11 +1,6 @@
 #pragma once
 
-#include <cstddef>
-#include <span>
-#include <vector>
-
 #include "sim/mesh/adjacency.hpp"
-#include "sim/mesh/mesh.hpp"
 
 namespace taut::sim {
 

@@ -1,7 +1,5 @@
 #include "sim/state.hpp"
 
-#include <utility>
-
 #include "sim/bytes.hpp"
 
 namespace taut::sim {
@@ -41,9 +39,7 @@ void set_time_step(State& state, double time_step_s) {
 }
 
 Vec3 velocity(const State& state, Index vertex) {
-  if (!(state.time_step_s > 0.0)) {
-    return Vec3(0.0);
-  }
+  if (!(state.time_step_s > 0.0)) return Vec3(0.0);
   return (state.current[vertex] - state.previous[vertex]) / state.time_step_s;
 }
 

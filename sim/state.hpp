@@ -1,8 +1,5 @@
 #pragma once
 
-#include <cstdint>
-#include <vector>
-
 #include "sim/garment.hpp"
 #include "sim/mesh/types.hpp"
 

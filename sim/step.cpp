@@ -1,10 +1,25 @@
 #include "sim/step.hpp"
 
-#include <algorithm>
-
-#include "sim/verlet.hpp"
-
 namespace taut::sim {
+
+void predict_positions(std::span<const Vec3> previous, std::span<const Vec3> current,
+                       std::span<const Vec3> forces_n, std::span<const double> inverse_masses_per_kg,
+                       double time_step_s, std::span<Vec3> predicted) {
+  const std::size_t n = current.size();
+  assert(previous.size() == n && forces_n.size() == n && inverse_masses_per_kg.size() == n);
+  assert(predicted.size() == n);
+  const double dt_squared = time_step_s * time_step_s;
+  for (std::size_t v = 0; v < n; ++v) {
+    if (inverse_masses_per_kg[v] == 0.0) {
+      predicted[v] = current[v];
+      continue;
+    }
+    const Vec3 acceleration = forces_n[v] * inverse_masses_per_kg[v];
+    // Adding the small difference loses fewer digits than 2 p(t) - p(t - dt).
+    predicted[v] = current[v] + ((current[v] - previous[v]) + acceleration * dt_squared);
+  }
+}
+
 namespace {
 
 void impose_forces(const Garment& garment, const ExternalForces& external, const SpringResponse& springs,
@@ -25,18 +40,12 @@ void constrain(const Garment& garment, const Pins& pins, const SpringResponse& s
 }  // namespace
 
 void move_pins(const Pins& pins, const Surroundings& surroundings, double time_step_s, State& state) {
-  if (surroundings.pin_motion.amplitude_m == Vec3(0.0) && !has_pins_of_their_own(surroundings)) {
-    return;
-  }
+  if (surroundings.pin_motion.amplitude_m == Vec3(0.0) && !has_pins_of_their_own(surroundings)) return;
   std::vector<Vec3> from_m;
-  for (const Index pin : pins.vertices) {
-    from_m.push_back(state.current[pin]);
-  }
+  for (const Index pin : pins.vertices) from_m.push_back(state.current[pin]);
   const std::vector<Vec3> moved_m =
       pin_displacements(surroundings, pins.vertices, from_m, {state.time_s, state.time_s + time_step_s});
-  for (std::size_t k = 0; k < moved_m.size(); ++k) {
-    state.predicted[pins.vertices[k]] = from_m[k] + moved_m[k];
-  }
+  for (std::size_t k = 0; k < moved_m.size(); ++k) state.predicted[pins.vertices[k]] = from_m[k] + moved_m[k];
 }
 
 void finish_step(const Garment& garment, const Pins& pins, const Surroundings& surroundings,

@@ -1,13 +1,17 @@
 #pragma once
 
-#include <span>
-
-#include "sim/garment.hpp"
 #include "sim/pins.hpp"
 #include "sim/state.hpp"
 #include "sim/surroundings.hpp"
 
 namespace taut::sim {
+
+/// Eq. (1): p(t + dt) = 2 p(t) - p(t - dt) + a(t) dt^2 with a = f / m (Verlet 1967). Positions are in metres.
+/// All spans have one entry per vertex. A pinned vertex (inverse mass 0) is predicted to stay at its current
+/// position.
+void predict_positions(std::span<const Vec3> previous, std::span<const Vec3> current,
+                       std::span<const Vec3> forces_n, std::span<const double> inverse_masses_per_kg,
+                       double time_step_s, std::span<Vec3> predicted);
 
 /// How the springs of one solver act: by forces before the prediction, by corrections after it, or by both.
 class SpringResponse {

@@ -1,9 +1,5 @@
 #include "sim/surface.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <glm/geometric.hpp>
-
 namespace taut::sim {
 namespace {
 
@@ -19,9 +15,7 @@ TriangleAtRest at_rest(const std::array<Vec3, 3>& corners) {
   const double base_m = glm::length(e1);
   const double longest_m = std::max({base_m, glm::length(e2), glm::distance(corners[1], corners[2])});
   const double doubled_area_m2 = glm::length(glm::cross(e1, e2));
-  if (!(doubled_area_m2 >= thinnest * longest_m * longest_m && base_m > 0.0)) {
-    return {};
-  }
+  if (!(doubled_area_m2 >= thinnest * longest_m * longest_m && base_m > 0.0)) return {};
   TriangleAtRest rest;
   rest.along_per_m = 1.0 / base_m;
   rest.across_per_m = base_m / doubled_area_m2;
@@ -52,9 +46,7 @@ std::array<Vec2, 3> gradients_by_corners(const TriangleAtRest& rest) {
 std::vector<TriangleAtRest> triangles_at_rest(const Mesh& mesh) {
   std::vector<TriangleAtRest> rest;
   rest.reserve(mesh.triangles.size());
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    rest.push_back(at_rest(corners_at_rest(mesh, t)));
-  }
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) rest.push_back(at_rest(corners_at_rest(mesh, t)));
   return rest;
 }
 
@@ -79,9 +71,7 @@ Vec2 principal_direction(const DeformationGradient& gradient) {
   const double half =
       (glm::dot(gradient.along, gradient.along) - glm::dot(gradient.across, gradient.across)) / 2.0;
   const double larger = std::sqrt(half * half + product * product) + std::abs(half);
-  if (!(larger > 0.0)) {
-    return {1.0, 0.0};
-  }
+  if (!(larger > 0.0)) return {1.0, 0.0};
   return glm::normalize(half >= 0.0 ? Vec2(larger, product) : Vec2(product, larger));
 }
 

@@ -1,10 +1,5 @@
 #pragma once
 
-#include <array>
-#include <glm/vec2.hpp>
-#include <span>
-#include <vector>
-
 #include "sim/mesh/mesh.hpp"
 
 namespace taut::sim {

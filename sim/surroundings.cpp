@@ -1,13 +1,5 @@
 #include "sim/surroundings.hpp"
 
-#include <algorithm>
-#include <cassert>
-#include <cmath>
-#include <glm/geometric.hpp>
-#include <numbers>
-#include <stdexcept>
-#include <string>
-
 #include "sim/mesh/elementary.hpp"
 
 namespace taut::sim {
@@ -48,9 +40,7 @@ void require_ascending(const char* what, const std::vector<Index>& vertices, std
   if (!std::is_sorted(vertices.begin(), vertices.end())) {
     throw std::invalid_argument(std::string("the vertices of ") + what + " must be in ascending order");
   }
-  if (!vertices.empty()) {
-    require_vertex("a motion leads", vertices.back(), vertex_count);
-  }
+  if (!vertices.empty()) require_vertex("a motion leads", vertices.back(), vertex_count);
 }
 
 }  // namespace

@@ -1,11 +1,12 @@
 #include "app/base/files.hpp"
 
+#include <dlfcn.h>
 #include <fcntl.h>
+#include <link.h>
 #include <unistd.h>
 
 #include <fstream>
 
-#include "app/base/child_process.hpp"
 #include "app/base/errors.hpp"
 
 namespace taut::app {
@@ -139,6 +140,44 @@ void write_file(const fs::path& path, std::span<const std::uint8_t> bytes) {
     ::unlinkat(folder.number() >= 0 ? folder.number() : AT_FDCWD,
                (folder.number() >= 0 ? temporary.filename() : temporary).c_str(), 0);
     throw;
+  }
+}
+
+std::filesystem::path own_file() {
+  Dl_info info{};
+  void* map = nullptr;
+  const bool is_known = ::dladdr1(reinterpret_cast<void*>(&own_file), &info, &map, RTLD_DL_LINKMAP) != 0;
+  // The name of the program itself is left empty there.
+  const char* name = is_known && map != nullptr ? static_cast<link_map*>(map)->l_name : "";
+  std::error_code error;
+  return std::filesystem::canonical(*name != '\0' ? name : "/proc/self/exe", error);
+}
+
+std::vector<std::filesystem::path> folders_above(const std::filesystem::path& file) {
+  const std::filesystem::path above = file.parent_path().parent_path();
+  return file.empty() ? std::vector<std::filesystem::path>{}
+                      : std::vector<std::filesystem::path>{above, above.parent_path()};
+}
+
+SeekableFile::SeekableFile(std::filesystem::path path) : path_(std::move(path)) {
+  require_file(path_);
+  file_ = Descriptor(::open(path_.c_str(), O_RDONLY | O_CLOEXEC));
+  if (file_.number() < 0) {
+    throw InputError("cannot read '" + path_.string() + "': " + std::generic_category().message(errno));
+  }
+  size_ = std::filesystem::file_size(path_);
+}
+
+void SeekableFile::read(std::uint64_t offset, std::span<char> bytes) const {
+  std::size_t done = 0;
+  while (done < bytes.size()) {
+    const ssize_t count =
+        ::pread(file_.number(), bytes.data() + done, bytes.size() - done, static_cast<off_t>(offset + done));
+    if (count == 0 || (count < 0 && errno != EINTR)) {
+      throw InputError("'{}': found {} bytes from byte {} on, expected {}{}", path_.string(), done, offset,
+                       bytes.size(), count == 0 ? "; it was changed while it was read" : "");
+    }
+    done += count > 0 ? static_cast<std::size_t>(count) : 0;
   }
 }
 

@@ -2,7 +2,7 @@
 
 #include <filesystem>
 
-#include "prelude.hpp"
+#include "app/base/child_process.hpp"
 
 namespace taut::app {
 
@@ -42,5 +42,31 @@ void put_in_place(const std::filesystem::path& complete, const std::filesystem::
 void write_text_file(const std::filesystem::path& path, const std::string& text);
 /// As write_text_file, for bytes.
 void write_file(const std::filesystem::path& path, std::span<const std::uint8_t> bytes);
+
+/// The file that this code is in: the program, or libtaut in a program of someone else. Empty if the system
+/// does not say.
+std::filesystem::path own_file();
+
+/// The two folders above that of a file, the nearer first: what is installed has its bin, its lib or its
+/// lib/ARCH in one of them. None of an empty path.
+std::vector<std::filesystem::path> folders_above(const std::filesystem::path& file);
+
+/// A file of which parts are read, by several threads at once if need be.
+class SeekableFile {
+ public:
+  /// Throws InputError that names the file and the reason: missing, a folder, unreadable or empty.
+  explicit SeekableFile(std::filesystem::path path);
+
+  const std::filesystem::path& path() const { return path_; }
+  /// Returns how many bytes it had when it was opened.
+  std::uint64_t size() const { return size_; }
+  /// Fills `bytes` with what begins at `offset`. Throws InputError if the file does not have as much.
+  void read(std::uint64_t offset, std::span<char> bytes) const;
+
+ private:
+  std::filesystem::path path_;
+  Descriptor file_;
+  std::uint64_t size_ = 0;
+};
 
 }  // namespace taut::app

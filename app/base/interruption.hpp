@@ -1,5 +1,7 @@
 #pragma once
 
+#include "prelude.hpp"
+
 namespace taut::app {
 
 /// Call once at the start. From then on the first SIGINT or SIGTERM is only noted, so that a file being

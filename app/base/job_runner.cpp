@@ -3,10 +3,6 @@
 #include <fmt/core.h>
 
 #include <atomic>
-#include <chrono>
-#include <condition_variable>
-#include <mutex>
-#include <thread>
 
 #include "app/base/interruption.hpp"
 #include "app/base/progress.hpp"

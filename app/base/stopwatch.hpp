@@ -1,5 +1,6 @@
 #pragma once
 
+#include "prelude.hpp"
 #include <chrono>
 #include <ctime>
 

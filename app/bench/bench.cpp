@@ -2,17 +2,15 @@
 
 #include <random>
 
+#include "app/base/counted.hpp"
 #include "app/base/errors.hpp"
 #include "app/base/interruption.hpp"
-#include "app/base/ranking.hpp"
 #include "app/base/stopwatch.hpp"
 #include "app/drawing/drawn_scene.hpp"
 #include "app/output/csv.hpp"
 #include "app/output/frame_verifier.hpp"
 #include "app/output/run_checkpoint.hpp"
-#include "app/scene/scene_file.hpp"
 #include "app/scene/scene_format.hpp"
-#include "sim/simulation.hpp"
 
 namespace taut::app {
 namespace {
@@ -217,19 +215,15 @@ std::string contact_head(const std::string& vector_unit) {
   return "Processor time of a frame with contact, of all threads, with " + vector_unit +
          ". Of several runs the median of their medians, and the worst 99th percentile and frame.\n"
          "Searches for what is near: their part of the time, and how many a frame, through all and around "
-         "single "
-         "vertices.\n"
+         "single vertices.\n"
          "Pairs: the most that were kept apart at a time. Distance: the smallest of these pairs when a frame "
          "began, as the solver measured it.\n"
          "Stretch and crossing pairs: of every frame, the start included, by a way that shares nothing with "
-         "the "
-         "solver.\n\n"
+         "the solver.\n\n"
          "                                 tri-               ms a frame           searches           most  "
-         "distance   "
-         "stretch         crossing  broken  runs\n"
+         "distance   stretch         crossing  broken  runs\n"
          "scene                          angles  frames   median    99 %   worst       %     all  around    "
-         "pairs        "
-         "mm         %  bound     pairs  frames  passed\n";
+         "pairs        mm         %  bound     pairs  frames  passed\n";
 }
 
 std::string contact_row(const ContactTrial& trial) { return row_of(trial) + failures_of(trial); }

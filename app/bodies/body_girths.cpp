@@ -1,8 +1,5 @@
 #include "app/bodies/body_girths.hpp"
 
-#include <algorithm>
-#include <glm/geometric.hpp>
-
 #include "app/bodies/joint_names.hpp"
 #include "sim/mesh/extent.hpp"
 #include "sim/mesh/groups.hpp"
@@ -50,9 +47,7 @@ using Pieces = std::vector<Piece>;
 
 sim::Vec2 middle_of(const std::vector<sim::Vec2>& points) {
   sim::Extent box;
-  for (const sim::Vec2& p : points) {
-    box.add({p.x, p.y, 0.0});
-  }
+  for (const sim::Vec2& p : points) box.add({p.x, p.y, 0.0});
   return {box.middle().x, box.middle().y};
 }
 
@@ -82,9 +77,7 @@ std::optional<LevelTape> tape_around(const Pieces& pieces, double height_m, std:
   };
   Pieces of_trunk;
   std::copy_if(pieces.begin(), pieces.end(), std::back_inserter(of_trunk), is_of_trunk);
-  if (of_trunk.empty()) {
-    return std::nullopt;
-  }
+  if (of_trunk.empty()) return std::nullopt;
   LevelTape tape{.height_m = height_m, .single_m = largest_of(of_trunk).tape_m};
   tape.beside = static_cast<std::size_t>(std::count_if(pieces.begin(), pieces.end(), [&](const Piece& piece) {
     return !is_of_trunk(piece) && piece.tape_m > share_of_arms * tape.single_m;
@@ -92,12 +85,8 @@ std::optional<LevelTape> tape_around(const Pieces& pieces, double height_m, std:
   std::erase_if(of_trunk, [&](const Piece& piece) { return piece.tape_m < share_of_legs * tape.single_m; });
   std::vector<sim::Vec2> points;
   sim::Extent box;
-  for (const Piece& piece : of_trunk) {
-    points.insert(points.end(), piece.hull.begin(), piece.hull.end());
-  }
-  for (const sim::Vec2& p : points) {
-    box.add({p.x, height_m, -p.y});
-  }
+  for (const Piece& piece : of_trunk) points.insert(points.end(), piece.hull.begin(), piece.hull.end());
+  for (const sim::Vec2& p : points) box.add({p.x, height_m, -p.y});
   trunk = convex_hull(std::move(points));
   tape.is_parted = of_trunk.size() > 1;
   tape.girth_m = length_m({trunk, true});
@@ -120,9 +109,7 @@ Followed follow_trunk(const Surface& body, const sim::Extent& box) {
   constexpr auto start = static_cast<std::size_t>(surely_trunk * levels_of_body);
   const Pieces first = pieces_at(body, height_m(start));
   Followed followed;
-  if (first.empty()) {
-    return followed;
-  }
+  if (first.empty()) return followed;
   std::vector<sim::Vec2> trunk = largest_of(first).hull;
   const auto add = [&](std::size_t k) {
     const auto tape = tape_around(pieces_at(body, height_m(k)), height_m(k), trunk);
@@ -148,9 +135,7 @@ std::vector<sim::Triangle> skin_of(const Surface& body, double height_m) {
   }
   std::map<sim::Index, sim::Extent> boxes;
   for (const sim::Triangle& t : body.triangles) {
-    for (const sim::Index v : t) {
-      boxes[shells.find(v)].add(body.positions_m[v]);
-    }
+    for (const sim::Index v : t) boxes[shells.find(v)].add(body.positions_m[v]);
   }
   const auto higher = [](const auto& a, const auto& b) { return a.second.size().y < b.second.size().y; };
   const auto highest = std::max_element(boxes.begin(), boxes.end(), higher);
@@ -207,9 +192,7 @@ BodyLandmarks landmarks_of(const Followed& body) {
   return found;
 }
 
-Girth named(const char* name, const LevelTape& tape) {
-  return {name, tape.girth_m, tape.height_m};
-}
+Girth named(const char* name, const LevelTape& tape) { return {name, tape.girth_m, tape.height_m}; }
 
 void measure_neck(const Surface& body, const JointPlaces& joints, const BodyLandmarks& at, Level end,
                   BodyMeasures& measures) {
@@ -227,9 +210,7 @@ void measure_neck(const Surface& body, const JointPlaces& joints, const BodyLand
     std::vector<sim::Vec2> largest = pieces.empty() ? std::vector<sim::Vec2>{} : largest_of(pieces).hull;
     tape = pieces.empty() ? std::nullopt : tape_around(pieces, height_m, largest);
   }
-  if (tape) {
-    measures.girths.push_back(named("neck", *tape));
-  }
+  if (tape) measures.girths.push_back(named("neck", *tape));
 }
 
 /// The level that is farthest in front of those that are farther than the ones around them and wider than a waist; the
@@ -247,9 +228,7 @@ Level fullest_in_front(Level first, Level end, double waist_m) {
 }
 
 void measure_trunk(const BodyLandmarks& at, BodyMeasures& measures) {
-  if (at.armpits != at.base) {
-    measures.girths.push_back(named("upper chest", *(at.armpits - levels_below)));
-  }
+  if (at.armpits != at.base) measures.girths.push_back(named("upper chest", *(at.armpits - levels_below)));
   const auto share = [&](double of_trunk) {
     return at.fork + static_cast<std::ptrdiff_t>(of_trunk * static_cast<double>(at.armpits - at.fork));
   };
@@ -285,9 +264,7 @@ std::optional<RingAround> upper_arm(const Surface& surface, const ArmJoints& arm
   const sim::Vec3 along = glm::normalize(arm.elbow_m - arm.shoulder_m);
   const auto above = ring_near(surface, {glm::mix(arm.shoulder_m, arm.elbow_m, 0.5 - beside_middle), along});
   const auto below = ring_near(surface, {glm::mix(arm.shoulder_m, arm.elbow_m, 0.5 + beside_middle), along});
-  if (!above || !below) {
-    return std::nullopt;
-  }
+  if (!above || !below) return std::nullopt;
   // Joints that are guessed are beside the arm's axis.
   return ring_near(surface, {0.5 * (above->middle_m + below->middle_m),
                              glm::normalize(below->middle_m - above->middle_m)});
@@ -297,15 +274,11 @@ std::optional<RingAround> upper_arm(const Surface& surface, const ArmJoints& arm
 
 std::map<std::string, sim::Index> joint_nodes(const Rig& rig) {
   std::vector<std::string> names;
-  for (const RigNode& node : rig.nodes) {
-    names.push_back(node.name);
-  }
+  for (const RigNode& node : rig.nodes) names.push_back(node.name);
   const std::vector<std::string> parts = parts_of_joints(names);
   std::map<std::string, sim::Index> nodes;
   for (sim::Index n = 0; n < parts.size(); ++n) {
-    if (is_main_part(parts[n]) || parts[n] == "neck") {
-      nodes.emplace(parts[n], n);
-    }
+    if (is_main_part(parts[n]) || parts[n] == "neck") nodes.emplace(parts[n], n);
   }
   return nodes;
 }
@@ -333,21 +306,15 @@ BodyMeasures measure_body(const Surface& whole, const JointPlaces& joints) {
   const Surface body = {whole.positions_m, skin};
   sim::Extent box;
   for (const sim::Triangle& t : skin) {
-    for (const sim::Index v : t) {
-      box.add(whole.positions_m[v]);
-    }
+    for (const sim::Index v : t) box.add(whole.positions_m[v]);
   }
   const Followed followed = follow_trunk(body, box);
   const Levels& levels = followed.levels;
   BodyMeasures measures;
-  if (levels.empty()) {
-    return measures;
-  }
+  if (levels.empty()) return measures;
   const BodyLandmarks at = landmarks_of(followed);
   const bool is_someone = !joints.empty() || at.base != levels.end();
-  if (!is_someone || at.armpits - at.fork < 10) {
-    return measures;
-  }
+  if (!is_someone || at.armpits - at.fork < 10) return measures;
   measure_neck(body, joints, at, levels.end(), measures);
   measure_trunk(at, measures);
   measure_thigh(levels, at, measures);
@@ -379,9 +346,7 @@ std::optional<RingAround> ring_at_shoulder(const Surface& surface, const ArmJoin
     const sim::Vec3 point_m = arm.shoulder_m + 0.5 * step / steps_of_armhole * along;
     const auto ring = ring_near(surface, {point_m, normal});
     const bool is_there = found && ring && ring->tape_m > next_share * found->tape_m;
-    if (is_there) {
-      break;
-    }
+    if (is_there) break;
     found = ring && ring->tape_m < most_of_armhole * arm_m ? ring : std::nullopt;
   }
   return found;
@@ -389,9 +354,7 @@ std::optional<RingAround> ring_at_shoulder(const Surface& surface, const ArmJoin
 
 std::optional<RingAround> armhole_of(const Surface& garment, const ArmJoints& arm, double sleeve_m) {
   const auto sleeve = ring_at_shoulder(garment, arm, sleeve_m);
-  if (!sleeve) {
-    return std::nullopt;
-  }
+  if (!sleeve) return std::nullopt;
   const sim::Vec3 over_m = arm.shoulder_m + beside_joint_m * arm.outwards;
   const sim::Vec3 front = glm::cross(arm.outwards, sim::Vec3(0.0, 1.0, 0.0));
   const sim::Vec3 normal = glm::cross(front, over_m - sleeve->lowest_m);

@@ -1,14 +1,8 @@
 #pragma once
 
-#include <map>
-#include <optional>
-#include <string>
-#include <vector>
-
 #include "app/bodies/rig_pose.hpp"
 #include "app/models/placement.hpp"
 #include "app/models/section.hpp"
-#include "app/verify/crossing_pairs.hpp"
 
 namespace taut::app {
 

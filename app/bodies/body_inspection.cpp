@@ -1,18 +1,8 @@
 #include "app/bodies/body_inspection.hpp"
 
-#include <fmt/core.h>
-
-#include <algorithm>
-#include <glm/geometric.hpp>
-#include <set>
-
-#include "app/base/counted.hpp"
 #include "app/base/interruption.hpp"
-#include "app/base/suggest.hpp"
 #include "app/bodies/body_loading.hpp"
-#include "app/bodies/rig_frames.hpp"
 #include "app/bodies/shape_rig.hpp"
-#include "app/verify/crossing_pairs.hpp"
 #include "sim/mesh/extent.hpp"
 #include "sim/mesh/topology.hpp"
 
@@ -37,9 +27,7 @@ std::vector<std::string> joints_of(const Rig& rig) {
   }
   nodes.erase(no_node);
   std::vector<std::string> names;
-  for (const sim::Index node : nodes) {
-    names.push_back(rig.nodes[node].name);
-  }
+  for (const sim::Index node : nodes) names.push_back(rig.nodes[node].name);
   return names;
 }
 
@@ -56,9 +44,7 @@ MotionInspection motion_of(const sim::BodyMesh& body) {
     body.frames->positions_in(frame, now_m);
     for (std::size_t v = 0; v < now_m.size(); ++v) {
       const double speed = glm::distance(before_m[v], now_m[v]) * motion.rate_hz;
-      if (speed > motion.fastest.speed_m_per_s) {
-        motion.fastest = {speed, frame, now_m[v]};
-      }
+      if (speed > motion.fastest.speed_m_per_s) motion.fastest = {speed, frame, now_m[v]};
     }
     std::swap(before_m, now_m);
   }
@@ -72,14 +58,10 @@ void look_for_crossings(const sim::BodyMesh& body, BodyInspection& result) {
   for (std::size_t k = 0; k < result.frames_looked_at; ++k) {
     throw_if_interrupted();
     const std::size_t frame = k * (frames - 1) / std::max<std::size_t>(result.frames_looked_at - 1, 1);
-    if (body.frames) {
-      body.frames->positions_in(frame, positions_m);
-    }
+    if (body.frames) body.frames->positions_in(frame, positions_m);
     const Surface surface = {positions_m, body.data->triangles};
     const std::vector<CrossingPair> pairs = crossing_pairs(surface);
-    if (!pairs.empty()) {
-      result.crossings.push_back({frame, describe(surface, pairs)});
-    }
+    if (!pairs.empty()) result.crossings.push_back({frame, describe(surface, pairs)});
   }
 }
 
@@ -94,9 +76,7 @@ std::string girths_text(const BodyInspection& body) {
 
 std::string crossings_text(const BodyInspection& body) {
   const std::string looked = fmt::format(" ({} looked at)", counted(body.frames_looked_at, "frame"));
-  if (body.crossings.empty()) {
-    return "it does not cross itself" + looked;
-  }
+  if (body.crossings.empty()) return "it does not cross itself" + looked;
   return fmt::format("it crosses itself in {} of {}; in frame {} {}", body.crossings.size(),
                      counted(body.frames_looked_at, "frame") + " looked at", body.crossings.front().frame,
                      body.crossings.front().pairs);
@@ -122,9 +102,7 @@ BodyInspection inspect_body(const BodySource& source) {
   result.clips = describe_clips(*body.rig);
   result.girths = measures_of({body.mesh.data->positions_m, body.mesh.data->triangles}, body.joints).girths;
   result.remarks = body.remarks;
-  if (body.mesh.frames) {
-    result.motion = motion_of(body.mesh);
-  }
+  if (body.mesh.frames) result.motion = motion_of(body.mesh);
   look_for_crossings(body.mesh, result);
   return result;
 }
@@ -150,9 +128,7 @@ std::string describe(const BodyInspection& body) {
     text += "  " + describe(body.motion->loop) + " (loop, --body-loop)\n";
   }
   text += "  " + crossings_text(body) + '\n';
-  for (const std::string& remark : body.remarks) {
-    text += "  " + remark + '\n';
-  }
+  for (const std::string& remark : body.remarks) text += "  " + remark + '\n';
   return text;
 }
 

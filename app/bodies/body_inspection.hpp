@@ -1,12 +1,7 @@
 #pragma once
 
-#include <optional>
-#include <string>
-#include <vector>
-
 #include "app/bodies/body_girths.hpp"
-#include "app/bodies/looping.hpp"
-#include "app/scene/scene.hpp"
+#include "app/bodies/motion_opening.hpp"
 #include "app/scene/scene_key.hpp"
 
 namespace taut::app {

@@ -1,28 +1,92 @@
 #include "app/bodies/body_loading.hpp"
 
-#include <fmt/core.h>
-
-#include <algorithm>
-#include <cmath>
-#include <numeric>
-#include <stdexcept>
-#include <utility>
-
 #include "app/base/counted.hpp"
 #include "app/base/errors.hpp"
 #include "app/base/interruption.hpp"
 #include "app/bodies/body_mesh.hpp"
-#include "app/bodies/dressing.hpp"
-#include "app/bodies/looping.hpp"
 #include "app/bodies/motion_opening.hpp"
-#include "app/bodies/rig_pose.hpp"
-#include "app/bodies/room_for_cloth.hpp"
 #include "app/bodies/shape_rig.hpp"
-#include "app/bodies/turned_frames.hpp"
 #include "sim/mesh/extent.hpp"
 
 namespace taut::app {
 namespace {
+
+/// Where the body's x, y and z are found in a file: the axis of each, and its sign.
+struct Axes {
+  const char* name;
+  std::array<int, 3> axis;
+  sim::Vec3 sign;
+
+  sim::Vec3 operator()(const sim::Vec3& p) const {
+    return sign * sim::Vec3(p[axis[0]], p[axis[1]], p[axis[2]]);
+  }
+};
+
+/// The body's own first.
+const std::array<Axes, 5> systems = {{{"x, y, z", {0, 1, 2}, {1, 1, 1}},
+                                      {"x, z, -y", {0, 2, 1}, {1, 1, -1}},
+                                      {"x, -z, y", {0, 2, 1}, {1, -1, 1}},
+                                      {"x, y, -z", {0, 1, 2}, {1, 1, -1}},
+                                      {"x, z, y", {0, 2, 1}, {1, 1, 1}}}};
+
+/// Square of how many times nearer a first frame has to be for its axes to be taken.
+constexpr double clearly_nearer = 9.0;
+
+class TurnedFrames final : public FrameSource {
+ public:
+  TurnedFrames(std::unique_ptr<const FrameSource> motion, const Axes& axes)
+      : motion_(std::move(motion)), axes_(axes) {}
+
+  std::size_t frames() const override { return motion_->frames(); }
+  std::size_t vertices() const override { return motion_->vertices(); }
+  std::optional<double> rate_hz() const override { return motion_->rate_hz(); }
+  void read(std::size_t frame, std::span<sim::Vec3> positions) const override {
+    motion_->read(frame, positions);
+    for (sim::Vec3& position : positions) position = axes_(position);
+  }
+
+ private:
+  std::unique_ptr<const FrameSource> motion_;
+  Axes axes_;
+};
+
+/// The sum of the squares, in m^2.
+double distance_from(const LoadedMesh& body, const std::vector<sim::Vec3>& in_file, const Axes& axes) {
+  double sum = 0.0;
+  for (std::size_t v = 0; v < body.mesh.positions.size(); ++v) {
+    const sim::Vec3 apart =
+        body.places.placement(axes(in_file[body.places.file_vertex[v]])) - body.mesh.positions[v];
+    sum += glm::dot(apart, apart);
+  }
+  return sum;
+}
+
+/// Returns a motion of vertices in the axes of its body's file. Programs write caches in axes of their own:
+/// Blender MDD with z up beside OBJ with y up, LightWave MDD in a left-handed system. Of such systems the one
+/// is taken in which the first frame is nearest to the body, if that is clearly nearer; it is said in
+/// `remarks`. A motion of joints is returned as it is. Requires a frame source with the vertices of the
+/// body's file.
+std::unique_ptr<const FrameSource> in_axes_of(const LoadedMesh& body,
+                                              std::unique_ptr<const FrameSource> motion,
+                                              std::vector<std::string>& remarks) {
+  if (motion->pose(0)) return motion;
+  std::vector<sim::Vec3> in_file(motion->vertices());
+  motion->read(0, in_file);
+  const double own = distance_from(body, in_file, systems.front());
+  const Axes* nearest = &systems.front();
+  double distance = own / clearly_nearer;
+  for (const Axes& axes : systems) {
+    if (const double here = distance_from(body, in_file, axes); here < distance) {
+      nearest = &axes;
+      distance = here;
+    }
+  }
+  if (nearest == &systems.front()) return motion;
+  remarks.push_back(
+      std::string("its motion is in other axes than it, guessed from its first frame: there (") +
+      nearest->name + ") are its x, y and z");
+  return std::make_unique<TurnedFrames>(std::move(motion), *nearest);
+}
 
 // The heights of people: a body beyond them is none.
 constexpr double lowest_person_m = 0.5;
@@ -53,10 +117,9 @@ std::string remark_on_height(const sim::Mesh& mesh) {
 double rate_of(const BodySource& source, const FrameSource& motion, std::vector<std::string>& remarks) {
   const std::optional<double> own_hz = motion.rate_hz();
   if (!source.frame_rate_hz && !own_hz) {
-    remarks.push_back(
-        fmt::format("its motion does not say how fast it is: {:g} frames a second are taken "
-                    "(frame_rate, --body-fps)",
-                    usual_frame_rate_hz));
+    remarks.push_back(fmt::format(
+        "its motion does not say how fast it is: {:g} frames a second are taken (frame_rate, --body-fps)",
+        usual_frame_rate_hz));
   }
   return source.frame_rate_hz.value_or(own_hz.value_or(usual_frame_rate_hz));
 }
@@ -66,9 +129,8 @@ std::size_t first_frame(const BodySource& source, const std::filesystem::path& f
   const double first = std::round(source.start_s * rate_hz);
   const std::size_t frames = motion.frames();
   if (first >= static_cast<double>(frames)) {
-    throw InputError(
-        fmt::format("'{}': found start = {:g} s, expected a time of the motion, which ends at {:g} s",
-                    file.string(), source.start_s, static_cast<double>(frames - 1) / rate_hz));
+    throw InputError("'{}': found start = {:g} s, expected a time of the motion, which ends at {:g} s",
+                     file.string(), source.start_s, static_cast<double>(frames - 1) / rate_hz);
   }
   return static_cast<std::size_t>(first);
 }
@@ -86,10 +148,9 @@ void look_at_frames(const sim::BodyFrames& frames, std::size_t vertices, double 
 
 void require_vertices(const BodySource& source, const LoadedMesh& loaded, const OpenedMotion& motion) {
   if (motion.frames->vertices() != loaded.file_vertices) {
-    throw InputError(fmt::format("'{}': found {}, expected the {} of '{}', in their order",
-                                 motion.file.string(),
-                                 counted(motion.frames->vertices(), "vertex", "vertices"),
-                                 loaded.file_vertices, source.file.string()));
+    throw InputError("'{}': found {}, expected the {} of '{}', in their order", motion.file.string(),
+                     counted(motion.frames->vertices(), "vertex", "vertices"), loaded.file_vertices,
+                     source.file.string());
   }
 }
 
@@ -108,9 +169,7 @@ std::shared_ptr<const sim::BodyFrames> frames_of(const BodySource& source, const
                                                  std::optional<RigPose>& pose) {
   require_vertices(source, loaded, motion);
   motion.frames = in_axes_of(loaded, std::move(motion.frames), remarks);
-  if (motion.frames->frames() == 1) {
-    remarks.emplace_back("its motion has 1 frame, in which it stays");
-  }
+  if (motion.frames->frames() == 1) remarks.emplace_back("its motion has 1 frame, in which it stays");
   const double rate_hz = rate_of(source, *motion.frames, remarks);
   const std::size_t first = first_frame(source, motion.file, *motion.frames, rate_hz);
   pose = motion.frames->pose(first);
@@ -118,9 +177,7 @@ std::shared_ptr<const sim::BodyFrames> frames_of(const BodySource& source, const
       motion.file, std::move(motion.frames), loaded.places, rate_hz, source.loop ? 0 : first);
   if (source.loop) {
     const LoopBegin begin = find_loop_begin(*frames, loaded.mesh.positions.size());
-    if (!begin.meets) {
-      remarks.push_back(describe(begin));
-    }
+    if (!begin.meets) remarks.push_back(describe(begin));
     frames = repeated(motion.file, std::move(frames), begin, first);
   }
   look_at_frames(*frames, loaded.mesh.positions.size(), duration_s);
@@ -138,9 +195,7 @@ void take_joints_of_shape(const BodySource& source, const LoadedMesh& loaded, co
                           bool is_still, FileVertexPlaces& places, ReadBody& body) {
   std::optional<Rig> rig =
       !is_still ? std::nullopt : rig_by_shape({loaded.mesh.positions, loaded.mesh.triangles}, measures);
-  if (!rig) {
-    refuse_to_dress(source, "without joints");
-  }
+  if (!rig) refuse_to_dress(source, "without joints");
   body.rig = std::make_shared<const Rig>(std::move(*rig));
   places.placement = {};
   places.file_vertex.resize(loaded.mesh.positions.size());
@@ -173,10 +228,9 @@ bool make_room(std::span<const RigPose> poses, const FileVertexPlaces& places, L
   std::optional<RoomForCloth> room =
       poses.empty() ? std::nullopt : leave_room(*body.rig, poses, places, loaded.mesh.triangles);
   if (room) {
-    body.remarks.push_back(
-        fmt::format("parts of it come near each other: {} stay back by up to {:.1f} cm, so that "
-                    "cloth has room",
-                    counted(room->vertices, "vertex", "vertices"), 100.0 * room->most_m));
+    body.remarks.push_back(fmt::format(
+        "parts of it come near each other: {} stay back by up to {:.1f} cm, so that cloth has room",
+        counted(room->vertices, "vertex", "vertices"), 100.0 * room->most_m));
     body.rig = std::make_shared<const Rig>(std::move(room->rig));
     std::vector<sim::Vec3> in_file(body.rig->in_part.size());
     pose_vertices(*body.rig, stored_pose(*body.rig), in_file);
@@ -188,14 +242,10 @@ bool make_room(std::span<const RigPose> poses, const FileVertexPlaces& places, L
 std::shared_ptr<const Wearer> wearer_of(const BodySource& source, const LoadedMesh& loaded,
                                         FileVertexPlaces places, const std::optional<RigPose>& pose,
                                         double frame_rate_hz, BodyMeasures measures, const ReadBody& body) {
-  if (!pose) {
-    refuse_to_dress(source, "whose motion moves vertices and no joints");
-  }
+  if (!pose) refuse_to_dress(source, "whose motion moves vertices and no joints");
   Wearer wearer{.rig = body.rig, .places = std::move(places), .pose = *pose, .full_m = loaded.mesh.positions};
   wearer.motion = body.mesh.frames;
-  if (wearer.motion) {
-    wearer.motion->positions_in(0, wearer.full_m);
-  }
+  if (wearer.motion) wearer.motion->positions_in(0, wearer.full_m);
   wearer.rate_hz = wearer.motion ? wearer.motion->rate_hz() : frame_rate_hz;
   wearer.duration_s = source.dress / frame_rate_hz;
   wearer.measures = std::move(measures);
@@ -229,9 +279,7 @@ ReadBody body_of(const BodySource& source, ImportedModel model, const ShownTime&
   }
   const std::string height =
       motion.frames || !body.rig->influences.empty() ? remark_on_height(loaded.mesh) : "";
-  if (!height.empty()) {
-    body.remarks.push_back(height);
-  }
+  if (!height.empty()) body.remarks.push_back(height);
   BodyMeasures measures;
   FileVertexPlaces places = loaded.places;
   if (source.dress > 0) {
@@ -271,9 +319,7 @@ std::vector<std::string> load_bodies(Scene& scene) {
   for (std::size_t k = 0; k < scene.surroundings.bodies.size(); ++k) {
     sim::Body& body = scene.surroundings.bodies[k];
     auto* mesh = std::get_if<sim::BodyMesh>(&body.shape);
-    if (mesh == nullptr || mesh->data) {
-      continue;
-    }
+    if (mesh == nullptr || mesh->data) continue;
     const std::string name =
         "body " + (body.name.empty() ? fmt::format("{}", k + 1) : '\'' + body.name + '\'');
     std::vector<std::string> remarks;
@@ -304,10 +350,9 @@ std::vector<std::string> load_bodies(Scene& scene, std::span<const Override> ove
   try {
     std::vector<std::string> remarks = load_bodies(worn);
     if (worn.wearers.back() && !worn.wearers.back()->measures.girths.empty()) {
-      remarks.push_back(
-          fmt::format("it is put on the body '{}' in {} frames before frame 0; --dress 0 leaves both "
-                      "where they are",
-                      worn.surroundings.bodies.back().name, usual_dressing_frames));
+      remarks.push_back(fmt::format(
+          "it is put on the body '{}' in {} frames before frame 0; --dress 0 leaves both where they are",
+          worn.surroundings.bodies.back().name, usual_dressing_frames));
       scene = std::move(worn);
       return remarks;
     }

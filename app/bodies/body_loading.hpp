@@ -1,17 +1,8 @@
 #pragma once
 
-#include <cstdio>
-#include <filesystem>
-#include <memory>
-#include <span>
-#include <string>
-#include <vector>
-
-#include "app/bodies/body_girths.hpp"
 #include "app/bodies/dressing.hpp"
 #include "app/models/garment_import.hpp"
 #include "app/models/rig.hpp"
-#include "app/scene/scene.hpp"
 #include "app/scene/scene_file.hpp"
 
 namespace taut::app {

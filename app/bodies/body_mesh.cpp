@@ -1,17 +1,8 @@
 #include "app/bodies/body_mesh.hpp"
 
-#include <fmt/core.h>
-
-#include <cmath>
-#include <glm/geometric.hpp>
-#include <utility>
-
 #include "app/base/counted.hpp"
 #include "app/base/errors.hpp"
-#include "app/bodies/flat_faces.hpp"
-#include "app/bodies/hole_closing.hpp"
 #include "app/verify/crossing_pairs.hpp"
-#include "sim/mesh/adjacency.hpp"
 #include "sim/mesh/extent.hpp"
 #include "sim/mesh/groups.hpp"
 #include "sim/mesh/topology.hpp"
@@ -19,6 +10,224 @@
 
 namespace taut::app {
 namespace {
+
+/// A hole that was closed.
+struct ClosedHole {
+  double around = 0.0;    ///< length of its border, in the unit of the mesh
+  sim::Index vertex = 0;  ///< one of its border
+};
+
+using Loop = std::vector<sim::Index>;
+
+/// Per vertex of a border the one that follows along it; no_vertex where borders touch.
+std::map<sim::Index, sim::Index> border_successors(const sim::Mesh& mesh, const sim::Adjacency& adjacency) {
+  std::map<sim::Index, sim::Index> next;
+  for (std::size_t e = 0; e < adjacency.edges.size(); ++e) {
+    if (adjacency.edge_triangles[e].size() != 1) continue;
+    const sim::Edge& edge = adjacency.edges[e];
+    const bool along = sim::runs_along(mesh.triangles[adjacency.edge_triangles[e][0]], edge);
+    const auto [place, is_first] = next.emplace(edge[along ? 0 : 1], edge[along ? 1 : 0]);
+    if (!is_first) place->second = sim::no_vertex;
+  }
+  return next;
+}
+
+/// Takes the loop that begins at the first vertex out of `next`; empty if it does not close.
+Loop take_loop(std::map<sim::Index, sim::Index>& next) {
+  const sim::Index begin = next.begin()->first;
+  Loop loop;
+  for (sim::Index at = begin;;) {
+    const auto found = next.find(at);
+    if (found == next.end() || found->second == sim::no_vertex) {
+      next.erase(begin);
+      return {};
+    }
+    loop.push_back(at);
+    at = found->second;
+    next.erase(found);
+    if (at == begin) return loop;
+  }
+}
+
+double length_around(const sim::Mesh& mesh, const Loop& loop) {
+  double length = 0.0;
+  for (std::size_t i = 0; i < loop.size(); ++i) {
+    length += glm::distance(mesh.positions[loop[i]], mesh.positions[loop[(i + 1) % loop.size()]]);
+  }
+  return length;
+}
+
+/// The triangles of the fan from one vertex of the loop, turned against the border.
+std::vector<sim::Triangle> fan_from(std::size_t apex, const Loop& loop) {
+  std::vector<sim::Triangle> fan;
+  for (std::size_t k = 1; k + 1 < loop.size(); ++k) {
+    fan.push_back({loop[apex], loop[(apex + k + 1) % loop.size()], loop[(apex + k) % loop.size()]});
+  }
+  return fan;
+}
+
+bool has_edge_from(sim::Index vertex, const Loop& loop, const sim::Adjacency& adjacency) {
+  std::size_t shared = 0;
+  for (const sim::Index e : adjacency.vertex_edges[vertex]) {
+    const sim::Index other = sim::other_end(adjacency.edges[e], vertex);
+    shared += std::find(loop.begin(), loop.end(), other) != loop.end() ? 1 : 0;
+  }
+  return shared > 2;  // besides the two of the border
+}
+
+double smallest_area(const sim::Mesh& mesh, std::span<const sim::Triangle> fan) {
+  double smallest = std::numeric_limits<double>::infinity();
+  for (const sim::Triangle& t : fan) {
+    smallest = std::min(smallest, glm::length(sim::doubled_area_vector(mesh.positions, t)));
+  }
+  return smallest;
+}
+
+std::vector<sim::Triangle> best_fan(const sim::Mesh& mesh, const sim::Adjacency& adjacency,
+                                    const Loop& loop) {
+  std::vector<sim::Triangle> best;
+  double best_area = 0.0;
+  for (std::size_t apex = 0; apex < loop.size(); ++apex) {
+    if (!has_edge_from(loop[apex], loop, adjacency)) {
+      std::vector<sim::Triangle> fan = fan_from(apex, loop);
+      const double area = smallest_area(mesh, fan);
+      if (area > best_area) {
+        best_area = area;
+        best = std::move(fan);
+      }
+    }
+  }
+  return best;
+}
+
+/// A triangle by itself has a border like a hole of three edges.
+bool is_lone_triangle(const Loop& loop, const sim::Adjacency& adjacency) {
+  return loop.size() == 3 && std::all_of(loop.begin(), loop.end(),
+                                         [&](sim::Index v) { return adjacency.vertex_edges[v].size() == 2; });
+}
+
+/// Closes each hole of the mesh whose border is at most `longest` long, in the unit of the mesh, by a fan of
+/// triangles from the vertex of the border that gives its smallest triangle the largest area. No vertex is
+/// added. A hole is left open if its border touches itself, or if each fan would have a triangle without
+/// area or an edge that the mesh has. Returns what was closed, the largest hole first. Requires a mesh whose
+/// triangles are turned to the side of their neighbours.
+std::vector<ClosedHole> close_small_holes(double longest, sim::Mesh& mesh) {
+  const sim::Adjacency adjacency = sim::make_adjacency(mesh);
+  std::map<sim::Index, sim::Index> next = border_successors(mesh, adjacency);
+  std::vector<ClosedHole> closed;
+  while (!next.empty()) {
+    const Loop loop = take_loop(next);
+    const double around = length_around(mesh, loop);
+    if (loop.size() < 3 || !(around <= longest) || is_lone_triangle(loop, adjacency)) continue;
+    const std::vector<sim::Triangle> fan = best_fan(mesh, adjacency, loop);
+    if (!fan.empty()) {
+      mesh.triangles.insert(mesh.triangles.end(), fan.begin(), fan.end());
+      closed.push_back({around, loop.front()});
+    }
+  }
+  std::stable_sort(closed.begin(), closed.end(),
+                   [](const ClosedHole& a, const ClosedHole& b) { return a.around > b.around; });
+  return closed;
+}
+
+/// Counts of triangles without area, by what became of them.
+struct FlatFaces {
+  std::size_t left_out = 0;  ///< two corners or all three were at one place
+  std::size_t turned = 0;    ///< the corners were in a line
+};
+
+using Places = std::vector<sim::Index>;
+
+/// Several in a row need several rounds.
+constexpr int most_rounds = 8;
+
+bool is_flat(const sim::Mesh& soup, const sim::Triangle& t) {
+  const sim::Vec3 area = sim::doubled_area_vector(soup.positions, t);
+  return !(glm::dot(area, area) > 0.0);
+}
+
+/// The triangle with the corner first that its longest edge does not touch.
+sim::Triangle from_middle(const sim::Mesh& soup, const sim::Triangle& t) {
+  const auto across = [&](std::size_t k) {
+    return glm::distance(soup.positions[t[(k + 1) % 3]], soup.positions[t[(k + 2) % 3]]);
+  };
+  const std::size_t k = across(0) >= across(1) && across(0) >= across(2) ? 0 : across(1) >= across(2) ? 1 : 2;
+  return {t[k], t[(k + 1) % 3], t[(k + 2) % 3]};
+}
+
+/// The triangles at each edge, by the places of its ends.
+std::map<sim::Edge, std::vector<std::size_t>> triangles_of_edges(const sim::Mesh& soup,
+                                                                 const Places& places) {
+  std::map<sim::Edge, std::vector<std::size_t>> triangles;
+  for (std::size_t t = 0; t < soup.triangles.size(); ++t) {
+    const auto& [a, b, c] = soup.triangles[t];
+    for (const auto& [from, to] : {std::pair(a, b), std::pair(b, c), std::pair(c, a)}) {
+      const auto [low, high] = std::minmax(places[from], places[to]);
+      triangles[{low, high}].push_back(t);
+    }
+  }
+  return triangles;
+}
+
+/// Makes one vertex of the ends of each edge without length, and leaves out the triangles at it.
+std::size_t left_out(const Places& places, sim::Mesh& soup) {
+  sim::Groups same(soup.positions.size());
+  for (const auto& [a, b, c] : soup.triangles) {
+    for (const auto& [from, to] : {std::pair(a, b), std::pair(b, c), std::pair(c, a)}) {
+      if (places[from] == places[to]) same.join(from, to);
+    }
+  }
+  for (sim::Triangle& t : soup.triangles) t = {same.find(t[0]), same.find(t[1]), same.find(t[2])};
+  return std::erase_if(soup.triangles,
+                       [](const sim::Triangle& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; });
+}
+
+std::size_t turn_once(const Places& places, sim::Mesh& soup) {
+  std::vector<std::size_t> flat;
+  for (std::size_t t = 0; t < soup.triangles.size(); ++t) {
+    if (is_flat(soup, soup.triangles[t])) flat.push_back(t);
+  }
+  if (flat.empty()) return 0;
+  const auto triangles = triangles_of_edges(soup, places);
+  std::vector<char> is_changed(soup.triangles.size(), 0);
+  std::size_t turned = 0;
+  for (const std::size_t t : flat) {
+    const auto [middle, from, to] = from_middle(soup, soup.triangles[t]);
+    const auto [low, high] = std::minmax(places[from], places[to]);
+    const std::vector<std::size_t>& both = triangles.at({low, high});
+    if (both.size() != 2 || is_changed[both[0]] || is_changed[both[1]]) continue;
+    const std::size_t across = both[0] == t ? both[1] : both[0];
+    const sim::Triangle& other = soup.triangles[across];
+    const auto far = std::find_if(other.begin(), other.end(), [&, from = from, to = to](sim::Index v) {
+      return places[v] != places[from] && places[v] != places[to];
+    });
+    if (far == other.end()) continue;
+    const sim::Triangle first = {from, *far, middle};
+    const sim::Triangle second = {*far, to, middle};
+    if (is_flat(soup, first) && is_flat(soup, second)) continue;
+    soup.triangles[t] = first;
+    soup.triangles[across] = second;
+    is_changed[t] = is_changed[across] = 1;
+    ++turned;
+  }
+  return turned;
+}
+
+/// Mends triangles without area, as remeshing, the splitting of polygons and few digits leave them. The ends
+/// of an edge without length become one vertex, and its triangles are left out. Of a triangle with its
+/// corners in a line the long edge is turned: it and the triangle across become two that meet at the corner
+/// in the middle. It stays where that edge has not two triangles, or if turning does not help. No vertex is
+/// moved, nothing is opened.
+FlatFaces mend_flat_faces(sim::Mesh& soup) {
+  const Places places = sim::first_at_same_position(soup.positions);
+  FlatFaces mended{left_out(places, soup), 0};
+  for (int round = 0; round < most_rounds; ++round) {
+    const std::size_t now = turn_once(places, soup);
+    mended.turned += now;
+    if (now == 0) break;
+  }
+  return mended;
+}
 
 // A body whose file names no unit is in metres, unless it would then be larger than any and a person in
 // another unit.
@@ -52,9 +261,9 @@ void require_closed(const sim::Mesh& mesh, const sim::Adjacency& adjacency) {
     const std::string edge =
         "the edge from " + describe_point(mesh.positions[a]) + " to " + describe_point(mesh.positions[b]);
     if (triangles.size() != 2) {
-      throw InputError(fmt::format("found {} with {}, expected two at every edge: {}", edge,
-                                   counted(triangles.size(), "triangle"),
-                                   triangles.size() == 1 ? "a body has no holes" : "a body has one surface"));
+      throw InputError("found {} with {}, expected two at every edge: {}", edge,
+                       counted(triangles.size(), "triangle"),
+                       triangles.size() == 1 ? "a body has no holes" : "a body has one surface");
     }
     if (sim::runs_along(mesh.triangles[triangles[0]], adjacency.edges[e]) ==
         sim::runs_along(mesh.triangles[triangles[1]], adjacency.edges[e])) {
@@ -67,9 +276,7 @@ void require_closed(const sim::Mesh& mesh, const sim::Adjacency& adjacency) {
 /// Turns each part that encloses a negative volume inside out.
 void face_outwards(const sim::Adjacency& adjacency, sim::Mesh& mesh) {
   sim::Groups parts(mesh.positions.size());
-  for (const auto& [a, b] : adjacency.edges) {
-    parts.join(a, b);
-  }
+  for (const auto& [a, b] : adjacency.edges) parts.join(a, b);
   std::vector<double> volumes(mesh.positions.size(), 0.0);
   for (const auto& [a, b, c] : mesh.triangles) {
     const sim::Index part = parts.find(a);
@@ -78,9 +285,7 @@ void face_outwards(const sim::Adjacency& adjacency, sim::Mesh& mesh) {
                               glm::cross(mesh.positions[b] - origin, mesh.positions[c] - origin));
   }
   for (sim::Triangle& t : mesh.triangles) {
-    if (volumes[parts.find(t[0])] < 0.0) {
-      std::swap(t[1], t[2]);
-    }
+    if (volumes[parts.find(t[0])] < 0.0) std::swap(t[1], t[2]);
   }
 }
 
@@ -91,10 +296,9 @@ double unit_of(const BodySource& source, const ImportedModel& model, double size
   }
   for (const Unit& unit : units) {
     if (size * unit.metres >= smallest_person_m && size * unit.metres <= largest_person_m) {
-      remarks.push_back(
-          fmt::format("its unit is the {}, guessed: in metres it would be {:.3g} m large "
-                      "(scale, --body-units)",
-                      unit.name, size));
+      remarks.push_back(fmt::format(
+          "its unit is the {}, guessed: in metres it would be {:.3g} m large (scale, --body-units)",
+          unit.name, size));
       return unit.metres;
     }
   }
@@ -110,8 +314,7 @@ Placement placement_of(const BodySource& source, const ImportedModel& model, con
   placement.moved_m = sim::Vec3(0.0);
   if (!source.up && !model.up && size.z > clearly_longer * size.y && size.z > clearly_longer * size.x) {
     remarks.push_back(
-        fmt::format("it is {:.3g} m along z and {:.3g} m along y, which is taken as up "
-                    "(up, --body-up)",
+        fmt::format("it is {:.3g} m along z and {:.3g} m along y, which is taken as up (up, --body-up)",
                     size.z * scale, size.y * scale));
   }
   return placement;
@@ -154,13 +357,9 @@ LoadedMesh make_body_mesh(const BodySource& source, const ImportedModel& model) 
   loaded.file_vertices = model.position_of_vertex.empty() ? kept.size() : model.position_of_vertex.size();
   for (std::size_t v = loaded.file_vertices; v-- > 0;) {
     const sim::Index vertex = kept[model.position_of_vertex.empty() ? v : model.position_of_vertex[v]];
-    if (vertex != sim::no_vertex) {
-      loaded.places.file_vertex[vertex] = v;
-    }
+    if (vertex != sim::no_vertex) loaded.places.file_vertex[vertex] = v;
   }
-  for (sim::Vec3& position : loaded.mesh.positions) {
-    position = loaded.places.placement(position);
-  }
+  for (sim::Vec3& position : loaded.mesh.positions) position = loaded.places.placement(position);
   return loaded;
 } catch (const std::exception& error) {
   throw InputError('\'' + source.file.string() + "': " + error.what());

@@ -1,9 +1,6 @@
 #pragma once
 
-#include <string>
-#include <vector>
-
-#include "app/bodies/placed_frames.hpp"
+#include "app/bodies/frame_source.hpp"
 #include "app/models/garment_import.hpp"
 #include "app/scene/scene.hpp"
 #include "sim/mesh/mesh.hpp"

@@ -1,18 +1,8 @@
 #include "app/bodies/bvh_frames.hpp"
 
-#include <fmt/core.h>
-
-#include <algorithm>
-#include <cmath>
-#include <glm/matrix.hpp>
-#include <limits>
-#include <map>
-#include <utility>
-
+#include "app/base/counted.hpp"
 #include "app/base/errors.hpp"
-#include "app/base/suggest.hpp"
 #include "app/bodies/joint_names.hpp"
-#include "app/bodies/rig_pose.hpp"
 
 namespace taut::app {
 namespace {
@@ -47,9 +37,7 @@ Skeletons skeletons_of(const Rig& rig, const BvhMotion& motion) {
   for (const RigNode& node : rig.nodes) {
     nodes.push_back(node.name.find(pivot_mark) == std::string::npos ? node.name : "");
   }
-  for (const BvhJoint& joint : motion.joints) {
-    joints.push_back(joint.name);
-  }
+  for (const BvhJoint& joint : motion.joints) joints.push_back(joint.name);
   return {parts_of_joints(nodes), parts_of_joints(joints)};
 }
 
@@ -64,9 +52,7 @@ std::vector<std::size_t> matched_joints(const Skeletons& skeletons) {
   for (const std::string& part : skeletons.node_parts) {
     const auto found = joint_of.find(part);
     matched.push_back(found == joint_of.end() ? unmatched : found->second);
-    if (found != joint_of.end()) {
-      joint_of.erase(found);
-    }
+    if (found != joint_of.end()) joint_of.erase(found);
   }
   return matched;
 }
@@ -157,9 +143,7 @@ double floor_under(const Rig& rig, const RigPose& pose, const glm::dmat3& into_s
   std::vector<sim::Vec3> positions(rig.in_part.size());
   pose_vertices(rig, pose, positions);
   double lowest = std::numeric_limits<double>::infinity();
-  for (const sim::Vec3& position : positions) {
-    lowest = std::min(lowest, (into_scene * position).y);
-  }
+  for (const sim::Vec3& position : positions) lowest = std::min(lowest, (into_scene * position).y);
   return lowest;
 }
 
@@ -168,9 +152,7 @@ HipsMotion hips_motion(const Rig& rig, ModelAxis up, const BvhMotion& motion, co
                        std::size_t first) {
   const auto found = std::find(skeletons.node_parts.begin(), skeletons.node_parts.end(), "hips");
   const auto node = static_cast<std::size_t>(found - skeletons.node_parts.begin());
-  if (found == skeletons.node_parts.end() || joint_of[node] == unmatched) {
-    return {};
-  }
+  if (found == skeletons.node_parts.end() || joint_of[node] == unmatched) return {};
   HipsMotion hips{static_cast<sim::Index>(node), joint_of[node]};
   const RigPose stored = stored_pose(rig);
   const BvhPose zero = zero_pose(motion);
@@ -187,9 +169,7 @@ HipsMotion hips_motion(const Rig& rig, ModelAxis up, const BvhMotion& motion, co
       motion_hips = std::max(motion_hips, height(hips.joint) - height(joint_of[n]));
     }
   }
-  if (!(body_hips > 0.0 && motion_hips > 0.0)) {
-    return {};
-  }
+  if (!(body_hips > 0.0 && motion_hips > 0.0)) return {};
   hips.ratio = body_hips / motion_hips;
   // Many files have the root's zero pose at the origin and its frames over a floor there, as the body is over
   // its lowest vertex.
@@ -207,12 +187,8 @@ void require_match(const Rig& rig, const BvhMotion& motion, const std::vector<st
   }
   std::vector<std::string> joints;
   std::vector<std::string> nodes;
-  for (const BvhJoint& joint : motion.joints) {
-    joints.push_back(joint.name);
-  }
-  for (const RigBone& bone : rig.bones) {
-    nodes.push_back(rig.nodes[bone.node].name);
-  }
+  for (const BvhJoint& joint : motion.joints) joints.push_back(joint.name);
+  for (const RigBone& bone : rig.bones) nodes.push_back(rig.nodes[bone.node].name);
   std::erase(joints, "");
   throw InputError("found the joints " + some_of(joints) + ", none of which is one of the body's; expected " +
                    some_of(nodes));
@@ -223,9 +199,7 @@ std::vector<std::string> remarks_on(const Rig& rig, const BvhMotion& motion, con
   std::vector<std::string> still;
   std::vector<std::string> without;
   for (std::size_t n = 0; n < joint_of.size(); ++n) {
-    if (joint_of[n] == unmatched && is_main_part(skeletons.node_parts[n])) {
-      still.push_back(rig.nodes[n].name);
-    }
+    if (joint_of[n] == unmatched && is_main_part(skeletons.node_parts[n])) still.push_back(rig.nodes[n].name);
   }
   for (std::size_t j = 0; j < motion.joints.size(); ++j) {
     if (is_main_part(skeletons.joint_parts[j]) &&
@@ -234,12 +208,8 @@ std::vector<std::string> remarks_on(const Rig& rig, const BvhMotion& motion, con
     }
   }
   std::vector<std::string> remarks;
-  if (!still.empty()) {
-    remarks.push_back("joints that its motion does not turn: " + some_of(still));
-  }
-  if (!without.empty()) {
-    remarks.push_back("joints of its motion that it does not have: " + some_of(without));
-  }
+  if (!still.empty()) remarks.push_back("joints that its motion does not turn: " + some_of(still));
+  if (!without.empty()) remarks.push_back("joints of its motion that it does not have: " + some_of(without));
   if (hips.node == no_node) {
     remarks.emplace_back("it stays where it is, as its motion and it have no hips in common");
   }
@@ -251,8 +221,8 @@ std::vector<std::string> remarks_on(const Rig& rig, const BvhMotion& motion, con
 RetargetedMotion retarget(std::shared_ptr<const Rig> rig, ModelAxis up, BvhMotion motion, std::size_t first) {
   if (rig->influences.empty()) {
     throw InputError(
-        "found a motion of joints, and a body whose vertices follow no joints; expected one with "
-        "a skin, such as glTF, FBX or Collada may have");
+        "found a motion of joints, and a body whose vertices follow no joints; expected one with a skin, "
+        "such as glTF, FBX or Collada may have");
   }
   const Skeletons skeletons = skeletons_of(*rig, motion);
   std::vector<std::size_t> joint_of = matched_joints(skeletons);

@@ -1,12 +1,7 @@
 #pragma once
 
-#include <memory>
-#include <string>
-#include <vector>
-
 #include "app/bodies/bvh_reading.hpp"
 #include "app/bodies/frame_source.hpp"
-#include "app/models/placement.hpp"
 #include "app/models/rig.hpp"
 
 namespace taut::app {

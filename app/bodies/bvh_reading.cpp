@@ -1,14 +1,5 @@
 #include "app/bodies/bvh_reading.hpp"
 
-#include <fmt/core.h>
-
-#include <array>
-#include <charconv>
-#include <cmath>
-#include <optional>
-#include <string_view>
-#include <utility>
-
 #include "app/base/counted.hpp"
 #include "app/base/errors.hpp"
 #include "app/base/files.hpp"
@@ -42,9 +33,7 @@ class BvhReader {
     require("Frame");
     require("Time:");
     motion_.frame_time_s = number("the time of a frame in seconds");
-    if (!(motion_.frame_time_s > 0.0)) {
-      reject("a time of a frame above 0");
-    }
+    if (!(motion_.frame_time_s > 0.0)) reject("a time of a frame above 0");
     read_frames();
     return std::move(motion_);
   }
@@ -60,9 +49,7 @@ class BvhReader {
       ++at_;
     }
     const std::size_t begin = at_;
-    while (at_ < text_.size() && !is_blank(text_[at_])) {
-      ++at_;
-    }
+    while (at_ < text_.size() && !is_blank(text_[at_])) ++at_;
     return word_ = text_.substr(begin, at_ - begin);
   }
   static bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
@@ -71,9 +58,7 @@ class BvhReader {
   std::string name_until_brace() {
     std::string name;
     for (std::string_view word = next(); word != "{"; word = next()) {
-      if (word.empty()) {
-        reject("{");
-      }
+      if (word.empty()) reject("{");
       name += name.empty() ? "" : " ";
       name += word;
     }
@@ -81,23 +66,18 @@ class BvhReader {
   }
 
   [[noreturn]] void reject(const std::string& expected) const {
-    throw InputError(fmt::format("line {}: found {}, expected {}", line_,
-                                 word_.empty() ? "the end of the file" : '\'' + std::string(word_) + '\'',
-                                 expected));
+    throw InputError("line {}: found {}, expected {}", line_,
+                     word_.empty() ? "the end of the file" : '\'' + std::string(word_) + '\'', expected);
   }
   void require(const char* word) {
-    if (next() != word) {
-      reject(word);
-    }
+    if (next() != word) reject(word);
   }
   double number(const std::string& what) {
     next();
     double value = 0.0;
     const char* const end = word_.data() + word_.size();
     const auto [stopped, error] = std::from_chars(word_.data(), end, value);
-    if (error != std::errc() || stopped != end || !std::isfinite(value)) {
-      reject(what);
-    }
+    if (error != std::errc() || stopped != end || !std::isfinite(value)) reject(what);
     return value;
   }
   std::size_t whole_number(const char* what, double least, double most) {
@@ -116,16 +96,12 @@ class BvhReader {
 };
 
 void BvhReader::read_joint(std::string name, std::size_t parent, std::size_t depth) {
-  if (depth > deepest) {
-    reject(fmt::format("at most {} joints below each other", deepest));
-  }
+  if (depth > deepest) reject(fmt::format("at most {} joints below each other", deepest));
   const std::size_t joint = motion_.joints.size();
   motion_.joints.push_back({std::move(name), parent, sim::Vec3(0.0), {}, motion_.numbers});
   for (std::string_view word = next(); word != "}"; word = next()) {
     if (word == "OFFSET") {
-      for (int axis = 0; axis < 3; ++axis) {
-        motion_.joints[joint].offset[axis] = number("three coordinates");
-      }
+      for (int axis = 0; axis < 3; ++axis) motion_.joints[joint].offset[axis] = number("three coordinates");
     } else if (word == "CHANNELS") {
       read_channels(joint);
     } else if (word == "JOINT") {
@@ -145,12 +121,8 @@ void BvhReader::read_channels(std::size_t joint) {
   for (std::size_t k = 0; k < count; ++k) {
     const std::string_view name = next();
     std::optional<BvhChannel> found;
-    for (const auto& [known, channel] : channel_names) {
-      found = name == known ? channel : found;
-    }
-    if (!found) {
-      reject("a channel, such as Xposition or Zrotation");
-    }
+    for (const auto& [known, channel] : channel_names) found = name == known ? channel : found;
+    if (!found) reject("a channel, such as Xposition or Zrotation");
     motion_.joints[joint].channels.push_back(*found);
   }
   motion_.joints[joint].first_number = motion_.numbers;
@@ -159,12 +131,8 @@ void BvhReader::read_channels(std::size_t joint) {
 
 void BvhReader::read_frames() {
   const std::string what = counted(motion_.frames, "frame") + " of " + counted(motion_.numbers, "number");
-  while (motion_.values.size() < motion_.frames * motion_.numbers) {
-    motion_.values.push_back(number(what));
-  }
-  if (!next().empty()) {
-    reject("the end of the file after " + what);
-  }
+  while (motion_.values.size() < motion_.frames * motion_.numbers) motion_.values.push_back(number(what));
+  if (!next().empty()) reject("the end of the file after " + what);
 }
 
 glm::dmat3 turned_about(int axis, double degrees) {

@@ -1,9 +1,6 @@
 #pragma once
 
 #include <filesystem>
-#include <glm/mat3x3.hpp>
-#include <string>
-#include <vector>
 
 #include "sim/mesh/types.hpp"
 

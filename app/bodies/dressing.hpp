@@ -1,13 +1,7 @@
 #pragma once
 
-#include <memory>
-#include <span>
-#include <vector>
-
 #include "app/bodies/body_girths.hpp"
-#include "app/bodies/placed_frames.hpp"
-#include "app/bodies/rig_pose.hpp"
-#include "sim/contact/bodies.hpp"
+#include "app/bodies/frame_source.hpp"
 
 namespace taut::app {
 
@@ -57,5 +51,21 @@ std::vector<RigPose> turning_back(const Rig& rig, const RigPose& pose, std::span
 /// Returns poses on the way from the one in which the body was stored to that in which the run begins, which is left
 /// out.
 std::vector<RigPose> poses_from_stored(const Wearer& wearer);
+
+/// A body that stays thinner where it would touch itself.
+struct RoomForCloth {
+  Rig rig;
+  std::size_t vertices = 0;  ///< that are held back
+  double most_m = 0.0;       ///< the furthest, from where it would be
+};
+
+/// Leaves room for cloth where parts of a body close in on each other in one of these poses, as arms do at the
+/// armpits and legs at the crotch. As the body grows from its bones, a vertex stops where another surface comes
+/// near before it; it stays so much nearer to its bones in all poses. Heads, hands and feet leave none within
+/// themselves. Empty if nothing comes near. The triangles are those of the mesh whose vertices `places` finds in the
+/// file.
+std::optional<RoomForCloth> leave_room(const Rig& rig, std::span<const RigPose> poses,
+                                       const FileVertexPlaces& places,
+                                       std::span<const sim::Triangle> triangles);
 
 }  // namespace taut::app

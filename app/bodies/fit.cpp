@@ -1,18 +1,8 @@
 #include "app/bodies/fit.hpp"
 
-#include <fmt/core.h>
-
-#include <algorithm>
-#include <cmath>
-#include <glm/geometric.hpp>
-#include <limits>
-
 #include "app/base/errors.hpp"
-#include "app/bodies/dressing.hpp"
 #include "app/bodies/wearing.hpp"
 #include "app/models/garment_measures.hpp"
-#include "sim/measures.hpp"
-#include "sim/mesh/extent.hpp"
 
 namespace taut::app {
 namespace {
@@ -57,9 +47,7 @@ struct Fitting {
   }
 
   void add(const char* name, double garment_m, std::vector<FitRow>& rows) const {
-    if (body_m(name) > 0.0 && garment_m > 0.0) {
-      rows.push_back({name, body_m(name), garment_m});
-    }
+    if (body_m(name) > 0.0 && garment_m > 0.0) rows.push_back({name, body_m(name), garment_m});
   }
 
   void add_trunk(std::vector<FitRow>& rows) const {
@@ -67,9 +55,7 @@ struct Fitting {
     const double top_m = sim::extent_of(garment.positions_m).upper.y;
     for (const char* name : {"upper chest", "chest", "waist", "seat"}) {
       const Girth* const girth = girth_of(wearer.measures, name);
-      if (!tube || girth == nullptr) {
-        continue;
-      }
+      if (!tube || girth == nullptr) continue;
       const double height_m = girth->height_m + lift_m;
       // Cloth above the tube lies about the armholes, or is the edge of a waist.
       const bool is_covered = height_m >= tube->lowest_m && height_m <= top_m + edge_m;
@@ -115,9 +101,7 @@ struct Fitting {
 
   void add_ends(std::vector<FitRow>& rows) const {
     const BodyMeasures& measures = wearer.measures;
-    if (measures.levels.empty()) {
-      return;
-    }
+    if (measures.levels.empty()) return;
     const Girth* const thigh = girth_of(measures, "thigh");
     const std::optional<double> leg_m =
         !marks.legs.empty() && thigh != nullptr ? leg_at(garment, thigh->height_m + lift_m) : std::nullopt;
@@ -136,9 +120,7 @@ struct Fitting {
 const char* side_of(const sim::Vec3& from_middle, const sim::Vec3& front) {
   const double forwards = glm::dot(from_middle, front);
   const double left = glm::dot(from_middle, glm::cross(sim::Vec3(0.0, 1.0, 0.0), front));
-  if (std::abs(forwards) > std::abs(left)) {
-    return forwards > 0.0 ? "in front" : "behind";
-  }
+  if (std::abs(forwards) > std::abs(left)) return forwards > 0.0 ? "in front" : "behind";
   return left > 0.0 ? "on the left" : "on the right";
 }
 
@@ -182,15 +164,11 @@ std::vector<FitRow> fit_of(const Scene& scene, const sim::Garment& garment,
                            std::span<const sim::Vec3> start_m) {
   const Dressed dressed = dressed_body(scene);
   std::vector<FitRow> rows;
-  if (dressed.wearer == nullptr) {
-    return rows;
-  }
+  if (dressed.wearer == nullptr) return rows;
   const sim::Body& body = scene.surroundings.bodies[dressed.body];
   const Fitting fitting = {*dressed.wearer, sim::pose_at(body.motion, 0.0), lift_of(body, *dressed.wearer),
                            Surface{start_m, garment.mesh.triangles}, marks_of(garment, start_m, {})};
-  if (!fitting.marks.is_worn_at_waist) {
-    fitting.add("neck", fitting.marks.top_m, rows);
-  }
+  if (!fitting.marks.is_worn_at_waist) fitting.add("neck", fitting.marks.top_m, rows);
   fitting.add_arms(rows);
   fitting.add_trunk(rows);
   fitting.add_ends(rows);
@@ -199,9 +177,7 @@ std::vector<FitRow> fit_of(const Scene& scene, const sim::Garment& garment,
 
 void require_wearable(const Scene& scene, std::span<const FitRow> rows) {
   const SolverChoice& solver = scene.simulation.solver;
-  if (solver.kind != sim::SolverKind::bounded || solver.bounded.allow_exceeding) {
-    return;
-  }
+  if (solver.kind != sim::SolverKind::bounded || solver.bounded.allow_exceeding) return;
   const double most = 1.0 + solver.bounded.max_stretch;
   std::string found;
   for (const FitRow& row : rows) {
@@ -212,9 +188,10 @@ void require_wearable(const Scene& scene, std::span<const FitRow> rows) {
     }
   }
   if (!found.empty()) {
-    throw InputError(fmt::format("the garment cannot be put on: found {}; expected one that goes around the body, "
-                                 "stretched by at most solver.max_stretch = {:g}",
-                                 found, solver.bounded.max_stretch));
+    throw InputError(
+        "the garment cannot be put on: found {}; expected one that goes around the body, stretched by at "
+        "most solver.max_stretch = {:g}",
+        found, solver.bounded.max_stretch);
   }
 }
 
@@ -253,9 +230,7 @@ std::string describe_tightness(const Scene& scene, const sim::Garment& garment, 
   std::stable_sort(places.begin(), places.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
   places.resize(std::min(places.size(), most_places));
   std::string text;
-  for (const auto& [how_much, place] : places) {
-    text += (text.empty() ? "stretched most: " : ", ") + place;
-  }
+  for (const auto& [how_much, place] : places) text += (text.empty() ? "stretched most: " : ", ") + place;
   return text;
 }
 
@@ -264,9 +239,7 @@ void measure_worn(const sim::Garment& garment, std::span<const sim::Vec3> worn_m
   const Surface worn = {worn_m, garment.mesh.triangles};
   const std::optional<GarmentTube> tube = tube_of(worn);
   for (FitRow& row : rows) {
-    if (row.height_m && tube) {
-      row.worn_m = girth_at(worn, std::min(*row.height_m, tube->highest_m));
-    }
+    if (row.height_m && tube) row.worn_m = girth_at(worn, std::min(*row.height_m, tube->highest_m));
   }
 }
 

@@ -1,12 +1,6 @@
 #pragma once
 
-#include <optional>
-#include <span>
-#include <string>
-#include <vector>
-
 #include "app/scene/scene.hpp"
-#include "sim/garment.hpp"
 
 namespace taut::app {
 

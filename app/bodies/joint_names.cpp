@@ -1,10 +1,6 @@
 #include "app/bodies/joint_names.hpp"
 
-#include <algorithm>
-#include <array>
 #include <cctype>
-#include <string_view>
-#include <utility>
 
 namespace taut::app {
 namespace {
@@ -38,15 +34,9 @@ constexpr std::array<std::string_view, 10> main_parts = {"hips", "spine", "spine
 /// another.
 constexpr std::array<std::string_view, 5> prefixes = {"armature", "mixamorig", "bip", "def", "ccbase"};
 
-bool is_upper(char c) {
-  return std::isupper(static_cast<unsigned char>(c)) != 0;
-}
-bool is_lower(char c) {
-  return std::islower(static_cast<unsigned char>(c)) != 0;
-}
-bool is_digit(char c) {
-  return std::isdigit(static_cast<unsigned char>(c)) != 0;
-}
+bool is_upper(char c) { return std::isupper(static_cast<unsigned char>(c)) != 0; }
+bool is_lower(char c) { return std::islower(static_cast<unsigned char>(c)) != 0; }
+bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
 
 /// "mixamorig:LeftUpLeg" as "left", "up", "leg"; "RShin" as "r", "shin"; "thigh.L" as "thigh", "l".
 std::vector<std::string> words_of(std::string_view name) {
@@ -59,12 +49,8 @@ std::vector<std::string> words_of(std::string_view name) {
     const bool starts =
         is_upper(c) && i > 0 &&
         (is_lower(name[i - 1]) || is_digit(name[i - 1]) || (i + 1 < name.size() && is_lower(name[i + 1])));
-    if ((!is_word || starts) && !words.back().empty()) {
-      words.emplace_back();
-    }
-    if (is_word) {
-      words.back() += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    }
+    if ((!is_word || starts) && !words.back().empty()) words.emplace_back();
+    if (is_word) words.back() += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   }
   std::erase(words, "");
   return words;
@@ -94,9 +80,7 @@ SidedName taken_apart(std::string_view name) {
   }
   for (const std::string_view prefix : prefixes) {
     const std::string whole = joint.rest;
-    if (take_prefix(joint.rest, prefix)) {
-      joint.rest.erase(0, joint.rest.find_first_not_of("0123456789"));
-    }
+    if (take_prefix(joint.rest, prefix)) joint.rest.erase(0, joint.rest.find_first_not_of("0123456789"));
     joint.rest = joint.rest.empty() ? whole : joint.rest;
   }
   if (joint.side.empty() && take_prefix(joint.rest, "left")) {
@@ -118,9 +102,7 @@ std::string_view look_up(const Table& table, const std::string& name) {
 
 std::vector<std::string> parts_of_joints(std::span<const std::string> names) {
   std::vector<SidedName> joints;
-  for (const std::string& name : names) {
-    joints.push_back(taken_apart(name));
-  }
+  for (const std::string& name : names) joints.push_back(taken_apart(name));
   const bool has_elbows =
       std::any_of(joints.begin(), joints.end(), [](const SidedName& joint) { return joint.rest == "elbow"; });
   std::vector<std::string> parts;

@@ -2,12 +2,7 @@
 
 #include <fmt/core.h>
 
-#include <algorithm>
-#include <cmath>
-#include <glm/common.hpp>
-#include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
-#include <stdexcept>
 
 namespace taut::app {
 namespace {
@@ -26,9 +21,7 @@ glm::dmat3 matrix_of(const glm::dvec4& rotation) {
 NodeMotion motion_of(const glm::dmat4& transform) {
   glm::dmat3 axes(transform);
   sim::Vec3 scale(glm::length(axes[0]), glm::length(axes[1]), glm::length(axes[2]));
-  if (glm::determinant(axes) < 0.0) {
-    scale.x = -scale.x;
-  }
+  if (glm::determinant(axes) < 0.0) scale.x = -scale.x;
   for (int axis = 0; axis < 3; ++axis) {
     axes[axis] = scale[axis] != 0.0 ? axes[axis] / scale[axis] : axes[axis];
   }
@@ -38,9 +31,7 @@ NodeMotion motion_of(const glm::dmat4& transform) {
 
 glm::dmat4 transform_of(const NodeMotion& motion) {
   glm::dmat3 axes = matrix_of(motion.rotation);
-  for (int axis = 0; axis < 3; ++axis) {
-    axes[axis] *= motion.scale[axis];
-  }
+  for (int axis = 0; axis < 3; ++axis) axes[axis] *= motion.scale[axis];
   glm::dmat4 transform(axes);
   transform[3] = glm::dvec4(motion.translation, 1.0);
   return transform;
@@ -56,12 +47,8 @@ struct BetweenKeys {
 BetweenKeys keys_around(const std::vector<double>& times_s, double time_s) {
   const auto next = std::upper_bound(times_s.begin(), times_s.end(), time_s);
   const auto after = static_cast<std::size_t>(next - times_s.begin());
-  if (after == 0) {
-    return {};
-  }
-  if (after == times_s.size()) {
-    return {after - 1, after - 1, 0.0};
-  }
+  if (after == 0) return {};
+  if (after == times_s.size()) return {after - 1, after - 1, 0.0};
   return {after - 1, after, (time_s - times_s[after - 1]) / (times_s[after] - times_s[after - 1])};
 }
 
@@ -81,37 +68,27 @@ glm::dmat4 transform_at(const RigNode& node, const RigChannel& channel, double t
   if (!channel.positions.times_s.empty()) {
     motion.translation = sim::Vec3(straight_at(channel.positions, time_s));
   }
-  if (!channel.rotations.times_s.empty()) {
-    motion.rotation = rotation_at(channel.rotations, time_s);
-  }
-  if (!channel.scales.times_s.empty()) {
-    motion.scale = sim::Vec3(straight_at(channel.scales, time_s));
-  }
+  if (!channel.rotations.times_s.empty()) motion.rotation = rotation_at(channel.rotations, time_s);
+  if (!channel.scales.times_s.empty()) motion.scale = sim::Vec3(straight_at(channel.scales, time_s));
   return transform_of(motion);
 }
 
 std::vector<glm::dmat4> stored_transforms(const Rig& rig) {
   std::vector<glm::dmat4> transforms;
-  for (const RigNode& node : rig.nodes) {
-    transforms.push_back(node.to_parent);
-  }
+  for (const RigNode& node : rig.nodes) transforms.push_back(node.to_parent);
   return transforms;
 }
 
 std::vector<double> stored_weights(const Rig& rig) {
   std::vector<double> weights;
-  for (const RigTarget& target : rig.targets) {
-    weights.push_back(target.weight);
-  }
+  for (const RigTarget& target : rig.targets) weights.push_back(target.weight);
   return weights;
 }
 
 // Nodes come after those above them.
 void multiply_down(const Rig& rig, std::vector<glm::dmat4>& transforms) {
   for (std::size_t n = 0; n < rig.nodes.size(); ++n) {
-    if (rig.nodes[n].parent != no_node) {
-      transforms[n] = transforms[rig.nodes[n].parent] * transforms[n];
-    }
+    if (rig.nodes[n].parent != no_node) transforms[n] = transforms[rig.nodes[n].parent] * transforms[n];
   }
 }
 
@@ -139,9 +116,7 @@ glm::dvec4 rotation_between(const glm::dvec4& from, glm::dvec4 to, double share)
   if (glm::dot(from, to) < 0.0) {
     to = -to;  // the same rotation, nearer
   }
-  if (share <= 0.0 || from == to) {
-    return from;
-  }
+  if (share <= 0.0 || from == to) return from;
   glm::dvec4 begin = from;
   glm::dvec4 end = to;
   for (int k = 0; k < halvings; ++k) {
@@ -206,9 +181,7 @@ void pose_vertices(const Rig& rig, const RigPose& pose, std::span<sim::Vec3> pos
     }
   }
   std::vector<glm::dmat4> joints;
-  for (const RigBone& bone : rig.bones) {
-    joints.push_back(pose.to_model[bone.node] * bone.from_mesh);
-  }
+  for (const RigBone& bone : rig.bones) joints.push_back(pose.to_model[bone.node] * bone.from_mesh);
   for (const RigInfluence& influence : rig.influences) {
     positions[influence.vertex] +=
         influence.weight * applied(joints[influence.bone], mixed[influence.vertex]);
@@ -217,23 +190,18 @@ void pose_vertices(const Rig& rig, const RigPose& pose, std::span<sim::Vec3> pos
 
 void require_weights(Rig& rig) {
   std::vector<double> sums(rig.in_part.size(), 0.0);
-  for (const RigInfluence& influence : rig.influences) {
-    sums[influence.vertex] += influence.weight;
-  }
+  for (const RigInfluence& influence : rig.influences) sums[influence.vertex] += influence.weight;
   for (const RigPart& part : rig.parts) {
     for (std::size_t v = part.first_vertex; part.is_skinned && v < part.first_vertex + part.vertices; ++v) {
       if (!(std::abs(sums[v] - 1.0) <= weight_tolerance)) {
         throw std::invalid_argument(
             fmt::format("vertex {} of its mesh '{}': found weights of its joints that sum to {:.6g}, "
-                        "expected 1; in glTF, "
-                        "write them as FLOAT and at most four a vertex",
+                        "expected 1; in glTF, write them as FLOAT and at most four a vertex",
                         v - part.first_vertex, part.mesh, sums[v]));
       }
     }
   }
-  for (RigInfluence& influence : rig.influences) {
-    influence.weight /= sums[influence.vertex];
-  }
+  for (RigInfluence& influence : rig.influences) influence.weight /= sums[influence.vertex];
 }
 
 }  // namespace taut::app

@@ -1,11 +1,5 @@
 #pragma once
 
-#include <glm/mat4x4.hpp>
-#include <optional>
-#include <span>
-#include <string>
-#include <vector>
-
 #include "app/models/rig.hpp"
 
 namespace taut::app {

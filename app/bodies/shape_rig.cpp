@@ -1,10 +1,6 @@
 #include "app/bodies/shape_rig.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <glm/ext/matrix_transform.hpp>
-#include <glm/geometric.hpp>
-#include <limits>
 
 #include "sim/mesh/extent.hpp"
 
@@ -54,9 +50,7 @@ class Maker {
                                    sim::Vec3(side * shoulder_at * half_width_m, 0.0, 0.0);
       const std::optional<sim::Vec3> hand_m = farthest_of_arm(side, shoulder_m);
       const std::optional<sim::Vec3> foot_m = middle_of_foot(side);
-      if (!hand_m || !foot_m) {
-        return std::nullopt;
-      }
+      if (!hand_m || !foot_m) return std::nullopt;
       const sim::Index arm = add(name + "Arm", neck, shoulder_m, Limb::arm);
       const sim::Index forearm = add(name + "ForeArm", arm, elbow_of(side, shoulder_m, *hand_m), Limb::arm);
       add(name + "Hand", forearm, *hand_m, Limb::arm);
@@ -75,9 +69,7 @@ class Maker {
     rig_.nodes.push_back({name, parent, glm::translate(glm::dmat4(1.0), place_m - from_m)});
     rig_.bones.push_back({node, glm::translate(glm::dmat4(1.0), -place_m)});
     places_m_.push_back(place_m);
-    if (parent != no_node) {
-      bones_.push_back({parent, node, limb});
-    }
+    if (parent != no_node) bones_.push_back({parent, node, limb});
     return node;
   }
 
@@ -85,17 +77,13 @@ class Maker {
 
   /// Beside the trunk and the legs, and beside the trunk's upper end of a point that is above it.
   bool is_beside_trunk(const sim::Vec3& p) const {
-    if (p.y < measures_.levels[measures_.fork].height_m - hands_below_fork * box_.size().y) {
-      return false;
-    }
+    if (p.y < measures_.levels[measures_.fork].height_m - hands_below_fork * box_.size().y) return false;
     const LevelTape& level = measures_.level_at(p.y);
     return std::abs(p.x - level.middle_m.x) > beside_trunk * level.half_width_m;
   }
 
   bool may_follow(const sim::Vec3& p, Limb limb) const {
-    if (is_above_trunk(p)) {
-      return limb != Limb::leg;
-    }
+    if (is_above_trunk(p)) return limb != Limb::leg;
     return is_beside_trunk(p) ? limb == Limb::arm : limb != Limb::arm;
   }
 
@@ -129,9 +117,7 @@ class Maker {
   std::optional<sim::Vec3> middle_of_foot(double side) const {
     sim::Extent foot;
     for (const sim::Vec3& p : body_.positions_m) {
-      if (side * (p.x - neck_m_.x) > 0.0 && p.y < box_.lower.y + feet_below * box_.size().y) {
-        foot.add(p);
-      }
+      if (side * (p.x - neck_m_.x) > 0.0 && p.y < box_.lower.y + feet_below * box_.size().y) foot.add(p);
     }
     return foot.lower.x > foot.upper.x ? std::nullopt : std::optional(foot.middle());
   }

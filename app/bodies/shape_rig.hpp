@@ -1,7 +1,5 @@
 #pragma once
 
-#include <optional>
-
 #include "app/bodies/body_girths.hpp"
 #include "app/models/rig.hpp"
 

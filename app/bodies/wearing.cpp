@@ -2,16 +2,9 @@
 
 #include <fmt/core.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <glm/geometric.hpp>
-
-#include "app/bodies/dressing.hpp"
 #include "app/bodies/joint_names.hpp"
 #include "app/models/garment_measures.hpp"
 #include "app/models/hanger.hpp"
-#include "app/models/scene_crossings.hpp"
 
 namespace taut::app {
 namespace {
@@ -35,9 +28,7 @@ struct Wanted {
 sim::Vec3 front_of(const JointPlaces& joints) {
   const auto left = joints.find("left arm");
   const auto right = joints.find("right arm");
-  if (left == joints.end() || right == joints.end()) {
-    return {0.0, 0.0, 1.0};
-  }
+  if (left == joints.end() || right == joints.end()) return {0.0, 0.0, 1.0};
   const sim::Vec3 across = left->second - right->second;
   const sim::Vec3 front = glm::cross(across, sim::Vec3(0.0, 1.0, 0.0));
   return glm::length(front) > 0.0 ? glm::normalize(front) : sim::Vec3(0.0, 0.0, 1.0);
@@ -47,9 +38,7 @@ sim::Vec3 front_of(const JointPlaces& joints) {
 Wanted wanted_of(const sim::Body& body, const Wearer& wearer, const JointPlaces& joints, const char* joint,
                  const sim::Vec3& measured_m) {
   Wanted wanted{measured_m, front_of(joints)};
-  if (joints.contains(joint)) {
-    wanted.top_m += joints.at(joint) - wearer.stored_joints.at(joint);
-  }
+  if (joints.contains(joint)) wanted.top_m += joints.at(joint) - wearer.stored_joints.at(joint);
   const sim::Pose pose = sim::pose_at(body.motion, 0.0);
   return Wanted{pose(wanted.top_m), pose.rotation * wanted.front};
 }
@@ -74,9 +63,7 @@ struct Move {
 Move move_to(const GarmentMarks& marks, const Wanted& wanted) {
   Move move{held_at(marks), wanted.top_m};
   sim::Vec3 front = marks.front;
-  if (!marks.is_front_known && glm::dot(front, wanted.front) < 0.0) {
-    front = -front;
-  }
+  if (!marks.is_front_known && glm::dot(front, wanted.front) < 0.0) front = -front;
   const double cosine = glm::dot(front, wanted.front);
   if (cosine < hardly_turned) {
     move.cosine = cosine;
@@ -92,9 +79,7 @@ void apply(const Move& move, LoadedGarment& loaded) {
   };
   go(garment.mesh.positions);
   go(garment.parted_m);
-  if (loaded.start_m) {
-    go(*loaded.start_m);
-  }
+  if (loaded.start_m) go(*loaded.start_m);
   loaded.garment = sim::share(std::move(garment));
   if (loaded.following) {
     FollowingModel model = *loaded.following;
@@ -120,13 +105,9 @@ void add_limbs(const Wearer& wearer, const sim::Body& body, const std::array<con
     std::vector<sim::Index> chain;
     for (const char* const joint : joints) {
       const auto node = nodes.find(side + joint);
-      if (node != nodes.end()) {
-        chain.push_back(node->second);
-      }
+      if (node != nodes.end()) chain.push_back(node->second);
     }
-    if (openings.empty() || chain.size() < 2) {
-      continue;
-    }
+    if (openings.empty() || chain.size() < 2) continue;
     const sim::Vec3 begin_m = pose(wearer.places.placement(sim::Vec3(wearer.pose.to_model[chain[0]][3])));
     const sim::Vec3 way_m = nearest_of(openings, begin_m).middle_m - begin_m;
     const sim::Vec3 direction = in_file_axes(wearer.places.placement, glm::transpose(pose.rotation) * way_m);
@@ -161,27 +142,21 @@ bool lies_about(const Move& move) {
 
 Dressed dressed_body(const Scene& scene) {
   for (std::size_t b = 0; b < scene.wearers.size(); ++b) {
-    if (scene.wearers[b]) {
-      return {scene.wearers[b].get(), b};
-    }
+    if (scene.wearers[b]) return {scene.wearers[b].get(), b};
   }
   return {};
 }
 
 sim::Vec3 front_of_dressed(const Scene& scene) {
   const Dressed dressed = dressed_body(scene);
-  if (dressed.wearer == nullptr) {
-    return {0.0, 0.0, 1.0};
-  }
+  if (dressed.wearer == nullptr) return {0.0, 0.0, 1.0};
   return sim::pose_at(scene.surroundings.bodies[dressed.body].motion, 0.0).rotation *
          front_of(dressed.wearer->joints);
 }
 
 std::vector<std::string> put_on(LoadedGarment& loaded, Scene& scene) {
   const Dressed dressed = dressed_body(scene);
-  if (dressed.wearer == nullptr || scene.garment.has_start()) {
-    return {};
-  }
+  if (dressed.wearer == nullptr || scene.garment.has_start()) return {};
   const Wearer& wearer = *dressed.wearer;
   const std::size_t b = dressed.body;
   sim::Body& body = scene.surroundings.bodies[b];
@@ -205,14 +180,14 @@ std::vector<std::string> put_on(LoadedGarment& loaded, Scene& scene) {
   };
   auto& frames = std::get<sim::BodyMesh>(body.shape).frames;
   const Move move = move_in(wearer.joints);
-  if (lies_about(move) && !crosses(loaded, body)) {
-    return {};
-  }
+  if (lies_about(move) && !crosses(loaded, body)) return {};
   if (wearer.motion && lies_about(move_in(wearer.stored_joints))) {
     frames = growing(wearer, poses_from_stored(wearer));
     if (!crosses(loaded, body)) {
-      return {fmt::format("{} begins as it was stored, where the garment lies about it, and is led to the first "
-                          "frame of its motion", describe_body(scene.surroundings.bodies, b))};
+      return {
+          fmt::format("{} begins as it was stored, where the garment lies about it, and is led to the first "
+                      "frame of its motion",
+                      describe_body(scene.surroundings.bodies, b))};
     }
     frames = wearer.frames;
   }

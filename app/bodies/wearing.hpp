@@ -1,8 +1,5 @@
 #pragma once
 
-#include <string>
-#include <vector>
-
 #include "app/bodies/dressing.hpp"
 #include "app/models/garment_loading.hpp"
 

@@ -1,14 +1,12 @@
 #include "app/caches/frame_sink.hpp"
 
 #include "app/base/errors.hpp"
-#include "app/base/files.hpp"
 #include "app/drawing/framing.hpp"
 #include "app/models/obj_writing.hpp"
 #include "renderer/primitives.hpp"
 #include "sim/mesh/welding.hpp"
 
 namespace taut::app {
-
 namespace {
 
 namespace fs = std::filesystem;
@@ -60,6 +58,11 @@ class ObjSink final : public FrameSink {
   int last_ = 0;  ///< frame that was written
 };
 
+/// One OBJ of the last frame, or one of each.
+std::unique_ptr<FrameSink> make_obj_sink(const ExportSettings& settings, const GarmentInScene& loaded) {
+  return std::make_unique<ObjSink>(settings, loaded);
+}
+
 }  // namespace
 
 const char* const export_help =
@@ -81,10 +84,9 @@ void require_export(const ExportSettings& settings, const fs::path& garment) {
     refuse(settings.name, "one " + ending + " holds all frames; expected a name without {frame}");
   }
   if (ending == ".glb" && settings.can_be_resumed) {
-    refuse(
-        settings.name,
-        "a .glb is written when the run is over and cannot be gone on with; expected no --checkpoint and no "
-        "--resume, or .pc2, .mdd, .pvd or one .obj for each frame");
+    refuse(settings.name,
+           "a .glb is written when the run is over and cannot be gone on with; expected no --checkpoint and "
+           "no --resume, or .pc2, .mdd, .pvd or one .obj for each frame");
   }
   for (const fs::path& file : files_of(settings)) {
     std::error_code error;
@@ -113,10 +115,6 @@ std::unique_ptr<FrameSink> open_sink(const ExportSettings& settings, const Garme
 }
 
 fs::path obj_beside(const fs::path& cache) { return fs::path(cache).replace_extension(".obj"); }
-
-std::unique_ptr<FrameSink> make_obj_sink(const ExportSettings& settings, const GarmentInScene& loaded) {
-  return std::make_unique<ObjSink>(settings, loaded);
-}
 
 WrittenCloth::WrittenCloth(const GarmentInScene& loaded) : loaded_(loaded) {
   if (!loaded.file_faces.empty()) {

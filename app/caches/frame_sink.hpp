@@ -1,11 +1,8 @@
 #pragma once
 
-#include <filesystem>
-
 #include "app/bodies/point_cache.hpp"
 #include "app/models/garment_loading.hpp"
 #include "app/output/output_pattern.hpp"
-#include "sim/checkpoint.hpp"
 #include "sim/simulation.hpp"
 
 namespace taut::app {
@@ -67,9 +64,6 @@ std::unique_ptr<FrameSink> open_sink(const ExportSettings& settings, const Garme
                                      const WrittenMoment& start);
 
 // The formats behind open_sink(), which see. `loaded` must outlive them.
-
-/// One OBJ of the last frame, or one of each.
-std::unique_ptr<FrameSink> make_obj_sink(const ExportSettings& settings, const GarmentInScene& loaded);
 
 /// PC2 or MDD, and beside it an OBJ of the same vertices at rest.
 std::unique_ptr<FrameSink> make_point_cache_sink(PointCacheFormat format, const ExportSettings& settings,

@@ -5,7 +5,7 @@
 #include "app/base/files.hpp"
 #include "app/base/version.hpp"
 #include "app/caches/frame_sink.hpp"
-#include "app/models/srgb.hpp"
+#include "app/models/surface_colours.hpp"
 #include "renderer/page/png.hpp"
 #include "sim/bytes.hpp"
 

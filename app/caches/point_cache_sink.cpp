@@ -3,7 +3,6 @@
 #include "app/base/counted.hpp"
 #include "app/base/errors.hpp"
 #include "app/base/files.hpp"
-#include "app/base/seekable_file.hpp"
 #include "app/caches/frame_sink.hpp"
 
 namespace taut::app {

@@ -1,5 +1,3 @@
-#include <fmt/core.h>
-
 #include <pugixml.hpp>
 
 #include "app/base/base64.hpp"

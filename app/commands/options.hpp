@@ -1,10 +1,8 @@
 #pragma once
 
-#include <filesystem>
-
 #include "app/models/import_process.hpp"
 #include "app/scene/scene_file.hpp"
-#include "renderer/context/window_event.hpp"
+#include "renderer/context/window.hpp"
 
 namespace taut::app {
 
@@ -47,8 +45,7 @@ struct RunOptions {
 struct RenderOptions : RunOptions {
   std::string output;  ///< empty: SCENE_NAME.png
   std::string backend = "auto";
-  bool resume = false;  ///< only frames whose file does not exist yet
-  /// Arguments of the program without --resume. Every picture stores them.
+  /// Arguments of the program. Every picture stores them.
   std::vector<std::string> arguments;
 };
 
@@ -119,11 +116,6 @@ struct ImportModelOptions {
   int parts = 0;  ///< a ReadParts
 };
 
-/// Options of `taut scenes`.
-struct ScenesOptions {
-  std::string show;  ///< a scene whose file is to be printed; empty: list them
-};
-
 /// Options of `taut fabrics`.
 struct FabricsOptions {
   std::string fabric;             ///< one whose file is to be printed; empty: list them
@@ -168,7 +160,7 @@ int run(const SewOptions& options);
 inline int run(const ImportModelOptions& options) {
   return serve_import(options.model, options.limits, static_cast<ReadParts>(options.parts));
 }
-int run(const ScenesOptions& options);
+int list_scenes();
 int run(const FabricsOptions& options);
 int run(const SweepOptions& options);
 

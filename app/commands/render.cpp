@@ -7,14 +7,10 @@
 #include "app/drawing/framing.hpp"
 #include "app/drawing/garment_painter.hpp"
 #include "app/models/model_fitting.hpp"
-#include "app/output/frame_record.hpp"
-#include "app/output/frame_verifier.hpp"
 #include "app/output/output_pattern.hpp"
 #include "app/output/picture_record.hpp"
 #include "app/output/run_checkpoint.hpp"
-#include "app/output/run_report.hpp"
 #include "app/output/video_writer.hpp"
-#include "renderer/page/png.hpp"
 
 namespace taut::app {
 namespace {
@@ -58,7 +54,7 @@ RenderJob render_job_of(const RenderOptions& options) {
 // Where pictures go: a file each, or one video.
 class PictureOutput {
  public:
-  explicit PictureOutput(const RenderJob& job) : job_(job) {
+  explicit PictureOutput(const RenderJob& job) : name_(job.output) {
     const std::filesystem::path file = job.output;
     if (is_video(file)) {
       if (job.scene.picture.background.kind == BackgroundKind::transparent) {
@@ -73,7 +69,7 @@ class PictureOutput {
       return;
     }
     if (file.extension() != ".png") {
-      throw UsageError("output '" + job.output + "': expected a file name that ends in .png, .mp4 or .gif");
+      throw UsageError("output '" + job.output + "': expected a file name that ends in .png or .mp4");
     }
     pattern_.emplace(job.output, ".png");
     pattern_->require_distinct_names(job.frames.size());
@@ -90,14 +86,6 @@ class PictureOutput {
     written_.push_back(record.frame);
   }
 
-  /// Throws UsageError where there is one file for all frames.
-  std::filesystem::path path_of(int frame) const {
-    if (video_) {
-      throw UsageError("--resume continues a sequence of pictures, and '" + job_.output + "' is a video");
-    }
-    return pattern_->path_of(frame);
-  }
-
   /// Of a run that ends early: keeps and says what was drawn. Why there is no video is said beside what ended
   /// the run.
   void keep() {
@@ -112,14 +100,11 @@ class PictureOutput {
   std::string finish() {
     if (!video_) return describe_written(*pattern_, written_);
     video_->finish();
-    const int left_out = static_cast<int>(written_.size()) - video_->frames();
-    return fmt::format(
-        "wrote {}, {}{}", job_.output, counted(video_->frames(), "frame"),
-        left_out == 0 ? "" : fmt::format(" of {}: a GIF shows at most 50 in a second", written_.size()));
+    return fmt::format("wrote {}, {}", name_, counted(written_.size(), "frame"));
   }
 
  private:
-  const RenderJob& job_;
+  std::string name_;
   std::optional<OutputPattern> pattern_;
   std::unique_ptr<VideoWriter> video_;
   std::vector<int> written_;
@@ -138,56 +123,6 @@ void compare_with_record(const PictureRecord& again, const std::vector<FrameReco
   if (gl_renderer != again.gl_renderer) {
     fmt::print(stderr, "taut: warning: drawn by '{}', then by '{}': pixels may differ\n", gl_renderer,
                again.gl_renderer);
-  }
-}
-
-[[noreturn]] void fail_to_resume(const std::string& obstacle) {
-  throw InputError("cannot resume: " + obstacle + "; remove it, or run without --resume");
-}
-
-// Why the picture cannot be this frame of the scene; empty: it can.
-std::string obstacle_to_resuming(const std::filesystem::path& file, int frame, const PictureOrigin& origin) {
-  try {
-    const PictureRecord record = read_picture_record(file, {});
-    const bool is_ours = record.frame == frame && record.gl_renderer == origin.gl_renderer &&
-                         record.program == "taut " + program_version() &&
-                         scene_text(record.scene) == origin.scene;
-    return is_ours ? "" : '\'' + file.string() + "' was made from another scene or by another program";
-  } catch (const InputError& error) {
-    return error.what();
-  }
-}
-
-// The frames a run that was cut short left to be drawn. Files are renamed into place when they are complete,
-// so those that exist are; but they have to show this very scene.
-std::vector<int> frames_left(std::span<const int> frames, const PictureOutput& output,
-                             const PictureOrigin& origin) {
-  std::vector<int> left;
-  for (const int frame : frames) {
-    const std::filesystem::path file = output.path_of(frame);
-    std::error_code error;
-    if (!std::filesystem::exists(file, error)) {
-      left.push_back(frame);
-      continue;
-    }
-    const std::string obstacle = obstacle_to_resuming(file, frame, origin);
-    if (!obstacle.empty()) fail_to_resume(obstacle);
-  }
-  return left;
-}
-
-// A run that goes on keeps the camera of the pictures that are there.
-void take_camera_of_existing(std::span<const int> frames, DrawnScene& scene, const PictureOutput& output) {
-  std::error_code error;
-  const auto there = std::ranges::find_if(
-      frames, [&](int frame) { return std::filesystem::exists(output.path_of(frame), error); });
-  if (there == frames.end() || !is_fitted(scene)) return;
-  try {
-    const DrawnScene made = read_picture_record(output.path_of(*there), {}).scene;
-    scene.camera = made.camera;
-    scene.picture.ground = made.picture.ground;
-  } catch (const InputError& unreadable) {
-    fail_to_resume(unreadable.what());
   }
 }
 
@@ -247,13 +182,12 @@ class Render {
     for (const std::string& remark : colours_.remarks) {
       fmt::print(stderr, "taut: warning: {}: {}\n", run_.scene.garment.file.filename().string(), remark);
     }
-    choose_frames();
     run_.open_statistics({run_.scene, run_.simulation->garment(), run_.simulation->pins().vertices.size(),
                           offscreen_->gl_renderer(), options_.verify},
                          std::nullopt);
     if (!options_.shapes.empty()) run_.shapes = open_sink(exported, run_.loaded, *run_.simulation);
     run_.progress.begin("preparing the first frame");
-    LostGarment lost(frames_);
+    LostGarment lost(job_.frames);
     connect(lost);
     const std::vector<FrameRecord> records = run_.go(job_.frames.back(), job_.output, &*offscreen_);
     run_.progress.hide();
@@ -262,25 +196,10 @@ class Render {
   }
 
  private:
-  PictureOrigin origin() {
-    return {command_text(options_.arguments), scene_text(run_.scene), offscreen_->gl_renderer()};
-  }
-
-  void choose_frames() {
-    frames_ = job_.frames;
-    if (!options_.resume) return;
-    take_camera_of_existing(job_.frames, run_.scene, output_);
-    frames_ = frames_left(job_.frames, output_, origin());
-    if (frames_.size() < job_.frames.size()) {
-      fmt::print("there already: {} of {}\n", job_.frames.size() - frames_.size(),
-                 counted(job_.frames.size(), "frame"));
-    }
-  }
-
   void begin_drawing() {
     painter_.emplace(offscreen_->renderer(), run_.scene, run_.simulation->garment(),
                      run_.simulation->pins().vertices, colours_);
-    origin_ = origin();
+    origin_ = {command_text(options_.arguments), scene_text(run_.scene), offscreen_->gl_renderer()};
   }
 
   // Rows come with the frames, which all are simulated before the first is drawn where the camera is fitted.
@@ -307,7 +226,7 @@ class Render {
   void connect(LostGarment& lost) {
     FrameOutputs& outputs = run_.outputs;
     const bool is_gathered =
-        is_fitted(run_.scene) && can_gather(frames_.size(), run_.simulation->garment().mesh.positions.size());
+        is_fitted(run_.scene) && can_gather(job_.frames.size(), run_.simulation->garment().mesh.positions.size());
     if (is_gathered) {
       outputs.before_drawing = [this](std::span<const FrameInWork> gathered) { fit_camera(gathered); };
       outputs.simulated = [this](const FrameRecord& record) { report("simulated", record); };
@@ -317,7 +236,7 @@ class Render {
     outputs.report = [this, is_gathered](const FrameRecord& record) {
       report(is_gathered ? "drawn" : "", record);
     };
-    outputs.pictures = frames_;
+    outputs.pictures = job_.frames;
     outputs.draw_positions = [this, &lost](const std::vector<sim::Vec3>& positions, double time_s) {
       renderer::Image picture = painter_->draw(positions, time_s);
       lost.look(painter_->camera(), aspect_of(run_.scene.picture.settings), positions);
@@ -359,7 +278,6 @@ class Render {
   PictureOutput output_;
   std::optional<OffscreenRenderer> offscreen_;
   DrawnColours colours_;
-  std::vector<int> frames_;
   std::optional<GarmentPainter> painter_;
   PictureOrigin origin_;
   Stopwatch since_start_;

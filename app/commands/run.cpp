@@ -2,13 +2,10 @@
 
 #include <future>
 
-#include "app/base/errors.hpp"
-#include "app/base/files.hpp"
 #include "app/bodies/body_loading.hpp"
 #include "app/bodies/wearing.hpp"
 #include "app/drawing/inspection_picture.hpp"
 #include "app/models/garment_remarks.hpp"
-#include "app/output/output_pattern.hpp"
 #include "app/output/run_checkpoint.hpp"
 #include "app/sewing/sewn_scene.hpp"
 #include "renderer/page/png.hpp"

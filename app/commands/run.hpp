@@ -3,9 +3,8 @@
 #include "app/base/progress.hpp"
 #include "app/caches/frame_sink.hpp"
 #include "app/commands/options.hpp"
-#include "app/drawing/offscreen_renderer.hpp"
+#include "app/drawing/drawing.hpp"
 #include "app/frame_loop.hpp"
-#include "app/models/garment_loading.hpp"
 #include "app/output/frame_verifier.hpp"
 #include "app/output/run_report.hpp"
 

@@ -1,55 +1,13 @@
 #include <thread>
 
 #include "app/base/errors.hpp"
-#include "app/base/files.hpp"
 #include "app/base/job_runner.hpp"
 #include "app/commands/options.hpp"
-#include "app/drawing/drawn_scene.hpp"
-#include "app/figures/fabric_pictures.hpp"
-#include "app/scene/scene_format.hpp"
+#include "app/figures/pictures.hpp"
 #include "renderer/page/png.hpp"
 
 namespace taut::app {
 namespace {
-
-// A line before the key's; empty for what has no meaning of its own.
-std::string meaning_of(const SceneFormat<DrawnScene>& format, const std::string& name) {
-  const auto key = std::ranges::find(format.keys, name, &Key<DrawnScene>::name);
-  if (key == format.keys.end() || key->meaning.empty()) return "";
-  const std::string first_sentence = key->meaning.substr(0, key->meaning.find(". "));
-  return "# " + first_sentence + (key->unit.empty() ? "" : " (" + key->unit + ")") + '\n';
-}
-
-// The file as it stands, which has its own remarks. Paths that lead from it to the program's assets become
-// ones that are found from anywhere.
-std::string commented(const std::string& text) {
-  const SceneFormat<DrawnScene> format = drawn_scene_format();
-  std::istringstream lines(text);
-  std::string section;
-  std::string result;
-  for (std::string line; std::getline(lines, line);) {
-    const std::size_t equals = line.find(" = ");
-    if (line.starts_with('[')) {
-      section = line.substr(1, line.find(']') - 1) + '.';
-    } else if (equals != std::string::npos && !line.starts_with('#')) {
-      result += meaning_of(format, section + line.substr(0, equals));
-      for (std::size_t up = line.find("../"); up != std::string::npos; up = line.find("../")) {
-        line.erase(up, 3);
-      }
-    }
-    result += line + '\n';
-  }
-  return result;
-}
-
-int show(const std::string& name) {
-  const FoundScene found = locate_scene(name);
-  if (found.is_garment) throw UsageError(name + ": expected a scene, found a garment file");
-  fmt::print(
-      "# A scene of taut to start from: taut render FILE.toml draws it, taut help scene lists all keys.\n{}",
-      commented(read_text_file(found.file)));
-  return 0;
-}
 
 /// The garment in the picture, its fabric, and after how many frames.
 constexpr const char* pictured_scene = "tshirt-wind-1";
@@ -85,8 +43,7 @@ void write_picture(const FabricsOptions& options) {
 
 }  // namespace
 
-int run(const ScenesOptions& options) {
-  if (!options.show.empty()) return show(options.show);
+int list_scenes() {
   const std::vector<BuiltInScene> scenes = built_in_scenes();
   if (scenes.empty()) {
     throw InputError("no built-in scenes were found; set TAUT_ASSETS to the folder that holds scenes/");

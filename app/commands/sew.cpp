@@ -1,14 +1,12 @@
 #include <ctime>
 
-#include "app/base/counted.hpp"
 #include "app/base/errors.hpp"
 #include "app/base/files.hpp"
 #include "app/base/progress.hpp"
 #include "app/bodies/body_loading.hpp"
 #include "app/bodies/wearing.hpp"
 #include "app/commands/options.hpp"
-#include "app/drawing/drawn_scene.hpp"
-#include "app/drawing/fit_picture.hpp"
+#include "app/drawing/inspection_picture.hpp"
 #include "app/models/landmarks.hpp"
 #include "app/scene/scene_key.hpp"
 #include "app/sewing/sewing.hpp"

@@ -4,11 +4,8 @@
 #include "app/base/stopwatch.hpp"
 #include "app/commands/run.hpp"
 #include "app/models/model_fitting.hpp"
-#include "app/output/frame_record.hpp"
-#include "app/output/frame_verifier.hpp"
 #include "app/output/output_pattern.hpp"
 #include "app/output/run_checkpoint.hpp"
-#include "app/output/run_report.hpp"
 
 namespace taut::app {
 namespace {
@@ -39,8 +36,8 @@ class FrameLines {
 
 void print_summary(const RunSummary& summary) {
   fmt::print(
-      "{}, {:.2f} ms of processor time each; largest stretch {:.4f} % (frame {}), at the end {:.4f} %; "
-      "of the surface {:.4f} % (frame {}), at the end {:.4f} %{}{}\n",
+      "{}, {:.2f} ms of processor time each; largest stretch {:.4f} % (frame {}), at the end {:.4f} %; of "
+      "the surface {:.4f} % (frame {}), at the end {:.4f} %{}{}\n",
       counted(summary.frames, "frame"), summary.mean_sim_ms(), 100.0 * summary.max_stretch,
       summary.max_stretch_frame, 100.0 * summary.final_max_stretch, 100.0 * summary.max_surface_stretch,
       summary.max_surface_stretch_frame, 100.0 * summary.final_max_surface_stretch,

@@ -4,12 +4,10 @@
 #include "app/base/errors.hpp"
 #include "app/base/files.hpp"
 #include "app/commands/options.hpp"
-#include "app/drawing/drawn_scene.hpp"
 #include "app/output/picture_record.hpp"
 #include "app/sweeps/farm.hpp"
 #include "app/sweeps/sweep_results.hpp"
 #include "app/sweeps/sweep_run.hpp"
-#include "renderer/page/png.hpp"
 
 namespace taut::app {
 namespace {

@@ -2,10 +2,8 @@
 #include "app/base/files.hpp"
 #include "app/bodies/body_loading.hpp"
 #include "app/commands/options.hpp"
-#include "app/drawing/drawn_scene.hpp"
 #include "app/sewing/sewn_scene.hpp"
 #include "app/viewer/headless_viewer.hpp"
-#include "app/viewer/viewer.hpp"
 #include "renderer/page/png.hpp"
 
 namespace taut::app {

@@ -4,7 +4,7 @@
 #include "renderer/primitives.hpp"
 #include "renderer/surface/smooth_surface.hpp"
 #include "sim/contact/bodies.hpp"
-#include "sim/wind.hpp"
+#include "sim/forces.hpp"
 
 namespace taut::app {
 

@@ -1,10 +1,6 @@
 #pragma once
 
-#include <filesystem>
-
-#include "app/scene/scene.hpp"
 #include "app/scene/scene_file.hpp"
-#include "renderer/camera.hpp"
 #include "renderer/frame_view.hpp"
 
 namespace taut::app {

@@ -76,6 +76,21 @@ float aspect_beside_legend(const PictureStyle& style) {
   return has_legend ? std::max(aspect - 2.0F * legend_share, std::min(aspect, narrowest)) : aspect;
 }
 
+/// Height in metres of the lowest point of the bodies that are meshes, when the run begins; empty if there
+/// are none or they float above lowest_m, which is that of everything.
+std::optional<float> standing_height(std::span<const sim::Body> bodies, float lowest_m) {
+  std::optional<float> height_m;
+  for (const sim::Body& body : bodies) {
+    if (std::holds_alternative<sim::BodyMesh>(body.shape)) {
+      height_m = std::min(height_m.value_or(INFINITY), box_of(body, 0.0)->lower.y);
+    }
+  }
+  return height_m && *height_m <= lowest_m ? height_m : std::nullopt;
+}
+
+/// Height in metres of a floor a little below what reaches from lowest_m to highest_m.
+float ground_below(float lowest_m, float highest_m) { return lowest_m - ground_gap * (highest_m - lowest_m); }
+
 }  // namespace
 
 std::optional<renderer::Box> box_of(const sim::Body& body, double time_s) {
@@ -97,16 +112,6 @@ std::optional<float> level_plane(std::span<const sim::Body> bodies, double time_
     if (plane != nullptr && plane->normal.y > 0.999) return static_cast<float>(plane->point_m.y);
   }
   return std::nullopt;
-}
-
-std::optional<float> standing_height(std::span<const sim::Body> bodies, float lowest_m) {
-  std::optional<float> height_m;
-  for (const sim::Body& body : bodies) {
-    if (std::holds_alternative<sim::BodyMesh>(body.shape)) {
-      height_m = std::min(height_m.value_or(INFINITY), box_of(body, 0.0)->lower.y);
-    }
-  }
-  return height_m && *height_m <= lowest_m ? height_m : std::nullopt;
 }
 
 std::vector<glm::vec3> to_float(const std::vector<sim::Vec3>& points) {
@@ -180,8 +185,6 @@ renderer::Camera scene_camera(const DrawnScene& scene, const renderer::Box& reac
   }
   return camera;
 }
-
-float ground_below(float lowest_m, float highest_m) { return lowest_m - ground_gap * (highest_m - lowest_m); }
 
 std::optional<float> ground_height(const DrawnScene& scene, const renderer::Box& reach) {
   switch (scene.picture.ground.kind) {

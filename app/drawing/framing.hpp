@@ -1,10 +1,8 @@
 #pragma once
 
 #include "app/drawing/drawn_scene.hpp"
-#include "renderer/camera.hpp"
 #include "sim/contact/bodies.hpp"
 #include "sim/garment.hpp"
-#include "sim/mesh/types.hpp"
 
 namespace taut::app {
 
@@ -36,10 +34,6 @@ renderer::Box expected_reach(const DrawnScene& scene, const sim::Garment& garmen
 /// Height in metres of the first level plane among the bodies at this time. Empty if there is none.
 std::optional<float> level_plane(std::span<const sim::Body> bodies, double time_s);
 
-/// Height in metres of the lowest point of the bodies that are meshes, when the run begins; empty if there
-/// are none or they float above lowest_m, which is that of everything.
-std::optional<float> standing_height(std::span<const sim::Body> bodies, float lowest_m);
-
 /// Returns by how much, in radians, a camera goes around what has this size to see its broad side: 0 from +z,
 /// a quarter turn where it is far deeper than wide.
 float azimuth_of_broad_side(const glm::vec3& size);
@@ -56,9 +50,6 @@ renderer::Framing framing_of(const DrawnScene& scene, const renderer::Box& reach
 /// Has the garment seen from its front, where its neckline says where that is and the scene does not say from
 /// where.
 void face_front(const LoadedGarment& loaded, DrawnScene& scene);
-
-/// Height in metres of a floor a little below what reaches from lowest_m to highest_m.
-float ground_below(float lowest_m, float highest_m);
 
 /// The camera of a scene's pictures. `aspect` is width over height. Where the scene does not say from where,
 /// a garment from a file is seen from its broad side.

@@ -1,9 +1,6 @@
 #include "app/drawing/garment_painter.hpp"
 
 #include "app/drawing/framing.hpp"
-#include "renderer/page/canvas.hpp"
-#include "sim/measures.hpp"
-#include "sim/mesh/extent.hpp"
 
 namespace taut::app {
 namespace {

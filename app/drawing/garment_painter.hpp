@@ -1,18 +1,9 @@
 #pragma once
 
+#include "app/drawing/drawing.hpp"
 #include "app/drawing/drawn_bodies.hpp"
-#include "app/drawing/drawn_colours.hpp"
-#include "app/drawing/drawn_scene.hpp"
 #include "app/drawing/garment_surface.hpp"
-#include "app/drawing/spring_lines.hpp"
-#include "renderer/frame_view.hpp"
-#include "renderer/page/image.hpp"
 #include "renderer/page/legend.hpp"
-#include "renderer/primitives.hpp"
-#include "renderer/scene_renderer.hpp"
-#include "renderer/surface/smooth_surface.hpp"
-#include "sim/contact/bodies.hpp"
-#include "sim/garment.hpp"
 #include "sim/solvers/bounded/contact/clearances.hpp"
 
 namespace taut::app {

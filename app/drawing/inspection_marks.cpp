@@ -2,10 +2,8 @@
 
 #include <fmt/core.h>
 
-#include "app/drawing/drawing.hpp"
 #include "app/drawing/framing.hpp"
 #include "app/drawing/garment_painter.hpp"
-#include "app/drawing/spring_lines.hpp"
 #include "sim/mesh/topology.hpp"
 
 namespace taut::app {

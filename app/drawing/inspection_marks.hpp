@@ -2,8 +2,6 @@
 
 #include "app/drawing/drawn_scene.hpp"
 #include "app/models/garment_loading.hpp"
-#include "renderer/frame_view.hpp"
-#include "renderer/page/colour.hpp"
 #include "renderer/scene_renderer.hpp"
 
 namespace taut::app {

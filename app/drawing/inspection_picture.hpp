@@ -1,9 +1,8 @@
 #pragma once
 
+#include "app/bodies/fit.hpp"
 #include "app/drawing/drawn_scene.hpp"
-#include "app/models/garment_loading.hpp"
 #include "app/models/inspection.hpp"
-#include "renderer/page/image.hpp"
 #include "renderer/scene_renderer.hpp"
 #include "sim/simulation.hpp"
 
@@ -21,5 +20,21 @@ renderer::Image draw_inspection(const Inspection& inspection, const LoadedGarmen
 renderer::Image draw_blocked(renderer::SceneRenderer& renderer, const DrawnScene& scene,
                              const sim::Simulation& simulation, const sim::BlockedContact& blocked,
                              const std::string& text);
+
+/// A garment that is worn, to be drawn.
+struct WornGarment {
+  const DrawnScene& scene;
+  const sim::Garment& garment;
+  const std::vector<sim::Vec3>& positions_m;
+  double time_s = 0.0;  ///< at which the bodies are drawn
+  std::vector<FitRow> fit;
+  std::string title;
+  std::string measured;   ///< a line in grey below the title
+  std::string tightness;  ///< a line below the table
+};
+
+/// Draws it from the front and from behind, coloured by its stretch, with the legend beside it and a table of
+/// girths and ease below. `backend` as in renderer::create_context. Throws renderer::ContextError.
+renderer::Image draw_fit(const WornGarment& worn, const std::string& backend);
 
 }  // namespace taut::app

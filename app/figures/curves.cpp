@@ -1,6 +1,5 @@
 #include <fmt/core.h>
 
-#include "app/drawing/drawn_scene.hpp"
 #include "app/drawing/plots/plot.hpp"
 #include "app/figures/experiments/recording.hpp"
 #include "app/figures/figures.hpp"

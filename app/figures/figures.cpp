@@ -1,5 +1,7 @@
 #include "app/figures/figures.hpp"
 
+#include "app/drawing/plots/axis.hpp"
+
 namespace taut::app {
 namespace {
 
@@ -48,6 +50,99 @@ void read_shirts(const std::filesystem::path& folder, Results& results) {
 
 void time_methods(const ProgressCallback& report_progress, Results& results) {
   results.trials_of(MethodTest::time) = make_trials(MethodTest::time, report_progress);
+}
+
+constexpr float panel_px = 1150.0F;
+
+struct KindLook {
+  const char* name;
+  Stroke stroke;
+  float bow;  ///< so that springs that skip a mass point do not hide the ones they run along
+};
+
+KindLook look_of(sim::SpringKind kind) {
+  switch (kind) {
+    case sim::SpringKind::structural:
+      return {"structural", {palette::ink, 8.0F, {}}, 0.0F};
+    case sim::SpringKind::shear:
+      return {"shear", {palette::vermilion, 5.0F, {0.6F, 1.6F}}, 0.0F};
+    case sim::SpringKind::flexural:
+      return {"flexural", {palette::sky, 6.0F, {4.0F, 1.6F}}, 0.11F};
+  }
+  return {};
+}
+
+// From metres to the middle of a square on the canvas.
+struct Placement {
+  glm::vec2 centre_m;
+  glm::vec2 centre_px;
+  float px_per_m;
+
+  glm::vec2 operator()(const glm::vec2& point_m) const {
+    const glm::vec2 from_centre = (point_m - centre_m) * px_per_m;
+    return centre_px + glm::vec2(from_centre.x, -from_centre.y);
+  }
+};
+
+Placement placement_of(const SpringPatch& patch, const glm::vec2& corner_px) {
+  glm::vec2 lower(INFINITY), upper(-INFINITY);
+  for (const glm::vec2& point : patch.points_m) {
+    lower = glm::min(lower, point);
+    upper = glm::max(upper, point);
+  }
+  const glm::vec2 size = upper - lower;
+  return {0.5F * (lower + upper), corner_px + glm::vec2(0.5F * panel_px),
+          0.86F * panel_px / std::max(size.x, size.y)};
+}
+
+void draw_patch(renderer::Canvas& canvas, const SpringPatch& patch, const glm::vec2& corner_px) {
+  const Placement place = placement_of(patch, corner_px);
+  // The long ones first: what they cross stays on top.
+  for (const sim::SpringKind kind :
+       {sim::SpringKind::flexural, sim::SpringKind::shear, sim::SpringKind::structural}) {
+    const KindLook look = look_of(kind);
+    for (const PatchSpring& spring : patch.springs) {
+      if (spring.kind == kind) {
+        const glm::vec2 a = place(patch.points_m[spring.ends[0]]), b = place(patch.points_m[spring.ends[1]]);
+        draw_polyline(canvas, bow(a, b, look.bow), look.stroke);
+      }
+    }
+  }
+  for (const glm::vec2& point : patch.points_m) {
+    const glm::vec2 at = place(point);
+    canvas.circle(at.x, at.y, 20.0F, renderer::Colour{1.0F});
+    canvas.circle(at.x, at.y, 16.0F, palette::ink);
+  }
+}
+
+std::string counts_of(const SpringPatch& patch) {
+  std::string text = fmt::format("{} mass points", patch.points_m.size());
+  for (const sim::SpringKind kind : sim::all_spring_kinds) {
+    if (patch.count(kind) > 0) text += fmt::format(", {} {}", patch.count(kind), look_of(kind).name);
+  }
+  return text + " springs";
+}
+
+void draw_legend_row(renderer::Canvas& canvas, float centre_px, float y_px) {
+  constexpr float sample_px = 130.0F, space_px = 90.0F, text_px = 40.0F;
+  renderer::TextStyle text = text_style(text_px);
+  text.vertical = renderer::VerticalAlign::middle;
+  float width_px = -space_px;
+  for (const sim::SpringKind kind : sim::all_spring_kinds) {
+    width_px += sample_px + 24.0F +
+                canvas.measure(std::string(look_of(kind).name) + " spring", text).width_px + space_px;
+  }
+  width_px += space_px + 60.0F + canvas.measure("mass point", text).width_px;
+  float x_px = centre_px - 0.5F * width_px;
+  for (const sim::SpringKind kind : sim::all_spring_kinds) {
+    const KindLook look = look_of(kind);
+    const std::string name = std::string(look.name) + " spring";
+    draw_polyline(canvas, bow({x_px, y_px}, {x_px + sample_px, y_px}, -look.bow), look.stroke);
+    canvas.text(x_px + sample_px + 24.0F, y_px, name, text);
+    x_px += sample_px + 24.0F + canvas.measure(name, text).width_px + space_px;
+  }
+  canvas.circle(x_px + 16.0F, y_px, 16.0F, palette::ink);
+  canvas.text(x_px + 60.0F, y_px, "mass point", text);
 }
 
 }  // namespace
@@ -112,6 +207,27 @@ std::vector<std::string> figure_names() {
   std::vector<std::string> names;
   for (const Figure& figure : all_figures()) names.push_back(figure.name);
   return names;
+}
+
+// The mass-spring model and its three types of springs: a regular grid, and a patch of a triangle model.
+Drawing draw_figure1(const Results& results, LazyOffscreenRenderer&) {
+  const CaptionStyle style;
+  const float legend_px = 100.0F, gap_px = 60.0F;
+  Drawing drawing;
+  drawing.width_px = static_cast<int>(2.0F * panel_px + gap_px) + 60;
+  drawing.height_px = static_cast<int>(legend_px + panel_px + style.height_px());
+  const SpringPatch grid = results.grid_patch, shirt = results.shirt_patch;
+  drawing.draw = [=](renderer::Canvas& canvas) {
+    const float left_px = 30.0F, right_px = left_px + panel_px + gap_px;
+    draw_legend_row(canvas, 0.5F * static_cast<float>(canvas.width_px()), 60.0F);
+    draw_patch(canvas, grid, {left_px, legend_px});
+    draw_patch(canvas, shirt, {right_px, legend_px});
+    draw_caption(canvas, {'a', "regular grid", counts_of(grid)}, left_px + 0.5F * panel_px,
+                 legend_px + panel_px, style);
+    draw_caption(canvas, {'b', "patch of the T-shirt: flexural springs by angle", counts_of(shirt)},
+                 right_px + 0.5F * panel_px, legend_px + panel_px, style);
+  };
+  return drawing;
 }
 
 }  // namespace taut::app

@@ -1,8 +1,5 @@
 #pragma once
 
-#include <filesystem>
-
-#include "app/drawing/drawing.hpp"
 #include "app/figures/experiments/experiments.hpp"
 #include "app/figures/pictures.hpp"
 

@@ -1,12 +1,9 @@
 #include "app/figures/pictures.hpp"
 
 #include "app/base/errors.hpp"
-#include "app/drawing/drawn_bodies.hpp"
-#include "app/drawing/drawn_scene.hpp"
 #include "app/drawing/framing.hpp"
 #include "app/drawing/garment_painter.hpp"
 #include "app/figures/figures.hpp"
-#include "app/models/garment_loading.hpp"
 #include "app/output/csv.hpp"
 
 namespace taut::app {
@@ -174,6 +171,15 @@ renderer::Image colour_bar(double lowest, double highest, const renderer::Colour
   return bar;
 }
 
+/// Upper left corner of the panel with this index, in pixels of the figure.
+glm::vec2 panel_corner(const SheetStyle& style, const PictureSize& picture, std::size_t panel) {
+  const auto column = static_cast<float>(panel % style.columns);
+  const auto row = static_cast<float>(panel / style.columns);
+  return {style.border_px + column * (static_cast<float>(picture.width_px) + style.gap_px),
+          style.border_px +
+              row * (static_cast<float>(picture.height_px) + style.caption.height_px() + style.gap_px)};
+}
+
 void draw_stretch_legend(renderer::Canvas& canvas, const SheetStyle& style, const renderer::Colour& shade) {
   constexpr double lowest = 0.0, highest = printed_stretch;
   constexpr float width_px = 44.0F, tick_px = 10.0F;
@@ -196,21 +202,12 @@ void draw_stretch_legend(renderer::Canvas& canvas, const SheetStyle& style, cons
               text_style(style.caption.measured_px));
 }
 
-}  // namespace
-
-std::string largest_stretch_text(const PrintedMoment& moment) {
-  return fmt::format("largest stretch: springs {:.4g} %, surface {:.4g} %",
-                     100.0 * moment.moment->record.stretch.max,
-                     100.0 * moment.moment->record.surface_stretch.max);
-}
-
-Prints print_moments(LazyOffscreenRenderer& offscreen, std::span<const PrintedMoment> moments,
+/// Draws the moments with one camera, from the direction of the first moment's scene. The camera is as near
+/// as all cloths and their shadows on the floor allow. Throws renderer::ContextError.
+Prints print_moments(LazyOffscreenRenderer& lazy, std::span<const PrintedMoment> moments,
                      const PictureSize& size) {
-  return print_moments(offscreen.open(), moments, size, offscreen.scale());
-}
-
-Prints print_moments(OffscreenRenderer& offscreen, std::span<const PrintedMoment> moments,
-                     const PictureSize& size, float scale) {
+  OffscreenRenderer& offscreen = lazy.open();
+  const float scale = lazy.scale();
   const auto scaled = [&](int length_px) {
     return std::max(1, static_cast<int>(std::lround(static_cast<float>(length_px) * scale)));
   };
@@ -230,12 +227,12 @@ Prints print_moments(OffscreenRenderer& offscreen, std::span<const PrintedMoment
   return prints;
 }
 
-glm::vec2 panel_corner(const SheetStyle& style, const PictureSize& picture, std::size_t panel) {
-  const auto column = static_cast<float>(panel % style.columns);
-  const auto row = static_cast<float>(panel / style.columns);
-  return {style.border_px + column * (static_cast<float>(picture.width_px) + style.gap_px),
-          style.border_px +
-              row * (static_cast<float>(picture.height_px) + style.caption.height_px() + style.gap_px)};
+}  // namespace
+
+std::string largest_stretch_text(const PrintedMoment& moment) {
+  return fmt::format("largest stretch: springs {:.4g} %, surface {:.4g} %",
+                     100.0 * moment.moment->record.stretch.max,
+                     100.0 * moment.moment->record.surface_stretch.max);
 }
 
 Drawing sheet_of(std::vector<Panel> panels, const PictureSize& size, const SheetStyle& style,
@@ -381,6 +378,39 @@ Drawing draw_figure5(const Results& results, LazyOffscreenRenderer& offscreen) {
   return sheet_of(panels_of(prints, moments, caption_of), prints.size,
                   {.columns = 3, .caption = {.text_px = 50.0F, .measured_px = 43.0F}},
                   {0.2F * prints.metre_px, "20 cm"});
+}
+
+Drawing sheet_of_last(std::span<const Recording> recordings, std::span<const Caption> captions,
+                      const PictureSize& size, const SheetStyle& style, bool has_floor,
+                      LazyOffscreenRenderer& offscreen) {
+  std::vector<PrintedMoment> moments;
+  for (const Recording& recording : recordings) {
+    moments.push_back({&recording, &recording.last(), false, has_floor});
+  }
+  Prints prints = print_moments(offscreen, moments, size);
+  std::vector<Panel> panels;
+  for (std::size_t i = 0; i < moments.size(); ++i) {
+    panels.push_back({std::move(prints.pictures[i]), captions[i]});
+  }
+  return sheet_of(std::move(panels), prints.size, style, {0.1F * prints.metre_px, "10 cm"});
+}
+
+DrawnScene made_of(DrawnScene scene, const std::string& fabric) {
+  apply_overrides(std::vector<Override>{{"cloth.fabric", fabric, "--fabric " + fabric}}, scene);
+  scene.title = find_fabric(fabric).name;
+  return scene;
+}
+
+Drawing draw_fabrics(std::span<const Recording> recordings, LazyOffscreenRenderer& offscreen) {
+  std::vector<Caption> captions;
+  for (const Recording& recording : recordings) {
+    const sim::Material& cloth = recording.scene.material;
+    captions.push_back({'\0', recording.scene.title,
+                        fmt::format("{:.0f} g/m², {:.3g} µN m", 1e3 * cloth.areal_density_kg_per_m2,
+                                    1e6 * cloth.bending_rigidity_n_m)});
+  }
+  const SheetStyle style{.columns = 3, .gap_px = 16.0F, .caption = {.text_px = 30.0F, .measured_px = 24.0F}};
+  return sheet_of_last(recordings, captions, {620, 560}, style, true, offscreen);
 }
 
 }  // namespace taut::app

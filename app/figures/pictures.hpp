@@ -1,11 +1,8 @@
 #pragma once
 
-#include <filesystem>
-
 #include "app/drawing/drawing.hpp"
-#include "app/drawing/offscreen_renderer.hpp"
 #include "app/figures/experiments/recording.hpp"
-#include "renderer/page/image.hpp"
+#include "app/scene/fabric.hpp"
 
 namespace taut::app {
 
@@ -62,14 +59,6 @@ inline constexpr double printed_stretch = 0.2;
 /// Nearly white at rest length and darker with more stretch, so that it also works on a grey printer.
 inline constexpr renderer::ColourMap printed_stretch_colours = renderer::ColourMap::blue_orange;
 
-/// Draws the moments with one camera, from the direction of the first moment's scene. The camera is as near
-/// as all cloths and their shadows on the floor allow. Throws renderer::ContextError.
-Prints print_moments(LazyOffscreenRenderer& offscreen, std::span<const PrintedMoment> moments,
-                     const PictureSize& size);
-/// As above, with images that have `scale` times as many pixels each way.
-Prints print_moments(OffscreenRenderer& offscreen, std::span<const PrintedMoment> moments,
-                     const PictureSize& size, float scale);
-
 /// A picture in a figure with the caption below it.
 struct Panel {
   renderer::Image picture;
@@ -96,9 +85,6 @@ struct SheetStyle {
 Drawing sheet_of(std::vector<Panel> panels, const PictureSize& size, const SheetStyle& style,
                  const ScaleBar& bar);
 
-/// Upper left corner of the panel with this index, in pixels of the figure.
-glm::vec2 panel_corner(const SheetStyle& style, const PictureSize& picture, std::size_t panel);
-
 /// A table with one row per moment: its letter (from a), the scene and what was measured.
 std::string moments_csv(std::span<const Recording* const> recordings);
 
@@ -111,5 +97,17 @@ std::string shapes_csv(std::span<const Recording* const> recordings);
 /// Reasons are a broken table, no moment of this scene, or another number of vertices than the garment has.
 Recording read_recording(const std::filesystem::path& folder, const std::string& figure,
                          const std::string& scene_name);
+
+/// Returns `scene`, named in its title, made of a fabric of this name or file. Throws UsageError if there is
+/// none.
+DrawnScene made_of(DrawnScene scene, const std::string& fabric);
+
+/// Pictures of all last moments with the captions below.
+Drawing sheet_of_last(std::span<const Recording> recordings, std::span<const Caption> captions,
+                      const PictureSize& size, const SheetStyle& style, bool has_floor,
+                      LazyOffscreenRenderer& offscreen);
+
+/// One scene made of several fabrics, at the end of each recording. The scenes' titles stand below.
+Drawing draw_fabrics(std::span<const Recording> recordings, LazyOffscreenRenderer& offscreen);
 
 }  // namespace taut::app

@@ -1,13 +1,5 @@
 #include "app/fitting/following.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <functional>
-#include <glm/geometric.hpp>
-#include <limits>
-#include <optional>
-#include <queue>
-
 #include "app/fitting/surface_tree.hpp"
 #include "sim/mesh/adjacency.hpp"
 
@@ -41,9 +33,7 @@ std::array<double, 3> nearest_weights(const Vec3& p, const Vec3& a, const Vec3& 
   if (squared > 0.0) {
     const double v = glm::dot(glm::cross(p - a, ac), normal) / squared;
     const double w = glm::dot(glm::cross(ab, p - a), normal) / squared;
-    if (v >= 0.0 && w >= 0.0 && v + w <= 1.0) {
-      return {1.0 - v - w, v, w};
-    }
+    if (v >= 0.0 && w >= 0.0 && v + w <= 1.0) return {1.0 - v - w, v, w};
   }
   const double s = on_edge(a, b), t = on_edge(b, c), u = on_edge(c, a);
   const std::array<std::array<double, 3>, 3> edges = {
@@ -66,9 +56,7 @@ std::optional<SurfacePoint> nearest(const SurfaceTree& tree, const sim::Mesh& me
 std::vector<sim::Triangle> wall_of(const sim::Mesh& model, std::span<const std::uint8_t> is_wall) {
   std::vector<sim::Triangle> wall;
   for (std::size_t t = 0; t < model.triangles.size(); ++t) {
-    if (is_wall[t] != 0) {
-      wall.push_back(model.triangles[t]);
-    }
+    if (is_wall[t] != 0) wall.push_back(model.triangles[t]);
   }
   return wall;
 }
@@ -114,9 +102,7 @@ class Binder {
     // Parts of the wall first, then what is carried, each from its most certain vertex on.
     for (const bool is_carried : {false, true}) {
       for (const Candidate& seed : seeds(is_carried)) {
-        if (!found_[seed.vertex]) {
-          spread(seed);
-        }
+        if (!found_[seed.vertex]) spread(seed);
       }
     }
     std::vector<SurfacePoint> points;
@@ -145,9 +131,7 @@ class Binder {
   std::vector<Candidate> seeds(bool is_carried) {
     std::vector<Candidate> seeds;
     for (Index v = 0; v < found_.size(); ++v) {
-      if (found_[v] || (normals_[v] == Vec3(0.0)) != is_carried) {
-        continue;
-      }
+      if (found_[v] || (normals_[v] == Vec3(0.0)) != is_carried) continue;
       const SurfacePoint& own = nearest_facing(v);
       const auto other =
           is_carried ? std::nullopt : nearest(tree_, mesh_, model_.positions[v], -normals_[v], 4.0 * edge_m_);
@@ -164,9 +148,7 @@ class Binder {
     while (!queue.empty()) {
       const Candidate next = queue.top();
       queue.pop();
-      if (found_[next.vertex]) {
-        continue;
-      }
+      if (found_[next.vertex]) continue;
       found_[next.vertex] = next.found;
       for (const Index e : of_model_.adjacency.vertex_edges[next.vertex]) {
         const Index other = sim::other_end(of_model_.adjacency.edges[e], next.vertex);
@@ -264,9 +246,7 @@ std::vector<Vec3> vertex_normals(std::span<const Vec3> positions_m,
   for (const sim::Triangle& t : triangles) {
     const Vec3 area =
         glm::cross(positions_m[t[1]] - positions_m[t[0]], positions_m[t[2]] - positions_m[t[0]]);
-    for (const Index v : t) {
-      normals[v] += area;
-    }
+    for (const Index v : t) normals[v] += area;
   }
   std::transform(normals.begin(), normals.end(), normals.begin(), unit);
   return normals;
@@ -310,13 +290,9 @@ CarriedVertices carried_vertices(const sim::Mesh& model, std::span<const std::ui
   CarriedVertices carried{wall_of(model, is_wall), {}, {}};
   std::vector<char> is_carried(model.positions.size(), 1);
   for (const sim::Triangle& t : carried.wall) {
-    for (const Index v : t) {
-      is_carried[v] = 0;
-    }
+    for (const Index v : t) is_carried[v] = 0;
   }
-  if (std::count(is_carried.begin(), is_carried.end(), 1) == 0) {
-    return carried;
-  }
+  if (std::count(is_carried.begin(), is_carried.end(), 1) == 0) return carried;
   const std::vector<Bond> bonds = bonds_of_model(model, is_wall, {model.positions, carried.wall, {}});
   for (Index v = 0; v < bonds.size(); ++v) {
     if (is_carried[v] != 0) {
@@ -328,17 +304,11 @@ CarriedVertices carried_vertices(const sim::Mesh& model, std::span<const std::ui
 }
 
 void carry(const CarriedVertices& carried, std::span<const float> shares, std::vector<Vec3>& points_m) {
-  if (carried.vertices.empty()) {
-    return;
-  }
+  if (carried.vertices.empty()) return;
   std::vector<float> of_carried;
-  for (const Index v : carried.vertices) {
-    of_carried.push_back(shares[v]);
-  }
+  for (const Index v : carried.vertices) of_carried.push_back(shares[v]);
   const std::vector<Vec3> carried_m = follow(carried.bonds, points_m, carried.wall, of_carried);
-  for (std::size_t k = 0; k < carried_m.size(); ++k) {
-    points_m[carried.vertices[k]] = carried_m[k];
-  }
+  for (std::size_t k = 0; k < carried_m.size(); ++k) points_m[carried.vertices[k]] = carried_m[k];
 }
 
 Index nearest_corner(const Bond& bond, std::span<const sim::Triangle> triangles) {

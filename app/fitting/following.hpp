@@ -1,10 +1,5 @@
 #pragma once
 
-#include <array>
-#include <cstdint>
-#include <span>
-#include <vector>
-
 #include "sim/mesh/mesh.hpp"
 
 namespace taut::app {

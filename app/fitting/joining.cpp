@@ -1,14 +1,6 @@
 #include "app/fitting/joining.hpp"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <glm/geometric.hpp>
-#include <map>
-#include <set>
-
 #include "app/fitting/surface_tree.hpp"
-#include "sim/mesh/adjacency.hpp"
 #include "sim/mesh/groups.hpp"
 #include "sim/mesh/topology.hpp"
 #include "sim/mesh/welding.hpp"
@@ -36,14 +28,10 @@ std::vector<BorderEdge> border_edges(const sim::Mesh& mesh) {
   const sim::Adjacency adjacency = sim::make_adjacency(mesh);
   std::vector<BorderEdge> edges;
   for (std::size_t e = 0; e < adjacency.edges.size(); ++e) {
-    if (adjacency.edge_triangles[e].size() != 1) {
-      continue;
-    }
+    if (adjacency.edge_triangles[e].size() != 1) continue;
     const sim::Index t = adjacency.edge_triangles[e][0];
     auto [from, to] = adjacency.edges[e];
-    if (!sim::runs_along(mesh.triangles[t], adjacency.edges[e])) {
-      std::swap(from, to);
-    }
+    if (!sim::runs_along(mesh.triangles[t], adjacency.edges[e])) std::swap(from, to);
     const sim::Vec3 way = mesh.positions[to] - mesh.positions[from];
     const sim::Vec3 in = glm::cross(sim::doubled_area_vector(mesh.positions, mesh.triangles[t]), way);
     edges.push_back({from, to, t, glm::dot(in, in) > 0.0 ? glm::normalize(in) : in});
@@ -96,14 +84,10 @@ class Seams {
     std::vector<std::size_t> loop_of(mesh_.positions.size());
     std::vector<std::array<std::size_t, 2>> counts;  ///< of its vertices: those found, all
     for (const std::vector<sim::Index>& loop : border_loops(mesh_)) {
-      for (const sim::Index v : loop) {
-        loop_of[v] = counts.size();
-      }
+      for (const sim::Index v : loop) loop_of[v] = counts.size();
       counts.push_back({0, loop.size()});
     }
-    for (const Weld& weld : welds) {
-      ++counts[loop_of[weld.vertex]][0];
-    }
+    for (const Weld& weld : welds) ++counts[loop_of[weld.vertex]][0];
     const auto is_most = [&](sim::Index v) { return 2 * counts[loop_of[v]][0] > counts[loop_of[v]][1]; };
     std::erase_if(welds, [&](const Weld& w) { return !is_most(w.vertex) && !is_most(edges_[w.edge].from); });
     return welds;
@@ -114,9 +98,7 @@ class Seams {
     pairs_.clear();
     for (std::size_t begin = 0; begin < welds.size();) {
       std::size_t end = begin;
-      while (end < welds.size() && welds[end].edge == welds[begin].edge) {
-        ++end;
-      }
+      while (end < welds.size() && welds[end].edge == welds[begin].edge) ++end;
       split(edges_[welds[begin].edge], std::span(welds).subspan(begin, end - begin));
       begin = end;
     }
@@ -143,9 +125,7 @@ class Seams {
   template <class Accept>
   std::vector<Weld> find(double reach_m, const Accept& accept) {
     std::vector<sim::Triangle> segments;
-    for (const BorderEdge& edge : edges_) {
-      segments.push_back({edge.from, edge.to, edge.to});
-    }
+    for (const BorderEdge& edge : edges_) segments.push_back({edge.from, edge.to, edge.to});
     const SurfaceTree tree(mesh_.positions, segments);
     std::vector<Weld> welds;
     for (const auto& [v, border] : borders_) {
@@ -206,9 +186,7 @@ class Seams {
 
   void weld() {
     sim::Groups groups(mesh_.positions.size());
-    for (const sim::Edge& pair : pairs_) {
-      groups.join(pair[0], pair[1]);
-    }
+    for (const sim::Edge& pair : pairs_) groups.join(pair[0], pair[1]);
     std::vector<sim::Vec3> sums(mesh_.positions.size(), sim::Vec3(0.0));
     std::vector<double> counts(mesh_.positions.size(), 0.0);
     for (sim::Index v = 0; v < sums.size(); ++v) {
@@ -219,9 +197,7 @@ class Seams {
       mesh_.positions[v] = sums[groups.find(v)] / counts[groups.find(v)];
     }
     std::erase_if(mesh_.triangles, [&](sim::Triangle& t) {
-      for (sim::Index& v : t) {
-        v = groups.find(v);
-      }
+      for (sim::Index& v : t) v = groups.find(v);
       return t[0] == t[1] || t[1] == t[2] || t[2] == t[0];
     });
   }
@@ -249,9 +225,7 @@ std::size_t join_parts(double gap_m, double spacing_m, sim::Mesh& mesh) {
 
 std::vector<std::vector<sim::Index>> border_loops(const sim::Mesh& mesh) {
   std::map<sim::Index, sim::Index> next;
-  for (const BorderEdge& edge : border_edges(mesh)) {
-    next[edge.from] = edge.to;
-  }
+  for (const BorderEdge& edge : border_edges(mesh)) next[edge.from] = edge.to;
   std::vector<std::vector<sim::Index>> loops;
   while (!next.empty()) {
     std::vector<sim::Index>& loop = loops.emplace_back();
@@ -277,9 +251,7 @@ std::size_t fill_small_holes(double longest_m, sim::Mesh& mesh) {
       sum += mesh.positions[loop[i]];
     }
     const bool is_slit = glm::length(doubled_area) < narrow_hole * longest_m * length;
-    if (length >= (is_slit ? 2.0 : 1.0) * longest_m) {
-      continue;
-    }
+    if (length >= (is_slit ? 2.0 : 1.0) * longest_m) continue;
     ++closed;
     const auto middle = static_cast<sim::Index>(mesh.positions.size());
     mesh.positions.push_back(sum / static_cast<double>(loop.size()));

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <cstddef>
-
 #include "sim/mesh/mesh.hpp"
 
 namespace taut::app {

@@ -1,9 +1,6 @@
 #include "app/fitting/remeshing.hpp"
 
 #include <OpenMesh/Core/Mesh/TriConnectivity.hh>
-#include <algorithm>
-#include <cmath>
-#include <glm/geometric.hpp>
 
 #include "app/fitting/joining.hpp"
 #include "app/fitting/sheets.hpp"
@@ -77,15 +74,9 @@ struct Model {
       parts.join(t[0], t[1]);
       parts.join(t[0], t[2]);
     }
-    for (sim::Index v = 0; v < mesh.positions.size(); ++v) {
-      part_of_vertex.push_back(parts.find(v));
-    }
-    for (const sim::Triangle& t : mesh.triangles) {
-      part_of.push_back(parts.find(t[0]));
-    }
-    for (const auto& loop : loops) {
-      lines.emplace_back(mesh, loop);
-    }
+    for (sim::Index v = 0; v < mesh.positions.size(); ++v) part_of_vertex.push_back(parts.find(v));
+    for (const sim::Triangle& t : mesh.triangles) part_of.push_back(parts.find(t[0]));
+    for (const auto& loop : loops) lines.emplace_back(mesh, loop);
   }
 
   SurfaceTree tree;
@@ -108,17 +99,11 @@ class Remesher {
     net_.request_halfedge_status();
     net_.request_edge_status();
     net_.request_face_status();
-    for (std::size_t v = 0; v < at_.size(); ++v) {
-      net_.new_vertex();
-    }
-    for (const sim::Triangle& t : surface.triangles) {
-      net_.add_face(vertex(t[0]), vertex(t[1]), vertex(t[2]));
-    }
+    for (std::size_t v = 0; v < at_.size(); ++v) net_.new_vertex();
+    for (const sim::Triangle& t : surface.triangles) net_.add_face(vertex(t[0]), vertex(t[1]), vertex(t[2]));
     for (std::size_t l = 0; l < model_.loops.size(); ++l) {
       const std::vector<sim::Index>& loop = model_.loops[l];
-      for (std::size_t i = 0; i < loop.size(); ++i) {
-        on_line_[loop[i]] = {l, model_.lines[l].ways_m[i]};
-      }
+      for (std::size_t i = 0; i < loop.size(); ++i) on_line_[loop[i]] = {l, model_.lines[l].ways_m[i]};
       mark_corners(loop);
     }
   }
@@ -177,9 +162,7 @@ class Remesher {
         double way = 0.0;
         for (std::size_t j = (i + step) % n; j != i && is_sharpest; j = (j + step) % n) {
           way += glm::distance(at_[loop[j]], at_[loop[(j + n - step) % n]]);
-          if (way > corner_reach * length_) {
-            break;
-          }
+          if (way > corner_reach * length_) break;
           is_sharpest = straight[i] < straight[j] || (straight[i] == straight[j] && i < j);
         }
       }
@@ -193,16 +176,12 @@ class Remesher {
       std::vector<std::pair<double, int>> edges;
       for (std::size_t i = 0; i < net_.n_edges(); ++i) {
         const Edge e(static_cast<int>(i));
-        if (!is_gone(e) && length(e) > longest * length_) {
-          edges.emplace_back(-length(e), e.idx());
-        }
+        if (!is_gone(e) && length(e) > longest * length_) edges.emplace_back(-length(e), e.idx());
       }
       std::sort(edges.begin(), edges.end());
       is_split = !edges.empty() && at_.size() < most_vertices;
       for (const auto& [negative, e] : edges) {
-        if (at_.size() < most_vertices && 2.0 * negative <= edges.front().first) {
-          split(Edge(e));
-        }
+        if (at_.size() < most_vertices && 2.0 * negative <= edges.front().first) split(Edge(e));
       }
     }
   }
@@ -244,9 +223,7 @@ class Remesher {
       changed = false;
       for (std::size_t i = 0; i < net_.n_edges(); ++i) {
         const Edge e(static_cast<int>(i));
-        if (is_gone(e) || !(length(e) < shortest * length_)) {
-          continue;
-        }
+        if (is_gone(e) || !(length(e) < shortest * length_)) continue;
         for (const int side : {0, 1}) {
           const Halfedge h = net_.halfedge_handle(e, static_cast<unsigned>(side));
           if (may_collapse(h)) {
@@ -262,17 +239,11 @@ class Remesher {
   bool may_collapse(Halfedge h) {
     const Vertex from = net_.from_vertex_handle(h), to = net_.to_vertex_handle(h);
     const bool border = net_.is_boundary(from);
-    if (is_corner_[number(from)] != 0 || (border && !net_.is_boundary(net_.edge_handle(h)))) {
-      return false;
-    }
+    if (is_corner_[number(from)] != 0 || (border && !net_.is_boundary(net_.edge_handle(h)))) return false;
     for (auto out = net_.voh_iter(from); out.is_valid(); ++out) {
       const Vertex a = net_.to_vertex_handle(*out);
-      if (a != to && glm::distance(at(a), at(to)) > longest * length_) {
-        return false;
-      }
-      if (net_.is_boundary(*out)) {
-        continue;
-      }
+      if (a != to && glm::distance(at(a), at(to)) > longest * length_) return false;
+      if (net_.is_boundary(*out)) continue;
       const Vertex b = net_.to_vertex_handle(net_.next_halfedge_handle(*out));
       if (a != to && b != to && !stays(doubled_area(at(from), at(a), at(b)), at(to), at(a), at(b))) {
         return false;
@@ -286,9 +257,7 @@ class Remesher {
     const Vec3 now = doubled_area(a, b, c);
     const double side = std::max({glm::distance(a, b), glm::distance(b, c), glm::distance(c, a)});
     const double before = glm::length(normal_before), after = glm::length(now);
-    if (before < thin * side * side) {
-      return true;
-    }
+    if (before < thin * side * side) return true;
     return after >= thin * side * side && glm::dot(now, normal_before) > same_side * before * after;
   }
 
@@ -379,9 +348,7 @@ class Remesher {
   void smooth() {
     for (std::size_t i = 0; i < net_.n_vertices(); ++i) {
       const Vertex v(static_cast<int>(i));
-      if (net_.status(v).deleted() || net_.is_isolated(v) || is_corner_[i] != 0) {
-        continue;
-      }
+      if (net_.status(v).deleted() || net_.is_isolated(v) || is_corner_[i] != 0) continue;
       net_.is_boundary(v) ? smooth_border(v) : smooth_within(v);
     }
   }
@@ -425,9 +392,7 @@ class Remesher {
       if (!net_.is_boundary(*h)) {
         const Vec3& a = at(net_.to_vertex_handle(*h));
         const Vec3& b = at(net_.to_vertex_handle(net_.next_halfedge_handle(*h)));
-        if (!stays(doubled_area(at(v), a, b), place, a, b)) {
-          return false;
-        }
+        if (!stays(doubled_area(at(v), a, b), place, a, b)) return false;
       }
     }
     return true;
@@ -438,9 +403,7 @@ class Remesher {
     std::vector<sim::Index> number(net_.n_vertices(), sim::no_vertex);
     for (std::size_t f = 0; f < net_.n_faces(); ++f) {
       const OpenMesh::FaceHandle face(static_cast<int>(f));
-      if (net_.status(face).deleted()) {
-        continue;
-      }
+      if (net_.status(face).deleted()) continue;
       sim::Triangle& t = mesh.triangles.emplace_back();
       std::size_t k = 0;
       for (auto v = net_.cfv_iter(face); v.is_valid(); ++v, ++k) {

@@ -1,14 +1,5 @@
 #include "app/fitting/sheets.hpp"
 
-#include <algorithm>
-#include <array>
-#include <glm/geometric.hpp>
-#include <limits>
-#include <map>
-#include <span>
-#include <utility>
-
-#include "sim/mesh/adjacency.hpp"
 #include "sim/mesh/groups.hpp"
 #include "sim/mesh/topology.hpp"
 #include "sim/mesh/welding.hpp"
@@ -112,9 +103,7 @@ void orient(sim::Mesh& mesh, std::vector<Joint>& joints) {
   std::erase_if(joints,
                 [&](const Joint& joint) { return (turned[joint.a] != turned[joint.b]) != joint.run_alike; });
   for (std::size_t t = 0; t < turned.size(); ++t) {
-    if (turned[t] == 1) {
-      std::swap(mesh.triangles[t][1], mesh.triangles[t][2]);
-    }
+    if (turned[t] == 1) std::swap(mesh.triangles[t][1], mesh.triangles[t][2]);
   }
 }
 

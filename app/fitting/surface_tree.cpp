@@ -1,11 +1,5 @@
 #include "app/fitting/surface_tree.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <glm/geometric.hpp>
-#include <limits>
-#include <numeric>
-
 namespace taut::app {
 namespace {
 
@@ -27,9 +21,7 @@ sim::Vec3 nearest_of_triangle(const sim::Vec3& p, const std::array<sim::Vec3, 3>
   for (int k = 0; k < 3 && is_inside; ++k) {
     is_inside = glm::dot(glm::cross(c[(k + 1) % 3] - c[k], p - c[k]), normal) >= 0.0;
   }
-  if (is_inside) {
-    return p - glm::dot(p - c[0], normal) / square * normal;
-  }
+  if (is_inside) return p - glm::dot(p - c[0], normal) / square * normal;
   sim::Vec3 best(0.0);
   double best_square = std::numeric_limits<double>::infinity();
   for (int k = 0; k < 3; ++k) {
@@ -54,9 +46,7 @@ double entry(const sim::Vec3& from, const sim::Vec3& inverse, double begin, doub
   for (int axis = 0; axis < 3; ++axis) {
     double near = (box.lower[axis] - from[axis]) * inverse[axis];
     double far = (box.upper[axis] - from[axis]) * inverse[axis];
-    if (near > far) {
-      std::swap(near, far);
-    }
+    if (near > far) std::swap(near, far);
     begin = near > begin ? near : begin;  // not a number where the ray runs within a side: no limit
     end = far < end ? far : end;
   }
@@ -68,9 +58,7 @@ double hit(const sim::Vec3& from, const sim::Vec3& direction, const std::array<s
   constexpr double none = std::numeric_limits<double>::infinity();
   const sim::Vec3 e1 = c[1] - c[0], e2 = c[2] - c[0], p = glm::cross(direction, e2);
   const double determinant = glm::dot(e1, p);
-  if (determinant == 0.0) {
-    return none;
-  }
+  if (determinant == 0.0) return none;
   const sim::Vec3 s = from - c[0], q = glm::cross(s, e1);
   const double u = glm::dot(s, p) / determinant, v = glm::dot(direction, q) / determinant;
   return u < 0.0 || v < 0.0 || u + v > 1.0 ? none : glm::dot(e2, q) / determinant;
@@ -86,9 +74,7 @@ SurfaceTree::SurfaceTree(std::span<const sim::Vec3> positions_m, std::span<const
     middles.push_back((positions_m[a] + positions_m[b] + positions_m[c]) / 3.0);
   }
   std::iota(order_.begin(), order_.end(), sim::Index{0});
-  if (!order_.empty()) {
-    build(0, static_cast<sim::Index>(order_.size()), middles);
-  }
+  if (!order_.empty()) build(0, static_cast<sim::Index>(order_.size()), middles);
 }
 
 void SurfaceTree::build(sim::Index begin, sim::Index end, std::span<const sim::Vec3> middles_m) {
@@ -97,13 +83,9 @@ void SurfaceTree::build(sim::Index begin, sim::Index end, std::span<const sim::V
   sim::Extent middles;
   for (sim::Index i = begin; i < end; ++i) {
     middles.add(middles_m[order_[i]]);
-    for (const sim::Vec3& corner : corners_[order_[i]]) {
-      nodes_[at].extent.add(corner);
-    }
+    for (const sim::Vec3& corner : corners_[order_[i]]) nodes_[at].extent.add(corner);
   }
-  if (end - begin <= leaf_size) {
-    return;
-  }
+  if (end - begin <= leaf_size) return;
   const int axis = sim::longest_axis(middles);
   const sim::Index half = begin + (end - begin) / 2;
   std::nth_element(order_.begin() + begin, order_.begin() + half, order_.begin() + end,
@@ -125,9 +107,7 @@ std::optional<SurfacePoint> SurfaceTree::nearest(const sim::Vec3& from_m, double
   while (waiting > 0) {
     const sim::Index at = stack[--waiting];
     const Node& node = nodes_[at];
-    if (square_distance(from_m, node.extent) > best_square) {
-      continue;
-    }
+    if (square_distance(from_m, node.extent) > best_square) continue;
     if (node.second != 0) {
       const bool first_is_nearer = square_distance(from_m, nodes_[at + 1].extent) <=
                                    square_distance(from_m, nodes_[node.second].extent);
@@ -160,9 +140,7 @@ std::optional<SurfacePoint> SurfaceTree::first_hit(const sim::Vec3& from_m, cons
   while (waiting > 0) {
     const sim::Index at = stack[--waiting];
     const Node& node = nodes_[at];
-    if (!(entry(from_m, inverse, begin_m, end_m, node.extent) <= end_m)) {
-      continue;
-    }
+    if (!(entry(from_m, inverse, begin_m, end_m, node.extent) <= end_m)) continue;
     if (node.second != 0) {
       stack[waiting++] = node.second;
       stack[waiting++] = at + 1;

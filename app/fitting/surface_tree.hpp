@@ -1,13 +1,6 @@
 #pragma once
 
-#include <array>
-#include <functional>
-#include <optional>
-#include <span>
-#include <vector>
-
 #include "sim/mesh/extent.hpp"
-#include "sim/mesh/types.hpp"
 
 namespace taut::app {
 

@@ -1,13 +1,6 @@
 #include "app/fitting/walls.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <glm/geometric.hpp>
-#include <map>
-#include <utility>
-
 #include "app/fitting/surface_tree.hpp"
-#include "sim/mesh/extent.hpp"
 #include "sim/mesh/groups.hpp"
 #include "sim/mesh/welding.hpp"
 
@@ -79,9 +72,7 @@ struct View {
 std::vector<std::vector<sim::Index>> gathered(const std::vector<sim::Index>& number_of, sim::Index count) {
   std::vector<std::vector<sim::Index>> rows(count);
   for (sim::Index t = 0; t < number_of.size(); ++t) {
-    if (number_of[t] != sim::no_vertex) {
-      rows[number_of[t]].push_back(t);
-    }
+    if (number_of[t] != sim::no_vertex) rows[number_of[t]].push_back(t);
   }
   return rows;
 }
@@ -104,9 +95,7 @@ double volume(const sim::Mesh& mesh, std::span<const sim::Index> sheet) {
 
 double area_of(const View& view, std::span<const sim::Index> piece) {
   double area = 0.0;
-  for (const sim::Index t : piece) {
-    area += view.areas[t];
-  }
+  for (const sim::Index t : piece) area += view.areas[t];
   return area;
 }
 
@@ -120,17 +109,13 @@ class Pieces {
     const bool is_flat = std::min({size.x, size.y, size.z}) < view.unit * flat_m;
     for (const auto& sheet : all) {
       double doubled = 0.0;
-      for (const sim::Index t : sheet) {
-        doubled += other[t] != sim::no_vertex ? view.areas[t] : 0.0;
-      }
+      for (const sim::Index t : sheet) doubled += other[t] != sim::no_vertex ? view.areas[t] : 0.0;
       const bool is_shell =
           doubled > shell_share * area_of(view, sheet) && (!is_flat || is_closed(view.sheets, sheet));
       if (is_shell) {
         cut_into_walls(sheet);
       } else {
-        for (const sim::Index t : sheet) {
-          piece_of_[t] = count_;
-        }
+        for (const sim::Index t : sheet) piece_of_[t] = count_;
         ++count_;
       }
     }
@@ -171,20 +156,14 @@ class Pieces {
     }
     std::vector<double> areas(count_ - first, 0.0);
     for (const sim::Index t : sheet) {
-      if (piece_of_[t] != sim::no_vertex) {
-        areas[piece_of_[t] - first] += view_.areas[t];
-      }
+      if (piece_of_[t] != sim::no_vertex) areas[piece_of_[t] - first] += view_.areas[t];
     }
     const double least = smallest_wall * area_of(view_, sheet);
     std::vector<sim::Index> number(areas.size(), sim::no_vertex), front;
     count_ = first;
-    for (std::size_t r = 0; r < areas.size(); ++r) {
-      number[r] = areas[r] >= least ? count_++ : sim::no_vertex;
-    }
+    for (std::size_t r = 0; r < areas.size(); ++r) number[r] = areas[r] >= least ? count_++ : sim::no_vertex;
     for (const sim::Index t : sheet) {
-      if (piece_of_[t] != sim::no_vertex) {
-        piece_of_[t] = number[piece_of_[t] - first];
-      }
+      if (piece_of_[t] != sim::no_vertex) piece_of_[t] = number[piece_of_[t] - first];
     }
     for (const double least_cosine : {goes_on, bends}) {
       front.clear();
@@ -198,17 +177,13 @@ class Pieces {
   /// Gives what is left to the one piece that is all around it; strips between two walls stay out.
   void fill_gaps(std::span<const sim::Index> sheet) {
     for (const sim::Index begin : sheet) {
-      if (piece_of_[begin] != sim::no_vertex || seen_[begin] != 0) {
-        continue;
-      }
+      if (piece_of_[begin] != sim::no_vertex || seen_[begin] != 0) continue;
       std::vector<sim::Index> gap{begin}, around;
       seen_[begin] = 1;
       for (std::size_t i = 0; i < gap.size(); ++i) {
         for (int side = 0; side < 3; ++side) {
           const sim::Index next = view_.sheets.beyond[3 * gap[i] + side];
-          if (next == sim::no_vertex) {
-            continue;
-          }
+          if (next == sim::no_vertex) continue;
           if (piece_of_[next] != sim::no_vertex) {
             around.push_back(piece_of_[next]);
           } else if (seen_[next] == 0) {
@@ -219,9 +194,7 @@ class Pieces {
       }
       std::sort(around.begin(), around.end());
       if (!around.empty() && around.front() == around.back()) {
-        for (const sim::Index t : gap) {
-          piece_of_[t] = around.front();
-        }
+        for (const sim::Index t : gap) piece_of_[t] = around.front();
       }
     }
   }
@@ -236,9 +209,7 @@ class Pieces {
 };
 
 bool is_covered(const View& view, const OtherWalls& other, const std::vector<char>& kept, sim::Index t) {
-  if (other[t] != sim::no_vertex && kept[other[t]] != 0) {
-    return true;
-  }
+  if (other[t] != sim::no_vertex && kept[other[t]] != 0) return true;
   const sim::Vec3 middle = middle_of(view.sheets.mesh, t);
   return view.tree
       .nearest(middle, view.unit * lies_on_m,
@@ -273,9 +244,7 @@ OtherWalls find_other_walls(const Sheets& sheets) {
   const double reach_m = view.unit * thickest_m;
   OtherWalls other(sheets.mesh.triangles.size(), sim::no_vertex);
   for (sim::Index t = 0; t < other.size(); ++t) {
-    if (view.normals[t] == sim::Vec3(0.0)) {
-      continue;
-    }
+    if (view.normals[t] == sim::Vec3(0.0)) continue;
     const auto hit = view.tree.first_hit(
         middle_of(sheets.mesh, t), -view.normals[t], -view.unit * entering_m, reach_m,
         [&](const SurfacePoint& p) {
@@ -317,9 +286,7 @@ std::vector<char> choose_walls(const Sheets& sheets, const OtherWalls& other) {
       all += view.areas[t];
     }
     if (covered < lying_share * all) {
-      for (const sim::Index t : triangles_of[p]) {
-        kept[t] = 1;
-      }
+      for (const sim::Index t : triangles_of[p]) kept[t] = 1;
     }
   }
   return kept;

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <vector>
-
 #include "app/fitting/sheets.hpp"
 
 namespace taut::app {

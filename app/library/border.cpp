@@ -1,12 +1,5 @@
 #include "app/library/border.hpp"
 
-#include <new>
-
-#include "app/base/errors.hpp"
-#include "sim/blocked_contact.hpp"
-#include "sim/bytes.hpp"
-#include "sim/simulation.hpp"
-
 namespace taut::library {
 namespace {
 
@@ -40,6 +33,52 @@ std::uint64_t scattered(std::uint64_t number) {
   number = (number ^ (number >> 30U)) * 0xBF58476D1CE4E5B9U;
   number = (number ^ (number >> 27U)) * 0x94D049BB133111EBU;
   return number ^ (number >> 31U);
+}
+
+constexpr std::size_t most_vertices = 3 * app::most_triangles;
+
+std::size_t size_of(std::int32_t type) {
+  require(type == TAUT_FLOAT || type == TAUT_DOUBLE,
+          "found an unknown type of numbers, expected TAUT_FLOAT or TAUT_DOUBLE");
+  return type == TAUT_FLOAT ? sizeof(float) : sizeof(double);
+}
+
+template <class Points> void require_array(const Points* points, std::size_t count) {
+  require(points != nullptr, "found NULL, expected points");
+  if (points->count != count) throw ArgumentError("found {} points, expected {}", points->count, count);
+  const std::size_t smallest = 3 * size_of(points->type);
+  if (points->stride < smallest ||
+      points->stride > std::numeric_limits<std::size_t>::max() / 2 / most_vertices) {
+    throw ArgumentError("found a stride of {} bytes, expected at least {}", points->stride, smallest);
+  }
+  require(points->data != nullptr || count == 0, "found points with data of NULL");
+}
+
+template <class Number> sim::Vec3 read_point(const char* at) {
+  Number numbers[3];
+  std::memcpy(numbers, at, sizeof(numbers));
+  return {numbers[0], numbers[1], numbers[2]};
+}
+
+template <class Number> void write_point(const sim::Vec3& point, char* at) {
+  const Number numbers[3] = {static_cast<Number>(point.x), static_cast<Number>(point.y),
+                             static_cast<Number>(point.z)};
+  std::memcpy(at, numbers, sizeof(numbers));
+}
+
+bool is_finite(const sim::Vec3& point) {
+  return std::isfinite(point.x) && std::isfinite(point.y) && std::isfinite(point.z);
+}
+
+/// The numbers of corners of the faces.
+std::vector<std::uint32_t> corner_counts(const TautMesh& mesh) {
+  if (mesh.corners_per_face == nullptr) {
+    require(mesh.face_count == 0, "found a face_count without corners_per_face");
+    require(mesh.corner_count % 3 == 0, "found a corner_count that is no multiple of 3, expected triangles");
+    return std::vector<std::uint32_t>(mesh.corner_count / 3, 3);
+  }
+  require(mesh.face_count <= mesh.corner_count / 3, "found more faces than corners make, three for each");
+  return {mesh.corners_per_face, mesh.corners_per_face + mesh.face_count};
 }
 
 }  // namespace
@@ -85,6 +124,88 @@ std::shared_ptr<Held> release(std::uint64_t id) {
   std::shared_ptr<Held> held = std::move(found->second);
   all.cloths.erase(found);
   return held;
+}
+
+void require(bool holds, const char* message) {
+  if (!holds) throw ArgumentError(message);
+}
+
+void require_room(const void* array, std::size_t found, std::size_t expected) {
+  require(array != nullptr || expected == 0, "found an array of NULL");
+  if (found != expected) {
+    throw ArgumentError("found an array of " + std::to_string(found) + ", expected " +
+                        std::to_string(expected));
+  }
+}
+
+std::string text_of(const char* text, const char* message) {
+  require(text != nullptr, message);
+  return text;
+}
+
+std::vector<sim::Vec3> points_from(const TautPoints* points, std::size_t expected) {
+  require_array(points, expected);
+  std::vector<sim::Vec3> read;
+  read.reserve(expected);
+  for (std::size_t k = 0; k < expected; ++k) {
+    const char* at = static_cast<const char*>(points->data) + k * points->stride;
+    read.push_back(points->type == TAUT_FLOAT ? read_point<float>(at) : read_point<double>(at));
+    if (!is_finite(read.back())) throw ArgumentError("found point {} with a number that is not finite", k);
+  }
+  return read;
+}
+
+std::vector<sim::Vec3> points_from(const TautPoints* points) {
+  require(points != nullptr, "found NULL, expected points");
+  if (points->count > most_vertices) {
+    throw ArgumentError("found {} points, expected at most {}", points->count, most_vertices);
+  }
+  return points_from(points, points->count);
+}
+
+void put_points(std::span<const sim::Vec3> points, const TautPointsOut* out) {
+  require_array(out, points.size());
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    char* at = static_cast<char*>(out->data) + k * out->stride;
+    out->type == TAUT_FLOAT ? write_point<float>(points[k], at) : write_point<double>(points[k], at);
+  }
+}
+
+void put_bytes(std::string_view bytes, char* buffer, std::size_t capacity, std::size_t* size) {
+  require(size != nullptr, "found a size of NULL");
+  *size = bytes.size();
+  if (buffer != nullptr) {
+    require(capacity >= bytes.size(), "found a buffer that is too small");
+    std::ranges::copy(bytes, buffer);
+  }
+}
+
+sim::Vec3 vector_of(double x, double y, double z) {
+  const sim::Vec3 vector(x, y, z);
+  require(is_finite(vector), "found a number that is not finite");
+  return vector;
+}
+
+std::vector<sim::Index> vertices_from(const std::uint32_t* vertices, std::size_t count, std::size_t limit) {
+  require(vertices != nullptr || count == 0, "found vertices of NULL");
+  require(count <= most_vertices, "found more vertices than can be simulated");
+  for (std::size_t k = 0; k < count; ++k) {
+    if (vertices[k] >= limit) {
+      throw ArgumentError("found vertex {} at place {}, expected one below {}", vertices[k], k, limit);
+    }
+  }
+  return {vertices, vertices + count};
+}
+
+app::ImportedModel model_from(const TautMesh* given) {
+  const TautMesh mesh = read_struct(given);
+  if (mesh.corner_count > most_vertices) {
+    throw ArgumentError("found {} corners of faces, expected at most {}", mesh.corner_count, most_vertices);
+  }
+  std::vector<sim::Vec3> positions_m = points_from(&mesh.positions);
+  std::vector<sim::Index> corners = vertices_from(mesh.corners, mesh.corner_count, positions_m.size());
+  require(!corners.empty(), "found a mesh without faces");
+  return app::model_of(std::move(positions_m), corner_counts(mesh), std::move(corners));
 }
 
 }  // namespace taut::library

@@ -1,9 +1,7 @@
 #include "app/library/given_body.hpp"
 
 #include "app/bodies/body_loading.hpp"
-#include "app/library/arrays.hpp"
 #include "app/library/border.hpp"
-#include "app/library/session.hpp"
 #include "app/models/garment_remarks.hpp"
 #include "app/models/scene_crossings.hpp"
 

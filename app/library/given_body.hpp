@@ -1,9 +1,8 @@
 #pragma once
 
-#include "app/bodies/placed_frames.hpp"
+#include "app/bodies/frame_source.hpp"
 #include "app/library/taut.h"
 #include "app/scene/scene.hpp"
-#include "sim/contact/bodies.hpp"
 
 namespace taut::library {
 

@@ -1,8 +1,6 @@
 #include "app/bodies/body_loading.hpp"
 #include "app/bodies/wearing.hpp"
-#include "app/library/arrays.hpp"
 #include "app/library/border.hpp"
-#include "app/library/session.hpp"
 #include "app/models/garment_remarks.hpp"
 #include "app/scene/scene_format.hpp"
 #include "app/sewing/sewn_scene.hpp"

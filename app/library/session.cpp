@@ -1,10 +1,8 @@
 #include "app/library/session.hpp"
 
-#include "app/library/arrays.hpp"
+#include "app/library/border.hpp"
 #include "app/models/model_fitting.hpp"
-#include "app/scene/scene_file.hpp"
 #include "app/scene/scene_format.hpp"
-#include "sim/checkpoint.hpp"
 #include "sim/mesh/welding.hpp"
 
 namespace taut::library {

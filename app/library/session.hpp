@@ -1,14 +1,8 @@
 #pragma once
 
-#include <filesystem>
-
 #include "app/library/given_body.hpp"
-#include "app/library/taut.h"
-#include "app/models/garment_loading.hpp"
 #include "app/output/frame_verifier.hpp"
 #include "app/output/run_checkpoint.hpp"
-#include "app/scene/scene.hpp"
-#include "sim/simulation.hpp"
 
 namespace taut::library {
 

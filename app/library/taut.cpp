@@ -1,5 +1,3 @@
-#include "app/library/taut.h"
-
 #include "app/base/files.hpp"
 #include "app/base/version.hpp"
 #include "app/library/border.hpp"

@@ -1,11 +1,6 @@
 #pragma once
 
-#include <cstdint>
-#include <cstring>
-#include <stdexcept>
-#include <string>
-#include <type_traits>
-#include <vector>
+#include "prelude.hpp"
 
 namespace taut::app {
 
@@ -51,9 +46,7 @@ class ArrayReader {
     const auto count = take<std::uint64_t>();
     require(sizeof(Item), count);
     List list(count, Item{});
-    if (count > 0) {
-      std::memcpy(list.data(), bytes_.data() + at_, count * sizeof(Item));
-    }
+    if (count > 0) std::memcpy(list.data(), bytes_.data() + at_, count * sizeof(Item));
     at_ += count * sizeof(Item);
     return list;
   }
@@ -82,18 +75,14 @@ class ArrayReader {
 template <class Items, class Put>
 void put_all(const Items& items, ArrayWriter& out, const Put& put) {
   out.put(static_cast<std::uint64_t>(items.size()));
-  for (const auto& item : items) {
-    put(item);
-  }
+  for (const auto& item : items) put(item);
 }
 
 /// Reads what put_all wrote. Each item must take four bytes or more.
 template <class Items, class Take>
 void take_all(Items& items, ArrayReader& in, const Take& take) {
   items.resize(in.take_count(4));
-  for (auto& item : items) {
-    take(item);
-  }
+  for (auto& item : items) take(item);
 }
 
 }  // namespace taut::app

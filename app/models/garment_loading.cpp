@@ -1,25 +1,9 @@
 #include "app/models/garment_loading.hpp"
 
-#include <fmt/core.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <glm/geometric.hpp>
-#include <numeric>
-#include <stdexcept>
-#include <utility>
-
 #include "app/base/counted.hpp"
 #include "app/base/errors.hpp"
 #include "app/models/hanger.hpp"
 #include "app/models/model_fitting.hpp"
-#include "app/models/outside.hpp"
-#include "app/models/pins.hpp"
-#include "app/models/trims.hpp"
-#include "app/models/up_by_hanging.hpp"
-#include "app/scene/scene.hpp"
-#include "sim/mesh/extent.hpp"
 #include "sim/mesh/subdivide.hpp"
 #include "sim/mesh/welding.hpp"
 
@@ -48,10 +32,10 @@ void require_one_size(const sim::Mesh& mesh) {
   std::nth_element(lengths.begin(), middle, lengths.end());
   const double size = glm::length(sim::extent_of(mesh.positions).size());
   if (*middle < shortest_half_of_edges * size) {
-    throw std::invalid_argument(fmt::format(
-        "it reaches over {:.3g} of its units, but half of its edges are shorter than {:.3g}; expected all "
-        "vertices in one place, so one of them may be damaged",
-        size, *middle));
+    throw std::invalid_argument(
+        fmt::format("it reaches over {:.3g} of its units, but half of its edges are shorter than {:.3g}; "
+                    "expected all vertices in one place, so one of them may be damaged",
+                    size, *middle));
   }
 }
 
@@ -61,38 +45,28 @@ void require_size(const GarmentSource& source, const Placement& placement) {
   const bool has_size = std::isfinite(placement.extent) && placement.extent > 0.0;
   if (source.scale && has_size && !(size_m >= smallest_size_m && size_m <= largest_size_m)) {
     throw InputError(
-        fmt::format("cannot use the garment '{}': with the unit asked for it is {:.3g} m large; "
-                    "expected {:g} m to {:g} m",
-                    source.file.string(), size_m, smallest_size_m, largest_size_m));
+        "cannot use the garment '{}': with the unit asked for it is {:.3g} m large; expected {:g} m to {:g} "
+        "m",
+        source.file.string(), size_m, smallest_size_m, largest_size_m);
   }
 }
 
 void tell(const StageReport& begin, const std::string& stage) {
-  if (begin) {
-    begin(stage);
-  }
+  if (begin) begin(stage);
 }
 
 FileVertices vertices_of_file(const ImportedModel& model, std::vector<sim::Index>& kept) {
   FileVertices vertices{model.position_of_vertex, !model.shares_vertices && model.position_of_vertex.empty()};
-  for (sim::Index& vertex : vertices.mesh_vertex) {
-    vertex = kept[vertex];
-  }
-  if (vertices.mesh_vertex.empty()) {
-    vertices.mesh_vertex = std::move(kept);
-  }
+  for (sim::Index& vertex : vertices.mesh_vertex) vertex = kept[vertex];
+  if (vertices.mesh_vertex.empty()) vertices.mesh_vertex = std::move(kept);
   return vertices;
 }
 
 /// The positions of the file's vertices, as they stand in it.
 std::vector<sim::Vec3> positions_in_file(const ImportedModel& model) {
-  if (model.position_of_vertex.empty()) {
-    return model.positions;
-  }
+  if (model.position_of_vertex.empty()) return model.positions;
   std::vector<sim::Vec3> positions;
-  for (const sim::Index position : model.position_of_vertex) {
-    positions.push_back(model.positions[position]);
-  }
+  for (const sim::Index position : model.position_of_vertex) positions.push_back(model.positions[position]);
   return positions;
 }
 
@@ -111,17 +85,13 @@ std::size_t leave_out_backs(const ImportedModel& model, sim::Mesh& soup) {
     for (std::size_t k = 0; count == 4 && k < 4; ++k) {
       const sim::Index vertex = model.faces.corners[at + k];
       const sim::Index position = model.position_of_vertex.empty() ? vertex : model.position_of_vertex[vertex];
-      if (k == 0) {
-        quads.push_back({{}, triangle});
-      }
+      if (k == 0) quads.push_back({{}, triangle});
       quads.back().first[k] = places[position];
     }
     at += count;
     triangle += count - 2;
   }
-  for (auto& quad : quads) {
-    std::sort(quad.first.begin(), quad.first.end());
-  }
+  for (auto& quad : quads) std::sort(quad.first.begin(), quad.first.end());
   std::sort(quads.begin(), quads.end());
   std::vector<char> is_back(soup.triangles.size(), 0);
   for (std::size_t q = 1; q < quads.size(); ++q) {
@@ -166,9 +136,7 @@ std::vector<std::array<sim::Vec2, 3>> cut_by_uv(const sim::Mesh& mesh, const Sur
 }
 
 sim::Mesh scaled(sim::Mesh mesh, double factor) {
-  for (sim::Vec3& position : mesh.positions) {
-    position *= factor;
-  }
+  for (sim::Vec3& position : mesh.positions) position *= factor;
   return mesh;
 }
 
@@ -180,9 +148,7 @@ void subdivide_coarse(sim::Mesh& model, FittedModel& fitted, SurfaceColours& col
     model = sim::subdivide({std::move(model), {}}).mesh;
     colours = subdivided_colours(std::move(colours));
     std::vector<std::uint8_t> finer;
-    for (const std::uint8_t is_simulated : fitted.is_simulated) {
-      finer.insert(finer.end(), 4, is_simulated);
-    }
+    for (const std::uint8_t is_simulated : fitted.is_simulated) finer.insert(finer.end(), 4, is_simulated);
     fitted.is_simulated = std::move(finer);
     fitted.carried_triangles *= 4;
   }
@@ -241,9 +207,7 @@ sim::Mesh read_mesh(const Scene& scene, LoadedGarment& loaded, const StageReport
       loaded.refused_crossings = fitted->crossings;
       fitted.reset();
     }
-    if (!fitted && !is_cut) {
-      valid = sim::weld_and_validate(soup, repair_settings(source, scale), kept);
-    }
+    if (!fitted && !is_cut) valid = sim::weld_and_validate(soup, repair_settings(source, scale), kept);
     loaded.repairs = valid.report;
     loaded.repairs->duplicate_triangles += backs;
     turn_and_sew(source, fitted.has_value() || is_cut, valid.mesh, loaded);
@@ -257,26 +221,16 @@ sim::Mesh read_mesh(const Scene& scene, LoadedGarment& loaded, const StageReport
     if (source.subdivisions == 0) {
       loaded.file_faces = std::move(model.faces);
       loaded.file_rest_m = positions_in_file(model);
-      for (sim::Vec3& position : loaded.file_rest_m) {
-        position = (*loaded.placement)(position);
-      }
+      for (sim::Vec3& position : loaded.file_rest_m) position = (*loaded.placement)(position);
     }
-    for (sim::Vec3& position : valid.mesh.positions) {
-      position = (*loaded.placement)(position);
-    }
+    for (sim::Vec3& position : valid.mesh.positions) position = (*loaded.placement)(position);
     loaded.metres_per_uv = metres_per_uv_of(source, valid.mesh, loaded.colours);
-    if (is_cut) {
-      valid.mesh.cut_m = cut_by_uv(valid.mesh, loaded.colours, loaded.metres_per_uv);
-    }
-    if (!fitted) {
-      return std::move(valid.mesh);
-    }
+    if (is_cut) valid.mesh.cut_m = cut_by_uv(valid.mesh, loaded.colours, loaded.metres_per_uv);
+    if (!fitted) return std::move(valid.mesh);
     for (sim::Vec3& position : fitted->mesh.positions) {
       position = (*loaded.placement)(position / loaded.placement->scale);
     }
-    if (!source.given && source.is_drawn_finer) {
-      subdivide_coarse(valid.mesh, *fitted, loaded.colours);
-    }
+    if (!source.given && source.is_drawn_finer) subdivide_coarse(valid.mesh, *fitted, loaded.colours);
     let_follow(std::move(valid.mesh), *fitted, loaded);
     return std::move(fitted->mesh);
   } catch (const std::invalid_argument& error) {
@@ -285,9 +239,7 @@ sim::Mesh read_mesh(const Scene& scene, LoadedGarment& loaded, const StageReport
 }
 
 sim::Mesh make_mesh(const Scene& scene, LoadedGarment& loaded, const StageReport& begin) {
-  if (!scene.garment.is_grid()) {
-    return read_mesh(scene, loaded, begin);
-  }
+  if (!scene.garment.is_grid()) return read_mesh(scene, loaded, begin);
   sim::Mesh mesh = sim::make_grid(scene.garment.grid);
   loaded.file_vertices.mesh_vertex.resize(mesh.positions.size());
   std::iota(loaded.file_vertices.mesh_vertex.begin(), loaded.file_vertices.mesh_vertex.end(), 0U);
@@ -296,8 +248,8 @@ sim::Mesh make_mesh(const Scene& scene, LoadedGarment& loaded, const StageReport
 
 void require_count(const char* key, double triangles) {
   if (triangles > static_cast<double>(most_triangles)) {
-    throw InputError(fmt::format("{}: it would have {:.0f} triangles, more than the {} that can be simulated",
-                                 key, triangles, most_triangles));
+    throw InputError("{}: it would have {:.0f} triangles, more than the {} that can be simulated", key,
+                     triangles, most_triangles);
   }
 }
 
@@ -345,8 +297,8 @@ void require_one_motion(const std::vector<sim::MovingPins>& groups, const FileVe
   std::sort(all.begin(), all.end());
   const auto twice = std::adjacent_find(all.begin(), all.end());
   if (twice != all.end()) {
-    throw InputError(fmt::format("pins.moving: found vertex {} in two entries, expected each in one",
-                                 file_vertices.number_of(*twice).value_or(*twice)));
+    throw InputError("pins.moving: found vertex {} in two entries, expected each in one",
+                     file_vertices.number_of(*twice).value_or(*twice));
   }
 }
 
@@ -378,27 +330,21 @@ std::vector<sim::Vec3> read_start(const GarmentSource& source, const LoadedGarme
   const std::vector<sim::Index>& mesh_vertex = loaded.file_vertices.mesh_vertex;
   const bool has_file_order = !loaded.file_faces.empty() && (!source.given_start_m || source.given);
   if (!has_file_order || found_m.size() != mesh_vertex.size()) {
-    if (found_m.size() == count && !source.given) {
-      return found_m;
-    }
+    if (found_m.size() == count && !source.given) return found_m;
     const std::string found = "found " + counted(found_m.size(), "vertex", "vertices");
     const std::size_t expected = has_file_order ? mesh_vertex.size() : count;
     if (source.given_start_m) {
       throw std::invalid_argument(fmt::format("start: {}, expected {}", found, expected));
     }
     throw InputError(
-        fmt::format("garment.start: {} in '{}', expected the garment's {}, in their order, as taut simulate "
-                    "--export writes them",
-                    found, file.string(), expected));
+        "garment.start: {} in '{}', expected the garment's {}, in their order, as taut simulate --export "
+        "writes them",
+        found, file.string(), expected);
   }
-  if (loaded.following) {
-    return simulated_m(*loaded.following, loaded.garment->mesh, found_m);
-  }
+  if (loaded.following) return simulated_m(*loaded.following, loaded.garment->mesh, found_m);
   std::vector<sim::Vec3> start_m(count);
   for (std::size_t v = mesh_vertex.size(); v-- > 0;) {
-    if (mesh_vertex[v] != sim::no_vertex) {
-      start_m[mesh_vertex[v]] = found_m[v];
-    }
+    if (mesh_vertex[v] != sim::no_vertex) start_m[mesh_vertex[v]] = found_m[v];
   }
   return start_m;
 }
@@ -420,9 +366,7 @@ double least_height_left(const sim::Garment& now, const sim::Garment& before) {
 bool cut_as_parted(const Scene& scene, const std::vector<sim::Vec3>& parted_m, LoadedGarment& loaded) {
   const sim::Garment& fitted = *loaded.garment;
   sim::Garment cut = sim::make_garment({parted_m, fitted.mesh.triangles, {}}, scene.mapping, fitted.material);
-  if (least_height_left(cut, fitted) < least_cut_height) {
-    return false;
-  }
+  if (least_height_left(cut, fitted) < least_cut_height) return false;
   cut.warps = fitted.warps;
   loaded.garment = sim::share(std::move(cut));
   return true;
@@ -437,12 +381,8 @@ void untangle(const Scene& scene, LoadedGarment& loaded, const StageReport& begi
   for (const bool is_cut_anew : {may_cut, false}) {
     start_m = loaded.start_m.value_or(rest.positions);
     loaded.untangling = untangle_start(scene, *loaded.garment, is_cut_anew, start_m, tell_stage);
-    if (!loaded.untangling || (may_cut && cut_as_parted(scene, start_m, loaded))) {
-      return;
-    }
-    if (!is_cut_anew) {
-      break;
-    }
+    if (!loaded.untangling || (may_cut && cut_as_parted(scene, start_m, loaded))) return;
+    if (!is_cut_anew) break;
   }
   if (!loaded.start_m || !crossing_pairs({rest.positions, rest.triangles}).empty()) {
     sim::Garment garment = *loaded.garment;
@@ -485,9 +425,7 @@ LoadedGarment load_garment(const Scene& scene, const StageReport& begin) {
   for (const sim::MovingPins& group : loaded.moving_pins) {
     loaded.pins.insert(loaded.pins.end(), group.vertices.begin(), group.vertices.end());
   }
-  if (scene.garment.has_start()) {
-    loaded.start_m = read_start(scene.garment, loaded);
-  }
+  if (scene.garment.has_start()) loaded.start_m = read_start(scene.garment, loaded);
   if (scene.garment.untangle || loaded.following || loaded.refused_crossings > 0) {
     untangle(scene, loaded, begin);
   }
@@ -502,9 +440,7 @@ Surface surface_at_start(const GarmentInScene& loaded) {
 sim::Surroundings settled(sim::Surroundings surroundings, const GarmentInScene& loaded) {
   for (sim::PointForce& force : surroundings.forces.artificial_forces) {
     const std::optional<sim::Index> vertex = loaded.file_vertices.find(force.vertex);
-    if (!vertex) {
-      throw InputError("forces.vertex: " + loaded.file_vertices.why_missing(force.vertex));
-    }
+    if (!vertex) throw InputError("forces.vertex: " + loaded.file_vertices.why_missing(force.vertex));
     force.vertex = *vertex;
   }
   surroundings.moving_pins = loaded.moving_pins;

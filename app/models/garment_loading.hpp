@@ -1,23 +1,11 @@
 #pragma once
 
-#include <functional>
-#include <memory>
-#include <optional>
-#include <span>
-#include <string>
-#include <vector>
-
-#include "app/models/file_vertices.hpp"
 #include "app/models/garment_import.hpp"
 #include "app/models/hanging.hpp"
 #include "app/models/landmarks.hpp"
+#include "app/models/mending.hpp"
 #include "app/models/offset_limits.hpp"
-#include "app/models/placement.hpp"
-#include "app/models/strays.hpp"
-#include "app/models/untangling.hpp"
-#include "app/scene/scene.hpp"
-#include "app/verify/crossing_pairs.hpp"
-#include "sim/garment.hpp"
+#include "app/models/scene_crossings.hpp"
 
 namespace taut::app {
 

@@ -1,12 +1,6 @@
 #include "app/models/garment_measures.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <glm/geometric.hpp>
-
-#include "app/models/garment_parts.hpp"
 #include "app/models/section.hpp"
-#include "app/models/support.hpp"
 
 namespace taut::app {
 namespace {
@@ -25,24 +19,18 @@ constexpr double sleeves_begin = 1.1;
 std::vector<sim::Index> landmarks_with(const Landmarks& landmarks, const std::string& word) {
   std::vector<sim::Index> vertices;
   for (const auto& [name, named] : landmarks) {
-    if (name.find(word) != std::string::npos) {
-      vertices.insert(vertices.end(), named.begin(), named.end());
-    }
+    if (name.find(word) != std::string::npos) vertices.insert(vertices.end(), named.begin(), named.end());
   }
   return vertices;
 }
 
 sim::Vec3 mean_of(std::span<const sim::Index> vertices, std::span<const sim::Vec3> positions_m) {
   sim::Vec3 sum(0.0);
-  for (const sim::Index v : vertices) {
-    sum += positions_m[v];
-  }
+  for (const sim::Index v : vertices) sum += positions_m[v];
   return sum / static_cast<double>(vertices.size());
 }
 
-sim::Vec3 level(const sim::Vec3& v) {
-  return {v.x, 0.0, v.z};
-}
+sim::Vec3 level(const sim::Vec3& v) { return {v.x, 0.0, v.z}; }
 
 struct Finder {
   const Landmarks& landmarks;
@@ -58,9 +46,7 @@ struct Finder {
   void find_top(const Opening* top, GarmentMarks& marks) const {
     std::vector<sim::Index> vertices = landmarks_with(landmarks, "neck");
     marks.is_worn_at_waist = vertices.empty();
-    if (vertices.empty()) {
-      vertices = landmarks_with(landmarks, "waist");
-    }
+    if (vertices.empty()) vertices = landmarks_with(landmarks, "waist");
     if (vertices.empty() && top != nullptr) {
       vertices = top->vertices;
       const auto above = std::count_if(part.openings.begin(), part.openings.end(), [&](const Opening& o) {
@@ -71,9 +57,7 @@ struct Finder {
     if (!vertices.empty()) {
       marks.top.emplace();
       marks.top_m = top == nullptr ? 0.0 : top->length_m;
-      for (const sim::Index v : vertices) {
-        marks.top->add(positions_m[v]);
-      }
+      for (const sim::Index v : vertices) marks.top->add(positions_m[v]);
       marks.top_height_m = mean_of(vertices, positions_m).y;
       find_front(vertices, marks);
     }
@@ -94,13 +78,12 @@ struct Finder {
     std::stable_sort(beside.begin(), beside.end(), [](const Opening* a, const Opening* b) {
       return a->mean_height_m > b->mean_height_m;
     });
-    const std::size_t sleeves = beside.size() - (marks.hem_height_m ? 0 : std::min<std::size_t>(beside.size(), 2));
+    const std::size_t sleeves =
+        beside.size() - (marks.hem_height_m ? 0 : std::min<std::size_t>(beside.size(), 2));
     const std::span<const Opening* const> all = beside;
     marks.cuffs = pair_of(all.first(sleeves));
     marks.legs = pair_of(all.subspan(sleeves));
-    if (!marks.legs.empty() && marks.legs.front().middle_m.y > part.range.middle().y) {
-      marks.legs.clear();
-    }
+    if (!marks.legs.empty() && marks.legs.front().middle_m.y > part.range.middle().y) marks.legs.clear();
   }
 
   /// More than two, or all on one side, are none.
@@ -131,9 +114,7 @@ struct Finder {
     const int depth = 2 - part.across();
     const double middle = marks.top->middle()[depth];
     std::array<std::vector<sim::Index>, 2> sides;  // behind and before the middle
-    for (const sim::Index v : top) {
-      sides[positions_m[v][depth] > middle ? 1 : 0].push_back(v);
-    }
+    for (const sim::Index v : top) sides[positions_m[v][depth] > middle ? 1 : 0].push_back(v);
     const double dip_m = sides[0].empty() || sides[1].empty()
                              ? 0.0
                              : mean_of(sides[0], positions_m).y - mean_of(sides[1], positions_m).y;
@@ -146,7 +127,7 @@ struct Finder {
 /// A leg's part of what the largest curve of a level has.
 constexpr double share_of_legs = 0.5;
 /// Of its width: the middle of a leg is further from that of the garment.
-constexpr double beside_middle = 0.25;
+constexpr double leg_beside_middle = 0.25;
 
 /// The length of cloth around the trunk, or a tight tape around both legs.
 struct Around {
@@ -158,9 +139,7 @@ struct Around {
 std::optional<Around> around(const Surface& garment, const sim::Vec3& middle_m, double height_m) {
   std::vector<SectionCurve> curves = section_of(garment, {{middle_m.x, height_m, middle_m.z}});
   std::erase_if(curves, [](const SectionCurve& curve) { return !curve.is_closed; });
-  if (curves.empty()) {
-    return std::nullopt;
-  }
+  if (curves.empty()) return std::nullopt;
   const auto tape_m = [](const SectionCurve& curve) { return tight_tape_m(curve.points_m); };
   const SectionCurve& trunk = *std::max_element(
       curves.begin(), curves.end(),
@@ -175,10 +154,8 @@ std::optional<Around> around(const Surface& garment, const sim::Vec3& middle_m, 
   }
   // A leg is beside the middle, though wide ones may reach over it; a trunk between sleeves is around it.
   sim::Extent box;
-  for (const sim::Vec2& p : trunk.points_m) {
-    box.add({p.x, 0.0, p.y});
-  }
-  const bool is_parted = legs > 1 && glm::length(box.middle()) > beside_middle * box.size()[sim::longest_axis(box)];
+  for (const sim::Vec2& p : trunk.points_m) box.add({p.x, 0.0, p.y});
+  const bool is_parted = legs > 1 && glm::length(box.middle()) > leg_beside_middle * box.size()[sim::longest_axis(box)];
   if (!is_parted && !is_around_point(trunk)) {
     return std::nullopt;  // a fold, or one leg where the other is open
   }

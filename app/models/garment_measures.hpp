@@ -1,9 +1,5 @@
 #pragma once
 
-#include <array>
-#include <optional>
-#include <string>
-
 #include "app/models/garment_loading.hpp"
 #include "sim/mesh/extent.hpp"
 

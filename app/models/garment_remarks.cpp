@@ -1,16 +1,8 @@
 #include "app/models/garment_remarks.hpp"
 
-#include <fmt/core.h>
-
-#include <algorithm>
-#include <optional>
-#include <span>
-#include <variant>
-
 #include "app/base/counted.hpp"
 #include "app/models/hanger.hpp"
 #include "app/models/model_fitting.hpp"
-#include "app/models/scene_crossings.hpp"
 #include "app/verify/solid_bodies.hpp"
 #include "sim/mesh/topology.hpp"
 
@@ -19,9 +11,7 @@ namespace {
 
 void append_repairs(const sim::MeshReport& repairs, std::vector<std::string>& lines) {
   const auto say = [&](std::size_t count, const char* one, const char* many) {
-    if (count > 0) {
-      lines.push_back(counted(count, one, many));
-    }
+    if (count > 0) lines.push_back(counted(count, one, many));
   };
   say(repairs.degenerate_triangles, "triangle without area removed", "triangles without area removed");
   say(repairs.duplicate_triangles, "repeated triangle removed", "repeated triangles removed");
@@ -84,9 +74,7 @@ std::vector<sim::Index> parts_within(const sim::Body& body, double time_s, const
 /// Returns a remark on a body whose mesh crosses itself; empty: it does not.
 std::string remark_on_shape(std::span<const sim::Body> bodies, std::size_t body, double time_s) {
   const auto* mesh = std::get_if<sim::BodyMesh>(&bodies[body].shape);
-  if (mesh == nullptr) {
-    return "";
-  }
+  if (mesh == nullptr) return "";
   const std::vector<sim::Vec3> positions_m = mesh_positions_m(bodies[body], std::max(time_s, 0.0));
   const Surface surface = {positions_m, mesh->data->triangles};
   const std::vector<CrossingPair> pairs = crossing_pairs(surface);
@@ -106,9 +94,7 @@ std::vector<std::string> remarks_of(const LoadedGarment& loaded) {
                                 loaded.placement->scale * loaded.placement->extent,
                                 loaded.placement->unit_text));
   }
-  if (loaded.strays.triangles > 0) {
-    lines.push_back(describe(loaded.strays, loaded.placement->scale));
-  }
+  if (loaded.strays.triangles > 0) lines.push_back(describe(loaded.strays, loaded.placement->scale));
   if (loaded.strays.body_triangles > 0) {
     lines.push_back(counted(loaded.strays.body_triangles, "triangle") +
                     " of a body in its file left out; --body FILE has it worn");
@@ -116,12 +102,8 @@ std::vector<std::string> remarks_of(const LoadedGarment& loaded) {
   if (loaded.placement && loaded.placement->moved_m != sim::Vec3(0.0)) {
     lines.emplace_back("it is very far from the origin and was moved there");
   }
-  if (loaded.repairs) {
-    append_repairs(*loaded.repairs, lines);
-  }
-  if (loaded.following) {
-    lines.push_back(describe(*loaded.following, loaded.garment->mesh));
-  }
+  if (loaded.repairs) append_repairs(*loaded.repairs, lines);
+  if (loaded.following) lines.push_back(describe(*loaded.following, loaded.garment->mesh));
   if (loaded.refused_crossings > 0) {
     lines.push_back(fmt::format(
         "the model itself is simulated: a mesh fitted to it would cross itself in {} places (garment.mesh)",
@@ -134,9 +116,7 @@ std::vector<std::string> remarks_of(const LoadedGarment& loaded) {
     lines.push_back(counted(loaded.turned_outside_out, "triangle") +
                     " of surfaces that faced inwards turned");
   }
-  if (!loaded.hanger.empty()) {
-    lines.push_back(describe(loaded.hanger));
-  }
+  if (!loaded.hanger.empty()) lines.push_back(describe(loaded.hanger));
   if (loaded.hanging) {
     const std::vector<std::string> parts = describe(*loaded.hanging);
     lines.insert(lines.end(), parts.begin(), parts.end());
@@ -169,9 +149,7 @@ StartRemarks remarks_on_start(const Scene& scene, const GarmentInScene& loaded) 
   const Surface start = surface_at_start(loaded);
   const std::vector<sim::Body>& bodies = scene.surroundings.bodies;
   StartRemarks all;
-  if (loaded.untangling) {
-    all.lines.push_back(describe(*loaded.untangling));
-  }
+  if (loaded.untangling) all.lines.push_back(describe(*loaded.untangling));
   const std::vector<CrossingPair> own = crossing_pairs(start);
   all.crossings = own.size();
   if (!own.empty()) {
@@ -195,9 +173,7 @@ void print_remarks(const Scene& scene, const LoadedGarment& loaded, std::FILE* o
   }
   const std::vector<std::string> on_start = remarks_on_start(scene, loaded).lines;
   lines.insert(lines.end(), on_start.begin(), on_start.end());
-  for (const std::string& line : lines) {
-    fmt::print(output, "{}: {}\n", file, line);
-  }
+  for (const std::string& line : lines) fmt::print(output, "{}: {}\n", file, line);
 }
 
 }  // namespace taut::app

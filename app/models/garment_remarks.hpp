@@ -1,12 +1,6 @@
 #pragma once
 
-#include <cstdio>
-#include <span>
-#include <string>
-#include <vector>
-
 #include "app/models/garment_loading.hpp"
-#include "app/scene/scene.hpp"
 
 namespace taut::app {
 

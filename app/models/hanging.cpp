@@ -1,15 +1,9 @@
 #include "app/models/hanging.hpp"
 
-#include <fmt/core.h>
-
-#include <algorithm>
-#include <array>
-
 #include "app/base/counted.hpp"
-#include "app/models/garment_parts.hpp"
 #include "app/models/hanger.hpp"
-#include "app/models/hood.hpp"
-#include "app/models/support.hpp"
+#include "app/models/placement.hpp"
+#include "sim/mesh/topology.hpp"
 
 namespace taut::app {
 namespace {
@@ -34,18 +28,14 @@ std::vector<sim::Index> vertices_from(const sim::Mesh& mesh, const GarmentPart& 
   const double reach = band_height * part.range.size()[axis];
   std::vector<sim::Index> vertices;
   for (const sim::Index v : part.vertices) {
-    if (direction * (end - mesh.positions[v][axis]) <= reach) {
-      vertices.push_back(v);
-    }
+    if (direction * (end - mesh.positions[v][axis]) <= reach) vertices.push_back(v);
   }
   return vertices;
 }
 
 sim::Extent range_of(const sim::Mesh& mesh, const std::vector<sim::Index>& vertices) {
   sim::Extent range;
-  for (const sim::Index v : vertices) {
-    range.add(mesh.positions[v]);
-  }
+  for (const sim::Index v : vertices) range.add(mesh.positions[v]);
   return range;
 }
 
@@ -63,14 +53,10 @@ std::vector<sim::Index> tops_of(const sim::Mesh& mesh, const GarmentPart& part,
         half.range.add(mesh.positions[v]);
       }
     }
-    if (half.vertices.empty()) {
-      return {};
-    }
+    if (half.vertices.empty()) return {};
     const double reach_down_m = band_height * part.range.size().y;
     for (const sim::Index v : half.vertices) {
-      if (half.range.upper.y - mesh.positions[v].y <= reach_down_m) {
-        held.push_back(v);
-      }
+      if (half.range.upper.y - mesh.positions[v].y <= reach_down_m) held.push_back(v);
     }
   }
   return held;
@@ -129,9 +115,7 @@ std::vector<sim::Index> held_of_upright(const sim::Mesh& mesh, const GarmentPart
   }
   std::vector<sim::Index> band = vertices_from(mesh, part, 1, 1.0);
   // Sleeves that are stretched out are as high as shoulders, but nobody hangs a garment by them.
-  if (carries(part, range_of(mesh, band)) && !has_sleeves(part)) {
-    return band;
-  }
+  if (carries(part, range_of(mesh, band)) && !has_sleeves(part)) return band;
   if (std::vector<sim::Index> pair = pair_of_openings(part); !pair.empty()) {
     hung.by = HungBy::straps;
     return tops_of(mesh, part, pair, part.width_m());
@@ -169,6 +153,52 @@ const char* way_of(HungBy by) {
   return ways[static_cast<std::size_t>(by)];
 }
 
+constexpr int frames = 60;  // of 1/60 s
+/// Share of the other way's sagging below which a way up is the better one.
+constexpr double clearly_less = 0.7;
+/// Thickness of a flat pattern, of its length.
+constexpr double flat = 0.001;
+/// Height of the middle of its area above which cloth that lay flat has its wider end at the top.
+constexpr double middle_height = 0.52;
+
+/// How much the cloth sags when it is hung with this axis up: the mean distance by which it moves, over the
+/// square of its height then, as what lies hardly moves either. Empty if it cannot be hung.
+std::optional<double> sagging_when_hung(const sim::Mesh& model_m, ModelAxis up) {
+  sim::Mesh mesh = upright(model_m, up);
+  const std::vector<sim::Vec3> start_m = mesh.positions;
+  std::vector<sim::Index> pins = hang(mesh, sim::make_adjacency(mesh)).pins;
+  if (pins.empty()) return std::nullopt;
+  sim::SimulationSettings settings;
+  settings.solver.method = sim::BoundedSettings{.contact = false};
+  try {
+    sim::Simulation simulation(sim::share(sim::make_garment(std::move(mesh), {})), std::move(pins), settings,
+                               {});
+    for (int frame = 0; frame < frames; ++frame) simulation.advance_frame();
+    const std::vector<double>& masses_kg = simulation.garment().masses_kg;
+    double sum_kg_m = 0.0, all_kg = 0.0;
+    for (std::size_t v = 0; v < start_m.size(); ++v) {
+      sum_kg_m += masses_kg[v] * glm::distance(simulation.state().current[v], start_m[v]);
+      all_kg += masses_kg[v];
+    }
+    const double height_m = sim::extent_of(simulation.state().current).size().y;
+    return sum_kg_m / all_kg / (height_m * height_m);
+  } catch (const std::runtime_error&) {
+    return std::nullopt;
+  }
+}
+
+/// Whether the middle of its area is nearer to its lower end.
+bool is_wider_below(const sim::Mesh& mesh) {
+  double moment = 0.0, all = 0.0;
+  for (const sim::Triangle& t : mesh.triangles) {
+    const double area = glm::length(sim::doubled_area_vector(mesh.positions, t));
+    moment += area * (mesh.positions[t[0]].y + mesh.positions[t[1]].y + mesh.positions[t[2]].y) / 3.0;
+    all += area;
+  }
+  const sim::Extent box = sim::extent_of(mesh.positions);
+  return moment / all <= box.lower.y + middle_height * box.size().y;
+}
+
 }  // namespace
 
 Hanging hang(const sim::Mesh& mesh, const sim::Adjacency& adjacency) {
@@ -184,9 +214,7 @@ Hanging hang_as_in_a_shop(const sim::Mesh& mesh, const sim::Adjacency& adjacency
   Hanging hanging = hang(mesh, adjacency);
   const auto smaller = [](const HungPart& a, const HungPart& b) { return a.area_m2 < b.area_m2; };
   const auto largest = std::max_element(hanging.parts.begin(), hanging.parts.end(), smaller);
-  if (largest->by != HungBy::shoulders && largest->by != HungBy::neck) {
-    return hanging;
-  }
+  if (largest->by != HungBy::shoulders && largest->by != HungBy::neck) return hanging;
   const std::vector<GarmentPart> parts = parts_of(mesh, adjacency);
   const GarmentPart& part = parts[static_cast<std::size_t>(largest - hanging.parts.begin())];
   hanging.hanger = hanger_for(mesh, part);
@@ -219,8 +247,8 @@ std::vector<std::string> describe(const Hanging& hanging) {
   }
   if (closed > 0) {
     lines.push_back(
-        fmt::format("{} closed all around: cloth modelled with a thickness hangs as an outer and an "
-                    "inner layer, joined where the model joins them",
+        fmt::format("{} closed all around: cloth modelled with a thickness hangs as an outer and an inner "
+                    "layer, joined where the model joins them",
                     closed == 1 ? "1 part is" : fmt::format("{} parts are", closed)));
   }
   if (flat > 1) {
@@ -230,6 +258,18 @@ std::vector<std::string> describe(const Hanging& hanging) {
                     flat));
   }
   return lines;
+}
+
+std::optional<ModelAxis> up_by_hanging(const sim::Mesh& model_m) {
+  const std::optional<double> y = sagging_when_hung(model_m, ModelAxis::y);
+  const std::optional<double> z = sagging_when_hung(model_m, ModelAxis::z);
+  if (!y || !z) return std::nullopt;
+  if (*z < clearly_less * *y) {
+    const sim::Vec3 size = sim::extent_of(model_m.positions).size();
+    const bool is_lying = size.y < flat * size.z;
+    return is_lying && !is_wider_below(upright(model_m, ModelAxis::z)) ? ModelAxis::minus_z : ModelAxis::z;
+  }
+  return *y < clearly_less * *z ? std::optional(ModelAxis::y) : std::nullopt;
 }
 
 }  // namespace taut::app

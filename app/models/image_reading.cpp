@@ -1,18 +1,9 @@
 #include "app/models/image_reading.hpp"
 
-#include <fmt/core.h>
 #include <stb_image.h>
-
-#include <algorithm>
-#include <array>
-#include <map>
-#include <system_error>
-#include <tuple>
-#include <utility>
 
 #include "app/base/errors.hpp"
 #include "app/base/files.hpp"
-#include "app/models/srgb.hpp"
 
 namespace taut::app {
 namespace {
@@ -30,9 +21,7 @@ TextureImage halved(const TextureImage& image) {
       for (const std::uint32_t row : {2 * y, std::min(2 * y + 1, image.height_px - 1)}) {
         for (const std::uint32_t column : {2 * x, std::min(2 * x + 1, image.width_px - 1)}) {
           const std::uint8_t* pixel = image.rgba->data() + 4 * (std::size_t{row} * image.width_px + column);
-          for (std::size_t k = 0; k < 3; ++k) {
-            sums[k] += unsigned{pixel[k]} * pixel[3];
-          }
+          for (std::size_t k = 0; k < 3; ++k) sums[k] += unsigned{pixel[k]} * pixel[3];
           alphas += pixel[3];
           ++pixels;
         }
@@ -51,9 +40,7 @@ TextureImage halved(const TextureImage& image) {
 /// The largest side that this many square images may have.
 std::uint32_t most_side_px(std::size_t images) {
   std::uint32_t side_px = 4096;
-  while (side_px > 64 && images * 4 * side_px * side_px > most_map_bytes) {
-    side_px /= 2;
-  }
+  while (side_px > 64 && images * 4 * side_px * side_px > most_map_bytes) side_px /= 2;
   return side_px;
 }
 
@@ -69,9 +56,7 @@ TextureImage tinted(const TextureImage& image, const glm::vec3& tint, bool is_op
   }
   std::vector<std::uint8_t> rgba = *image.rgba;
   for (std::size_t i = 0; i < rgba.size(); i += 4) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      rgba[i + k] = channels[k][rgba[i + k]];
-    }
+    for (std::size_t k = 0; k < 3; ++k) rgba[i + k] = channels[k][rgba[i + k]];
     rgba[i + 3] = is_opaque ? 255 : rgba[i + 3];
   }
   return {image.width_px, image.height_px,
@@ -99,15 +84,12 @@ std::string read_file_of(const std::string& name, const fs::path& folder) {
   bool is_outside = false;
   for (const fs::path& place : places) {
     std::error_code error;
-    if (fs::is_regular_file(place, error) && is_inside(place, folder)) {
-      return read_text_file(place);
-    }
+    if (fs::is_regular_file(place, error) && is_inside(place, folder)) return read_text_file(place);
     is_outside |= fs::exists(place, error);
   }
-  throw InputError(fmt::format("it is neither '{}' nor '{}' nor '{}'{}",
-                               places[0].lexically_normal().string(), places[1].lexically_normal().string(),
-                               places[2].lexically_normal().string(),
-                               is_outside ? ", of which nothing outside of the model's folder is read" : ""));
+  throw InputError("it is neither '{}' nor '{}' nor '{}'{}", places[0].lexically_normal().string(),
+                   places[1].lexically_normal().string(), places[2].lexically_normal().string(),
+                   is_outside ? ", of which nothing outside of the model's folder is read" : "");
 }
 
 TextureImage read_map(const SurfaceMaterial& material, const fs::path& folder, const EmbeddedImage& embedded,
@@ -123,9 +105,7 @@ TextureImage read_map(const SurfaceMaterial& material, const fs::path& folder, c
 }  // namespace
 
 TextureImage fitted_to(TextureImage image, std::uint32_t most_px) {
-  while (std::max(image.width_px, image.height_px) > most_px) {
-    image = halved(image);
-  }
+  while (std::max(image.width_px, image.height_px) > most_px) image = halved(image);
   return image;
 }
 
@@ -134,18 +114,15 @@ TextureImage decode_image(std::string_view bytes) {
   const int size = static_cast<int>(std::min<std::size_t>(bytes.size(), 1U << 30U));
   int width_px = 0, height_px = 0, channels = 0;
   if (stbi_info_from_memory(data, size, &width_px, &height_px, &channels) == 0) {
-    throw InputError(
-        fmt::format("it is no image that can be read, such as PNG or JPEG ({})", stbi_failure_reason()));
+    throw InputError("it is no image that can be read, such as PNG or JPEG ({})", stbi_failure_reason());
   }
   if (std::size_t(width_px) * std::size_t(height_px) > most_pixels) {
-    throw InputError(fmt::format("it has {} x {} pixels, more than the {} that are read", width_px, height_px,
-                                 most_pixels));
+    throw InputError("it has {} x {} pixels, more than the {} that are read", width_px, height_px,
+                     most_pixels);
   }
   const std::unique_ptr<stbi_uc, void (*)(void*)> pixels(
       stbi_load_from_memory(data, size, &width_px, &height_px, &channels, 4), stbi_image_free);
-  if (pixels == nullptr) {
-    throw InputError(fmt::format("it is damaged ({})", stbi_failure_reason()));
-  }
+  if (pixels == nullptr) throw InputError("it is damaged ({})", stbi_failure_reason());
   const std::size_t count = std::size_t{4} * std::size_t(width_px) * std::size_t(height_px);
   return {static_cast<std::uint32_t>(width_px), static_cast<std::uint32_t>(height_px),
           std::make_shared<const std::vector<std::uint8_t>>(pixels.get(), pixels.get() + count)};
@@ -159,14 +136,10 @@ void read_maps(const fs::path& folder, const EmbeddedImage& embedded, SurfaceCol
     const glm::vec3& tint = material.map_tint;
     return Look(material.map_file, tint.x, tint.y, tint.z, material.map_is_opaque);
   };
-  for (const SurfaceMaterial& material : colours.materials) {
-    known.emplace(look_of(material), no_map);
-  }
+  for (const SurfaceMaterial& material : colours.materials) known.emplace(look_of(material), no_map);
   const std::uint32_t most_px = most_side_px(known.size());
   for (SurfaceMaterial& material : colours.materials) {
-    if (material.map_file.empty()) {
-      continue;
-    }
+    if (material.map_file.empty()) continue;
     sim::Index& map = known[look_of(material)];
     try {
       if (map == no_map) {

@@ -1,10 +1,6 @@
 #pragma once
 
-#include <cstddef>
 #include <filesystem>
-#include <functional>
-#include <optional>
-#include <string_view>
 
 #include "app/models/surface_colours.hpp"
 

@@ -1,17 +1,8 @@
 #include "app/models/inspection.hpp"
 
-#include <fmt/core.h>
-
-#include <algorithm>
-#include <cmath>
-#include <glm/geometric.hpp>
-#include <limits>
-#include <numbers>
-
 #include "app/base/counted.hpp"
 #include "app/models/hanger.hpp"
 #include "app/models/model_fitting.hpp"
-#include "sim/mesh/extent.hpp"
 
 namespace taut::app {
 namespace {
@@ -76,9 +67,7 @@ void say_hanging(const LoadedGarment& loaded, Inspection& result) {
     result.parts = loaded.hanging->parts;
     result.hanging = describe(*loaded.hanging);
   }
-  if (!loaded.hanger.empty()) {
-    result.hanging.push_back(describe(loaded.hanger));
-  }
+  if (!loaded.hanger.empty()) result.hanging.push_back(describe(loaded.hanger));
 }
 
 void find_crossings(const LoadedGarment& loaded, Inspection& result) {
@@ -90,9 +79,7 @@ void find_crossings(const LoadedGarment& loaded, Inspection& result) {
 
 std::string describe_texture(const LoadedGarment& loaded) {
   const SurfaceColours& colours = loaded.colours;
-  if (colours.corner_uv.empty()) {
-    return "no coordinates";
-  }
+  if (colours.corner_uv.empty()) return "no coordinates";
   return fmt::format("a unit of its coordinates is {:.3g} m of cloth; {}, {}", loaded.metres_per_uv,
                      counted(colours.materials.size(), "material"), counted(colours.maps.size(), "image"));
 }
@@ -132,13 +119,9 @@ std::string describe_size(const Inspection& i) {
       i.smallest_angle_rad * degrees_per_radian);
 }
 
-std::string vertices(std::size_t count) {
-  return counted(count, "vertex", "vertices");
-}
+std::string vertices(std::size_t count) { return counted(count, "vertex", "vertices"); }
 
-std::string triangles(std::size_t count) {
-  return counted(count, "triangle");
-}
+std::string triangles(std::size_t count) { return counted(count, "triangle"); }
 
 std::string describe_reading(const Inspection& i) {
   std::string text =
@@ -211,9 +194,7 @@ Inspection inspect_garment(const Scene& scene, const LoadedGarment& loaded) {
   result.remarks = loaded.colours.remarks;
   result.topology = sim::measure_topology(garment.mesh, garment.adjacency);
   count_springs(garment.springs, result);
-  for (const auto& [name, vertices] : loaded.landmarks) {
-    result.landmarks.push_back({name, vertices.size()});
-  }
+  for (const auto& [name, vertices] : loaded.landmarks) result.landmarks.push_back({name, vertices.size()});
   remark(result);
   return result;
 }
@@ -232,15 +213,11 @@ std::string describe(const Inspection& i) {
   text += i.untangling ? "untangled   " + describe(*i.untangling) + '\n' : "";
   text += i.start ? describe_start(*i.start) : "";
   text += fmt::format("numbers     in pins.at count the {}\n", i.vertex_numbers);
-  for (const std::string& line : i.hanging) {
-    text += "hung        " + line + '\n';
-  }
+  for (const std::string& line : i.hanging) text += "hung        " + line + '\n';
   for (const LandmarkSize& landmark : i.landmarks) {
     text += fmt::format("landmark    {}: {}\n", landmark.name, vertices(landmark.vertices));
   }
-  for (const std::string& line : i.remarks) {
-    text += "remark      " + line + '\n';
-  }
+  for (const std::string& line : i.remarks) text += "remark      " + line + '\n';
   return text;
 }
 

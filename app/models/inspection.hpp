@@ -1,11 +1,6 @@
 #pragma once
 
-#include <optional>
-#include <string>
-#include <vector>
-
 #include "app/models/garment_loading.hpp"
-#include "app/scene/scene.hpp"
 #include "sim/measures.hpp"
 #include "sim/mesh/topology.hpp"
 

@@ -1,14 +1,7 @@
 #pragma once
 
-#include <filesystem>
-#include <optional>
-#include <string>
-#include <utility>
-#include <vector>
-
-#include "app/models/file_vertices.hpp"
+#include "app/models/file_mesh.hpp"
 #include "app/models/placement.hpp"
-#include "sim/mesh/mesh.hpp"
 
 namespace taut::app {
 
@@ -32,5 +25,29 @@ std::optional<double> known_metres_per_uv(const std::filesystem::path& garment);
 /// Whether the same file says that the garment is at rest as it was cut, is_cut = true: with the lengths of its texture
 /// coordinates, in the same scale. Throws InputError likewise.
 bool is_at_rest_as_cut(const std::filesystem::path& garment);
+
+/// The vertex nearest to a point, and its distance.
+struct NearestVertex {
+  sim::Index vertex = 0;
+  double distance_m = 0.0;
+};
+
+/// Finds it by looking at every vertex. A few hundred calls for ten thousand vertices take milliseconds.
+/// `positions` must not be empty.
+NearestVertex nearest_vertex(std::span<const sim::Vec3> positions, const sim::Vec3& point_m);
+
+/// Facts about a garment for select_pins().
+struct PinTargets {
+  const sim::Mesh& mesh;
+  const Landmarks& landmarks;
+  const FileVertices& file_vertices;
+  const sim::GridSettings* grid = nullptr;  ///< null for a model
+  const char* key = "pins.at";              ///< the key that names the pins, for messages
+};
+
+/// The vertices of the mesh that the scene pins. Throws InputError for an unknown name or a vertex that does
+/// not exist.
+std::vector<sim::Index> select_pins(const std::optional<std::vector<PinSelector>>& pins,
+                                    const PinTargets& targets);
 
 }  // namespace taut::app

@@ -1,16 +1,9 @@
 #pragma once
 
-#include <cstddef>
-#include <cstdint>
-#include <optional>
-#include <string>
-#include <vector>
-
-#include "app/models/file_faces.hpp"
+#include "app/models/file_mesh.hpp"
 #include "app/models/rig.hpp"
 #include "app/models/surface_colours.hpp"
 #include "app/scene/scene.hpp"
-#include "sim/mesh/types.hpp"
 
 namespace taut::app {
 

@@ -1,16 +1,7 @@
 #include "app/models/model_fitting.hpp"
 
-#include <fmt/core.h>
-
-#include <glm/geometric.hpp>
-#include <stdexcept>
-#include <utility>
-
 #include "app/base/counted.hpp"
-#include "app/verify/crossing_pairs.hpp"
-#include "sim/measures.hpp"
 #include "sim/mesh/welding.hpp"
-#include "sim/surface.hpp"
 
 namespace taut::app {
 namespace {
@@ -54,9 +45,7 @@ std::optional<FittedModel> fitted_model(const GarmentSource& source, double thic
   if (may_choose && why.empty() && !source.given && is_coarse(model_m)) {
     why = fmt::format("it has {} triangles, which are too few for folds", model_m.triangles.size());
   }
-  if (why.empty()) {
-    return std::nullopt;
-  }
+  if (why.empty()) return std::nullopt;
   FittingSettings settings;
   settings.most_triangles = static_cast<std::size_t>(source.most_triangles);
   settings.least_edge_m = edges_by_thickness * thickness_m;
@@ -117,9 +106,7 @@ std::vector<Vec3> simulated_m(const FollowingModel& following, const sim::Mesh& 
   std::vector<Vec3> model_m = following.mesh.positions;
   const std::vector<Index>& of_file = following.file_vertices.mesh_vertex;
   for (std::size_t v = of_file.size(); v-- > 0;) {
-    if (of_file[v] != sim::no_vertex) {
-      model_m[of_file[v]] = file_m[v];
-    }
+    if (of_file[v] != sim::no_vertex) model_m[of_file[v]] = file_m[v];
   }
   const std::vector<Vec3> normals = vertex_normals(simulated.positions, simulated.triangles);
   return follow(bonds_to(simulated.positions, following.mesh, normals), model_m, following.mesh.triangles);
@@ -151,16 +138,14 @@ LoadedGarment as_modelled(const LoadedGarment& loaded, const sim::MappingSetting
 }
 
 std::string describe_following(const GarmentInScene& loaded, std::span<const Vec3> positions_m) {
-  if (!loaded.following) {
-    return "";
-  }
+  if (!loaded.following) return "";
   const std::vector<Vec3> shown_m = loaded.shown_m(positions_m);
   const sim::Garment model = sim::make_garment(loaded.following->mesh, {.flexural_rule = sim::FlexuralRule::none});
   const std::size_t crossings = crossing_pairs({shown_m, model.mesh.triangles}).size();
   const sim::SurfaceStretch stretch = sim::measure_surface_stretch(model, shown_m);
   return fmt::format(
-      "the promises are those of the fitted mesh; the model that follows it is stretched by up to {:.1f} % (99th "
-      "percentile {:.1f} %), and {} of its triangles cross",
+      "the promises are those of the fitted mesh; the model that follows it is stretched by up to {:.1f} % "
+      "(99th percentile {:.1f} %), and {} of its triangles cross",
       100.0 * stretch.max, 100.0 * stretch.p99, counted(crossings, "pair"));
 }
 

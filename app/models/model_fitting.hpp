@@ -1,11 +1,5 @@
 #pragma once
 
-#include <glm/vec2.hpp>
-#include <optional>
-#include <span>
-#include <string>
-#include <vector>
-
 #include "app/fitting/fitted_mesh.hpp"
 #include "app/models/garment_loading.hpp"
 

@@ -1,21 +1,18 @@
 #include "app/models/model_reading.hpp"
 
+#include <assimp/GltfMaterial.h>
 #include <assimp/importerdesc.h>
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
 
-#include <algorithm>
 #include <assimp/Importer.hpp>
 #include <cctype>
-#include <utility>
 
 #include "app/base/errors.hpp"
 #include "app/base/files.hpp"
+#include "app/models/garment_import.hpp"
 #include "app/models/image_reading.hpp"
-#include "app/models/material_reading.hpp"
 #include "app/models/obj_reading.hpp"
-#include "app/models/rig_reading.hpp"
-#include "app/models/unit_of_3mf.hpp"
 
 namespace taut::app {
 namespace {
@@ -86,9 +83,7 @@ void append_node(const aiScene& scene, const aiNode& node, const aiMatrix4x4& pa
     model.has_normals = model.has_normals || mesh.HasNormals();
     append_mesh(mesh, to_world, model);
   }
-  for (unsigned c = 0; c < node.mNumChildren; ++c) {
-    append_node(scene, *node.mChildren[c], to_world, model);
-  }
+  for (unsigned c = 0; c < node.mNumChildren; ++c) append_node(scene, *node.mChildren[c], to_world, model);
 }
 
 std::string format_of(const Assimp::Importer& importer) {
@@ -114,9 +109,7 @@ void read_fbx_settings(const aiMetadata& settings, ModelArrays& model) {
   }
 }
 
-bool contains(const std::string& text, const char* part) {
-  return text.find(part) != std::string::npos;
-}
+bool contains(const std::string& text, const char* part) { return text.find(part) != std::string::npos; }
 
 void read_units(const aiScene& scene, const std::filesystem::path& path, ModelArrays& model) {
   if (contains(model.format, "FBX") && scene.mMetaData != nullptr) {
@@ -133,9 +126,7 @@ void read_units(const aiScene& scene, const std::filesystem::path& path, ModelAr
 
 /// The library's reason without the file's name, which the whole message has.
 std::string reason_of(std::string reason, const std::string& file) {
-  if (contains(reason, "No suitable reader found")) {
-    return "no reader knows this kind of file";
-  }
+  if (contains(reason, "No suitable reader found")) return "no reader knows this kind of file";
   for (const std::string& name : {" \"" + file + '"', ' ' + file, file}) {
     for (std::size_t at = reason.find(name); at != std::string::npos; at = reason.find(name)) {
       reason.erase(at, name.size());
@@ -145,19 +136,61 @@ std::string reason_of(std::string reason, const std::string& file) {
 }
 
 std::string in_lower_case(std::string text) {
-  for (char& letter : text) {
-    letter = static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
-  }
+  for (char& letter : text) letter = static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
   return text;
 }
 
 /// The bytes of an image within the scene; assimp keeps those that are compressed as one row of them.
 std::optional<std::string_view> embedded_image(const aiScene& scene, const std::string& name) {
   const aiTexture* texture = scene.GetEmbeddedTexture(name.c_str());
-  if (texture == nullptr || texture->mHeight != 0) {
-    return std::nullopt;
-  }
+  if (texture == nullptr || texture->mHeight != 0) return std::nullopt;
   return std::string_view(reinterpret_cast<const char*>(texture->pcData), texture->mWidth);
+}
+
+/// The file name behind a map's options, each of which is a word that begins with a minus and what follows of
+/// numbers, switches and channels.
+std::string map_name(std::istringstream& line) {
+  std::string name, word;
+  bool is_option = false;
+  while (line >> word) {
+    const bool is_value = word.find_first_not_of("+-.0123456789eE") == std::string::npos || word == "on" ||
+                          word == "off" || word.size() == 1;
+    if (name.empty() && (word.starts_with('-') || (is_option && is_value))) {
+      is_option = true;
+      continue;
+    }
+    name += (name.empty() ? "" : " ") + word;
+  }
+  return name;
+}
+
+SurfaceMaterial material_of(const aiMaterial& from, bool is_gltf) {
+  SurfaceMaterial material{.name = from.GetName().C_Str()};
+  aiColor4D colour(1.0F, 1.0F, 1.0F, 1.0F);
+  if (from.Get(AI_MATKEY_BASE_COLOR, colour) != aiReturn_SUCCESS) from.Get(AI_MATKEY_COLOR_DIFFUSE, colour);
+  material.base_colour = glm::clamp(glm::vec3(colour.r, colour.g, colour.b), 0.0F, 1.0F);
+  if (is_gltf) {
+    for (int k = 0; k < 3; ++k) material.base_colour[k] = linear_to_srgb(material.base_colour[k]);
+    material.map_tint = material.base_colour;
+    aiString mode;
+    material.map_is_opaque =
+        from.Get(AI_MATKEY_GLTF_ALPHAMODE, mode) != aiReturn_SUCCESS || mode == aiString("OPAQUE");
+  }
+  for (const aiTextureType type : {aiTextureType_DIFFUSE, aiTextureType_BASE_COLOR}) {
+    aiString file;
+    if (from.GetTexture(type, 0, &file) == aiReturn_SUCCESS) material.map_file = file.C_Str();
+  }
+  return material;
+}
+
+/// Returns the same of all materials of a scene, in their order. Those of glTF are linear, and multiply their
+/// images; those of other formats are taken as what programs show, and their images replace them.
+std::vector<SurfaceMaterial> materials_of(const aiScene& scene, bool is_gltf) {
+  std::vector<SurfaceMaterial> materials;
+  for (unsigned m = 0; m < scene.mNumMaterials; ++m) {
+    materials.push_back(material_of(*scene.mMaterials[m], is_gltf));
+  }
+  return materials;
 }
 
 void read_colours(const aiScene& scene, const std::filesystem::path& folder, ModelArrays& model) {
@@ -193,21 +226,15 @@ ModelArrays read_with_assimp(const std::filesystem::path& path, ReadParts parts)
   // Never destroyed: of some files (3MF with textures) it reads all there is and crashes while clearing away.
   Assimp::Importer& importer = *new Assimp::Importer;
   const aiScene* scene = importer.ReadFile(path.string(), 0);
-  if (scene == nullptr) {
-    throw InputError(reason_of(importer.GetErrorString(), path.string()));
-  }
-  if (scene->mRootNode == nullptr) {
-    throw InputError("it has no scene");
-  }
+  if (scene == nullptr) throw InputError(reason_of(importer.GetErrorString(), path.string()));
+  if (scene->mRootNode == nullptr) throw InputError("it has no scene");
   ModelArrays model;
   model.format = format_of(importer);
   model.meshes = scene->mNumMeshes;
   read_units(*scene, path, model);
   append_node(*scene, *scene->mRootNode, aiMatrix4x4(), model);
   model.rig = read_rig(*scene, in_lower_case(path.extension().string()) != ".fbx");
-  if (parts == ReadParts::model) {
-    read_colours(*scene, path.parent_path(), model);
-  }
+  if (parts == ReadParts::model) read_colours(*scene, path.parent_path(), model);
   return model;
 }
 
@@ -222,17 +249,33 @@ ModelArrays read_model(const std::filesystem::path& path, ReadParts parts) {
   std::optional<ModelArrays> model;
   if (in_lower_case(path.extension().string()) == ".obj") {
     model = read_obj(read_text_file(path));
-    if (model && parts == ReadParts::model) {
-      read_colours_of_obj(path.parent_path(), model->colours);
+    if (model && parts == ReadParts::model) read_colours_of_obj(path.parent_path(), model->colours);
+  }
+  if (!model) model = read_with_assimp(path, parts);
+  if (parts == ReadParts::shape) model->colours = {};
+  return std::move(*model);
+}
+
+void read_mtl(std::string_view text, SurfaceColours& colours) {
+  std::istringstream lines{std::string(text)};
+  auto material = colours.materials.end();
+  for (std::string whole; std::getline(lines, whole);) {
+    std::istringstream line(whole);
+    std::string kind;
+    line >> kind;
+    if (kind == "newmtl") {
+      std::string name;
+      std::getline(line >> std::ws, name);
+      name.erase(name.find_last_not_of(" \t\r") + 1);
+      material = std::find_if(colours.materials.begin(), colours.materials.end(),
+                              [&](const SurfaceMaterial& known) { return known.name == name; });
+    } else if (kind == "Kd" && material != colours.materials.end()) {
+      glm::vec3 colour(1.0F);
+      if (line >> colour.x >> colour.y >> colour.z) material->base_colour = glm::clamp(colour, 0.0F, 1.0F);
+    } else if (kind == "map_Kd" && material != colours.materials.end()) {
+      material->map_file = map_name(line);
     }
   }
-  if (!model) {
-    model = read_with_assimp(path, parts);
-  }
-  if (parts == ReadParts::shape) {
-    model->colours = {};
-  }
-  return std::move(*model);
 }
 
 }  // namespace taut::app

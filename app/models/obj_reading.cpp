@@ -1,13 +1,6 @@
 #include "app/models/obj_reading.hpp"
 
-#include <fmt/core.h>
-
-#include <algorithm>
 #include <charconv>
-#include <cstdlib>
-#include <limits>
-#include <string>
-#include <utility>
 
 #include "app/base/errors.hpp"
 
@@ -62,8 +55,7 @@ class ObjReader {
 
 void ObjReader::reject(std::string_view found, const std::string& expected) const {
   constexpr std::size_t longest = 40;
-  throw InputError(
-      fmt::format("line {}: found '{}', expected {}", line_, found.substr(0, longest), expected));
+  throw InputError("line {}: found '{}', expected {}", line_, found.substr(0, longest), expected);
 }
 
 std::string_view ObjReader::take_line() {
@@ -76,9 +68,7 @@ std::string_view ObjReader::take_line() {
   };
   line_ = lines_taken_ + 1;
   std::string_view line = take();
-  if (!line.ends_with('\\')) {
-    return line;
-  }
+  if (!line.ends_with('\\')) return line;
   joined_.clear();
   while (line.ends_with('\\') && !text_.empty()) {
     joined_ += line.substr(0, line.size() - 1);
@@ -98,9 +88,7 @@ double ObjReader::coordinate(std::string_view word) const {
     // Next to nothing is nothing; what is too large is said to be not finite where all models are judged.
     return std::strtod(std::string(word).c_str(), nullptr);
   }
-  if (error != std::errc() || stopped != end) {
-    reject(word, "a coordinate of a vertex");
-  }
+  if (error != std::errc() || stopped != end) reject(word, "a coordinate of a vertex");
   return value;
 }
 
@@ -135,9 +123,7 @@ void ObjReader::use_material(std::string_view name) {
   const auto known = std::find_if(all.begin(), all.end(),
                                   [&](const SurfaceMaterial& material) { return material.name == name; });
   material_ = static_cast<sim::Index>(known - all.begin());
-  if (known == all.end()) {
-    all.push_back({.name = std::string(name)});
-  }
+  if (known == all.end()) all.push_back({.name = std::string(name)});
 }
 
 void ObjReader::read_face(std::string_view line) {
@@ -160,17 +146,13 @@ void ObjReader::read_face(std::string_view line) {
   model_.corner_counts.push_back(static_cast<std::uint32_t>(face_.size()));
   model_.corners.insert(model_.corners.end(), face_.begin(), face_.end());
   corner_texture_.insert(corner_texture_.end(), face_texture_.begin(), face_texture_.end());
-  if (model_.colours.materials.empty()) {
-    use_material("");
-  }
+  if (model_.colours.materials.empty()) use_material("");
   model_.colours.material_of_face.push_back(material_);
 }
 
 std::size_t count_words(std::string_view line) {
   std::size_t count = 0;
-  while (!take_word(line).empty()) {
-    ++count;
-  }
+  while (!take_word(line).empty()) ++count;
   return count;
 }
 
@@ -240,20 +222,16 @@ void ObjReader::place_texture() {
 // Only at the end: a face may come before its vertices.
 void ObjReader::require_vertices() const {
   if (!model_.corners.empty() && highest_ >= model_.positions.size()) {
-    throw InputError(fmt::format("line {}: a face uses vertex {} of a model that has {}", line_of_highest_,
-                                 std::size_t{highest_} + 1, model_.positions.size()));
+    throw InputError("line {}: a face uses vertex {} of a model that has {}", line_of_highest_,
+                     std::size_t{highest_} + 1, model_.positions.size());
   }
 }
 
 std::optional<ModelArrays> ObjReader::read() {
   constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
   text_.remove_prefix(text_.starts_with(byte_order_mark) ? byte_order_mark.size() : 0);
-  while (!text_.empty()) {
-    read_line(take_line());
-  }
-  if (model_.positions.empty()) {
-    return std::nullopt;
-  }
+  while (!text_.empty()) read_line(take_line());
+  if (model_.positions.empty()) return std::nullopt;
   require_vertices();
   place_texture();
   number_by_first_use(model_);
@@ -263,8 +241,6 @@ std::optional<ModelArrays> ObjReader::read() {
 
 }  // namespace
 
-std::optional<ModelArrays> read_obj(std::string_view text) {
-  return ObjReader(text).read();
-}
+std::optional<ModelArrays> read_obj(std::string_view text) { return ObjReader(text).read(); }
 
 }  // namespace taut::app

@@ -1,8 +1,5 @@
 #pragma once
 
-#include <optional>
-#include <string_view>
-
 #include "app/models/model_arrays.hpp"
 
 namespace taut::app {

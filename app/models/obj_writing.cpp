@@ -2,12 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <cassert>
-#include <iterator>
-#include <map>
-#include <utility>
-#include <vector>
-
 namespace taut::app {
 namespace {
 
@@ -30,9 +24,7 @@ template <class Vectors>
 void put_vectors(const std::string& kind, const Vectors& vectors, const std::string& number,
                  std::string& text) {
   const std::string line = kind + ' ' + number + ' ' + number + ' ' + number + '\n';
-  for (const auto& v : vectors) {
-    fmt::format_to(std::back_inserter(text), fmt::runtime(line), v.x, v.y, v.z);
-  }
+  for (const auto& v : vectors) fmt::format_to(std::back_inserter(text), fmt::runtime(line), v.x, v.y, v.z);
 }
 
 }  // namespace
@@ -44,12 +36,8 @@ FileFaces faces_of(const sim::Mesh& mesh, std::span<const glm::vec2> corner_uv) 
     faces.corner_counts.push_back(static_cast<std::uint32_t>(corners.size()));
     faces.corners.insert(faces.corners.end(), corners.begin(), corners.end());
   };
-  for (const sim::Quad& quad : mesh.quads) {
-    add(quad);
-  }
-  for (std::size_t t = 2 * mesh.quads.size(); t < mesh.triangles.size(); ++t) {
-    add(mesh.triangles[t]);
-  }
+  for (const sim::Quad& quad : mesh.quads) add(quad);
+  for (std::size_t t = 2 * mesh.quads.size(); t < mesh.triangles.size(); ++t) add(mesh.triangles[t]);
   faces.corner_uv.assign(corner_uv.begin(), corner_uv.end());
   return faces;
 }

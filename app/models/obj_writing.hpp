@@ -1,12 +1,6 @@
 #pragma once
 
-#include <glm/vec2.hpp>
-#include <glm/vec3.hpp>
-#include <span>
-#include <string>
-
-#include "app/models/file_faces.hpp"
-#include "sim/mesh/mesh.hpp"
+#include "app/models/file_mesh.hpp"
 
 namespace taut::app {
 

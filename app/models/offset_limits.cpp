@@ -1,8 +1,5 @@
 #include "app/models/offset_limits.hpp"
 
-#include <algorithm>
-#include <glm/geometric.hpp>
-
 namespace taut::app {
 namespace {
 
@@ -26,9 +23,7 @@ std::vector<float> reaches_of(std::span<const Bond> bonds, const sim::Mesh& simu
   std::vector<float> reach_m(simulated.positions.size(), 0.0F);
   for (const Bond& bond : bonds) {
     const float offset_m = std::min(static_cast<float>(glm::length(bond.offset_m)), furthest_m);
-    for (const sim::Index v : simulated.triangles[bond.triangle]) {
-      reach_m[v] = std::max(reach_m[v], offset_m);
-    }
+    for (const sim::Index v : simulated.triangles[bond.triangle]) reach_m[v] = std::max(reach_m[v], offset_m);
   }
   return reach_m;
 }

@@ -1,8 +1,6 @@
 #pragma once
 
 #include <mutex>
-#include <span>
-#include <vector>
 
 #include "app/fitting/following.hpp"
 #include "sim/solvers/bounded/contact/clearances.hpp"

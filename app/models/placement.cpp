@@ -2,19 +2,8 @@
 
 #include <fmt/core.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <glm/geometric.hpp>
-#include <limits>
-#include <map>
-#include <numbers>
-#include <span>
-
 #include "app/models/garment_parts.hpp"
 #include "app/models/hanging.hpp"
-#include "app/models/support.hpp"
-#include "sim/mesh/extent.hpp"
 #include "sim/mesh/groups.hpp"
 #include "sim/mesh/welding.hpp"
 
@@ -58,23 +47,17 @@ constexpr double far_away = 1000.0;
 sim::Extent extent_of_triangles(const sim::Mesh& mesh) {
   sim::Extent extent;
   for (const sim::Triangle& t : mesh.triangles) {
-    for (const sim::Index v : t) {
-      extent.add(mesh.positions[v]);
-    }
+    for (const sim::Index v : t) extent.add(mesh.positions[v]);
   }
   return extent;
 }
 
-bool is_between(double value, double lowest, double highest) {
-  return value >= lowest && value <= highest;
-}
+bool is_between(double value, double lowest, double highest) { return value >= lowest && value <= highest; }
 
 std::string unit_name(double metres) {
   for (const Unit& unit : units) {
     // Files give their factor in single precision.
-    if (std::abs(unit.metres - metres) < 1e-6 * metres) {
-      return unit.name;
-    }
+    if (std::abs(unit.metres - metres) < 1e-6 * metres) return unit.name;
   }
   return fmt::format("{:.6g} m", metres);
 }
@@ -89,9 +72,7 @@ double size_of_largest_part(const sim::Mesh& mesh) {
   }
   std::map<sim::Index, sim::Extent> boxes;
   for (const sim::Triangle& t : mesh.triangles) {
-    for (const sim::Index v : t) {
-      boxes[parts.find(places[v])].add(mesh.positions[v]);
-    }
+    for (const sim::Index v : t) boxes[parts.find(places[v])].add(mesh.positions[v]);
   }
   double largest = 0.0;
   for (const auto& [first, box] : boxes) {
@@ -193,18 +174,6 @@ sim::Vec3 turned(const sim::Vec3& p, ModelAxis up) {
   return p;
 }
 
-}  // namespace
-
-sim::Mesh upright(const sim::Mesh& mesh, ModelAxis up) {
-  sim::Mesh turned_mesh{{}, mesh.triangles, {}};
-  for (const sim::Vec3& position : mesh.positions) {
-    turned_mesh.positions.push_back(turned(position, up));
-  }
-  return turned_mesh;
-}
-
-namespace {
-
 using LevelCut = std::vector<std::array<sim::Vec3, 2>>;
 
 LevelCut section_at(const sim::Mesh& mesh, double height) {
@@ -218,9 +187,7 @@ LevelCut section_at(const sim::Mesh& mesh, double height) {
         ends[count++] = a + (height - a.y) / (b.y - a.y) * (b - a);
       }
     }
-    if (count == 2) {
-      section.push_back(ends);
-    }
+    if (count == 2) section.push_back(ends);
   }
   return section;
 }
@@ -242,12 +209,8 @@ bool goes_around(const LevelCut& section) {
   const sim::Extent box = range_of(section);
   const sim::Vec3 middle = box.middle(), size = box.size();
   double length = 0.0;
-  for (const auto& [a, b] : section) {
-    length += glm::distance(a, b);
-  }
-  if (!(size.x > 0.0 && size.z > 0.0 && length >= there_and_back * std::max(size.x, size.z))) {
-    return false;
-  }
+  for (const auto& [a, b] : section) length += glm::distance(a, b);
+  if (!(size.x > 0.0 && size.z > 0.0 && length >= there_and_back * std::max(size.x, size.z))) return false;
   const auto direction_of = [&](const sim::Vec3& p) {
     const double angle = std::atan2((p.z - middle.z) / size.z, (p.x - middle.x) / size.x);
     return angle / (2.0 * std::numbers::pi) * directions;
@@ -271,18 +234,14 @@ bool goes_around_halves(const LevelCut& section, bool are_apart) {
   const double middle = box.middle()[across];
   std::array<LevelCut, 2> halves;
   for (const auto& ends : section) {
-    if (are_apart && (ends[0][across] > middle) != (ends[1][across] > middle)) {
-      return false;
-    }
+    if (are_apart && (ends[0][across] > middle) != (ends[1][across] > middle)) return false;
     halves[ends[0][across] > middle ? 1 : 0].push_back(ends);
   }
   return goes_around(halves[0]) && goes_around(halves[1]);
 }
 
 /// Whether it lies as a flat garment does, whose outline says nothing of what goes around.
-bool is_lying(const sim::Vec3& size) {
-  return size.y <= lying_height * std::max(size.x, size.z);
-}
+bool is_lying(const sim::Vec3& size) { return size.y <= lying_height * std::max(size.x, size.z); }
 
 LevelCut level_of(const sim::Mesh& mesh, const sim::Extent& box, double share) {
   return section_at(mesh, box.lower.y + share * box.size().y);
@@ -354,9 +313,7 @@ double openness_below(const sim::Mesh& mesh) {
   return sum / (across * across * std::max(box.size().y, std::numeric_limits<double>::min()));
 }
 
-bool has_legs(const sim::Mesh& mesh) {
-  return std::abs(legs_below(mesh)) >= clearly_legs;
-}
+bool has_legs(const sim::Mesh& mesh) { return std::abs(legs_below(mesh)) >= clearly_legs; }
 
 /// Whether the largest part has one opening, at an end: a sock is not worn as a skirt is, nor is a hat as a
 /// sock.
@@ -373,9 +330,7 @@ bool is_bag(const sim::Mesh& mesh, const sim::Adjacency& adjacency) {
 ModelAxis better_way_up(const sim::Mesh& mesh, const sim::Adjacency& adjacency, ModelAxis up, ModelAxis down,
                         double clearly) {
   const sim::Mesh stood = upright(mesh, up);
-  if (has_legs(stood)) {
-    return legs_below(stood) > 0 ? up : down;
-  }
+  if (has_legs(stood)) return legs_below(stood) > 0 ? up : down;
   return !is_bag(stood, adjacency) && openness_below(stood) < -clearly ? down : up;
 }
 
@@ -392,6 +347,12 @@ double share_carried(const sim::Mesh& mesh, const sim::Adjacency& adjacency) {
 }
 
 }  // namespace
+
+sim::Mesh upright(const sim::Mesh& mesh, ModelAxis up) {
+  sim::Mesh turned_mesh{{}, mesh.triangles, {}};
+  for (const sim::Vec3& position : mesh.positions) turned_mesh.positions.push_back(turned(position, up));
+  return turned_mesh;
+}
 
 std::optional<ModelAxis> up_by_openings(const sim::Mesh& mesh, const sim::Adjacency& adjacency) {
   const auto can_hang = [&](ModelAxis up) {
@@ -413,9 +374,7 @@ std::optional<ModelAxis> up_by_openings(const sim::Mesh& mesh, const sim::Adjace
     is_y = has_legs(mesh);
     is_z = has_legs(upright(mesh, ModelAxis::z));
   }
-  if (is_y == is_z) {
-    return std::nullopt;
-  }
+  if (is_y == is_z) return std::nullopt;
   return is_z ? better_way_up(mesh, adjacency, ModelAxis::z, ModelAxis::minus_z, head_below)
               : better_way_up(mesh, adjacency, ModelAxis::y, ModelAxis::minus_y, upside_down);
 }

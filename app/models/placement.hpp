@@ -1,11 +1,7 @@
 #pragma once
 
-#include <optional>
-#include <string>
-
 #include "app/scene/scene.hpp"
 #include "sim/mesh/adjacency.hpp"
-#include "sim/mesh/mesh.hpp"
 
 namespace taut::app {
 

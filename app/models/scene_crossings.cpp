@@ -1,11 +1,9 @@
 #include "app/models/scene_crossings.hpp"
 
-#include <fmt/core.h>
-
-#include <variant>
-
 #include "app/base/counted.hpp"
+#include "app/base/interruption.hpp"
 #include "app/verify/solid_bodies.hpp"
+#include "sim/untangle/untangle.hpp"
 
 namespace taut::app {
 namespace {
@@ -42,9 +40,7 @@ std::vector<CrossingPair> entries_into(const sim::Shape& shape, const Surface& c
 SceneCrossings crossings_with(std::span<const sim::Body> bodies, std::size_t body, double time_s,
                               const Surface& cloth) {
   const auto* mesh = std::get_if<sim::BodyMesh>(&bodies[body].shape);
-  if (mesh == nullptr) {
-    return {body, entries_into(sim::shape_at(bodies[body], time_s), cloth)};
-  }
+  if (mesh == nullptr) return {body, entries_into(sim::shape_at(bodies[body], time_s), cloth)};
   const std::vector<sim::Vec3> positions_m = mesh_positions_m(bodies[body], time_s);
   return {body, crossing_pairs(cloth, {positions_m, mesh->data->triangles})};
 }
@@ -52,17 +48,13 @@ SceneCrossings crossings_with(std::span<const sim::Body> bodies, std::size_t bod
 std::vector<SceneCrossings> scene_crossings(const Surface& cloth, std::span<const sim::Body> bodies,
                                             double time_s) {
   std::vector<SceneCrossings> all = {{{}, crossing_pairs(cloth)}};
-  for (std::size_t b = 0; b < bodies.size(); ++b) {
-    all.push_back(crossings_with(bodies, b, time_s, cloth));
-  }
+  for (std::size_t b = 0; b < bodies.size(); ++b) all.push_back(crossings_with(bodies, b, time_s, cloth));
   return all;
 }
 
 std::string describe(const SceneCrossings& crossings, const Surface& cloth,
                      std::span<const sim::Body> bodies) {
-  if (!crossings.body) {
-    return describe(cloth, crossings.pairs);
-  }
+  if (!crossings.body) return describe(cloth, crossings.pairs);
   const std::size_t count = crossings.pairs.size();
   const CrossingPair& first = crossings.pairs.front();
   const std::string name = describe_body(bodies, *crossings.body);
@@ -86,6 +78,40 @@ std::vector<sim::Vec3> mesh_positions_m(const sim::Body& body, double time_s) {
   std::vector<sim::Vec3> positions_m(std::get<sim::BodyMesh>(body.shape).data->positions_m.size());
   sim::positions_at(body, time_s, positions_m);
   return positions_m;
+}
+
+std::optional<Untangling> untangle_start(const Scene& scene, const sim::Garment& garment, bool is_cut_anew,
+                                         std::vector<sim::Vec3>& start_m,
+                                         const std::function<void(const std::string&)>& tell) {
+  sim::UntangleSettings settings;
+  settings.bounded = scene.simulation.solver.bounded;
+  settings.distance_m = garment.material.thickness_m;
+  settings.is_cut_anew = is_cut_anew;
+  sim::Untangled untangled =
+      sim::untangle(garment, start_m, settings, [&](std::span<const sim::Vec3> positions_m) {
+        throw_if_interrupted();
+        std::vector<sim::TrianglePair> pairs;
+        for (const CrossingPair& pair : crossing_pairs({positions_m, garment.mesh.triangles})) {
+          pairs.push_back({pair.first, pair.second});
+        }
+        tell(fmt::format("untangling it: {} cross", counted(pairs.size(), "pair")));
+        return pairs;
+      });
+  if (untangled.pairs_before == 0 && untangled.largest_move_m == 0.0) return std::nullopt;
+  start_m = std::move(untangled.positions_m);
+  return Untangling{untangled.pairs_before, untangled.pairs_left, untangled.largest_move_m};
+}
+
+std::string describe(const Untangling& u) {
+  if (u.pairs_before == 0) {
+    return fmt::format(
+        "where layers were as one it was parted and evened out, no vertex by more than {:.3g} mm",
+        1e3 * u.largest_move_m);
+  }
+  return fmt::format(
+      "of {} that crossed at the start {} left, and no vertex was moved by more than {:.3g} mm",
+      counted(u.pairs_before, "pair of triangles", "pairs of triangles"),
+      u.pairs_left == 1 ? "1 is" : fmt::format("{} are", u.pairs_left), 1e3 * u.largest_move_m);
 }
 
 }  // namespace taut::app

@@ -1,11 +1,5 @@
 #include "app/models/section.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <glm/geometric.hpp>
-#include <map>
-#include <utility>
-
 namespace taut::app {
 namespace {
 
@@ -34,9 +28,7 @@ class Section {
       for (std::size_t k = 0; k < 3; ++k) {
         const sim::Index a = t[k];
         const sim::Index b = t[(k + 1) % 3];
-        if ((height(a) < 0.0) != (height(b) < 0.0)) {
-          cut.push_back(std::minmax(a, b));
-        }
+        if ((height(a) < 0.0) != (height(b) < 0.0)) cut.push_back(std::minmax(a, b));
       }
       if (cut.size() == 2) {
         next_[cut[0]].push_back(cut[1]);
@@ -48,19 +40,13 @@ class Section {
   std::vector<SectionCurve> curves() {
     std::vector<EdgeKey> ends;
     for (const auto& [edge, neighbours] : next_) {
-      if (neighbours.size() != 2) {
-        ends.push_back(edge);
-      }
+      if (neighbours.size() != 2) ends.push_back(edge);
     }
     std::vector<SectionCurve> found;
     for (const EdgeKey& end : ends) {
-      if (next_.contains(end)) {
-        found.push_back({take_curve(end), false});
-      }
+      if (next_.contains(end)) found.push_back({take_curve(end), false});
     }
-    while (!next_.empty()) {
-      found.push_back({take_curve(next_.begin()->first), true});
-    }
+    while (!next_.empty()) found.push_back({take_curve(next_.begin()->first), true});
     return found;
   }
 
@@ -122,9 +108,7 @@ std::vector<Vec2> convex_hull(std::vector<Vec2> points_m) {
   for (int side = 0; side < 2; ++side) {
     const std::size_t first = hull.size();
     for (const Vec2& p : points_m) {
-      while (hull.size() > first + 1 && turn(hull[hull.size() - 2], hull.back(), p) <= 0.0) {
-        hull.pop_back();
-      }
+      while (hull.size() > first + 1 && turn(hull[hull.size() - 2], hull.back(), p) <= 0.0) hull.pop_back();
       hull.push_back(p);
     }
     // Where a chain ends the other one begins.
@@ -141,9 +125,7 @@ double tight_tape_m(std::vector<Vec2> points_m) {
 
 bool is_in_hull(const std::vector<Vec2>& hull, const Vec2& point) {
   for (std::size_t i = 0; i < hull.size(); ++i) {
-    if (turn(hull[i], hull[(i + 1) % hull.size()], point) < 0.0) {
-      return false;
-    }
+    if (turn(hull[i], hull[(i + 1) % hull.size()], point) < 0.0) return false;
   }
   return !hull.empty();
 }

@@ -1,8 +1,5 @@
 #pragma once
 
-#include <span>
-#include <vector>
-
 #include "app/verify/crossing_pairs.hpp"
 
 namespace taut::app {

@@ -1,21 +1,12 @@
 #include "app/models/surface_colours.hpp"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <glm/geometric.hpp>
-#include <stdexcept>
-#include <utility>
-
 #include "sim/mesh/welding.hpp"
 
 namespace taut::app {
 namespace {
 
 void require_colours(bool is_so) {
-  if (!is_so) {
-    throw std::runtime_error("the colours of a model are not as expected");
-  }
+  if (!is_so) throw std::runtime_error("the colours of a model are not as expected");
 }
 
 TextureImage take_image(ArrayReader& in) {
@@ -119,9 +110,7 @@ SurfaceColours decode_colours(ArrayReader& in, std::size_t corners, std::size_t 
 
 SurfaceColours cut_colours(SurfaceColours colours, std::span<const std::uint32_t> corner_counts,
                            std::span<const sim::Index> corners, std::span<const sim::Triangle> triangles) {
-  if (is_plain(colours)) {
-    return colours;
-  }
+  if (is_plain(colours)) return colours;
   Sources sources;
   std::size_t first = 0, triangle = 0;
   for (sim::Index face = 0; face < corner_counts.size(); ++face) {
@@ -140,9 +129,7 @@ SurfaceColours cut_colours(SurfaceColours colours, std::span<const std::uint32_t
 
 SurfaceColours kept_colours(SurfaceColours colours, std::span<const sim::Triangle> before,
                             std::span<const sim::Index> kept, std::span<const sim::Triangle> after) {
-  if (is_plain(colours)) {
-    return colours;
-  }
+  if (is_plain(colours)) return colours;
   const auto sorted = [](sim::Triangle t) {
     std::sort(t.begin(), t.end());
     return t;
@@ -192,9 +179,7 @@ double metres_per_uv(const sim::Mesh& mesh, std::span<const glm::vec2> corner_uv
     const glm::dvec2 ab = glm::dvec2(corner_uv[3 * t + 1]) - a, ac = glm::dvec2(corner_uv[3 * t + 2]) - a;
     const double in_uv = std::abs(ab.x * ac.y - ab.y * ac.x);
     const double in_m = glm::length(sim::doubled_area_vector(mesh.positions, mesh.triangles[t]));
-    if (in_uv > 0.0 && in_m > 0.0) {
-      scales.push_back(std::sqrt(in_m / in_uv));
-    }
+    if (in_uv > 0.0 && in_m > 0.0) scales.push_back(std::sqrt(in_m / in_uv));
   }
   const auto middle = scales.begin() + static_cast<std::ptrdiff_t>(scales.size() / 2);
   std::nth_element(scales.begin(), middle, scales.end());

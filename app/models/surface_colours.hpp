@@ -1,14 +1,5 @@
 #pragma once
 
-#include <cstdint>
-#include <glm/vec2.hpp>
-#include <glm/vec3.hpp>
-#include <limits>
-#include <memory>
-#include <span>
-#include <string>
-#include <vector>
-
 #include "app/models/array_coding.hpp"
 #include "sim/mesh/mesh.hpp"
 
@@ -69,5 +60,13 @@ SurfaceColours subdivided_colours(SurfaceColours colours);
 /// Returns how many metres of the cloth a unit of texture coordinates is: the median over the triangles that
 /// have an area in both; 0 if none has.
 double metres_per_uv(const sim::Mesh& mesh, std::span<const glm::vec2> corner_uv);
+
+/// One channel through the transfer function of sRGB (IEC 61966-2-1) and back; 0 to 1.
+inline float srgb_to_linear(float encoded) {
+  return encoded <= 0.04045F ? encoded / 12.92F : std::pow((encoded + 0.055F) / 1.055F, 2.4F);
+}
+inline float linear_to_srgb(float linear) {
+  return linear <= 0.0031308F ? 12.92F * linear : 1.055F * std::pow(linear, 1.0F / 2.4F) - 0.055F;
+}
 
 }  // namespace taut::app

@@ -28,21 +28,19 @@ void warn_of_stiffness(const Scene& scene, const RunSummary& summary) {
   const std::string remedy = steps <= solver.max_substeps
                                  ? fmt::format("solver.substeps = {:.0f} would follow it", steps)
                                  : fmt::format("it would take {:.2g} of them", steps);
-  fmt::print(
-      stderr,
-      "taut: warning: cloth.compression_stiffness = {:g} N/m is stiffer than {:.0f} time steps a frame can "
-      "follow; short springs pushed back as at about {:.2g} N/m; {}\n",
-      asked, summary.mean_substeps(), followed, remedy);
+  fmt::print(stderr,
+             "taut: warning: cloth.compression_stiffness = {:g} N/m is stiffer than {:.0f} time steps a "
+             "frame can follow; short springs pushed back as at about {:.2g} N/m; {}\n",
+             asked, summary.mean_substeps(), followed, remedy);
 }
 
 // Only where the scene accepts them: other runs end at the first.
 void warn_of_crossings(const RunSummary& summary) {
   if (summary.frames_blocked > 0) {
-    fmt::print(
-        stderr,
-        "taut: warning: in {} of {} pins or bodies closed in so that something may cross, first in frame "
-        "{}\n",
-        summary.frames_blocked, counted(summary.frames, "frame"), summary.first_frame_blocked);
+    fmt::print(stderr,
+               "taut: warning: in {} of {} pins or bodies closed in so that something may cross, first in "
+               "frame {}\n",
+               summary.frames_blocked, counted(summary.frames, "frame"), summary.first_frame_blocked);
   }
 }
 
@@ -189,9 +187,8 @@ int judge_bound(const Scene& scene, const RunSummary& summary) {
   if (excess.empty()) return 0;
   const bool allowed = scene.simulation.solver.bounded.allow_exceeding;
   fmt::print(stderr,
-             "taut: {}: {}. {} may "
-             "pull the cloth apart, or more time steps are needed "
-             "(solver.max_substeps = {}){}\n",
+             "taut: {}: {}. {} may pull the cloth apart, or more time steps are needed (solver.max_substeps "
+             "= {}){}\n",
              allowed ? "warning" : "error", excess,
              scene.surroundings.bodies.empty() ? "Pins" : "Pins, or a body that it is too tight for,",
              scene.simulation.solver.max_substeps,

@@ -1,8 +1,6 @@
 #pragma once
 
 #include "app/scene/scene.hpp"
-#include "sim/measures.hpp"
-#include "sim/simulation.hpp"
 
 namespace taut::app {
 

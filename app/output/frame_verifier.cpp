@@ -1,7 +1,5 @@
 #include "app/output/frame_verifier.hpp"
 
-#include <fmt/core.h>
-
 #include "app/base/counted.hpp"
 
 namespace taut::app {

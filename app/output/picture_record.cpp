@@ -2,7 +2,6 @@
 
 #include "app/base/counted.hpp"
 #include "app/base/errors.hpp"
-#include "app/base/files.hpp"
 #include "app/base/version.hpp"
 #include "app/scene/scene_format.hpp"
 
@@ -123,8 +122,8 @@ PictureRecord read_picture_record(const std::filesystem::path& file, std::span<c
     const auto found = std::ranges::find(texts, keyword, &renderer::PngText::keyword);
     if (found == texts.end()) {
       throw InputError(
-          "the picture '{}' does not say how it was made: it has no entry '{}', as "
-          "pictures of taut render have",
+          "the picture '{}' does not say how it was made: it has no entry '{}', as pictures of taut render "
+          "have",
           file.string(), keyword);
     }
     return found->text;

@@ -6,9 +6,6 @@
 #include "app/base/progress.hpp"
 #include "app/base/stopwatch.hpp"
 #include "app/bodies/fit.hpp"
-#include "app/models/scene_crossings.hpp"
-#include "sim/bytes.hpp"
-#include "sim/checkpoint.hpp"
 
 namespace taut::app {
 

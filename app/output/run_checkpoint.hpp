@@ -1,11 +1,7 @@
 #pragma once
 
-#include <filesystem>
-
 #include "app/models/garment_loading.hpp"
 #include "app/output/frame_record.hpp"
-#include "app/scene/scene.hpp"
-#include "sim/simulation.hpp"
 
 namespace taut::app {
 

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <filesystem>
-
 #include "app/drawing/drawn_scene.hpp"
 #include "app/models/inspection.hpp"
 #include "app/output/frame_record.hpp"

@@ -16,20 +16,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Frames of a GIF last whole hundredths of a second. Viewers slow down frames of less than two hundredths.
-constexpr double fastest_gif_hz = 50.0;
-
-bool is_gif(const fs::path& file) { return file.extension() == ".gif"; }
-
-int pictures_for_a_frame(const fs::path& file, double frame_rate_hz) {
-  return is_gif(file) ? static_cast<int>(std::ceil(frame_rate_hz / fastest_gif_hz)) : 1;
-}
-
-// The colours of a GIF are chosen after all frames were seen, which holds them in memory.
-std::vector<std::string> gif_arguments() {
-  return {"-filter_complex", "[0:v]split[a][b];[a]palettegen[p];[b][p]paletteuse", "-f", "gif"};
-}
-
 std::vector<std::string> mp4_arguments(bool is_live) {
   return {"-c:v",
           "libx264",
@@ -53,8 +39,7 @@ std::vector<std::string> mp4_arguments(bool is_live) {
           "mp4"};
 }
 
-std::vector<std::string> ffmpeg_arguments(const fs::path& file, const fs::path& temporary,
-                                          const VideoSettings& settings) {
+std::vector<std::string> ffmpeg_arguments(const fs::path& temporary, const VideoSettings& settings) {
   std::vector<std::string> arguments = {"ffmpeg", "-nostdin", "-hide_banner", "-loglevel", "error", "-y"};
   const std::vector<std::string> input = {
       "-f",
@@ -64,10 +49,10 @@ std::vector<std::string> ffmpeg_arguments(const fs::path& file, const fs::path& 
       "-video_size",
       fmt::format("{}x{}", settings.width_px, settings.height_px),
       "-framerate",
-      fmt::format("{}", settings.frame_rate_hz / pictures_for_a_frame(file, settings.frame_rate_hz)),
+      fmt::format("{}", settings.frame_rate_hz),
       "-i",
       "pipe:0"};
-  const std::vector<std::string> kind = is_gif(file) ? gif_arguments() : mp4_arguments(settings.is_live);
+  const std::vector<std::string> kind = mp4_arguments(settings.is_live);
   // Without the date and the library's version in it, the same pictures are the same file.
   const std::vector<std::string> output = {"-fflags", "+bitexact", "-flags:v", "+bitexact",
                                            "file:" + temporary.string()};
@@ -77,14 +62,13 @@ std::vector<std::string> ffmpeg_arguments(const fs::path& file, const fs::path& 
 
 }  // namespace
 
-bool is_video(const fs::path& file) { return file.extension() == ".mp4" || file.extension() == ".gif"; }
+bool is_video(const fs::path& file) { return file.extension() == ".mp4"; }
 
 void require_video_size(const fs::path& file, const VideoSettings& settings) {
   const bool is_even = settings.width_px % 2 == 0 && settings.height_px % 2 == 0;
-  if (file.extension() == ".mp4" && !is_even) {
+  if (!is_even) {
     throw UsageError(
-        "output '{}': an MP4 needs an even width and height, found {} x {}; "
-        "choose another --resolution or a .gif",
+        "output '{}': an MP4 needs an even width and height, found {} x {}; choose another --resolution",
         file.string(), settings.width_px, settings.height_px);
   }
 }
@@ -94,8 +78,7 @@ VideoWriter::VideoWriter(fs::path file, const VideoSettings& settings)
       temporary_(temporary_name(file_)),
       picture_bytes_(static_cast<std::size_t>(settings.width_px) * 3U *
                      static_cast<std::size_t>(settings.height_px)),
-      is_live_(settings.is_live),
-      pictures_for_a_frame_(pictures_for_a_frame(file_, settings.frame_rate_hz)) {
+      is_live_(settings.is_live) {
   require_video_size(file_, settings);
   // A socket and not a pipe: writing to one can be told not to raise SIGPIPE when ffmpeg is gone.
   std::array<int, 2> ends{};
@@ -106,7 +89,7 @@ VideoWriter::VideoWriter(fs::path file, const VideoSettings& settings)
   input_ = Descriptor(ends[0]);
   const Descriptor its_input(ends[1]);
   try {
-    ffmpeg_.emplace(ChildCommand{.arguments = ffmpeg_arguments(file_, temporary_, settings),
+    ffmpeg_.emplace(ChildCommand{.arguments = ffmpeg_arguments(temporary_, settings),
                                  .input = its_input.number(),
                                  .output = messages_.number(),
                                  .errors = messages_.number(),
@@ -128,10 +111,8 @@ void VideoWriter::add(const renderer::Image& picture) {
   if (picture.channels != 3 || picture.pixels.size() != picture_bytes_) {
     throw std::invalid_argument("video: a picture has another size than the video");
   }
-  if (pictures_++ % pictures_for_a_frame_ == 0) {
-    send(picture.pixels);
-    ++frames_;
-  }
+  send(picture.pixels);
+  ++frames_;
 }
 
 void VideoWriter::stop_if_interrupted() const {

@@ -7,7 +7,7 @@
 
 namespace taut::app {
 
-/// Whether the file name ends in .mp4 or .gif.
+/// Whether the file name ends in .mp4.
 bool is_video(const std::filesystem::path& file);
 
 /// Size and rate of a video.
@@ -20,8 +20,8 @@ struct VideoSettings {
   bool is_live = false;
 };
 
-/// Throws UsageError if this kind of video cannot have this size. H.264 with colour at half resolution needs
-/// even numbers.
+/// Throws UsageError if a video cannot have this size: H.264 with colour at half resolution needs even
+/// numbers.
 void require_video_size(const std::filesystem::path& file, const VideoSettings& settings);
 
 /// Makes a video with the program ffmpeg, which reads raw RGB pictures from a pipe. The same pictures give
@@ -35,16 +35,12 @@ class VideoWriter {
   VideoWriter(const VideoWriter&) = delete;
   VideoWriter& operator=(const VideoWriter&) = delete;
 
-  /// Adds an RGB picture of the size in the settings. A GIF skips pictures, so that it has at most 50 per
-  /// second. Throws InputError with ffmpeg's message if ffmpeg has stopped. Throws Interrupted unless the
-  /// video is live.
+  /// Adds an RGB picture of the size in the settings. Throws InputError with ffmpeg's message if ffmpeg has
+  /// stopped. Throws Interrupted unless the video is live.
   void add(const renderer::Image& picture);
 
   /// Waits until all pictures are encoded, then gives the file its name. Throws as `add` does.
   void finish();
-
-  /// Number of pictures in the video, once it is finished.
-  int frames() const { return frames_; }
 
  private:
   [[noreturn]] void fail_stopped();
@@ -57,8 +53,6 @@ class VideoWriter {
   std::filesystem::path temporary_;
   std::size_t picture_bytes_ = 0;
   bool is_live_ = false;
-  int pictures_for_a_frame_ = 1;
-  int pictures_ = 0;
   int frames_ = 0;
   Descriptor input_;     ///< our end of ffmpeg's standard input
   Descriptor messages_;  ///< what ffmpeg writes, a file in memory

@@ -1,13 +1,11 @@
 #include "app/report/claims.hpp"
 
 #include <fmt/args.h>
-#include <fmt/core.h>
 #include <toml++/toml.h>
 
 #include "app/base/counted.hpp"
 #include "app/drawing/plots/axis.hpp"
-#include "app/figures/experiments/recording.hpp"
-#include "app/report/report_texts.hpp"
+#include "app/report/report.hpp"
 
 namespace taut::app {
 namespace {

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "app/figures/experiments/experiments.hpp"
 #include "app/report/claims.hpp"
 #include "renderer/page/image.hpp"
 
@@ -16,9 +15,6 @@ struct Machine {
   std::string program;   ///< name and version
   std::string gl_renderer;
 };
-
-/// Reads the description of this machine.
-Machine this_machine(const std::string& gl_renderer);
 
 /// The promises about the frames of a figure, and the counts in them.
 struct PromiseResult {
@@ -82,5 +78,15 @@ renderer::Image contact_sheet(std::span<const DrawnFigure> figures, float scale 
 
 /// The picture scaled to this width; its proportions stay.
 renderer::Image scaled_to_width(const renderer::Image& picture, int width_px);
+
+// assets/report, embedded when the program is built.
+
+/// The HTML page of the report with its style. <!--machine-->, <!--claims-->,
+/// <!--promises-->, <!--figures--> and <!--methods--> are replaced.
+extern const char* const report_page;
+/// The text below figure 8 as HTML. <!--rows--> is replaced by those of its table.
+extern const char* const methods_text;
+/// The texts of the claims as TOML. {names} are replaced by the numbers of the rules.
+extern const char* const claim_texts;
 
 }  // namespace taut::app

@@ -1,7 +1,5 @@
 #include "app/scene/fabric.hpp"
 
-#include <fmt/core.h>
-
 #include "app/base/files.hpp"
 #include "app/scene/scene_file.hpp"
 

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <filesystem>
-
 #include "app/scene/scene.hpp"
 #include "app/scene/scene_key.hpp"
 

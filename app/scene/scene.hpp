@@ -2,12 +2,8 @@
 
 #include <filesystem>
 
-#include "prelude.hpp"
-#include "sim/material.hpp"
 #include "sim/mesh/grid.hpp"
 #include "sim/simulation.hpp"
-#include "sim/springs.hpp"
-#include "sim/surroundings.hpp"
 
 namespace taut::app {
 

@@ -1,8 +1,7 @@
 #include "app/scene/scene_file.hpp"
 
 #include "app/base/errors.hpp"
-#include "app/base/own_file.hpp"
-#include "app/base/suggest.hpp"
+#include "app/base/files.hpp"
 #include "app/scene/scene_key.hpp"
 
 namespace taut::app {

@@ -1,12 +1,8 @@
 #pragma once
 
-#include <filesystem>
-
 #include "app/base/files.hpp"
 #include "app/scene/fabric.hpp"
-#include "app/scene/scene.hpp"
 #include "app/scene/scene_file.hpp"
-#include "app/scene/scene_key.hpp"
 
 namespace taut::app {
 

@@ -1,6 +1,5 @@
 #include "app/scene/scene_key.hpp"
 
-#include "app/base/counted.hpp"
 #include "app/base/errors.hpp"
 #include "app/scene/scene_file.hpp"
 

@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "app/base/suggest.hpp"
+#include "app/base/counted.hpp"
 
 namespace taut::app {
 

@@ -230,39 +230,38 @@ std::vector<Key<BodyInScene>> shape_keys(const sim::Shape& shape) {
             number_key<B>("start_radius", "m", positive, MEMBER_OF(Capsule, start_radius_m), "at the start"),
             number_key<B>("end_radius", "m", positive, MEMBER_OF(Capsule, end_radius_m), "at the end")};
   }
-  return {
-      body_file_key("file", &BodySource::file, "a closed 3D model, relative to the scene file"),
-      number_key<B>("scale", "m", not_negative, MEMBER(source.scale),
-                    "the model's unit of length; 0: what the file says, or else metres"),
-      up_key<B>("up", MEMBER(source.up),
-                "the model's direction that is up; auto: what the file says, or else y"),
-      body_file_key("motion", &BodySource::motion,
-                    "where its vertices or joints are over time: a PC2, MDD or BVH file, or OBJ files, as a "
-                    "folder or a pattern such as body-%04d.obj"),
-      // The name of `motion` when it was PC2 alone.
-      written_if(body_file_key("frames", &BodySource::motion, "another name of motion"),
-                 [](const B&) { return false; }),
-      written_if(text_key<B>("clip", MEMBER(source.clip),
-                             "which animation of the model is played; not set: the first; \"all\": all at "
-                             "once; \"none\": none",
-                             "a name"),
-                 [](const B& entry) { return !entry.source.clip.empty(); }),
-      number_key<B>("frame_rate", "Hz", {.lowest = 0.0, .highest = 1e5}, MEMBER(source.frame_rate_hz),
-                    "of the motion, and how often a clip is looked at; in between vertices go straight; "
-                    "0: what the file says, or else 60"),
-      number_key<B>("start", "s", not_negative, MEMBER(source.start_s),
-                    "the time of the motion with which the run begins, rounded to a frame"),
-      written_if(switch_key<B>("loop", MEMBER(source.loop),
-                               "the motion repeats after its last frame: from the earliest frame that is "
-                               "the same, or else its first; false: it stays in its last"),
-                 [](const B& entry) { return entry.source.loop; }),
-      written_if(whole_key<B>("dress", {.lowest = 0.0, .highest = 10000.0}, MEMBER(source.dress),
-                              "so many frames are simulated before frame 0, without gravity and wind, in "
-                              "which the body grows from its bones to its shape, into what it wears; a "
-                              "garment that lies elsewhere is moved to it first; it needs joints, or arms "
-                              "off its trunk",
-                              "frames"),
-                 [](const B& entry) { return entry.source.dress != 0; })};
+  return {body_file_key("file", &BodySource::file, "a closed 3D model, relative to the scene file"),
+          number_key<B>("scale", "m", not_negative, MEMBER(source.scale),
+                        "the model's unit of length; 0: what the file says, or else metres"),
+          up_key<B>("up", MEMBER(source.up),
+                    "the model's direction that is up; auto: what the file says, or else y"),
+          body_file_key("motion", &BodySource::motion,
+                        "where its vertices or joints are over time: a PC2, MDD or BVH file, or OBJ files, "
+                        "as a folder or a pattern such as body-%04d.obj"),
+          // The name of `motion` when it was PC2 alone.
+          written_if(body_file_key("frames", &BodySource::motion, "another name of motion"),
+                     [](const B&) { return false; }),
+          written_if(text_key<B>("clip", MEMBER(source.clip),
+                                 "which animation of the model is played; not set: the first; \"all\": all "
+                                 "at once; \"none\": none",
+                                 "a name"),
+                     [](const B& entry) { return !entry.source.clip.empty(); }),
+          number_key<B>("frame_rate", "Hz", {.lowest = 0.0, .highest = 1e5}, MEMBER(source.frame_rate_hz),
+                        "of the motion, and how often a clip is looked at; in between vertices go straight; "
+                        "0: what the file says, or else 60"),
+          number_key<B>("start", "s", not_negative, MEMBER(source.start_s),
+                        "the time of the motion with which the run begins, rounded to a frame"),
+          written_if(switch_key<B>("loop", MEMBER(source.loop),
+                                   "the motion repeats after its last frame: from the earliest frame that is "
+                                   "the same, or else its first; false: it stays in its last"),
+                     [](const B& entry) { return entry.source.loop; }),
+          written_if(
+              whole_key<B>("dress", {.lowest = 0.0, .highest = 10000.0}, MEMBER(source.dress),
+                           "so many frames are simulated before frame 0, without gravity and wind, in which "
+                           "the body grows from its bones to its shape, into what it wears; a garment that "
+                           "lies elsewhere is moved to it first; it needs joints, or arms off its trunk",
+                           "frames"),
+              [](const B& entry) { return entry.source.dress != 0; })};
 }
 
 std::vector<Key<BodyInScene>> body_keys(const sim::Shape& shape) {
@@ -340,17 +339,13 @@ Key<Scene> pins_key() {
   return member_key<Scene>(
       "pins.at", "",
       "\"none\" or \"hanger\" or a list of landmark names, grid names (\"top-left\", ...), vertex numbers "
-      "and "
-      "{ nearest = [x, y, z] }",
+      "and { nearest = [x, y, z] }",
       MEMBER(pins),
       "vertices that are held; not set: the upper edge of a grid, each part of a model by its top. "
-      "\"hanger\": "
-      "none, but two bars below its shoulders. Numbers count from 0: a grid's vertices row by row from the "
-      "top "
-      "left; the v lines of an OBJ file; the vertices of other files, mesh after mesh; where a format shares "
-      "no "
-      "vertices between faces (STL, FBX, Collada) the corners of its faces. taut inspect says which, and how "
-      "many",
+      "\"hanger\": none, but two bars below its shoulders. Numbers count from 0: a grid's vertices row by "
+      "row from the top left; the v lines of an OBJ file; the vertices of other files, mesh after mesh; "
+      "where a format shares no vertices between faces (STL, FBX, Collada) the corners of its faces. taut "
+      "inspect says which, and how many",
       [](const toml::node& value, auto& pins) {
         return store(text_in(value) == "none" ? std::vector<PinSelector>{} : pins_in(value), pins);
       },
@@ -368,8 +363,7 @@ Key<Scene> weld_key() {
   return member_key<Scene>(
       "garment.weld", "m", "\"auto\" or " + describe("a number", range), MEMBER(garment.weld_m),
       "borders of the model nearer to each other than this are sewn together; auto: borders of different "
-      "parts "
-      "within 1 mm, where it is beyond doubt what belongs together; 0: none",
+      "parts within 1 mm, where it is beyond doubt what belongs together; 0: none",
       read, [](const std::optional<double>& weld_m) { return weld_m ? Json(*weld_m) : Json(); });
 }
 

@@ -14,6 +14,13 @@ namespace fs = std::filesystem;
 
 std::string full(const fs::path& path) { return fs::absolute(path).lexically_normal().string(); }
 
+/// This program and arguments as one line for Bash, with full paths.
+std::string this_command(const std::vector<std::string>& arguments) {
+  std::vector<std::string> command = {fs::read_symlink("/proc/self/exe").string()};
+  command.insert(command.end(), arguments.begin(), arguments.end());
+  return shell_line(command);
+}
+
 std::string task_command(const Sweep& sweep, const FarmSettings& settings) {
   return this_command({"sweep", "run", full(sweep.folder), "--chunk", std::to_string(settings.chunk)});
 }
@@ -81,12 +88,6 @@ std::string slurm_script(const Sweep& sweep, const FarmSettings& settings) {
 std::string merge_script(const Sweep& sweep) {
   return fmt::format("#!/bin/bash\n#SBATCH --job-name=taut-merge\n#SBATCH --output={}\nexec {}\n",
                      sbatch_log(sweep, "merge.log"), this_command({"sweep", "merge", full(sweep.folder)}));
-}
-
-std::string this_command(const std::vector<std::string>& arguments) {
-  std::vector<std::string> command = {fs::read_symlink("/proc/self/exe").string()};
-  command.insert(command.end(), arguments.begin(), arguments.end());
-  return shell_line(command);
 }
 
 std::string output_of(const std::vector<std::string>& command) {

@@ -33,9 +33,6 @@ std::string slurm_script(const Sweep& sweep, const FarmSettings& settings);
 /// The script of the job that makes the table.
 std::string merge_script(const Sweep& sweep);
 
-/// This program and arguments as one line for Bash, with full paths.
-std::string this_command(const std::vector<std::string>& arguments);
-
 /// Runs a program and returns what it prints. Throws InputError if there is no such program or it fails.
 std::string output_of(const std::vector<std::string>& command);
 

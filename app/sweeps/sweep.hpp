@@ -1,9 +1,6 @@
 #pragma once
 
-#include <filesystem>
-
 #include "app/drawing/drawn_scene.hpp"
-#include "app/scene/scene_file.hpp"
 #include "app/scene/scene_key.hpp"
 
 namespace taut::app {
@@ -59,16 +56,8 @@ std::string sweep_text(const Sweep& sweep, bool with_program = true);
 /// A value for people: a file by its name without folder and ending.
 std::string value_label(const Json& value);
 
-/// The value of a key with every file's name in it replaced by what `rename` makes of it, those of lists too.
-Json with_files(const std::string& key, const Json& value,
-                const std::function<std::string(const std::string&)>& rename);
-
 /// The name of a folder, from the sweep's, that holds copies of files.
 inline constexpr const char* inputs_folder = "inputs/";
-
-/// Sets keys of a scene from values: files relative to `folder`, where they have inputs_folder. Throws
-/// InputError.
-void set_values(const Sweep& sweep, std::size_t run, DrawnScene& scene);
 
 /// The hash of this program's file. Throws InputError if it cannot be read.
 std::string program_hash();

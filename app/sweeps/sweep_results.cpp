@@ -82,6 +82,16 @@ std::size_t columns_of(const Sweep& sweep) {
   return 1;
 }
 
+/// Hands out every run with its result, or null, in order.
+void for_each_result(const Sweep& sweep,
+                     const std::function<void(std::size_t run, const Json* result)>& use) {
+  for (std::size_t run = 0; run < sweep.runs(); ++run) {
+    throw_if_interrupted();
+    const std::optional<Json> result = result_of(sweep, run);
+    use(run, result ? &*result : nullptr);
+  }
+}
+
 }  // namespace
 
 std::optional<Json> result_of(const Sweep& sweep, std::size_t run) {
@@ -92,15 +102,6 @@ std::optional<Json> result_of(const Sweep& sweep, std::size_t run) {
 
 bool is_final(const Json& result) {
   return result.value("end", "") == "done" || result.value("end", "") == "broken";
-}
-
-void for_each_result(const Sweep& sweep,
-                     const std::function<void(std::size_t run, const Json* result)>& use) {
-  for (std::size_t run = 0; run < sweep.runs(); ++run) {
-    throw_if_interrupted();
-    const std::optional<Json> result = result_of(sweep, run);
-    use(run, result ? &*result : nullptr);
-  }
 }
 
 SweepStatus status_of(const Sweep& sweep) {

@@ -12,9 +12,6 @@ std::optional<Json> result_of(const Sweep& sweep, std::size_t run);
 /// Whether a run came to an end that another attempt would come to as well: "done" or "broken".
 bool is_final(const Json& result);
 
-/// Hands out every run with its result, or null, in order.
-void for_each_result(const Sweep& sweep, const std::function<void(std::size_t run, const Json* result)>& use);
-
 /// How the runs of a sweep stand.
 struct SweepStatus {
   std::size_t done = 0;

@@ -37,9 +37,7 @@ class Strips {
   Strips(std::span<const TriangleBox> boxes, double from, double length, int axis)
       : from_(from), axis_(axis) {
     double sum = 0.0;
-    for (const TriangleBox& box : boxes) {
-      sum += box.extent.upper[axis] - box.extent.lower[axis];
-    }
+    for (const TriangleBox& box : boxes) sum += box.extent.upper[axis] - box.extent.lower[axis];
     const double count = std::floor(length * static_cast<double>(boxes.size()) / (boxes_across * sum));
     // Also where a coordinate is not finite.
     count_ = count >= 1.0 && count < most ? static_cast<std::size_t>(count) : count >= most ? most : 1;
@@ -83,9 +81,7 @@ template <class Found> void sweep(std::vector<TriangleBox>& boxes, const Found& 
   const Strips strips(boxes, all.lower[axes[1]], size[axes[1]], axes[1]);
   std::vector<std::vector<const TriangleBox*>> in_strip(strips.count());
   for (const TriangleBox& box : boxes) {
-    for (std::size_t s = strips.of_lower(box); s <= strips.of_upper(box); ++s) {
-      in_strip[s].push_back(&box);
-    }
+    for (std::size_t s = strips.of_lower(box); s <= strips.of_upper(box); ++s) in_strip[s].push_back(&box);
   }
   for (std::size_t s = 0; s < in_strip.size(); ++s) {
     for (auto a = in_strip[s].begin(); a != in_strip[s].end(); ++a) {

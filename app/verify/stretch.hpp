@@ -1,6 +1,5 @@
 #pragma once
 
-#include "prelude.hpp"
 #include "sim/mesh/mesh.hpp"
 
 namespace taut::app {

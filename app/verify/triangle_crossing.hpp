@@ -1,6 +1,5 @@
 #pragma once
 
-#include "prelude.hpp"
 #include "sim/mesh/types.hpp"
 
 namespace taut::app {

@@ -1,6 +1,5 @@
 #include "app/viewer/headless_viewer.hpp"
 
-#include "app/base/errors.hpp"
 #include "app/base/interruption.hpp"
 
 namespace taut::app {

@@ -1,9 +1,7 @@
 #pragma once
 
 #include "app/viewer/picture/viewer_picture.hpp"
-#include "app/viewer/simulation/simulation_host.hpp"
 #include "app/viewer/viewer.hpp"
-#include "renderer/gl/picture_target.hpp"
 
 namespace taut::app {
 

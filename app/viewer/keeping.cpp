@@ -1,11 +1,6 @@
 #include "app/viewer/keeping.hpp"
 
 #include "app/base/counted.hpp"
-#include "app/base/errors.hpp"
-#include "app/base/files.hpp"
-#include "app/drawing/drawn_scene.hpp"
-#include "app/models/garment_loading.hpp"
-#include "app/output/output_pattern.hpp"
 #include "renderer/page/png.hpp"
 
 namespace taut::app {
@@ -31,8 +26,8 @@ std::vector<PinSelector> numbered_in_file(const std::vector<sim::Index>& pins, c
     const std::optional<sim::Index> number = vertices.number_of(pin);
     if (!number) {
       throw InputError(
-          "cannot save a pin between the vertices of the garment's file, where garment.subdivisions "
-          "put one; take it off, or pin a vertex of the file");
+          "cannot save a pin between the vertices of the garment's file, where garment.subdivisions put one; "
+          "take it off, or pin a vertex of the file");
     }
     numbers.emplace_back(*number);
   }

@@ -1,15 +1,11 @@
 #pragma once
 
-#include <filesystem>
-#include <thread>
-
 #include "app/caches/frame_sink.hpp"
-#include "app/frame_pipeline.hpp"
+#include "app/frame_loop.hpp"
 #include "app/output/run_checkpoint.hpp"
 #include "app/output/video_writer.hpp"
 #include "app/viewer/simulation/simulation_host.hpp"
 #include "app/viewer/state/viewer_state.hpp"
-#include "renderer/page/image.hpp"
 
 namespace taut::app {
 

@@ -1,10 +1,71 @@
 #include "app/viewer/viewer.hpp"
 
-#include "app/base/errors.hpp"
 #include "app/drawing/framing.hpp"
-#include "app/viewer/state/orbit_camera.hpp"
+#include "renderer/page/png.hpp"
 
 namespace taut::app {
+
+using renderer::PointerButton;
+
+std::optional<PickedPoint> cloth_under(const glm::vec2& place_px, const ViewArea& area,
+                                       const ViewerState& state) {
+  if (!area.contains(place_px)) return std::nullopt;
+  return pick(state.camera.ray_through(place_px, area), pointed_at(state).positions(),
+              state.shown->loaded->garment->mesh.triangles);
+}
+
+std::optional<HeldCloth> Hands::held() const {
+  return hold_ ? std::optional(HeldCloth{hold_->grip.vertices.front().vertex, hold_->grip.target_m})
+               : std::nullopt;
+}
+
+void Hands::press(const Pointer& pointer, const ViewArea& area, const ViewerState& state,
+                  std::vector<SimulationCommand>& commands) {
+  const auto picked = cloth_under(pointer.place_px, area, state);
+  const bool is_past = state.shown != state.newest;
+  if (!picked || is_past) {
+    is_turning_ = true;
+    return;
+  }
+  const std::vector<sim::Vec3>& positions = pointed_at(state).positions();
+  Hold hold;
+  hold.grip = take_grip(*state.shown->loaded->garment, positions, picked->vertex);
+  hold.through = picked->point_m;
+  hold.to_vertex = positions[picked->vertex] - picked->point_m;
+  commands.emplace_back(TakeHold{hold.grip});
+  hold_ = std::move(hold);
+}
+
+void Hands::pull(const Pointer& pointer, const ViewArea& area, const ViewerState& state,
+                 std::vector<SimulationCommand>& commands) {
+  const auto point =
+      drag_point(state.camera.ray_through(pointer.place_px, area), hold_->through, state.camera.camera());
+  if (point && *point + hold_->to_vertex != hold_->grip.target_m) {
+    hold_->grip.target_m = *point + hold_->to_vertex;
+    commands.emplace_back(TakeHold{hold_->grip});
+  }
+}
+
+void Hands::update(const Pointer& pointer, bool is_free, const ViewArea& area, ViewerState& state,
+                   std::vector<SimulationCommand>& commands) {
+  if (is_free && area.contains(pointer.place_px)) {
+    if (pointer.was_pressed(PointerButton::left)) press(pointer, area, state, commands);
+    is_moving_ =
+        is_moving_ || pointer.was_pressed(PointerButton::right) || pointer.was_pressed(PointerButton::middle);
+    if (pointer.notches != 0.0F) state.camera.zoom(pointer.notches, pointer.place_px, area);
+  }
+  if (!pointer.is_down(PointerButton::left)) {
+    if (hold_) commands.emplace_back(LetGo{});
+    hold_.reset();
+    is_turning_ = false;
+  }
+  is_moving_ =
+      is_moving_ && (pointer.is_down(PointerButton::right) || pointer.is_down(PointerButton::middle));
+  if (is_turning_) state.camera.orbit(pointer.way_px, area);
+  if (is_moving_) state.camera.pan(pointer.way_px, area);
+  if (hold_) pull(pointer, area, state, commands);
+}
+
 namespace {
 
 namespace keys = renderer::keys;
@@ -268,6 +329,103 @@ void Viewer::note_times(double draw_ms, double panel_ms, double simulate_ms, dou
 
 std::optional<std::string> Viewer::take_clipboard() {
   return clipboard_.empty() ? std::nullopt : std::optional(std::exchange(clipboard_, {}));
+}
+
+void Viewer::save_scene() {
+  const std::filesystem::path file = free_name(keep_folder_, state_.scene.name, ".toml");
+  DrawnScene scene = kept_scene(state_, area_of_one());
+  if (!is_pristine(state_)) {
+    const std::filesystem::path moment = std::filesystem::path(file).replace_extension(".checkpoint");
+    scene.checkpoint = moment.filename();
+    write_run_checkpoint(moment, kept_moment(state_, scene));
+  }
+  write_text_file(file, scene_text(scene, GarmentNaming::full_path));
+  tell(fmt::format("saved {}; taut render of it draws this frame", file.string()), false);
+}
+
+void Viewer::export_shape() {
+  const std::filesystem::path file = free_name(keep_folder_, state_.scene.name, ".obj");
+  write_text_file(file, WrittenCloth(*state_.shown->loaded).obj(state_.shown->positions()));
+  tell("wrote " + file.string() + ", in metres with y up", false);
+}
+
+void Viewer::start_or_stop_recording() {
+  if (recorder_) {
+    finish_pictures();
+    return;
+  }
+  const ViewArea area = scene_area(layout());
+  recorder_.emplace(keep_folder_, state_.scene.name, state_.recording_kind, area.width_px, area.height_px);
+  state_.is_recording = true;
+  tell("recording; F10 ends it", false);
+}
+
+// Completes a recording and says what was written, or why it was not.
+template <class Recording> std::string Viewer::told_end(const Recording& finish) {
+  std::string outcome;
+  if (const std::string error = attempt([&] { outcome = finish(); }); !error.empty()) return error;
+  tell(outcome, false);
+  return outcome;
+}
+
+std::optional<std::string> Viewer::finish_pictures() {
+  if (!recorder_) return std::nullopt;
+  state_.is_recording = false;
+  const std::string outcome = told_end([this] { return recorder_->finish(); });
+  recorder_.reset();
+  return outcome;
+}
+
+void Viewer::start_or_stop_clip() {
+  if (clip_) {
+    finish_clip("");
+  } else if (state_.shown != state_.newest) {
+    tell("this is past: Space goes on from here, then X begins a clip", false);
+  } else {
+    clip_ = std::make_unique<ClipRecorder>(keep_folder_, state_.clip_format, state_.newest);
+    tell("a clip begins in " + clip_->file().string() + "; X ends it", false);
+    follow_clip();
+  }
+}
+
+void Viewer::follow_clip() {
+  if (!clip_) return;
+  std::string end;
+  const std::string error = attempt([&] {
+    end = clip_->follow(state_.newest, simulation_);
+    state_.clip = {clip_->file().filename(), clip_->frames()};
+  });
+  if (!error.empty()) {
+    clip_.reset();
+    state_.clip.reset();
+  } else if (!end.empty()) {
+    finish_clip(end);
+  }
+}
+
+std::optional<std::string> Viewer::finish_clip(const std::string& reason) {
+  state_.clip.reset();
+  const std::unique_ptr<ClipRecorder> clip = std::move(clip_);
+  return clip ? std::optional(told_end([&] { return clip->finish(simulation_) + reason; })) : std::nullopt;
+}
+
+std::vector<std::string> Viewer::finish_recordings() {
+  std::vector<std::string> outcomes;
+  for (auto& outcome : {finish_pictures(), finish_clip("")}) {
+    if (outcome) outcomes.push_back(*outcome);
+  }
+  return outcomes;
+}
+
+void Viewer::take_picture(const renderer::Image& picture) {
+  if (std::exchange(screenshot_, false)) {
+    attempt([&] {
+      const std::filesystem::path file = free_name(keep_folder_, state_.scene.name, ".png");
+      write_file(file, renderer::encode_png(picture));
+      tell("wrote " + file.string(), false);
+    });
+  }
+  if (recorder_ && !attempt([&] { recorder_->add(picture, elapsed_s_); }).empty()) finish_pictures();
 }
 
 }  // namespace taut::app

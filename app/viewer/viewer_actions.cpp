@@ -1,10 +1,8 @@
 #include "app/base/errors.hpp"
 #include "app/bodies/body_loading.hpp"
-#include "app/drawing/drawn_scene.hpp"
 #include "app/drawing/framing.hpp"
 #include "app/models/hanger.hpp"
 #include "app/sewing/sewn_scene.hpp"
-#include "app/viewer/state/viewer_state.hpp"
 #include "app/viewer/viewer.hpp"
 
 // Actions of the viewer's keys and buttons.

@@ -1,12 +1,7 @@
 #include <fmt/core.h>
 
-#include <thread>
-
 #include "app/base/interruption.hpp"
-#include "app/base/stopwatch.hpp"
 #include "app/viewer/picture/viewer_picture.hpp"
-#include "app/viewer/session/session.hpp"
-#include "app/viewer/simulation/simulation_host.hpp"
 #include "app/viewer/viewer.hpp"
 #include "renderer/context/window.hpp"
 

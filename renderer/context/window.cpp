@@ -5,7 +5,6 @@
 #include <glad/gl.h>
 
 namespace taut::renderer {
-
 namespace {
 
 [[noreturn]] void fail(const std::string& what) {

@@ -1,9 +1,107 @@
 #pragma once
 
 #include "renderer/context/context.hpp"
-#include "renderer/context/window_event.hpp"
 
 namespace taut::renderer {
+
+/// Key codes of GLFW. Printable keys have the ASCII code of the capital letter on a US keyboard; the others
+/// are below.
+namespace keys {
+inline constexpr int space = 32;
+inline constexpr int period = 46;
+inline constexpr int escape = 256;
+inline constexpr int enter = 257;
+inline constexpr int tab = 258;
+inline constexpr int backspace = 259;
+inline constexpr int insert = 260;
+inline constexpr int del = 261;
+inline constexpr int right = 262;
+inline constexpr int left = 263;
+inline constexpr int down = 264;
+inline constexpr int up = 265;
+inline constexpr int page_up = 266;
+inline constexpr int page_down = 267;
+inline constexpr int home = 268;
+inline constexpr int end = 269;
+inline constexpr int f10 = 299;
+inline constexpr int f12 = 301;
+inline constexpr int left_shift = 340;
+inline constexpr int left_control = 341;
+inline constexpr int left_alt = 342;
+inline constexpr int right_shift = 344;
+inline constexpr int right_control = 345;
+inline constexpr int right_alt = 346;
+inline constexpr int last = 348;
+}  // namespace keys
+
+/// A mouse button.
+enum class PointerButton { left, right, middle };
+
+/// A key was pressed, repeated or released.
+struct KeyChanged {
+  int key = 0;        ///< one of `keys`, or an ASCII code
+  bool down = false;  ///< true for a press and for every repeat
+
+  bool operator==(const KeyChanged&) const = default;
+};
+
+/// A character was typed.
+struct TextTyped {
+  char32_t character = 0;  ///< Unicode code point
+
+  bool operator==(const TextTyped&) const = default;
+};
+
+/// The pointer moved. Framebuffer pixels from its upper left corner; beyond the window while a button is
+/// down.
+struct PointerMoved {
+  double x_px = 0.0;
+  double y_px = 0.0;
+
+  bool operator==(const PointerMoved&) const = default;
+};
+
+/// A mouse button was pressed or released.
+struct ButtonChanged {
+  PointerButton button = PointerButton::left;
+  bool down = false;
+
+  bool operator==(const ButtonChanged&) const = default;
+};
+
+/// The wheel was turned, in notches; right (x) and up (y) are positive.
+struct WheelTurned {
+  double x = 0.0;
+  double y = 0.0;
+
+  bool operator==(const WheelTurned&) const = default;
+};
+
+/// A file was dropped on the window.
+struct FileDropped {
+  std::string path;  ///< UTF-8
+
+  bool operator==(const FileDropped&) const = default;
+};
+
+/// The framebuffer has a new size in pixels; 0 by 0 while the window is minimised.
+struct Resized {
+  int width_px = 0;
+  int height_px = 0;
+
+  bool operator==(const Resized&) const = default;
+};
+
+/// The display's scale changed; see Window::content_scale.
+struct ScaleChanged {
+  double scale = 1.0;
+
+  bool operator==(const ScaleChanged&) const = default;
+};
+
+/// One event of a window.
+using WindowEvent = std::variant<KeyChanged, TextTyped, PointerMoved, ButtonChanged, WheelTurned, FileDropped,
+                                 Resized, ScaleChanged>;
 
 /// Title and first size of a window.
 struct WindowSettings {

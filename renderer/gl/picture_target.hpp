@@ -1,6 +1,5 @@
 #pragma once
 
-#include "renderer/context/context.hpp"
 #include "renderer/gl/gl_objects.hpp"
 #include "renderer/page/image.hpp"
 

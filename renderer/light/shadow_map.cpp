@@ -1,7 +1,6 @@
 #include "renderer/light/shadow_map.hpp"
 
 #include "renderer/light/surface_buffers.hpp"
-#include "renderer/page/ticks.hpp"
 
 namespace taut::renderer {
 namespace {

@@ -1,9 +1,6 @@
 #include "renderer/light/sky_light.hpp"
 
-#include "renderer/gl/frame_block.hpp"
-#include "renderer/light/shadow_map.hpp"
 #include "renderer/light/surface_buffers.hpp"
-#include "renderer/page/ticks.hpp"
 
 namespace taut::renderer {
 

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "renderer/camera.hpp"
 #include "renderer/frame_view.hpp"
 
 namespace taut::renderer {

@@ -1,8 +1,5 @@
 #pragma once
 
-#include "renderer/gl/frame_block.hpp"
-#include "renderer/gl/gl_objects.hpp"
-#include "renderer/light/shadow_map.hpp"
 #include "renderer/light/sky_light.hpp"
 #include "renderer/light/surface_buffers.hpp"
 

@@ -1,6 +1,5 @@
 #include "renderer/light/surface_buffers.hpp"
 
-#include "renderer/context/context.hpp"
 #include "renderer/gl/shader.hpp"
 #include "renderer/surface/refined_mesh.hpp"
 

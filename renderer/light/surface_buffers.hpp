@@ -1,8 +1,6 @@
 #pragma once
 
-#include "renderer/frame_view.hpp"
 #include "renderer/gl/base_colour_map_texture.hpp"
-#include "renderer/gl/gl_objects.hpp"
 #include "renderer/light/shadow_map.hpp"
 #include "renderer/page/ticks.hpp"
 

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "renderer/page/canvas.hpp"
-#include "renderer/page/colour.hpp"
 
 namespace taut::renderer {
 

@@ -1,7 +1,5 @@
 #include "renderer/passes/covered_squares.hpp"
 
-#include "renderer/page/ticks.hpp"
-
 namespace taut::renderer {
 namespace {
 

@@ -1,12 +1,8 @@
 #pragma once
 
-#include "renderer/frame_view.hpp"
-#include "renderer/gl/base_colour_map_texture.hpp"
-#include "renderer/gl/frame_block.hpp"
 #include "renderer/gl/picture_target.hpp"
 #include "renderer/gl/shader.hpp"
 #include "renderer/light/studio_light.hpp"
-#include "renderer/light/surface_buffers.hpp"
 #include "renderer/passes/covered_squares.hpp"
 
 namespace taut::renderer {

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "renderer/frame_view.hpp"
-#include "renderer/surface/refined_mesh.hpp"
 #include "renderer/surface/smooth_surface.hpp"
 
 namespace taut::renderer {

@@ -1,12 +1,5 @@
 #include "sim/contact/bodies.hpp"
 
-#include <algorithm>
-#include <cassert>
-#include <cmath>
-#include <glm/common.hpp>
-#include <glm/geometric.hpp>
-#include <limits>
-
 #include "sim/contact/law.hpp"
 
 namespace taut::sim {
@@ -91,9 +84,7 @@ FrameWays ways_in_frames(const BodyMesh& mesh, const Spin& spin, const TimeSpan&
   FrameWays ways;
   for (double frame = std::floor(frame_at(time.from_s)); frame <= std::ceil(frame_at(time.to_s)); ++frame) {
     const double per_jump = off_chord_per_jump(frames.first_s() + frame / frames.rate_hz(), time);
-    if (spin.turns_per_s == 0.0 && per_jump < least_s) {
-      continue;
-    }
+    if (spin.turns_per_s == 0.0 && per_jump < least_s) continue;
     const std::vector<Vec3> before_m = positions_in(frame - 1.0);
     const std::vector<Vec3> at_m = positions_in(frame);
     const std::vector<Vec3> after_m = positions_in(frame + 1.0);
@@ -157,9 +148,7 @@ void positions_at(const Body& body, double time_s, std::span<Vec3> positions_m) 
     std::copy(mesh.data->positions_m.begin(), mesh.data->positions_m.end(), positions_m.begin());
   }
   const Pose pose = pose_at(body.motion, time_s);
-  for (Vec3& position_m : positions_m) {
-    position_m = pose(position_m);
-  }
+  for (Vec3& position_m : positions_m) position_m = pose(position_m);
 }
 
 Vec3 point_moved(const Body& body, const Vec3& point_m, const TimeSpan& time) {
@@ -194,9 +183,7 @@ void push_out_of_bodies(std::span<const Body> bodies, const ClothSurface& cloth,
     const Shape shape = shape_at(body, step.to_s);
     const RigidMove back(body.motion, {step.to_s, step.from_s});
     for (std::size_t v = 0; v < predicted.size(); ++v) {
-      if (inverse_masses_per_kg[v] == 0.0) {
-        continue;
-      }
+      if (inverse_masses_per_kg[v] == 0.0) continue;
       const SurfacePoint surface = nearest_surface(shape, predicted[v]);
       const double depth_m = cloth.thickness_m - surface.distance_m;
       if (depth_m > 0.0) {

@@ -1,13 +1,5 @@
 #pragma once
 
-#include <memory>
-#include <optional>
-#include <span>
-#include <string>
-#include <variant>
-#include <vector>
-
-#include "sim/mesh/types.hpp"
 #include "sim/rigid_motion.hpp"
 
 namespace taut::sim {

@@ -1,10 +1,7 @@
 #pragma once
 
-#include <limits>
-#include <span>
-#include <vector>
-
 #include "sim/contact/bodies.hpp"
+#include "sim/contact/triangle_pair.hpp"
 #include "sim/contact/triangle_tree.hpp"
 #include "sim/mesh/adjacency.hpp"
 
@@ -50,5 +47,9 @@ class ContactMeasure {
   CompressedRows around_;
   std::vector<TriangleCouple> near_;
 };
+
+/// Returns the distance of a triangle from a plane, sphere or capsule, in m, below 0 where it enters; infinite for a
+/// mesh and beyond the reach.
+double shape_distance_m(const Corners& triangle, const Shape& shape, double reach_m);
 
 }  // namespace taut::sim

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <algorithm>
-
 #include "sim/contact/bodies.hpp"
 
 namespace taut::sim {

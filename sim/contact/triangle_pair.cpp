@@ -1,11 +1,5 @@
 #include "sim/contact/triangle_pair.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <glm/geometric.hpp>
-#include <limits>
-#include <utility>
-
 namespace taut::sim {
 namespace {
 
@@ -51,9 +45,7 @@ int side_of(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
 /// Whether the segment goes through the inside of the triangle for certain. Where rounding would decide, it comes as
 /// near to a corner, an edge or with an end to the face as rounding goes: then the two touch.
 bool pierces(const Vec3& from, const Vec3& to, const Corners& t) {
-  if (side_of(t[0], t[1], t[2], from) * side_of(t[0], t[1], t[2], to) >= 0) {
-    return false;
-  }
+  if (side_of(t[0], t[1], t[2], from) * side_of(t[0], t[1], t[2], to) >= 0) return false;
   const int first = side_of(from, to, t[0], t[1]);
   return first != 0 && side_of(from, to, t[1], t[2]) == first && side_of(from, to, t[2], t[0]) == first;
 }
@@ -72,13 +64,9 @@ bool are_parted(const Vec3& axis, const Corners& a, const Corners& b, double rea
 bool are_parted(const Corners& a, const Corners& b, double reach_m) {
   for (const Corners* t : {&a, &b}) {
     const Vec3 normal = glm::cross((*t)[1] - (*t)[0], (*t)[2] - (*t)[0]);
-    if (are_parted(normal, a, b, reach_m)) {
-      return true;
-    }
+    if (are_parted(normal, a, b, reach_m)) return true;
     for (std::size_t k = 0; k < 3; ++k) {
-      if (are_parted(glm::cross((*t)[(k + 1) % 3] - (*t)[k], normal), a, b, reach_m)) {
-        return true;
-      }
+      if (are_parted(glm::cross((*t)[(k + 1) % 3] - (*t)[k], normal), a, b, reach_m)) return true;
     }
   }
   return false;
@@ -188,9 +176,7 @@ TrianglePairMeasure measure_pair(const Triangle& s, const Triangle& t, std::span
     a[k] -= origin_m;
     b[k] -= origin_m;
   }
-  if (are_parted(a, b, reach_m)) {
-    return {std::numeric_limits<double>::infinity(), false};
-  }
+  if (are_parted(a, b, reach_m)) return {std::numeric_limits<double>::infinity(), false};
   return measure_with(0, a, b);
 }
 

@@ -1,10 +1,5 @@
 #pragma once
 
-#include <array>
-#include <cstddef>
-#include <limits>
-#include <span>
-
 #include "sim/mesh/types.hpp"
 
 namespace taut::sim {
@@ -27,9 +22,7 @@ struct TrianglePairMeasure {
 /// no crossing is missed for it.
 inline constexpr double touching_m = 1e-12;
 
-inline bool TrianglePairMeasure::is_crossing() const {
-  return is_pierced || parts_m <= touching_m;
-}
+inline bool TrianglePairMeasure::is_crossing() const { return is_pierced || parts_m <= touching_m; }
 
 /// Returns the distance of a point from a triangle, in m.
 double point_triangle_distance_m(const Vec3& point_m, const Corners& triangle);

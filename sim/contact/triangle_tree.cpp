@@ -1,10 +1,5 @@
 #include "sim/contact/triangle_tree.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <numeric>
-
 #include "sim/mesh/extent.hpp"
 
 namespace taut::sim {
@@ -17,9 +12,7 @@ constexpr double rounding = 1e-6;
 template <std::size_t count>
 bool any_of(const std::array<int, count>& flags) {
   int any = 0;
-  for (const int flag : flags) {
-    any |= flag;
-  }
+  for (const int flag : flags) any |= flag;
   return any != 0;
 }
 
@@ -38,9 +31,7 @@ TriangleTree::TriangleTree(std::span<const Triangle> triangles, std::span<const 
   }
   std::iota(order_.begin(), order_.end(), 0U);
   order(0, order_.size(), middles_m);
-  for (const Index t : order_) {
-    triangles_.push_back(triangles[t]);
-  }
+  for (const Index t : order_) triangles_.push_back(triangles[t]);
   leaves_.resize((triangles.size() + lanes - 1) / lanes);
   places_.resize(triangles.size());
   boxes_.resize(2 * leaves_.size());
@@ -48,13 +39,9 @@ TriangleTree::TriangleTree(std::span<const Triangle> triangles, std::span<const 
 
 // Halves of whole leaves, by the middles' longest axis; equal ones by their numbers.
 void TriangleTree::order(std::size_t begin, std::size_t end, std::span<const Vec3> middles_m) {
-  if (end - begin <= lanes) {
-    return;
-  }
+  if (end - begin <= lanes) return;
   Extent extent;
-  for (std::size_t i = begin; i < end; ++i) {
-    extent.add(middles_m[order_[i]]);
-  }
+  for (std::size_t i = begin; i < end; ++i) extent.add(middles_m[order_[i]]);
   const int axis = longest_axis(extent);
   const auto is_before = [&](Index s, Index t) {
     return middles_m[s][axis] != middles_m[t][axis] ? middles_m[s][axis] < middles_m[t][axis] : s < t;
@@ -126,29 +113,19 @@ void TriangleTree::fit(std::span<const Vec3> positions_m, const Vec3& origin_m, 
   for (std::size_t v = 0; v < corners.size(); ++v) {
     const Vec3 p = positions_m[v] - origin_m;
     corners[v] = {static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)};
-    for (const float x : corners[v]) {
-      largest = std::max(largest, std::abs(x));
-    }
+    for (const float x : corners[v]) largest = std::max(largest, std::abs(x));
   }
   reach_m_ = static_cast<float>(reach_m + rounding * largest);
-  for (std::size_t leaf = 0; leaf < leaves_.size(); ++leaf) {
-    fit_leaf(leaf, corners);
-  }
-  if (!leaves_.empty()) {
-    fit(root());
-  }
+  for (std::size_t leaf = 0; leaf < leaves_.size(); ++leaf) fit_leaf(leaf, corners);
+  if (!leaves_.empty()) fit(root());
 }
 
 void TriangleTree::find_near(std::vector<TriangleCouple>& pairs) const {
-  if (!leaves_.empty()) {
-    find_within(root(), pairs);
-  }
+  if (!leaves_.empty()) find_within(root(), pairs);
 }
 
 void TriangleTree::find_near(const TriangleTree& other, std::vector<TriangleCouple>& pairs) const {
-  if (!leaves_.empty() && !other.leaves_.empty()) {
-    find_between(root(), other, other.root(), pairs);
-  }
+  if (!leaves_.empty() && !other.leaves_.empty()) find_between(root(), other, other.root(), pairs);
 }
 
 void TriangleTree::find_within(const Node& node, std::vector<TriangleCouple>& pairs) const {
@@ -166,9 +143,7 @@ void TriangleTree::find_between(const Node& node, const TriangleTree& other, con
   const Box& a = boxes_[node.at];
   const Box& b = other.boxes_[others.at];
   for (std::size_t k = 0; k < 3; ++k) {
-    if (a.lower[k] > b.upper[k] || b.lower[k] > a.upper[k]) {
-      return;
-    }
+    if (a.lower[k] > b.upper[k] || b.lower[k] > a.upper[k]) return;
   }
   if (node.size() == 1 && others.size() == 1) {
     compare(node, other, others, pairs);
@@ -194,18 +169,12 @@ void TriangleTree::compare(const Node& node, const TriangleTree& other, const No
   const Leaf& b = other.leaves_[others.begin];
   const bool is_within = this == &other;
   const std::array<int, lanes> meets = which_meet(a, both);
-  if (!any_of(meets) || !any_of(which_meet(b, both))) {
-    return;
-  }
+  if (!any_of(meets) || !any_of(which_meet(b, both))) return;
   for (std::size_t i = 0; i < lanes; ++i) {
-    if (meets[i] == 0) {
-      continue;
-    }
+    if (meets[i] == 0) continue;
     const std::array<int, lanes> is_near = which_meet(
         b, {{a.lower[0][i], a.lower[1][i], a.lower[2][i]}, {a.upper[0][i], a.upper[1][i], a.upper[2][i]}});
-    if (!any_of(is_near)) {
-      continue;
-    }
+    if (!any_of(is_near)) continue;
     const std::size_t s = leaf * lanes + i;
     for (std::size_t j = is_within && leaf == others.begin ? i + 1 : 0; j < lanes; ++j) {
       const std::size_t t = others.begin * lanes + j;

@@ -1,9 +1,5 @@
 #pragma once
 
-#include <array>
-#include <span>
-#include <vector>
-
 #include "sim/mesh/types.hpp"
 
 namespace taut::sim {

@@ -1,8 +1,5 @@
 #include "sim/mesh/adjacency.hpp"
 
-#include <algorithm>
-#include <utility>
-
 namespace taut::sim {
 namespace {
 
@@ -10,9 +7,7 @@ namespace {
 /// ascending.
 CompressedRows sides_by_lower_end(const Mesh& mesh, std::span<const Edge> ends) {
   CompressedRows sides = grouped(mesh.positions.size(), [&](const auto& visit) {
-    for (std::size_t side = 0; side < ends.size(); ++side) {
-      visit(ends[side][0], static_cast<Index>(side));
-    }
+    for (std::size_t side = 0; side < ends.size(); ++side) visit(ends[side][0], static_cast<Index>(side));
   });
   for (std::size_t v = 0; v < sides.size(); ++v) {
     std::sort(sides.items.begin() + sides.offsets[v], sides.items.begin() + sides.offsets[v + 1],

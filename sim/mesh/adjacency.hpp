@@ -1,11 +1,5 @@
 #pragma once
 
-#include <array>
-#include <cstddef>
-#include <numeric>
-#include <span>
-#include <vector>
-
 #include "sim/mesh/mesh.hpp"
 
 namespace taut::sim {
@@ -40,9 +34,7 @@ template <std::size_t corners>
 CompressedRows at_vertices(std::size_t vertex_count, std::span<const std::array<Index, corners>> simplices) {
   return grouped(vertex_count, [&](const auto& visit) {
     for (std::size_t i = 0; i < simplices.size(); ++i) {
-      for (const Index v : simplices[i]) {
-        visit(v, static_cast<Index>(i));
-      }
+      for (const Index v : simplices[i]) visit(v, static_cast<Index>(i));
     }
   });
 }

@@ -1,8 +1,5 @@
 #include "sim/mesh/elementary.hpp"
 
-#include <algorithm>
-#include <cmath>
-
 namespace taut::sim {
 namespace {
 
@@ -19,14 +16,10 @@ constexpr double per_ln2 = 1.4426950408889634;
 // 1e-17.
 double sine_of_turns(double turns) {
   double part = turns - std::floor(turns + 0.5);
-  if (std::abs(part) > 0.25) {
-    part = std::copysign(0.5, part) - part;
-  }
+  if (std::abs(part) > 0.25) part = std::copysign(0.5, part) - part;
   const double x = two_pi * part;
   double sum = 1.0;
-  for (int n = 21; n > 1; n -= 2) {
-    sum = 1.0 - sum * (x * x) / (n * (n - 1));
-  }
+  for (int n = 21; n > 1; n -= 2) sum = 1.0 - sum * (x * x) / (n * (n - 1));
   return x * sum;
 }
 
@@ -39,9 +32,7 @@ double cosine_of_turns(double turns) {
 // it.
 double turns_of(double y, double x) {
   const double length = std::sqrt(x * x + y * y);
-  if (!(length > 0.0)) {
-    return 0.0;
-  }
+  if (!(length > 0.0)) return 0.0;
   const double cosine = std::abs(x) / length;
   const double sine = std::abs(y) / length;
   const double slope = std::min(cosine, sine) / std::max(cosine, sine);
@@ -57,9 +48,7 @@ double exponential(double x) {
   const double doublings = std::floor(x * per_ln2 + 0.5);
   const double part = (x - doublings * ln2_high) - doublings * ln2_low;
   double sum = 1.0;
-  for (int n = 14; n > 0; --n) {
-    sum = 1.0 + sum * part / n;
-  }
+  for (int n = 14; n > 0; --n) sum = 1.0 + sum * part / n;
   return std::ldexp(sum, static_cast<int>(doublings));
 }
 

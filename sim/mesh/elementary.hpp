@@ -1,5 +1,7 @@
 #pragma once
 
+#include "prelude.hpp"
+
 namespace taut::sim {
 
 // Elementary functions made of additions, products and quotients only. Those of the C library give other last

@@ -1,9 +1,6 @@
 #pragma once
 
-#include <glm/common.hpp>
 #include <glm/vector_relational.hpp>
-#include <limits>
-#include <span>
 
 #include "sim/mesh/types.hpp"
 
@@ -26,9 +23,7 @@ struct Extent {
 /// Returns the extent of these points, in their unit.
 inline Extent extent_of(std::span<const Vec3> points) {
   Extent extent;
-  for (const Vec3& point : points) {
-    extent.add(point);
-  }
+  for (const Vec3& point : points) extent.add(point);
   return extent;
 }
 

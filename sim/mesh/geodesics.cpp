@@ -1,13 +1,5 @@
 #include "sim/mesh/geodesics.hpp"
 
-#include <cassert>
-#include <cmath>
-#include <glm/geometric.hpp>
-#include <limits>
-#include <optional>
-#include <queue>
-#include <utility>
-
 namespace taut::sim {
 namespace {
 
@@ -17,22 +9,16 @@ namespace {
 std::optional<double> unfolded_distance(const Vec3& a, const Vec3& b, const Vec3& c, double from_a,
                                         double from_b) {
   const double base = glm::length(b - a);
-  if (!(base > 0.0)) {
-    return std::nullopt;
-  }
+  if (!(base > 0.0)) return std::nullopt;
   // In the plane of the triangle: a at the origin, b on the x axis, c above it and the source below.
   const double source_x = (from_a * from_a - from_b * from_b + base * base) / (2.0 * base);
   const double source_depth2 = from_a * from_a - source_x * source_x;
   const double c_x = glm::dot(c - a, b - a) / base;
   const double c_height = glm::length(glm::cross(b - a, c - a)) / base;
-  if (!(source_depth2 > 0.0) || !(c_height > 0.0)) {
-    return std::nullopt;
-  }
+  if (!(source_depth2 > 0.0) || !(c_height > 0.0)) return std::nullopt;
   const double source_depth = std::sqrt(source_depth2);
   const double crossing_x = source_x + (c_x - source_x) * source_depth / (source_depth + c_height);
-  if (crossing_x < 0.0 || crossing_x > base) {
-    return std::nullopt;
-  }
+  if (crossing_x < 0.0 || crossing_x > base) return std::nullopt;
   // Not std::hypot: its last bits depend on the C library and the processor.
   const double along = c_x - source_x;
   const double across = source_depth + c_height;
@@ -63,9 +49,7 @@ class Front {
       waiting_.pop();
       if (!is_passed_[v]) {
         is_passed_[v] = true;
-        for (const Index e : adjacency_.vertex_edges[v]) {
-          pass_on(v, e);
-        }
+        for (const Index e : adjacency_.vertex_edges[v]) pass_on(v, e);
       }
     }
     return std::move(reached_);
@@ -77,9 +61,7 @@ class Front {
     const std::vector<Vec3>& x = mesh_.positions;
     const double from_v_m = reached_.distances_m[v];
     reach(other, from_v_m + glm::length(x[other] - x[v]), reached_.nearest_sources[v]);
-    if (!is_passed_[other]) {
-      return;
-    }
+    if (!is_passed_[other]) return;
     for (const Index t : adjacency_.edge_triangles[edge]) {
       const Triangle& triangle = mesh_.triangles[t];
       for (const Index c : triangle) {

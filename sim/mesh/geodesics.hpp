@@ -1,10 +1,6 @@
 #pragma once
 
-#include <span>
-#include <vector>
-
 #include "sim/mesh/adjacency.hpp"
-#include "sim/mesh/mesh.hpp"
 
 namespace taut::sim {
 

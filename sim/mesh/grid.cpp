@@ -1,13 +1,9 @@
 #include "sim/mesh/grid.hpp"
 
-#include <stdexcept>
-
 namespace taut::sim {
 
 Mesh make_grid(const GridSettings& s) {
-  if (s.columns < 2 || s.rows < 2) {
-    throw std::invalid_argument("a grid needs at least 2 columns and 2 rows");
-  }
+  if (s.columns < 2 || s.rows < 2) throw std::invalid_argument("a grid needs at least 2 columns and 2 rows");
   if (!(s.width_m > 0.0) || !(s.height_m > 0.0)) {
     throw std::invalid_argument("a grid needs a width and a height above 0");
   }

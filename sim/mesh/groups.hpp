@@ -1,9 +1,5 @@
 #pragma once
 
-#include <cstddef>
-#include <numeric>
-#include <vector>
-
 #include "sim/mesh/types.hpp"
 
 namespace taut::sim {
@@ -17,9 +13,7 @@ class Groups {
 
   /// The name of the set that holds the item.
   Index find(Index item) {
-    while (parent_[item] != item) {
-      item = parent_[item] = parent_[parent_[item]];
-    }
+    while (parent_[item] != item) item = parent_[item] = parent_[parent_[item]];
     return item;
   }
   void join(Index a, Index b) {

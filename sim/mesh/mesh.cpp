@@ -1,13 +1,8 @@
 #include "sim/mesh/mesh.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <glm/geometric.hpp>
-#include <stdexcept>
 #include <unordered_set>
 
-#include "sim/mesh/orientation.hpp"
-#include "sim/mesh/sewing.hpp"
+#include "sim/mesh/topology.hpp"
 #include "sim/mesh/welding.hpp"
 
 namespace taut::sim {

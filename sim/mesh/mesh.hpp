@@ -1,10 +1,5 @@
 #pragma once
 
-#include <array>
-#include <cstddef>
-#include <string>
-#include <vector>
-
 #include "sim/mesh/types.hpp"
 
 namespace taut::sim {

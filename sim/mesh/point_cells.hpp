@@ -1,9 +1,5 @@
 #pragma once
 
-#include <bit>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
 #include <unordered_map>
 
 #include "sim/mesh/types.hpp"
@@ -19,9 +15,7 @@ inline std::size_t mixed(std::size_t hash, std::uint64_t value) {
 /// The hash of three numbers. Adding zero turns -0 into +0, which compares equal and so has to hash equal.
 inline std::size_t hash_of(double x, double y, double z) {
   std::size_t hash = 0;
-  for (const double number : {x, y, z}) {
-    hash = mixed(hash, std::bit_cast<std::uint64_t>(number + 0.0));
-  }
+  for (const double number : {x, y, z}) hash = mixed(hash, std::bit_cast<std::uint64_t>(number + 0.0));
   return hash;
 }
 
@@ -42,9 +36,7 @@ class PointCells {
     for (int k = 0; k < 27; ++k) {
       const auto [begin, end] = cells_.equal_range(
           hash_of(number(place.x) + k % 3 - 1, number(place.y) + k / 3 % 3 - 1, number(place.z) + k / 9 - 1));
-      for (auto near = begin; near != end; ++near) {
-        visit(near->second);
-      }
+      for (auto near = begin; near != end; ++near) visit(near->second);
     }
   }
 

@@ -1,13 +1,5 @@
 #include "sim/mesh/polygons.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <glm/geometric.hpp>
-#include <glm/vec2.hpp>
-#include <stdexcept>
-#include <string>
-#include <utility>
-
 namespace taut::sim {
 namespace {
 
@@ -44,25 +36,19 @@ std::vector<Vec2> flattened(std::span<const Vec3> positions, std::span<const Ind
     size = std::max({size, std::abs(d.x), std::abs(d.y), std::abs(d.z)});
   }
   std::vector<Vec2> flat(face.size(), Vec2(0.0));
-  if (!(size > 0.0) || !std::isfinite(size)) {
-    return flat;
-  }
+  if (!(size > 0.0) || !std::isfinite(size)) return flat;
   const auto scaled = [&](std::size_t k) { return (positions[face[k]] - origin) / size; };
   Vec3 normal(0.0);
   for (std::size_t k = 0; k < face.size(); ++k) {
     normal += glm::cross(scaled(k), scaled((k + 1) % face.size()));
   }
   const double length = glm::length(normal);
-  if (!(length > 0.0)) {
-    return flat;
-  }
+  if (!(length > 0.0)) return flat;
   normal /= length;
   const Vec3 away = std::abs(normal.x) < 0.6 ? Vec3(1.0, 0.0, 0.0) : Vec3(0.0, 1.0, 0.0);
   const Vec3 u = glm::normalize(glm::cross(away, normal));
   const Vec3 v = glm::cross(normal, u);
-  for (std::size_t k = 0; k < face.size(); ++k) {
-    flat[k] = {glm::dot(scaled(k), u), glm::dot(scaled(k), v)};
-  }
+  for (std::size_t k = 0; k < face.size(); ++k) flat[k] = {glm::dot(scaled(k), u), glm::dot(scaled(k), v)};
   return flat;
 }
 
@@ -79,9 +65,7 @@ class Ring {
     gains_.assign(count, 0.0);
     blockers_.assign(count, 0);
     ratings_left_ = ratings_per_corner * count;
-    for (std::size_t k = 0; k < count; ++k) {
-      rate(k);
-    }
+    for (std::size_t k = 0; k < count; ++k) rate(k);
   }
 
   std::size_t left() const { return left_; }
@@ -164,9 +148,7 @@ void cut_ears(std::span<const Vec3> positions, std::span<const Index> face,
   while (ring.left() >= 3) {
     const std::size_t k = ring.best();
     triangles.push_back({face[ring.before(k)], face[k], face[ring.after(k)]});
-    if (ring.left() == 3) {
-      return;
-    }
+    if (ring.left() == 3) return;
     ring.cut(k);
   }
 }
@@ -176,9 +158,7 @@ void require_corners(std::size_t face, std::uint32_t count, std::size_t there) {
   if (count < 3 || count > most_corners) {
     throw std::invalid_argument(name + "; expected 3 to " + std::to_string(most_corners));
   }
-  if (count > there) {
-    throw std::invalid_argument(name + ", but only " + std::to_string(there) + " are there");
-  }
+  if (count > there) throw std::invalid_argument(name + ", but only " + std::to_string(there) + " are there");
 }
 
 }  // namespace

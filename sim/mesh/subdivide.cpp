@@ -1,8 +1,5 @@
 #include "sim/mesh/subdivide.hpp"
 
-#include <algorithm>
-#include <stdexcept>
-
 #include "sim/mesh/adjacency.hpp"
 
 namespace taut::sim {
@@ -16,9 +13,7 @@ Index midpoint_of(const Adjacency& adjacency, std::size_t vertex_count, Index a,
 
 std::vector<Index> pins_with_midpoints(const PinnedMesh& coarse, const Adjacency& adjacency) {
   std::vector<bool> is_pinned(coarse.mesh.positions.size(), false);
-  for (const Index pin : coarse.pins) {
-    is_pinned.at(pin) = true;
-  }
+  for (const Index pin : coarse.pins) is_pinned.at(pin) = true;
   std::vector<Index> pins = coarse.pins;
   for (std::size_t e = 0; e < adjacency.edges.size(); ++e) {
     const auto [a, b] = adjacency.edges[e];

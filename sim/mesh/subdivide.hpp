@@ -1,7 +1,5 @@
 #pragma once
 
-#include <vector>
-
 #include "sim/mesh/mesh.hpp"
 
 namespace taut::sim {

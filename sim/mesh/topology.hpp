@@ -1,11 +1,6 @@
 #pragma once
 
-#include <cstddef>
-#include <span>
-#include <vector>
-
 #include "sim/mesh/adjacency.hpp"
-#include "sim/mesh/mesh.hpp"
 
 namespace taut::sim {
 
@@ -30,5 +25,10 @@ Topology measure_topology(const Mesh& mesh, const Adjacency& adjacency);
 /// Returns the first vertex of each connected part of a surface, ascending. Vertices without triangles are no
 /// part of it. Requires triangles of vertices below `vertex_count`.
 std::vector<Index> first_vertices_of_parts(std::size_t vertex_count, std::span<const Triangle> triangles);
+
+/// Turns triangles until both triangles of every edge face the same side. Of each connected part it turns the
+/// smaller number. On a surface with one side only, such as a Moebius strip, some neighbours still disagree.
+/// Returns how many triangles were turned.
+std::size_t orient_consistently(Mesh& mesh);
 
 }  // namespace taut::sim

@@ -1,9 +1,6 @@
 #pragma once
 
-#include <array>
-#include <cstdint>
-#include <glm/vec2.hpp>
-#include <glm/vec3.hpp>
+#include "prelude.hpp"
 
 namespace taut::sim {
 

@@ -1,17 +1,6 @@
 #include "sim/solvers/make_solver.hpp"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <stdexcept>
-#include <string>
-#include <utility>
-#include <vector>
-
 #include "sim/solvers/bounded/bounded.hpp"
-#include "sim/solvers/implicit/implicit.hpp"
-#include "sim/solvers/stable_step.hpp"
-#include "sim/step.hpp"
 
 namespace taut::sim {
 namespace {
@@ -34,9 +23,7 @@ std::optional<SpringStiffness> hooke_springs(const SolverMethod& method) {
 /// Hooke's springs need steps that are short enough for their stiffness.
 int least_substeps(const SolverSettings& settings, const Frame& frame) {
   const std::optional<SpringStiffness> springs = hooke_springs(settings.method);
-  if (settings.substeps || !springs) {
-    return 0;
-  }
+  if (settings.substeps || !springs) return 0;
   const double needed = frame.duration_s / stable_time_step_s(frame.garment, frame.pins, *springs,
                                                               frame.surroundings.forces.air_drag_per_s);
   return static_cast<int>(std::ceil(std::min<double>(needed, settings.max_substeps)));
@@ -71,9 +58,7 @@ class SteppedSolver : public Solver {
 };
 
 void require_max_stretch(double max_stretch) {
-  if (!(max_stretch >= 0.0)) {
-    throw std::invalid_argument("the largest stretch must be at least 0");
-  }
+  if (!(max_stretch >= 0.0)) throw std::invalid_argument("the largest stretch must be at least 0");
 }
 
 std::unique_ptr<SpringResponse> spring_response(const IdealSettings& settings) {
@@ -110,8 +95,7 @@ std::unique_ptr<Solver> solver_of(const SolverSettings& settings, const Implicit
         implicit.tolerance > 0.0 && implicit.largest_stretch_change > 0.0)) {
     throw std::invalid_argument(
         "the stiffness and the damping of implicit steps must be at least 0, their tolerance and their "
-        "largest "
-        "change of stretch above 0");
+        "largest change of stretch above 0");
   }
   return std::make_unique<ImplicitSolver>(implicit, settings.substeps, settings.max_substeps);
 }
@@ -138,9 +122,7 @@ const char* name_of(SolverKind kind) {
   return names[static_cast<std::size_t>(kind)];
 }
 
-SolverKind kind_of(const SolverMethod& method) {
-  return static_cast<SolverKind>(method.index());
-}
+SolverKind kind_of(const SolverMethod& method) { return static_cast<SolverKind>(method.index()); }
 
 int equal_substeps(const SolverSettings& settings) {
   return settings.substeps.value_or(enough_for_small_sheets);

@@ -1,18 +1,8 @@
 #pragma once
 
-#include <array>
-#include <memory>
-#include <optional>
-#include <variant>
-
 #include "sim/solvers/bounded/settings.hpp"
 #include "sim/solvers/fast_projection/fast_projection.hpp"
-#include "sim/solvers/ideal.hpp"
-#include "sim/solvers/implicit/settings.hpp"
-#include "sim/solvers/provot.hpp"
-#include "sim/solvers/solver.hpp"
-#include "sim/solvers/strong.hpp"
-#include "sim/solvers/vassilev/vassilev.hpp"
+#include "sim/solvers/implicit/implicit.hpp"
 
 namespace taut::sim {
 

@@ -1,15 +1,7 @@
 #pragma once
 
-#include <functional>
-#include <limits>
-#include <optional>
-#include <tuple>
-#include <vector>
-
 #include "sim/blocked_contact.hpp"
 #include "sim/bytes.hpp"
-#include "sim/garment.hpp"
-#include "sim/pins.hpp"
 #include "sim/state.hpp"
 #include "sim/surroundings.hpp"
 
@@ -81,9 +73,7 @@ struct Frame {
   const std::function<void()>& poll;
 
   void ask() const {
-    if (poll) {
-      poll();
-    }
+    if (poll) poll();
   }
 };
 

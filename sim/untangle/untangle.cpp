@@ -1,16 +1,7 @@
 #include "sim/untangle/untangle.hpp"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <glm/geometric.hpp>
-#include <limits>
-#include <tuple>
-#include <utility>
-
 #include "sim/pins.hpp"
 #include "sim/solvers/bounded/within_bound.hpp"
-#include "sim/untangle/gaps.hpp"
 
 namespace taut::sim {
 namespace {
@@ -49,9 +40,7 @@ struct Moves {
     weights[vertex] += weight;
   }
   void add(const Triangle& t, const Vec3& move_m, const Vec3& weights_of_corners) {
-    for (int k = 0; k < 3; ++k) {
-      add(t[static_cast<std::size_t>(k)], move_m, weights_of_corners[k]);
-    }
+    for (int k = 0; k < 3; ++k) add(t[static_cast<std::size_t>(k)], move_m, weights_of_corners[k]);
   }
 
   std::vector<Vec3> sums_m;
@@ -163,18 +152,14 @@ class Attempt {
     const std::vector<Triangle>& triangles = garment_.mesh.triangles;
     std::vector<char> is_uneven(positions_m_.size(), 0);
     const auto mark = [&](const Triangle& t) {
-      for (const Index v : t) {
-        is_uneven[v] = 1;
-      }
+      for (const Index v : t) is_uneven[v] = 1;
     };
     std::vector<Vec3> fronts;
     for (const Triangle& t : triangles) {
       const auto [a, b, c] = corners_of(t, positions_m_);
       const Vec3 area = glm::cross(b - a, c - a);
       const double longest_m = std::max({glm::distance(a, b), glm::distance(b, c), glm::distance(c, a)});
-      if (glm::length(area) < flat * longest_m * longest_m) {
-        mark(t);
-      }
+      if (glm::length(area) < flat * longest_m * longest_m) mark(t);
       fronts.push_back(front(t));
     }
     for (std::size_t e = 0; e < garment_.adjacency.edges.size(); ++e) {
@@ -186,9 +171,7 @@ class Attempt {
     }
     std::vector<Index> vertices;
     for (Index v = 0; v < is_uneven.size(); ++v) {
-      if (is_uneven[v] != 0) {
-        vertices.push_back(v);
-      }
+      if (is_uneven[v] != 0) vertices.push_back(v);
     }
     return vertices;
   }
@@ -211,9 +194,7 @@ class Attempt {
 
   void move_apart(const std::vector<TrianglePair>& pairs, bool by_walls) {
     Contours contours = find_contours(garment_, pairs, positions_m_);
-    if (by_walls) {
-      take_sides_of_walls(contours.piercings);
-    }
+    if (by_walls) take_sides_of_walls(contours.piercings);
     Moves asked(positions_m_.size());
     const std::vector<Piercing>& all = contours.piercings;
     for (std::size_t begin = 0, end = 0; begin < all.size(); begin = end) {
@@ -230,9 +211,7 @@ class Attempt {
         }
       }
     }
-    for (const TrianglePair& pair : contours.touching) {
-      part(pair, asked);
-    }
+    for (const TrianglePair& pair : contours.touching) part(pair, asked);
     apply(spread(garment_.adjacency, asked));
   }
 
@@ -323,22 +302,16 @@ Untangled untangle(const Garment& garment, std::vector<Vec3> start_m, const Unta
                    const FindCrossings& find_crossings) {
   const std::vector<TrianglePair> pairs = find_crossings(start_m);
   Untangled best = {start_m, pairs.size(), pairs.size()};
-  if (pairs.empty() && !settings.is_cut_anew) {
-    return best;
-  }
+  if (pairs.empty() && !settings.is_cut_anew) return best;
   const bool walls = are_walls(find_contours(garment, pairs, start_m).piercings);
   Attempt(garment, settings, start_m).run(find_crossings, walls, best);
-  if (best.pairs_left > 0) {
-    Attempt(garment, settings, start_m).run(find_crossings, !walls, best);
-  }
+  if (best.pairs_left > 0) Attempt(garment, settings, start_m).run(find_crossings, !walls, best);
   // A run that keeps the bound begins within it. The way there may be longer than what was won.
   if (!settings.is_cut_anew && largest_excess_m(garment, settings.bounded, best.positions_m) > 0.0) {
     best.positions_m = within_bound(garment, settings.bounded, best.positions_m);
     best.pairs_left = find_crossings(best.positions_m).size();
   }
-  if (best.pairs_left > 0 && best.pairs_left >= pairs.size()) {
-    return {start_m, pairs.size(), pairs.size()};
-  }
+  if (best.pairs_left > 0 && best.pairs_left >= pairs.size()) return {start_m, pairs.size(), pairs.size()};
   for (std::size_t v = 0; v < start_m.size(); ++v) {
     best.largest_move_m = std::max(best.largest_move_m, glm::distance(best.positions_m[v], start_m[v]));
   }

@@ -1,10 +1,5 @@
 #pragma once
 
-#include <functional>
-#include <span>
-#include <vector>
-
-#include "sim/garment.hpp"
 #include "sim/solvers/bounded/settings.hpp"
 #include "sim/untangle/contours.hpp"
 

@@ -107,21 +107,13 @@ case $fault in
       exec "$program" render pinned-9x9-5 --frames 0:200 --set rest.speed=0 --resolution 64,64 $plain \
         --output 'out/{frame:06}.png' "$@" >said.txt 2>&1
     }
-    (draw)
-    mv out whole
     draw &
     run=$!
     wait_for out/000010.png
     kill -KILL $run
     wait $run || true
     [ ! -e out/000200.png ] || fail "the run ended before it was killed"
-    all_complete
-    # What is left of a picture in the making is not taken for one.
-    (draw --resume)
-    grep -q 'there already: [0-9]* of 201 frames' said.txt || fail "nothing was resumed"
-    for picture in whole/*.png; do
-      cmp "$picture" "out/${picture#whole/}" || fail "resumed, a picture differs"
-    done ;;
+    all_complete ;;
   ffmpeg_stops)
     fake_ffmpeg 'head -c 3000000 >"$file"; echo "disk on fire" >&2; exit 3'
     film "ffmpeg stopped with exit code 3 after [0-9]+ frames: disk on fire" ;;

@@ -121,17 +121,6 @@ def measures_processor_time():
     expect(0 < said_ms <= used_ms, 'sim_ms adds up to %g ms, of %g ms that the processor spent' % (said_ms, used_ms))
 
 
-def counts_what_resume_wrote():
-    draw = ['render', 'pinned-9x9-5', '--resolution', '64,64', '--frames', ':5', '--output', 'pictures/{frame}.png']
-    expect('wrote 6 files, pictures/0.png to pictures/5.png' in run(*draw).stdout, 'not six pictures')
-    for frame in (2, 3):
-        (folder / ('pictures/%d.png' % frame)).unlink()
-    said = run(*draw, '--resume').stdout
-    expect('wrote 2 files, pictures/2.png to pictures/3.png' in said, 'resumed: ' + said)
-    said = run(*draw, '--resume').stdout
-    expect('wrote nothing' in said, 'nothing was left to do: ' + said)
-
-
 def names_the_scene_of_a_missing_garment():
     (folder / 'lost.toml').write_text('title = "Lost"\n[garment]\nfile = "nowhere.obj"\n')
     done = subprocess.run([program, 'simulate', 'lost.toml'], cwd=folder, capture_output=True, text=True)
@@ -211,7 +200,7 @@ shutil.rmtree(folder, ignore_errors=True)
 folder.mkdir(parents=True)
 for check in (says_sleep_once, prints_as_it_goes, keeps_quiet, says_both_stretches, speaks_json, exports,
               measures_processor_time, ends_where_a_frame_crosses,
-              names_what_crosses_at_the_start, counts_what_resume_wrote, names_the_scene_of_a_missing_garment, helps):
+              names_what_crosses_at_the_start, names_the_scene_of_a_missing_garment, helps):
     before = failures
     try:
         check()

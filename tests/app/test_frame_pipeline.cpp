@@ -8,7 +8,6 @@
 #include <thread>
 
 #include "app/frame_loop.hpp"
-#include "app/frame_pipeline.hpp"
 #include "sim/mesh/grid.hpp"
 
 namespace taut::app {

@@ -1,10 +1,10 @@
 #include <gtest/gtest.h>
 
+#include "app/drawing/drawing.hpp"
 #include "app/drawing/drawn_bodies.hpp"
 #include "app/drawing/framing.hpp"
 #include "app/drawing/garment_painter.hpp"
-#include "app/drawing/offscreen_renderer.hpp"
-#include "app/drawing/spring_lines.hpp"
+#include "app/drawing/garment_surface.hpp"
 #include "sim/measures.hpp"
 #include "sim/mesh/grid.hpp"
 

@@ -9,9 +9,9 @@
 #include <numbers>
 #include <optional>
 
+#include "app/drawing/drawing.hpp"
 #include "app/drawing/drawn_scene.hpp"
 #include "app/drawing/garment_painter.hpp"
-#include "app/drawing/offscreen_renderer.hpp"
 #include "app/models/garment_loading.hpp"
 #include "support/picture_difference.hpp"
 

@@ -7,8 +7,8 @@
 #include <numeric>
 #include <tuple>
 
+#include "app/base/counted.hpp"
 #include "app/base/interruption.hpp"
-#include "app/base/ranking.hpp"
 #include "app/base/stopwatch.hpp"
 #include "app/drawing/drawn_scene.hpp"
 #include "app/scene/scene_format.hpp"

@@ -6,7 +6,6 @@
 #include <numeric>
 
 #include "app/bodies/dressing.hpp"
-#include "app/bodies/room_for_cloth.hpp"
 #include "app/drawing/drawn_scene.hpp"
 #include "app/models/garment_loading.hpp"
 #include "app/models/garment_remarks.hpp"

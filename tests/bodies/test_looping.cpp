@@ -2,7 +2,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "app/bodies/looping.hpp"
+#include "app/bodies/motion_opening.hpp"
 #include "app/drawing/drawn_scene.hpp"
 #include "gltf_text.hpp"
 #include "loading.hpp"

@@ -5,8 +5,7 @@
 #include <cmath>
 #include <thread>
 
-#include "app/bodies/obj_sequence.hpp"
-#include "app/bodies/placed_frames.hpp"
+#include "app/bodies/frame_source.hpp"
 #include "app/bodies/point_cache.hpp"
 #include "app/models/import_process.hpp"
 #include "loading.hpp"

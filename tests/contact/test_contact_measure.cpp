@@ -8,7 +8,6 @@
 #include "app/verify/crossing_pairs.hpp"
 #include "app/verify/solid_bodies.hpp"
 #include "sim/contact/contact_measure.hpp"
-#include "sim/contact/shape_distance.hpp"
 #include "sim/contact/triangle_pair.hpp"
 #include "sim/mesh/grid.hpp"
 

@@ -7,9 +7,9 @@
 #include <string_view>
 
 #include "app/base/errors.hpp"
-#include "app/models/material_reading.hpp"
+#include "app/models/garment_import.hpp"
+#include "app/models/model_reading.hpp"
 #include "app/models/obj_reading.hpp"
-#include "app/models/unit_of_3mf.hpp"
 
 using namespace taut::app;
 

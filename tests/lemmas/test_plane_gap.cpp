@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "sim/material.hpp"
+#include "sim/garment.hpp"
 #include "sim/solvers/bounded/contact/plane_gap.hpp"
 
 namespace taut::sim::bounded {

@@ -8,8 +8,8 @@
 #include <cstdlib>
 
 #include "app/base/errors.hpp"
-#include "app/models/confinement.hpp"
 #include "app/models/garment_import.hpp"
+#include "app/models/import_process.hpp"
 #include "app/models/model_arrays.hpp"
 #include "temporary_folder.hpp"
 

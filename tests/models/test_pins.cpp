@@ -2,7 +2,7 @@
 
 #include "app/base/errors.hpp"
 #include "app/models/garment_loading.hpp"
-#include "app/models/pins.hpp"
+#include "app/models/landmarks.hpp"
 #include "sim/mesh/grid.hpp"
 #include "temporary_folder.hpp"
 

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "app/models/unit_of_3mf.hpp"
+#include "app/models/garment_import.hpp"
 #include "temporary_folder.hpp"
 
 namespace taut::app {

@@ -11,7 +11,7 @@
 #include "app/models/garment_remarks.hpp"
 #include "app/models/obj_writing.hpp"
 #include "app/output/frame_verifier.hpp"
-#include "sim/untangle/gaps.hpp"
+#include "sim/untangle/contours.hpp"
 #include "sim/untangle/untangle.hpp"
 #include "temporary_folder.hpp"
 

@@ -1,7 +1,7 @@
 #include <limits>
 #include <stdexcept>
 
-#include "renderer/frame_check.hpp"
+#include "renderer/frame_view.hpp"
 #include "scene_support.hpp"
 
 namespace taut::renderer {

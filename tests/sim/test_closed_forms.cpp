@@ -9,7 +9,7 @@
 #include "sim/measures.hpp"
 #include "sim/mesh/grid.hpp"
 #include "sim/simulation.hpp"
-#include "sim/verlet.hpp"
+#include "sim/step.hpp"
 #include "vacuum.hpp"
 
 namespace taut::sim {

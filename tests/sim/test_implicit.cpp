@@ -10,8 +10,7 @@
 #include "sim/measures.hpp"
 #include "sim/mesh/grid.hpp"
 #include "sim/simulation.hpp"
-#include "sim/solvers/implicit/conjugate_gradients.hpp"
-#include "sim/solvers/implicit/prediction.hpp"
+#include "sim/solvers/implicit/system.hpp"
 #include "vacuum.hpp"
 
 namespace taut::sim::implicit {

@@ -14,7 +14,7 @@
 #include "sheets.hpp"
 #include "sim/solvers/bounded/layout.hpp"
 #include "sim/solvers/bounded/slow_forces.hpp"
-#include "sim/verlet.hpp"
+#include "sim/step.hpp"
 
 namespace taut::sim {
 namespace {

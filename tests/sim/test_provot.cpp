@@ -5,7 +5,7 @@
 #include "sim/measures.hpp"
 #include "sim/mesh/grid.hpp"
 #include "sim/simulation.hpp"
-#include "sim/solvers/provot.hpp"
+#include "sim/solvers/explicit_solvers.hpp"
 
 namespace taut::sim {
 namespace {

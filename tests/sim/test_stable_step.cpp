@@ -4,7 +4,7 @@
 
 #include "sim/mesh/grid.hpp"
 #include "sim/simulation.hpp"
-#include "sim/solvers/stable_step.hpp"
+#include "sim/solvers/explicit_solvers.hpp"
 
 namespace taut::sim {
 namespace {

@@ -4,7 +4,7 @@
 
 #include "sim/mesh/grid.hpp"
 #include "sim/pins.hpp"
-#include "sim/strong_constraint.hpp"
+#include "sim/solvers/explicit_solvers.hpp"
 
 namespace taut::sim {
 namespace {

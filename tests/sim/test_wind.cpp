@@ -4,7 +4,6 @@
 
 #include "sim/forces.hpp"
 #include "sim/mesh/grid.hpp"
-#include "sim/wind.hpp"
 
 namespace taut::sim {
 namespace {

@@ -11,7 +11,6 @@
 #include "app/base/files.hpp"
 #include "app/drawing/drawn_scene.hpp"
 #include "app/sweeps/farm.hpp"
-#include "app/sweeps/run_lock.hpp"
 #include "app/sweeps/sweep.hpp"
 #include "app/sweeps/sweep_results.hpp"
 #include "app/sweeps/sweep_run.hpp"

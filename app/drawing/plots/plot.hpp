@@ -2,7 +2,6 @@
 
 #include "app/drawing/drawing.hpp"
 #include "app/drawing/plots/axis.hpp"
-#include "renderer/page/canvas.hpp"
 
 namespace taut::app {
 

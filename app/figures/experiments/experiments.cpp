@@ -3,11 +3,7 @@
 #include <fmt/core.h>
 
 #include "app/base/interruption.hpp"
-#include "app/drawing/drawn_scene.hpp"
 #include "app/models/garment_loading.hpp"
-#include "app/models/pins.hpp"
-#include "sim/measures.hpp"
-#include "sim/simulation.hpp"
 
 namespace taut::app {
 namespace {

@@ -1,10 +1,7 @@
 #pragma once
 
-#include "app/base/job_runner.hpp"
 #include "app/figures/experiments/method_trials.hpp"
 #include "app/figures/experiments/recording.hpp"
-#include "sim/garment.hpp"
-#include "sim/solvers/make_solver.hpp"
 
 namespace taut::app {
 

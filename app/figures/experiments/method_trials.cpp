@@ -1,12 +1,10 @@
 #include "app/figures/experiments/method_trials.hpp"
 
+#include "app/base/counted.hpp"
 #include "app/base/interruption.hpp"
-#include "app/base/ranking.hpp"
 #include "app/base/stopwatch.hpp"
 #include "app/figures/experiments/experiments.hpp"
 #include "app/models/garment_loading.hpp"
-#include "sim/measures.hpp"
-#include "sim/simulation.hpp"
 
 namespace taut::app {
 namespace {
@@ -71,6 +69,23 @@ class RunningTrial {
 
 int frames_in(double time_s, int step_factor = 1) {
   return static_cast<int>(std::lround(time_s * frame_rate_hz / step_factor));
+}
+
+/// The scene of a trial: the method with its own settings, a threshold or bound of `trial_max_stretch`, one
+/// thread and no contact.
+DrawnScene trial_scene(sim::SolverKind kind, int triangles) {
+  DrawnScene scene = triangles == trial_grid_triangles ? find_scene(pinned_scenes[0], {})
+                                                       : shirt_scene(shirt_scenes[0], triangles);
+  scene.simulation = {};
+  scene.simulation.frame_rate_hz = frame_rate_hz;
+  // Never put to sleep: whether cloth comes to rest is what is asked.
+  scene.simulation.rest.speed_m_per_s = 0.0;
+  SolverChoice& solver = scene.simulation.solver;
+  solver.kind = kind;
+  solver.bounded.max_stretch = trial_max_stretch;
+  solver.bounded.contact = false;
+  solver.bounded.threads = 1;
+  return scene;
 }
 
 MethodTrials time_meshes(std::span<const int> meshes, int frames, const ProgressCallback& report_progress) {
@@ -182,21 +197,6 @@ double MethodTrial::last_speed_m_per_s() const {
     }
   }
   return std::sqrt(squares / count);
-}
-
-DrawnScene trial_scene(sim::SolverKind kind, int triangles) {
-  DrawnScene scene = triangles == trial_grid_triangles ? find_scene(pinned_scenes[0], {})
-                                                       : shirt_scene(shirt_scenes[0], triangles);
-  scene.simulation = {};
-  scene.simulation.frame_rate_hz = frame_rate_hz;
-  // Never put to sleep: whether cloth comes to rest is what is asked.
-  scene.simulation.rest.speed_m_per_s = 0.0;
-  SolverChoice& solver = scene.simulation.solver;
-  solver.kind = kind;
-  solver.bounded.max_stretch = trial_max_stretch;
-  solver.bounded.contact = false;
-  solver.bounded.threads = 1;
-  return scene;
 }
 
 MethodTrials make_trials(MethodTest test, const ProgressCallback& report_progress,

@@ -77,10 +77,6 @@ struct TrialLengths {
   double steps_s = 1.0;
 };
 
-/// The scene of a trial: the method with its own settings, a threshold or bound of `trial_max_stretch`, one
-/// thread and no contact.
-DrawnScene trial_scene(sim::SolverKind kind, int triangles);
-
 /// Makes the trials of one test. Those of time take turns of a few frames, so that other load on the machine
 /// meets all methods alike; nothing else of the program should run meanwhile. `meshes` are theirs alone.
 MethodTrials make_trials(MethodTest test, const ProgressCallback& report_progress,

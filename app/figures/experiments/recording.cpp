@@ -4,7 +4,6 @@
 #include "app/frame_loop.hpp"
 #include "app/models/garment_loading.hpp"
 #include "app/output/frame_verifier.hpp"
-#include "sim/simulation.hpp"
 
 namespace taut::app {
 namespace {

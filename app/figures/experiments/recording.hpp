@@ -4,8 +4,6 @@
 #include "app/drawing/drawn_scene.hpp"
 #include "app/output/frame_record.hpp"
 #include "app/verify/stretch.hpp"
-#include "sim/garment.hpp"
-#include "sim/measures.hpp"
 
 namespace taut::app {
 

@@ -23,8 +23,6 @@ inline constexpr float behind_panel_grey = 0.965F;
 ViewArea scene_area(const WindowLayout& layout);
 /// The part of it that shows one garment: its left half where a second one is shown beside it.
 ViewArea garment_area(const ViewerState& state, const WindowLayout& layout);
-/// Whether the panel is shown. A window that is too narrow has none.
-bool panel_fits(const WindowLayout& layout);
 
 /// Makes the whole user interface for one frame. Changes settings in `state` as the user does, and notes
 /// there what else the user asked for. Call it between begin_frame and end_frame of UserInterface.

@@ -84,6 +84,34 @@ void set_colours(ImGuiStyle& style) {
   style.Colors[ImGuiCol_Separator] = {0.0F, 0.0F, 0.0F, 0.12F};
 }
 
+struct Feeder {
+  ImGuiIO& io;
+
+  void operator()(const renderer::KeyChanged& event) const {
+    if (event.key < 0 || event.key > keys::last) return;
+    io.KeysDown[event.key] = event.down;
+    io.KeyCtrl = io.KeysDown[keys::left_control] || io.KeysDown[keys::right_control];
+    io.KeyShift = io.KeysDown[keys::left_shift] || io.KeysDown[keys::right_shift];
+    io.KeyAlt = io.KeysDown[keys::left_alt] || io.KeysDown[keys::right_alt];
+  }
+  void operator()(const renderer::TextTyped& event) const {
+    io.AddInputCharacter(static_cast<unsigned>(event.character));
+  }
+  void operator()(const renderer::PointerMoved& event) const {
+    io.MousePos = {static_cast<float>(event.x_px), static_cast<float>(event.y_px)};
+  }
+  void operator()(const renderer::ButtonChanged& event) const {
+    io.MouseDown[static_cast<std::size_t>(event.button)] = event.down;
+  }
+  void operator()(const renderer::WheelTurned& event) const {
+    io.MouseWheel += static_cast<float>(event.y);
+    io.MouseWheelH += static_cast<float>(event.x);
+  }
+  void operator()(const renderer::FileDropped&) const {}
+  void operator()(const renderer::Resized&) const {}
+  void operator()(const renderer::ScaleChanged&) const {}
+};
+
 }  // namespace
 
 UserInterface::UserInterface(double scale)
@@ -147,38 +175,6 @@ UserInterface::Letters UserInterface::letters() const {
   letters.number = letters_number_;
   return letters;
 }
-
-namespace {
-
-struct Feeder {
-  ImGuiIO& io;
-
-  void operator()(const renderer::KeyChanged& event) const {
-    if (event.key < 0 || event.key > keys::last) return;
-    io.KeysDown[event.key] = event.down;
-    io.KeyCtrl = io.KeysDown[keys::left_control] || io.KeysDown[keys::right_control];
-    io.KeyShift = io.KeysDown[keys::left_shift] || io.KeysDown[keys::right_shift];
-    io.KeyAlt = io.KeysDown[keys::left_alt] || io.KeysDown[keys::right_alt];
-  }
-  void operator()(const renderer::TextTyped& event) const {
-    io.AddInputCharacter(static_cast<unsigned>(event.character));
-  }
-  void operator()(const renderer::PointerMoved& event) const {
-    io.MousePos = {static_cast<float>(event.x_px), static_cast<float>(event.y_px)};
-  }
-  void operator()(const renderer::ButtonChanged& event) const {
-    io.MouseDown[static_cast<std::size_t>(event.button)] = event.down;
-  }
-  void operator()(const renderer::WheelTurned& event) const {
-    io.MouseWheel += static_cast<float>(event.y);
-    io.MouseWheelH += static_cast<float>(event.x);
-  }
-  void operator()(const renderer::FileDropped&) const {}
-  void operator()(const renderer::Resized&) const {}
-  void operator()(const renderer::ScaleChanged&) const {}
-};
-
-}  // namespace
 
 void UserInterface::feed(const renderer::WindowEvent& event) { std::visit(Feeder{ImGui::GetIO()}, event); }
 

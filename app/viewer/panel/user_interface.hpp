@@ -2,7 +2,7 @@
 
 #include <filesystem>
 
-#include "renderer/context/window_event.hpp"
+#include "renderer/context/window.hpp"
 #include "renderer/passes/overlay_pass.hpp"
 
 struct ImGuiContext;  // <imgui.h>

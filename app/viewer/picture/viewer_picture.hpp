@@ -4,9 +4,7 @@
 #include "app/viewer/panel/panel.hpp"
 #include "app/viewer/panel/user_interface.hpp"
 #include "app/viewer/picture/scene_picture.hpp"
-#include "app/viewer/state/viewer_state.hpp"
 #include "renderer/gl/picture_target.hpp"
-#include "renderer/passes/overlay_pass.hpp"
 
 namespace taut::app {
 

@@ -1,10 +1,9 @@
 #pragma once
 
-#include <filesystem>
 #include <fstream>
 
 #include "app/scene/scene_file.hpp"
-#include "renderer/context/window_event.hpp"
+#include "renderer/context/window.hpp"
 
 namespace taut::app {
 

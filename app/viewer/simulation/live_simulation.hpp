@@ -1,10 +1,91 @@
 #pragma once
 
-#include "app/viewer/simulation/simulation_command.hpp"
+#include "app/drawing/drawn_scene.hpp"
 #include "app/viewer/simulation/snapshot.hpp"
-#include "sim/simulation.hpp"
+#include "sim/hand.hpp"
 
 namespace taut::app {
+
+/// One vertex of a grip.
+struct GripVertex {
+  sim::Index vertex = 0;
+  double share = 0.0;                    ///< fraction of the pull; all shares add up to 1
+  sim::Vec3 offset_m = {0.0, 0.0, 0.0};  ///< from the vertex that was taken hold of
+};
+
+/// A hand that holds some square centimetres of cloth. A single vertex would be pulled out to a point.
+struct Grip {
+  std::vector<GripVertex> vertices;
+  sim::Vec3 target_m = {0.0, 0.0, 0.0};  ///< where the vertex that was taken hold of should go
+};
+
+/// A grip around a vertex. Shares shrink with the distance along edges. `positions`: metres, per vertex.
+Grip take_grip(const sim::Garment& garment, std::span<const sim::Vec3> positions, sim::Index vertex);
+
+/// The hand at a point, as springs to vertices. They hold the whole garment's weight with a stretch of
+/// millimetres and give up at some times that weight.
+std::vector<sim::HeldVertex> held_vertices(const Grip& grip, const sim::Vec3& hand_m,
+                                           const sim::Garment& garment);
+
+/// Position of the hand after `time_s`, on its way to the target. It is no faster than an arm.
+sim::Vec3 moved_hand(const sim::Vec3& hand_m, const sim::Vec3& target_m, double time_s);
+
+// Requests of the window to the simulation; done between two simulated frames, in the order it was asked.
+
+/// Replaces scene and garment.
+struct LoadScene {
+  std::shared_ptr<const DrawnScene> scene;
+};
+/// All that can change while a garment moves. Artificial forces are the scene's own; a hand's come on top.
+struct ChangeSettings {
+  ChangeSettings() = default;
+  /// The settings of the scene.
+  explicit ChangeSettings(const Scene& scene)
+      : simulation(scene.simulation), surroundings(scene.surroundings), material(scene.material) {}
+
+  bool operator==(const ChangeSettings&) const = default;
+
+  RunSettings simulation;
+  sim::Surroundings surroundings;
+  sim::Material material;
+};
+/// Pins the vertex where it is, or removes its pin.
+struct TogglePin {
+  sim::Index vertex = 0;
+};
+/// Removes the pins of one side: those in the outer third of the width of all pins.
+struct ReleasePins {
+  bool right = false;
+};
+/// Takes hold of cloth, or moves the hand that holds it.
+struct TakeHold {
+  Grip grip;
+};
+/// Lets go of the cloth.
+struct LetGo {};
+/// Returns to the start of the scene, with the scene's pins and the present settings.
+struct Reset {};
+/// Returns to an earlier frame, with its pins and the present settings. Later frames are dropped.
+struct GoBack {
+  SnapshotPtr to;
+};
+/// Pauses the simulation or lets it continue.
+struct SetPaused {
+  bool paused = false;
+};
+/// Computes one frame while paused.
+struct StepOnce {};
+/// Sets the simulated seconds per second of real time.
+struct SetSpeed {
+  double factor = 1.0;
+};
+/// Simulates a second garment beside the first, by another solver, or none any more. Both begin anew.
+struct Compare {
+  std::optional<sim::SolverKind> with;
+};
+
+using SimulationCommand = std::variant<LoadScene, ChangeSettings, TogglePin, ReleasePins, TakeHold, LetGo,
+                                       Reset, GoBack, SetPaused, StepOnce, SetSpeed, Compare>;
 
 /// A simulation that takes commands between its frames and goes on whatever comes: what a command or a frame
 /// cannot do becomes a notice. Its states depend on the order of commands and advances alone, never on a

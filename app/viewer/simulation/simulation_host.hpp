@@ -8,8 +8,6 @@
 
 #include "app/viewer/session/session.hpp"
 #include "app/viewer/simulation/live_simulation.hpp"
-#include "app/viewer/simulation/simulation_command.hpp"
-#include "app/viewer/simulation/snapshot.hpp"
 
 namespace taut::app {
 

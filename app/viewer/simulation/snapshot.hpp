@@ -1,11 +1,7 @@
 #pragma once
 
-#include "app/drawing/drawn_colours.hpp"
-#include "app/models/garment_loading.hpp"
+#include "app/drawing/drawing.hpp"
 #include "app/output/frame_record.hpp"
-#include "sim/checkpoint.hpp"
-#include "sim/garment.hpp"
-#include "sim/simulation.hpp"
 
 namespace taut::app {
 

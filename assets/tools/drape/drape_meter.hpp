@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "app/base/job_runner.hpp"
-#include "app/figures/fabric_pictures.hpp"
+#include "app/figures/pictures.hpp"
 #include "sim/garment.hpp"
 #include "sim/mesh/mesh.hpp"
 

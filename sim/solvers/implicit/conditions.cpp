@@ -1,9 +1,5 @@
 #include "sim/solvers/implicit/conditions.hpp"
 
-#include <cmath>
-#include <glm/geometric.hpp>
-#include <numbers>
-
 #include "sim/mesh/elementary.hpp"
 
 namespace taut::sim::implicit {
@@ -12,9 +8,7 @@ namespace {
 /// The direction of the warp in the plane of a triangle at rest, by its first side and what is left of it.
 Vec2 warp_of(const Garment& garment, std::size_t triangle) {
   const std::size_t quad = triangle / 2;
-  if (quad >= garment.mesh.quads.size()) {
-    return {1.0, 0.0};
-  }
+  if (quad >= garment.mesh.quads.size()) return {1.0, 0.0};
   const auto [a, b, c] = corners_of(garment.mesh.triangles[triangle], garment.mesh.positions);
   const Quad& cell = garment.mesh.quads[quad];
   const Vec3 down = glm::normalize(garment.mesh.positions[cell[1]] - garment.mesh.positions[cell[0]]);
@@ -26,9 +20,7 @@ Vec2 warp_of(const Garment& garment, std::size_t triangle) {
 Condition condition_of(const WovenTriangle& triangle) {
   Condition condition;
   condition.count = 3;
-  for (std::size_t i = 0; i < 3; ++i) {
-    condition.vertices[i] = triangle.corners[i];
-  }
+  for (std::size_t i = 0; i < 3; ++i) condition.vertices[i] = triangle.corners[i];
   return condition;
 }
 
@@ -59,9 +51,7 @@ std::vector<WovenTriangle> woven_triangles(const Garment& garment) {
   std::vector<WovenTriangle> woven;
   for (std::size_t t = 0; t < garment.mesh.triangles.size(); ++t) {
     const TriangleAtRest& rest = garment.triangles_at_rest[t];
-    if (!rest.has_surface()) {
-      continue;
-    }
+    if (!rest.has_surface()) continue;
     WovenTriangle triangle;
     triangle.corners = garment.mesh.triangles[t];
     triangle.root_area_m = std::sqrt(0.5 / (rest.along_per_m * rest.across_per_m));
@@ -111,9 +101,7 @@ Condition spring_condition(const Edge& ends, double rest_length_m, std::span<con
   const Vec3 spring = positions_m[ends[0]] - positions_m[ends[1]];
   const double length_m = glm::length(spring);
   condition.value = length_m - rest_length_m;
-  if (!(length_m > 0.0)) {
-    return condition;
-  }
+  if (!(length_m > 0.0)) return condition;
   const Vec3 direction = spring / length_m;
   condition.gradients = {direction, -direction};
   condition.weights = {1.0, -1.0};
@@ -127,9 +115,7 @@ Condition stretch_condition(const WovenTriangle& triangle, const std::array<doub
   const Vec3 w = derivative(triangle, weights, positions_m);
   const double length = glm::length(w);
   condition.value = triangle.root_area_m * (length - 1.0);
-  if (!(length > 0.0)) {
-    return condition;
-  }
+  if (!(length > 0.0)) return condition;
   const Vec3 direction = w / length;
   condition.curvature =
       (triangle.root_area_m / length) * (Mat3(1.0) - glm::outerProduct(direction, direction));
@@ -162,9 +148,7 @@ Condition bend_condition(const Hinge& hinge, std::span<const Vec3> p) {
   const double length_m = glm::length(edge);
   const double first = glm::dot(n.first, n.first);
   const double second = glm::dot(n.second, n.second);
-  if (!(first > 0.0) || !(second > 0.0) || !(length_m > 0.0)) {
-    return condition;
-  }
+  if (!(first > 0.0) || !(second > 0.0) || !(length_m > 0.0)) return condition;
   const double bent_rad = angle_of(hinge, p) - hinge.rest_angle_rad;
   constexpr double turn_rad = 2.0 * std::numbers::pi;
   condition.value = bent_rad - turn_rad * std::round(bent_rad / turn_rad);

@@ -1,10 +1,5 @@
 #pragma once
 
-#include <array>
-#include <glm/mat3x3.hpp>
-#include <span>
-#include <vector>
-
 #include "sim/garment.hpp"
 
 namespace taut::sim::implicit {

@@ -1,10 +1,5 @@
 #include "sim/solvers/implicit/implicit.hpp"
 
-#include <algorithm>
-#include <bit>
-#include <cmath>
-#include <glm/geometric.hpp>
-
 #include "sim/measures.hpp"
 
 namespace taut::sim {
@@ -59,16 +54,12 @@ void ImplicitSolver::predict(const Frame& frame, double time_step_s, State& stat
 }
 
 bool ImplicitSolver::stretch_changes_too_much(const State& state) const {
-  if (first_lost(state.predicted) < state.predicted.size()) {
-    return true;
-  }
+  if (first_lost(state.predicted) < state.predicted.size()) return true;
   for (const WovenTriangle& triangle : triangles_) {
     for (const auto& weights : {triangle.along_warp, triangle.along_weft}) {
       const double before = glm::length(derivative(triangle, weights, state.current));
       const double after = glm::length(derivative(triangle, weights, state.predicted));
-      if (std::abs(after - before) > settings_.largest_stretch_change) {
-        return true;
-      }
+      if (std::abs(after - before) > settings_.largest_stretch_change) return true;
     }
   }
   return false;
@@ -120,9 +111,7 @@ FrameReport ImplicitSolver::advance_frame(const Frame& frame, State& state) {
   return report;
 }
 
-void ImplicitSolver::save(const Garment&, const Pins&, ByteWriter& memory) const {
-  memory.put(halvings_);
-}
+void ImplicitSolver::save(const Garment&, const Pins&, ByteWriter& memory) const { memory.put(halvings_); }
 
 void ImplicitSolver::restore(const Frame&, ByteReader& memory) {
   halvings_ = next_halvings_ = memory.get("how often the time step is halved", 0, most_halvings_);

@@ -1,0 +1,56 @@
+#include "app/base/counted.hpp"
+
+#include <fmt/format.h>
+
+namespace taut::app {
+namespace {
+
+/// Characters of the beginning of a name that stand for all of it.
+constexpr std::size_t least_begun = 3;
+
+std::size_t edit_distance(std::string_view a, std::string_view b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), std::size_t{0});
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    std::size_t diagonal = row[0];
+    row[0] = i + 1;
+    for (std::size_t j = 0; j < b.size(); ++j) {
+      const std::size_t replaced = diagonal + (a[i] == b[j] ? 0 : 1);
+      diagonal = row[j + 1];
+      row[j + 1] = std::min({replaced, diagonal + 1, row[j] + 1});
+    }
+  }
+  return row.back();
+}
+
+/// Returns the first of `names` that begins with `name`, which has three characters or more, or else the one that is
+/// nearest to it, or an empty text. Nearest means the smallest edit distance (Levenshtein 1966), which may be at most a
+/// third of the length of `name`.
+std::string nearest_name(std::string_view name, std::span<const std::string> names) {
+  const auto is_begun = [&](const std::string& candidate) { return candidate.starts_with(name); };
+  const auto begun = std::ranges::find_if(names, is_begun);
+  if (begun != names.end() && name.size() >= least_begun) return *begun;
+  std::string best;
+  std::size_t best_distance = std::max<std::size_t>(1, name.size() / 3) + 1;
+  for (const std::string& candidate : names) {
+    const std::size_t distance = edit_distance(name, candidate);
+    if (distance < best_distance) {
+      best = candidate;
+      best_distance = distance;
+    }
+  }
+  return best;
+}
+
+}  // namespace
+
+std::string joined(std::span<const std::string> names, std::string_view separator) {
+  return fmt::format("{}", fmt::join(names, separator));
+}
+
+std::string did_you_mean(std::string_view name, std::span<const std::string> names) {
+  const std::string nearest = nearest_name(name, names);
+  return nearest.empty() ? "" : "; did you mean '" + nearest + "'?";
+}
+
+}  // namespace taut::app

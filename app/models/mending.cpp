@@ -1,0 +1,403 @@
+#include "app/models/mending.hpp"
+
+#include "app/base/counted.hpp"
+#include "app/verify/solid_bodies.hpp"
+#include "sim/mesh/groups.hpp"
+#include "sim/mesh/point_cells.hpp"
+#include "sim/mesh/welding.hpp"
+
+namespace taut::app {
+namespace {
+
+// Share of the area that may lie beyond the rest on each side of each axis.
+constexpr double outlying_area = 0.005;
+// Distance of strays beyond the rest, as a multiple of its size.
+constexpr double stray_distance = 0.25;
+
+// Of bodies: share of all area from which a piece is large; length of their open borders, such as of a neck, wrists
+// and ankles, by the square root of their area, of which suits have 1.2 and shirts 2.8; mean thickness by their size.
+constexpr double large_piece = 0.1;
+constexpr double body_piece = 0.02;  // the same beside another body: its head, but no button
+constexpr double near_body = 0.25;   // of its size
+constexpr double widest_cut = 0.95;
+constexpr double stoutness = 0.025;
+
+struct Patch {
+  sim::Vec3 middle;
+  double area;
+};
+
+std::vector<Patch> patches_of(const sim::Mesh& mesh) {
+  std::vector<Patch> patches;
+  for (const auto& [a, b, c] : mesh.triangles) {
+    const sim::Vec3 &p = mesh.positions[a], &q = mesh.positions[b], &r = mesh.positions[c];
+    patches.push_back({(p + q + r) / 3.0, 0.5 * glm::length(glm::cross(q - p, r - p))});
+  }
+  return patches;
+}
+
+/// Where nearly all of the area is along an axis.
+std::pair<double, double> bulk_along(int axis, const std::vector<Patch>& patches, double area) {
+  std::vector<std::pair<double, double>> places;
+  for (const Patch& patch : patches) places.emplace_back(patch.middle[axis], patch.area);
+  std::sort(places.begin(), places.end());
+  const auto beyond = [&](auto first, auto last) {
+    double sum = 0.0;
+    for (auto place = first; place != last; ++place) {
+      sum += place->second;
+      if (sum > outlying_area * area) return place->first;
+    }
+    return first->first;
+  };
+  return {beyond(places.begin(), places.end()), beyond(places.rbegin(), places.rend())};
+}
+
+sim::Extent bulk_of(const std::vector<Patch>& patches, double area) {
+  sim::Extent bulk;
+  for (int axis = 0; axis < 3; ++axis) {
+    std::tie(bulk.lower[axis], bulk.upper[axis]) = bulk_along(axis, patches, area);
+  }
+  return bulk;
+}
+
+/// Vertices that triangles connect, of whatever shares a place.
+sim::Groups pieces_of(const sim::Mesh& mesh) {
+  sim::Groups pieces(mesh.positions.size());
+  const std::vector<sim::Index> places = sim::first_at_same_position(mesh.positions);
+  for (const auto& [a, b, c] : mesh.triangles) {
+    pieces.join(places[a], places[b]);
+    pieces.join(places[b], places[c]);
+    pieces.join(places[a], a);
+  }
+  return pieces;
+}
+
+/// Parts that triangles connect.
+struct Piece {
+  std::vector<sim::Triangle> triangles;  ///< of places
+  sim::Extent range;
+  double area = 0.0;
+  double volume = 0.0;  ///< within it, if it is closed
+  double border = 0.0;  ///< length of the edges with one triangle
+  bool is_left_out = false;
+};
+
+/// The length of the borders. Those of what was cut away go to and fro from triangle to triangle, which is left out.
+double border_of(const sim::Mesh& mesh, const std::vector<sim::Triangle>& triangles) {
+  std::vector<sim::Edge> edges;
+  for (const sim::Triangle& t : triangles) {
+    for (int k = 0; k < 3; ++k) {
+      edges.push_back({std::min(t[k], t[(k + 1) % 3]), std::max(t[k], t[(k + 1) % 3])});
+    }
+  }
+  std::sort(edges.begin(), edges.end());
+  std::map<sim::Index, std::vector<sim::Index>> beside;
+  for (std::size_t e = 0; e < edges.size(); ++e) {
+    const bool is_alone =
+        (e == 0 || edges[e - 1] != edges[e]) && (e + 1 == edges.size() || edges[e + 1] != edges[e]);
+    for (std::size_t k = 0; is_alone && k < 2; ++k) beside[edges[e][k]].push_back(edges[e][1 - k]);
+  }
+  double length = 0.0;
+  for (const auto& [vertex, ends] : beside) {
+    length += ends.size() == 2 ? 0.5 * glm::distance(mesh.positions[ends[0]], mesh.positions[ends[1]]) : 0.0;
+  }
+  return length;
+}
+
+std::map<sim::Index, Piece> measured_pieces(const sim::Mesh& mesh, sim::Groups& pieces,
+                                            const sim::Vec3& origin) {
+  const std::vector<sim::Index> places = sim::first_at_same_position(mesh.positions);
+  std::map<sim::Index, Piece> measured;
+  for (const sim::Triangle& t : mesh.triangles) {
+    Piece& piece = measured[pieces.find(t[0])];
+    const sim::Vec3 a = mesh.positions[t[0]] - origin, b = mesh.positions[t[1]] - origin,
+                    c = mesh.positions[t[2]] - origin;
+    piece.triangles.push_back({places[t[0]], places[t[1]], places[t[2]]});
+    piece.area += 0.5 * glm::length(glm::cross(b - a, c - a));
+    piece.volume += glm::dot(a, glm::cross(b, c)) / 6.0;
+    for (const sim::Vec3& p : {a, b, c}) piece.range.add(p + origin);
+  }
+  for (auto& [first, piece] : measured) piece.border = border_of(mesh, piece.triangles);
+  return measured;
+}
+
+/// A body is closed, but for where its head, hands or feet are cut off, and stout; a thick garment is closed and thin.
+bool is_stout(const Piece& piece) {
+  const double size = glm::length(piece.range.size());
+  return piece.border <= widest_cut * std::sqrt(piece.area) &&
+         2.0 * std::abs(piece.volume) >= stoutness * size * piece.area;
+}
+
+/// Finds the bodies among the pieces, with the small ones within them, such as eyes, and beside them, such as
+/// a head. There has to be cloth besides, and it has to be about them.
+void find_bodies(const sim::Mesh& mesh, std::map<sim::Index, Piece>& pieces, double area) {
+  sim::Extent cloth;
+  double cloth_area = 0.0;
+  for (auto& [first, piece] : pieces) {
+    piece.is_left_out = piece.area >= large_piece * area && is_stout(piece);
+    if (!piece.is_left_out && piece.area >= large_piece * area) {
+      cloth_area += piece.area;
+      cloth.add(piece.range.lower);
+      cloth.add(piece.range.upper);
+    }
+  }
+  for (auto& [first, body] : pieces) {
+    body.is_left_out = body.is_left_out && cloth_area > 0.0 && sim::overlap(body.range, cloth);
+  }
+  for (auto& [first, body] : pieces) {
+    const double reach = near_body * glm::length(body.range.size());
+    const sim::Extent near{body.range.lower - reach, body.range.upper + reach};
+    for (auto& [other, piece] : pieces) {
+      if (!body.is_left_out || body.area < large_piece * area || piece.area >= large_piece * area) continue;
+      const bool is_apart =
+          piece.area >= body_piece * area && is_stout(piece) && sim::overlap(piece.range, near);
+      const bool is_within =
+          sim::overlap(piece.range, body.range) &&
+          std::abs(winding_number(piece.range.middle(), {mesh.positions, body.triangles})) > 0.5;
+      piece.is_left_out = piece.is_left_out || is_apart || is_within;
+    }
+  }
+}
+
+// The sum of an open surface's normals along the way from its middle, as a share of that sum if all pointed
+// away. Collars and cuffs that are turned down point inwards, so it is far from -1.
+constexpr double faces_inwards = -0.5;
+
+/// Triangles that are connected across edges with two triangles. Across others none of the sides is the same.
+sim::Groups surfaces_of(const sim::Mesh& mesh, const sim::Adjacency& adjacency) {
+  sim::Groups surfaces(mesh.triangles.size());
+  for (std::size_t e = 0; e < adjacency.edges.size(); ++e) {
+    const auto pair = adjacency.edge_triangles[e];
+    if (pair.size() == 2) surfaces.join(pair[0], pair[1]);
+  }
+  return surfaces;
+}
+
+struct Facing {
+  double outwards = 0.0;  ///< the sum over the triangles, 6 times the volume where the surface is closed
+  double all = 0.0;       ///< the sum of the amounts
+};
+
+constexpr double largest_trim = 0.1;  ///< share of the area of all parts
+constexpr double farthest_m = 0.02;   ///< from the cloth; what is farther away does not go with it
+constexpr std::size_t fewest_stitches = 3;
+/// of each, share of the area of all parts: a belt needs more of them than a button
+constexpr double area_of_stitch = 0.005;
+
+/// A vertex of a trim, and the triangle of cloth below it.
+struct Place {
+  sim::Index vertex;
+  sim::Index triangle;
+  double distance;
+};
+
+double distance_to_segment(const sim::Vec3& point, const sim::Vec3& a, const sim::Vec3& b) {
+  const double squared = glm::dot(b - a, b - a);
+  const double at = squared > 0.0 ? std::clamp(glm::dot(point - a, b - a) / squared, 0.0, 1.0) : 0.0;
+  return glm::distance(point, a + at * (b - a));
+}
+
+double distance_to_triangle(const sim::Vec3& point, const sim::Mesh& mesh, const sim::Triangle& t) {
+  const sim::Vec3 normal = glm::normalize(sim::doubled_area_vector(mesh.positions, t));
+  double to_border = std::numeric_limits<double>::infinity();
+  bool is_above = true;
+  for (int k = 0; k < 3; ++k) {
+    const sim::Vec3 &a = mesh.positions[t[k]], &b = mesh.positions[t[(k + 1) % 3]];
+    is_above = is_above && glm::dot(glm::cross(b - a, point - a), normal) >= 0.0;
+    to_border = std::min(to_border, distance_to_segment(point, a, b));
+  }
+  return is_above ? std::abs(glm::dot(point - mesh.positions[t[0]], normal)) : to_border;
+}
+
+/// The triangles of all parts that are no trims, by their middles.
+struct Cloth {
+  Cloth(std::span<const GarmentPart> parts, double most_area, double farthest, const sim::Mesh& source)
+      : mesh(source), reach(longest_way(parts, most_area) + farthest), middles(reach) {
+    for (const GarmentPart& part : parts) {
+      for (const sim::Index t : part.area_m2 > most_area ? part.triangles : std::vector<sim::Index>{}) {
+        middles.add(middle_of(t), t);
+      }
+    }
+  }
+
+  /// The place below this vertex; empty if there is no cloth nearer than `farthest`.
+  std::optional<Place> below(sim::Index vertex, double farthest) const {
+    std::optional<Place> best;
+    middles.visit_near(mesh.positions[vertex], [&](sim::Index t) {
+      const double distance = distance_to_triangle(mesh.positions[vertex], mesh, mesh.triangles[t]);
+      const bool is_nearer = distance <= (best ? best->distance : farthest);
+      if (is_nearer && !(best && distance == best->distance && t > best->triangle)) {
+        best = Place{vertex, t, distance};
+      }
+    });
+    return best;
+  }
+
+  const sim::Mesh& mesh;
+  double reach;
+  sim::PointCells middles;
+
+ private:
+  sim::Vec3 middle_of(sim::Index t) const {
+    const auto& [a, b, c] = mesh.triangles[t];
+    return (mesh.positions[a] + mesh.positions[b] + mesh.positions[c]) / 3.0;
+  }
+  /// From the middle of any triangle to its farthest corner.
+  double longest_way(std::span<const GarmentPart> parts, double most_area) const {
+    double longest = 0.0;
+    for (const GarmentPart& part : parts) {
+      for (const sim::Index t : part.area_m2 > most_area ? part.triangles : std::vector<sim::Index>{}) {
+        for (const sim::Index v : mesh.triangles[t]) {
+          longest = std::max(longest, glm::distance(mesh.positions[v], middle_of(t)));
+        }
+      }
+    }
+    return longest;
+  }
+};
+
+/// Places as far from each other as there are: the nearest to the cloth, then the farthest from those before.
+std::vector<Place> stitches_of(const std::vector<Place>& places, std::size_t most_stitches,
+                               const sim::Mesh& mesh) {
+  std::vector<Place> stitches;
+  const auto nearer = [](const Place& a, const Place& b) { return a.distance < b.distance; };
+  stitches.push_back(*std::min_element(places.begin(), places.end(), nearer));
+  while (stitches.size() < most_stitches) {
+    const Place* farthest = nullptr;
+    double farthest_distance = 0.0;
+    for (const Place& place : places) {
+      double distance = glm::distance(mesh.positions[place.vertex], mesh.positions[stitches[0].vertex]);
+      for (const Place& stitch : stitches) {
+        distance =
+            std::min(distance, glm::distance(mesh.positions[place.vertex], mesh.positions[stitch.vertex]));
+      }
+      if (distance > farthest_distance) {
+        farthest = &place;
+        farthest_distance = distance;
+      }
+    }
+    if (farthest == nullptr) break;
+    stitches.push_back(*farthest);
+  }
+  return stitches;
+}
+
+/// The largest triangle from the vertex to two corners of the cloth below, which faces its side.
+sim::Triangle stitch_at(const Place& place, const sim::Mesh& mesh) {
+  const sim::Triangle& below = mesh.triangles[place.triangle];
+  sim::Triangle largest{};
+  double largest_area = -1.0;
+  for (int k = 0; k < 3; ++k) {
+    const sim::Triangle stitch = {place.vertex, below[k], below[(k + 1) % 3]};
+    const double area = glm::length(sim::doubled_area_vector(mesh.positions, stitch));
+    if (area > largest_area) {
+      largest = stitch;
+      largest_area = area;
+    }
+  }
+  return largest;
+}
+
+}  // namespace
+
+Strays remove_strays(sim::Mesh& mesh) {
+  const std::vector<Patch> patches = patches_of(mesh);
+  double area = 0.0;
+  bool are_finite = true;
+  for (const Patch& patch : patches) {
+    area += patch.area;
+    are_finite = are_finite && std::isfinite(patch.middle.x + patch.middle.y + patch.middle.z);
+  }
+  Strays strays;
+  if (!are_finite || !std::isfinite(area) || !(area > 0.0)) return strays;
+  const sim::Extent bulk = bulk_of(patches, area);
+  const sim::Vec3 size = bulk.size();
+  const double reach = stray_distance * std::max({size.x, size.y, size.z});
+  const sim::Extent near{bulk.lower - reach, bulk.upper + reach};
+  std::vector<char> is_near(mesh.positions.size(), 0);
+  sim::Groups pieces = pieces_of(mesh);
+  for (std::size_t t = 0; t < patches.size(); ++t) {
+    if (sim::overlap({patches[t].middle, patches[t].middle}, near)) {
+      is_near[pieces.find(mesh.triangles[t][0])] = 1;
+    }
+  }
+  std::vector<sim::Triangle> kept;
+  for (std::size_t t = 0; t < patches.size(); ++t) {
+    if (is_near[pieces.find(mesh.triangles[t][0])]) {
+      kept.push_back(mesh.triangles[t]);
+      continue;
+    }
+    ++strays.triangles;
+    strays.area_share += patches[t].area / area;
+    strays.distance = std::max(strays.distance, glm::distance(patches[t].middle, bulk.middle()));
+  }
+  mesh.triangles = std::move(kept);
+  std::map<sim::Index, Piece> measured = measured_pieces(mesh, pieces, bulk.middle());
+  find_bodies(mesh, measured, area);
+  strays.body_triangles = std::erase_if(
+      mesh.triangles, [&](const sim::Triangle& t) { return measured[pieces.find(t[0])].is_left_out; });
+  return strays;
+}
+
+std::string describe(const Strays& strays, double metres_per_unit) {
+  return fmt::format("{} with {:.2g} % of its area {} {:.3g} m away and {} left out",
+                     counted(strays.triangles, "triangle"), 100.0 * strays.area_share,
+                     strays.triangles == 1 ? "lies" : "lie", strays.distance * metres_per_unit,
+                     strays.triangles == 1 ? "is" : "are");
+}
+
+std::size_t turn_outside_out(std::span<const GarmentPart> parts, const sim::Adjacency& adjacency,
+                             sim::Mesh& mesh) {
+  sim::Groups surfaces = surfaces_of(mesh, adjacency);
+  std::size_t turned = 0;
+  for (const GarmentPart& part : parts) {
+    if (part.openings.size() == 1) continue;
+    std::map<sim::Index, Facing> facings;
+    for (const sim::Index t : part.triangles) {
+      const sim::Vec3 out = mesh.positions[mesh.triangles[t][0]] - part.centre_m;
+      const double outwards = glm::dot(sim::doubled_area_vector(mesh.positions, mesh.triangles[t]), out);
+      Facing& facing = facings[surfaces.find(t)];
+      facing.outwards += outwards;
+      facing.all += std::abs(outwards);
+    }
+    const double limit = part.openings.empty() && facings.size() == 1 ? 0.0 : faces_inwards;
+    for (const sim::Index t : part.triangles) {
+      const Facing& facing = facings[surfaces.find(t)];
+      if (facing.outwards < limit * facing.all) {
+        std::swap(mesh.triangles[t][1], mesh.triangles[t][2]);
+        ++turned;
+      }
+    }
+  }
+  return turned;
+}
+
+std::size_t sew_on_trims(std::span<const GarmentPart> parts, double metres_per_unit, sim::Mesh& mesh) {
+  double area = 0.0;
+  for (const GarmentPart& part : parts) area += part.area_m2;
+  const auto is_trim = [&](const GarmentPart& part) { return part.area_m2 <= largest_trim * area; };
+  if (std::none_of(parts.begin(), parts.end(), is_trim) || std::all_of(parts.begin(), parts.end(), is_trim)) {
+    return 0;
+  }
+  const double farthest = farthest_m / metres_per_unit;
+  const Cloth cloth(parts, largest_trim * area, farthest, mesh);
+  std::vector<sim::Triangle> stitches;
+  std::size_t sewn_on = 0;
+  for (const GarmentPart& part : parts) {
+    std::vector<Place> places;
+    for (const sim::Index v : is_trim(part) ? part.vertices : std::vector<sim::Index>{}) {
+      if (const auto place = cloth.below(v, farthest)) places.push_back(*place);
+    }
+    if (!places.empty()) {
+      ++sewn_on;
+      const auto more = static_cast<std::size_t>(part.area_m2 / (area_of_stitch * area));
+      for (const Place& place : stitches_of(places, fewest_stitches + more, mesh)) {
+        stitches.push_back(stitch_at(place, mesh));
+      }
+    }
+  }
+  mesh.triangles.insert(mesh.triangles.end(), stitches.begin(), stitches.end());
+  return sewn_on;
+}
+
+}  // namespace taut::app

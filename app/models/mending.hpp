@@ -1,0 +1,35 @@
+#pragma once
+
+#include "app/models/garment_parts.hpp"
+
+namespace taut::app {
+
+/// Pieces that lie so far from nearly all of a model's area that they cannot belong to the garment, such as a
+/// button at the wrong end of a scene.
+struct Strays {
+  std::size_t triangles = 0;
+  double area_share = 0.0;  ///< of all the area
+  double distance = 0.0;    ///< of the farthest from the middle of the rest, in the file's unit
+  /// Of bodies that came along in the garment's file, such as mannequins, with what is within them.
+  std::size_t body_triangles = 0;
+};
+
+/// Removes the strays and the bodies from the model's triangles and returns what they were. Of a model with
+/// positions that are not finite it removes none.
+Strays remove_strays(sim::Mesh& mesh);
+
+/// Returns a sentence for people: "8 triangles with 0.02 % of its area lie 107 m away and are left out".
+std::string describe(const Strays& strays, double metres_per_unit);
+
+/// Turns the surfaces that face inwards: those of a part with several openings or none, such as a shirt,
+/// whose normals point mostly towards the part's centre of mass. A piece with one border has no inside and is
+/// left alone. Returns how many triangles were turned. Requires the adjacency and the parts of this mesh.
+std::size_t turn_outside_out(std::span<const GarmentPart> parts, const sim::Adjacency& adjacency,
+                             sim::Mesh& mesh);
+
+/// Sews small parts, such as buttons, labels, pockets and belts, to the cloth that they lie on or near, so
+/// that they go with it: each gets triangles, like stitches, from vertices of its own to corners of the
+/// triangles below. Nothing is moved. Returns how many parts were sewn on. Requires the parts of this mesh.
+std::size_t sew_on_trims(std::span<const GarmentPart> parts, double metres_per_unit, sim::Mesh& mesh);
+
+}  // namespace taut::app

@@ -1,0 +1,144 @@
+#include "renderer/frame_view.hpp"
+
+namespace taut::renderer {
+namespace {
+
+// Where the lamps stand, relative to the camera: x right, y up, z from the scene towards the camera. Higher
+// makes shadows shorter, farther to the side shows more of the folds.
+constexpr glm::vec3 key_lamp{-0.60F, 1.15F, 0.60F};
+constexpr glm::vec3 fill_lamp{0.95F, 0.30F, 0.55F};
+constexpr glm::vec3 rim_lamp{0.45F, 0.60F, -1.0F};
+
+constexpr int largest_side_px = 16384;
+
+bool is_within(int number, int lowest, int highest) { return number >= lowest && number <= highest; }
+
+bool are_finite(std::span<const glm::vec3> values) {
+  return std::ranges::all_of(values, [](const glm::vec3& v) {
+    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+  });
+}
+
+// Indices in whole groups, each below `count`.
+bool are_indices(std::span<const std::uint32_t> indices, std::size_t group, std::size_t count) {
+  return indices.size() % group == 0 &&
+         std::ranges::all_of(indices, [=](std::uint32_t index) { return index < count; });
+}
+
+bool are_colours(std::span<const Colour> colours, std::size_t count) {
+  return (colours.size() == 1 || colours.size() == count) && are_finite(colours);
+}
+
+bool is_map(const BaseColourMap& map, const SurfaceView& surface) {
+  return map.rgba == nullptr ||
+         (!surface.corner_coordinates.empty() && is_within(map.width_px, 1, largest_side_px) &&
+          is_within(map.height_px, 1, largest_side_px) &&
+          map.rgba->size() == std::size_t{4} * static_cast<std::size_t>(map.width_px) *
+                                  static_cast<std::size_t>(map.height_px));
+}
+
+bool has_sound_colours(const SurfaceView& surface) {
+  const auto& corners = surface.corner_coordinates;
+  const auto& of_triangle = surface.base_colour_of_triangle;
+  return (corners.empty() || corners.size() == surface.triangles.size()) &&
+         std::ranges::all_of(
+             corners,
+             [](const glm::vec2& place) { return std::isfinite(place.x) && std::isfinite(place.y); }) &&
+         std::ranges::all_of(surface.base_colours,
+                             [&](const BaseColour& colour) { return is_map(colour.map, surface); }) &&
+         (of_triangle.empty() || of_triangle.size() == surface.triangles.size() / 3) &&
+         are_indices(of_triangle, 1, surface.base_colours.size());
+}
+
+bool is_sound(const Refinement& refinement, const SurfaceView& surface) {
+  for (std::size_t i = 0; i < refinement.parents.size(); ++i) {
+    if (!are_indices(refinement.parents[i], 2, refinement.coarse_vertices + i)) return false;
+  }
+  return refinement.coarse_vertices + refinement.parents.size() == surface.positions.size() &&
+         are_indices(refinement.coarse_triangles, 3, refinement.coarse_vertices) &&
+         refinement.parent_triangles.size() == surface.triangles.size() / 3 &&
+         are_indices(refinement.parent_triangles, 1, refinement.coarse_triangles.size() / 3);
+}
+
+bool is_sound(const SurfaceView& surface) {
+  const std::size_t count = surface.positions.size();
+  const auto& material = surface.material_coordinates;
+  return are_finite(surface.positions) && surface.normals.size() == count && are_finite(surface.normals) &&
+         (material.empty() || material.size() == count) && are_finite(material) &&
+         are_indices(surface.triangles, 3, count) && has_sound_colours(surface) &&
+         (!surface.refinement || is_sound(*surface.refinement, surface)) &&
+         std::ranges::all_of(
+             surface.trims,
+             [&](const TrimmedTriangle& trim) { return trim.triangle < surface.triangles.size() / 3; }) &&
+         (!surface.wireframe || are_indices(surface.wireframe->edges, 2, count)) &&
+         (!surface.scalars ||
+          (surface.scalars->values.size() == count && surface.scalars->maximum > surface.scalars->minimum));
+}
+
+}  // namespace
+
+const char* name_of(WeaveKind kind) {
+  constexpr std::array names = {"knit", "plain", "twill", "satin"};
+  return names[static_cast<std::size_t>(kind)];
+}
+
+Lighting studio_lighting(const Camera& camera) {
+  const glm::vec3 back = camera.eye - camera.target;
+  // Lamps stand on the floor of the studio: they follow the camera around, not up and down.
+  glm::vec3 towards{back.x, 0.0F, back.z};
+  towards = glm::length(towards) > 1e-4F * glm::length(back) ? glm::normalize(towards) : glm::vec3{0, 0, 1};
+  const glm::vec3 right{towards.z, 0.0F, -towards.x};
+  const glm::vec3 up{0.0F, 1.0F, 0.0F};
+  Lighting lighting;
+  const auto in_world = [&](const glm::vec3& lamp) {
+    return lamp.x * right + lamp.y * up + lamp.z * towards;
+  };
+  lighting.towards_key = in_world(key_lamp);
+  lighting.towards_fill = in_world(fill_lamp);
+  lighting.towards_rim = in_world(rim_lamp);
+  return lighting;
+}
+
+bool is_sound(const FrameView& frame) {
+  const Camera& camera = frame.camera;
+  const auto all = [](const auto& views, const auto& are_sound) {
+    return std::ranges::all_of(views, are_sound);
+  };
+  return camera.vertical_fov_rad > 0.0F && camera.vertical_fov_rad < 3.1F && camera.near_m > 0.0F &&
+         camera.far_m > camera.near_m && std::isfinite(camera.far_m) &&
+         all(frame.surfaces, [](const SurfaceView& surface) { return is_sound(surface); }) &&
+         all(frame.lines,
+             [](const LineView& line) {
+               return line.points.size() % 2 == 0 && are_finite(line.points) &&
+                      are_colours(line.colours, line.points.size());
+             }) &&
+         all(frame.points,
+             [](const PointView& points) {
+               return are_finite(points.centres) && are_colours(points.colours, points.centres.size());
+             }) &&
+         all(frame.spheres, [](const SphereView& spheres) {
+           return are_finite(spheres.centres) && spheres.radius_m > 0.0F && std::isfinite(spheres.radius_m);
+         });
+}
+
+bool is_sound(const PictureSettings& settings) {
+  return is_within(settings.width_px, 1, largest_side_px) &&
+         is_within(settings.height_px, 1, largest_side_px) && is_within(settings.samples, 1, 64) &&
+         is_within(settings.supersampling, 1, 8) && is_within(settings.shadow_map_px, 256, 8192) &&
+         is_within(settings.shading_px, 1, 2) && is_within(settings.shadow_taps, 1, 64) &&
+         is_within(settings.sky_directions, 0, 64);
+}
+
+void check(const FrameView& frame, const PictureSettings& settings) {
+  const Camera& camera = frame.camera;
+  if (!is_near({camera.eye, camera.eye}) || !is_near({camera.target, camera.target}) ||
+      camera.eye == camera.target) {
+    throw std::invalid_argument("camera: eye and target have to be different and no farther than 1e9 m");
+  }
+  if (!is_sound(frame) || !is_sound(settings)) {
+    throw std::invalid_argument(
+        "renderer: a frame or settings do not keep what frame_view.hpp requires of them");
+  }
+}
+
+}  // namespace taut::renderer

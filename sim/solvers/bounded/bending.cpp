@@ -88,9 +88,7 @@ std::vector<std::vector<MatrixEntry>> acceleration_rows(const std::vector<Entry>
   std::vector<std::vector<MatrixEntry>> rows(inverse_masses_per_kg.size());
   for (const Entry& e : stiffness) {
     const double w = inverse_masses_per_kg[e.row];
-    if (w > 0.0 && e.column != e.row) {
-      rows[e.row].push_back({e.column, -w * e.value});
-    }
+    if (w > 0.0 && e.column != e.row) rows[e.row].push_back({e.column, -w * e.value});
   }
   return rows;
 }
@@ -108,9 +106,7 @@ template <typename T, typename U>
 std::vector<T> by_row(const std::vector<U>& by_vertex, const std::vector<Index>& vertex_of_row) {
   std::vector<T> rows;
   rows.reserve(by_vertex.size());
-  for (const Index v : vertex_of_row) {
-    rows.push_back(static_cast<T>(by_vertex[v]));
-  }
+  for (const Index v : vertex_of_row) rows.push_back(static_cast<T>(by_vertex[v]));
   return rows;
 }
 
@@ -125,9 +121,7 @@ std::vector<Index> in_order(std::size_t count) {
 Bending::Bending(const Garment& garment, const Pins& pins, const Layout& layout, double rigidity_n_m,
                  double fastest_element_per_s)
     : first_free_row_(layout.pin_count), row_count_(layout.vertex_count()) {
-  if (!(rigidity_n_m > 0.0)) {
-    return;
-  }
+  if (!(rigidity_n_m > 0.0)) return;
   const auto take = [&](const Garment& from, const Pins& level_pins, const std::vector<Index>& row_of_vertex,
                         const std::vector<Index>& vertex_of_row, const std::vector<double>& shares) {
     const bool is_coarsest = shares.size() < largest_cluster * tuning::fewest_clusters;
@@ -184,23 +178,15 @@ std::vector<double> Bending::image_of(const std::vector<double>& mode) const {
 
 double Bending::find_largest_rate_per_s() const {
   std::vector<double> mode(row_count_, 0.0);
-  for (std::size_t row = first_free_row_; row < row_count_; ++row) {
-    mode[row] = row % 2 == 0 ? 1.0 : -0.5;
-  }
+  for (std::size_t row = first_free_row_; row < row_count_; ++row) mode[row] = row % 2 == 0 ? 1.0 : -0.5;
   double eigenvalue = 0.0;
   for (int iteration = 0; iteration < power_iterations; ++iteration) {
     mode = image_of(mode);
     double largest = 0.0;
-    for (const double x : mode) {
-      largest = std::max(largest, std::abs(x));
-    }
-    if (!(largest > 0.0)) {
-      break;
-    }
+    for (const double x : mode) largest = std::max(largest, std::abs(x));
+    if (!(largest > 0.0)) break;
     eigenvalue = largest;
-    for (double& x : mode) {
-      x /= largest;
-    }
+    for (double& x : mode) x /= largest;
   }
   return std::sqrt(eigenvalue);
 }

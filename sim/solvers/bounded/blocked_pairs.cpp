@@ -46,9 +46,7 @@ std::optional<ContactSide> behind(const Searched& searched, const NearPair& bloc
     for (std::size_t k = 0; k < 2; ++k) {
       if (is_led(searched, sides[k]) && share_free_row(searched, blocked.rows, sides[1 - k])) {
         ContactSide side = named(searched, sides[k]);
-        if (std::find(known.begin(), known.end(), side) == known.end()) {
-          return side;
-        }
+        if (std::find(known.begin(), known.end(), side) == known.end()) return side;
       }
     }
   }
@@ -57,14 +55,10 @@ std::optional<ContactSide> behind(const Searched& searched, const NearPair& bloc
 
 Vec3 place_between(const Searched& searched, const NearPair& near) {
   std::array<glm::vec3, 4> p{};
-  for (std::size_t k = 0; k < 4; ++k) {
-    p[k] = vec(searched.rows.positions[near.rows[k]]);
-  }
+  for (std::size_t k = 0; k < 4; ++k) p[k] = vec(searched.rows.positions[near.rows[k]]);
   const ClosestWeights weights = closest_weights(near, p);
   glm::vec3 place(0.0F);
-  for (std::size_t k = 0; k < 4; ++k) {
-    place += 0.5F * weights[k] * p[k];
-  }
+  for (std::size_t k = 0; k < 4; ++k) place += 0.5F * weights[k] * p[k];
   return searched.origin_m + Vec3(place);
 }
 
@@ -83,14 +77,10 @@ BlockedContact of_pair(const Searched& searched, const BlockedPair& pair) {
 }  // namespace
 
 BlockedContact blocked_contact(const Searched& searched, const Regions& regions) {
-  if (regions.blocked()) {
-    return of_pair(searched, *regions.blocked());
-  }
+  if (regions.blocked()) return of_pair(searched, *regions.blocked());
   std::size_t furthest = searched.layout.pin_count;
   for (std::size_t row = furthest; row < searched.layout.vertex_count(); ++row) {
-    if (regions.deviation(row) > regions.deviation(furthest)) {
-      furthest = row;
-    }
+    if (regions.deviation(row) > regions.deviation(furthest)) furthest = row;
   }
   return blocked_contact(searched, furthest);
 }

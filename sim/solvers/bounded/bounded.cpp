@@ -48,9 +48,7 @@ std::vector<Triangle> by_row(std::span<const Triangle> triangles, const Layout& 
 
 /// Cloth made of springs gives a little across them; tethers of the exact length would lift it.
 double tether_slack(const Material& material, const BoundedSettings& settings) {
-  if (has_law(material) && settings.bound == BoundKind::surface) {
-    return settings.max_stretch;
-  }
+  if (has_law(material) && settings.bound == BoundKind::surface) return settings.max_stretch;
   return settings.bound == BoundKind::springs ? std::min(tuning::most_tether_slack, settings.max_stretch)
                                               : 0.0;
 }
@@ -166,9 +164,7 @@ BoundedSolver::~BoundedSolver() = default;
 
 void BoundedSolver::require_promised(const Garment& garment, const Surroundings& surroundings) const {
   for (const auto& reason : {beyond_promise(settings_, surroundings), beyond_contact(settings_, garment)}) {
-    if (reason) {
-      throw std::invalid_argument(*reason);
-    }
+    if (reason) throw std::invalid_argument(*reason);
   }
 }
 
@@ -178,9 +174,7 @@ void BoundedSolver::move_within_bound(const Garment& garment, const Pins& pins, 
 
 void BoundedSolver::lay_out(const Frame& frame) {
   const std::size_t count = frame.garment.mesh.positions.size();
-  if (cloth_ && cloth_->pins == frame.pins.vertices && cloth_->layout.vertex_count() == count) {
-    return;
-  }
+  if (cloth_ && cloth_->pins == frame.pins.vertices && cloth_->layout.vertex_count() == count) return;
   kernels_ =
       std::make_unique<ParallelKernels>(kernels_for(settings_.vector_unit),
                                         thread_count(settings_.threads, frame.garment.mesh.triangles.size()));
@@ -195,9 +189,7 @@ int BoundedSolver::substeps_for_load(const Frame& frame) const {
 // How far pins go from where they would be if they went on as they did.
 double BoundedSolver::pins_turn_m(const Frame& frame, const State& state) const {
   std::vector<Vec3> from_m;
-  for (const Index pin : frame.pins.vertices) {
-    from_m.push_back(state.current[pin]);
-  }
+  for (const Index pin : frame.pins.vertices) from_m.push_back(state.current[pin]);
   const TimeSpan time = {state.time_s, state.time_s + frame.duration_s};
   const std::vector<Vec3> moved_m = pin_displacements(frame.surroundings, frame.pins.vertices, from_m, time);
   const double steps = state.time_step_s > 0.0 ? frame.duration_s / state.time_step_s : 0.0;
@@ -214,9 +206,7 @@ double BoundedSolver::pins_turn_m(const Frame& frame, const State& state) const 
 // jerk need. Before the first frame nothing is known: it may begin with a jerk.
 double BoundedSolver::usual_work(const Frame& frame, const State& state, const Memory& memory) const {
   const double load_work = work_for(substeps_for_load(frame), frame.duration_s);
-  if (memory.median_work == 0.0) {
-    return most_work * load_work;
-  }
+  if (memory.median_work == 0.0) return most_work * load_work;
   const double cloth_turns_m =
       frame.duration_s * memory.contact.rows.relative_speed_m_per_s(cloth_->triangles);
   const double turns =
@@ -308,12 +298,8 @@ bool BoundedSolver::run_substeps(const Frame& frame, double time_s, int substeps
     time.wind_interval_s = substeps_per_wind * dt;
     bounded::step(frame, time, *kernels_, cloth);
     follow_tension(substep + 1, substeps, frame.duration_s);
-    if (!cloth.contacts.is_spent()) {
-      continue;
-    }
-    if (!is_last || !settings_.allow_crossing) {
-      return false;
-    }
+    if (!cloth.contacts.is_spent()) continue;
+    if (!is_last || !settings_.allow_crossing) return false;
     cloth.contacts.let_cross(cloth.layout, cloth.motion, *kernels_);
   }
   return true;
@@ -363,15 +349,11 @@ ProjectionResult BoundedSolver::project(const Frame& frame, double end_s, int su
     return cloth.projection.project(cloth.layout, cloth.motion.current, settings_.max_stretch, limits,
                                     confinement, *kernels_, from);
   };
-  if (!cloth.contacts.is_on()) {
-    return project_within(nullptr, corrections);
-  }
+  if (!cloth.contacts.is_on()) return project_within(nullptr, corrections);
   const Float4Array before = corrections;
   ApartWhileCorrected apart(frame, end_s, *kernels_, cloth);
   const ProjectionResult confined = project_within(&apart, corrections);
-  if (confined.kept || !settings_.allow_crossing || !how.is_last) {
-    return confined;
-  }
+  if (confined.kept || !settings_.allow_crossing || !how.is_last) return confined;
   const BoundProjection within_regions = cloth.projection;
   Float4Array free_corrections = before;
   const ProjectionResult free = project_within(nullptr, free_corrections);
@@ -494,9 +476,7 @@ void BoundedSolver::try_otherwise(FramePart& part, const Attempt& failed, double
 
 // Until it is stretched by so many bounds that an attempt at it may end well.
 void BoundedSolver::halve(FramePart& part, double raw_bounds, double limit) {
-  for (; part.length > 1 && raw_bounds > limit; raw_bounds *= 0.5) {
-    part.length /= 2;
-  }
+  for (; part.length > 1 && raw_bounds > limit; raw_bounds *= 0.5) part.length /= 2;
 }
 
 // Pins with a jerk leave the cloth behind, and stretch the edges that meet in them by at least that.
@@ -531,9 +511,7 @@ BoundedSolver::Attempt BoundedSolver::advance(const Frame& frame, const State& b
     }
     const bool is_costly = tried.projected.cost > tuning::costliest * tried.substeps;
     made.follow(std::move(tried));
-    if (made.blocked && !settings_.allow_crossing) {
-      return made;
-    }
+    if (made.blocked && !settings_.allow_crossing) return made;
     const bool was_halved = part.length < most_parts;
     go_on(part, raw_bounds);
     if (is_costly && part.done < most_parts) {
@@ -597,9 +575,7 @@ void BoundedSolver::keep_frame() {
 void BoundedSolver::save(const Garment& garment, const Pins& pins, ByteWriter& bytes) const {
   const bool goes_on = memory_ && memory_->pins == pins.vertices;
   bytes.put<std::uint8_t>(goes_on ? 1 : 0);
-  if (goes_on) {
-    bounded::save(*memory_, garment.mesh.positions.size(), bytes);
-  }
+  if (goes_on) bounded::save(*memory_, garment.mesh.positions.size(), bytes);
 }
 
 void BoundedSolver::restore(const Frame& frame, ByteReader& bytes) {

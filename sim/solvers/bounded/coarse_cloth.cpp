@@ -18,22 +18,16 @@ class Clusters {
   /// Puts a free vertex and up to three free neighbours into a new cluster. A vertex without free neighbours
   /// joins the smallest cluster next to it.
   void add(Index v) {
-    if (cluster_of_[v] != unassigned) {
-      return;
-    }
+    if (cluster_of_[v] != unassigned) return;
     const Index joined = smallest_beside(v);
     std::vector<Index> members = {v};
     for (const Index e : adjacency_.vertex_edges[v]) {
       const Index other = other_end(adjacency_.edges[e], v);
-      if (cluster_of_[other] == unassigned && members.size() < largest_cluster) {
-        members.push_back(other);
-      }
+      if (cluster_of_[other] == unassigned && members.size() < largest_cluster) members.push_back(other);
     }
     const bool is_alone = members.size() == 1 && joined != unassigned;
     const Index cluster = is_alone ? joined : static_cast<Index>(sizes_.size());
-    if (!is_alone) {
-      sizes_.push_back(0);
-    }
+    if (!is_alone) sizes_.push_back(0);
     for (const Index member : members) {
       cluster_of_[member] = cluster;
       ++sizes_[cluster];
@@ -80,9 +74,7 @@ std::vector<Triangle> triangles_between(const Mesh& fine, const std::vector<Inde
 
 CoarseCloth coarsen(const Garment& fine, const std::vector<Index>& order) {
   Clusters clusters(fine);
-  for (const Index v : order) {
-    clusters.add(v);
-  }
+  for (const Index v : order) clusters.add(v);
   std::vector<double> masses_kg(clusters.count(), 0.0);
   CoarseCloth coarse;
   coarse.cluster_of = clusters.take();

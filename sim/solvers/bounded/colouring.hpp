@@ -27,9 +27,7 @@ std::vector<std::vector<std::size_t>> coloured(const std::vector<std::array<Inde
       taken.emplace_back(row_count, false);
     }
     colours[c].push_back(e);
-    for (const Index row : rows) {
-      taken[c][row] = true;
-    }
+    for (const Index row : rows) taken[c][row] = true;
   }
   return colours;
 }

@@ -25,9 +25,7 @@ std::optional<std::size_t> first_not_findable(const RowMoves& rows) {
   constexpr float furthest_m = 1e9F;
   for (std::size_t row = 0; row < rows.radii.size(); ++row) {
     const float far_m = length_of(rows.positions[row]) + length_of(rows.moves[row]) + rows.radii[row];
-    if (!(far_m < furthest_m)) {
-      return row;
-    }
+    if (!(far_m < furthest_m)) return row;
   }
   return std::nullopt;
 }
@@ -49,13 +47,9 @@ void Contacts::begin_attempt(const Frame& frame, const Layout& layout, const Mot
   from_s_ = until_s_ = time.from_s;
   frame_ends_s_ = time.to_s;
   since_.clear();
-  if (!is_on_) {
-    return;
-  }
+  if (!is_on_) return;
   const bool is_known = near_ && bodies_.are(bodies);
-  if (!is_known) {
-    lay_out(frame.garment, layout, bodies);
-  }
+  if (!is_known) lay_out(frame.garment, layout, bodies);
   largest_gravity_m_per_s2_ = static_cast<float>(largest_gravity_m_per_s2(frame.surroundings.forces));
   memory_ = memory.rows;
   memory_.resize(layout.row_count());
@@ -78,16 +72,12 @@ void Contacts::leave_out(const ContactMemory& memory, const Layout& layout, cons
   }
   left_out_.set_groups(std::move(group_of));
   const bool looks = !goes_on || memory.may_have_crossed;
-  if (!looks && left_out_.empty()) {
-    return;
-  }
+  if (!looks && left_out_.empty()) return;
   std::vector<Vec3> positions_m = motion.start_m;
   positions_m.resize(layout.row_count());
   const std::vector<Vec3> bodies_m = bodies_.mesh_positions_m(time_s);
   positions_m.insert(positions_m.end(), bodies_m.begin(), bodies_m.end());
-  if (looks) {
-    left_out_.add(positions_m);
-  }
+  if (looks) left_out_.add(positions_m);
   left_out_.free(positions_m);
 }
 
@@ -154,15 +144,11 @@ void Contacts::lay_out(const Garment& garment, const Layout& layout, const std::
 void Contacts::add_loose_vertices(const Layout& layout) {
   std::vector<bool> is_corner(layout.vertex_count(), false);
   for (const Triangle& t : triangles_) {
-    for (const Index row : t) {
-      is_corner[row] = true;
-    }
+    for (const Index row : t) is_corner[row] = true;
   }
   solid_ = triangles_;
   for (Index row = 0; row < layout.vertex_count(); ++row) {
-    if (!is_corner[row]) {
-      solid_.push_back({row, row, row});
-    }
+    if (!is_corner[row]) solid_.push_back({row, row, row});
   }
 }
 
@@ -200,9 +186,7 @@ ContactMemory Contacts::memory() const {
 }
 
 double Contacts::work() const {
-  if (!is_on_) {
-    return 0.0;
-  }
+  if (!is_on_) return 0.0;
   const LastingPairs::Searches& searches = near_->searches();
   const double of_mesh = pairs_made_ / (static_cast<double>(triangles_.size()) + sweep_overhead);
   return tuning::work_of_search * (searches.all + 0.5 * searches.marked + of_mesh);
@@ -229,9 +213,7 @@ double Contacts::suitable_end_s(double time_s, double time_step_s, double frame_
   double longest_s =
       std::min(frame_end_s - time_s, tuning::turned_part_of_edge / caution_ * mean_edge_m_ /
                                          std::max(memory_.relative_speed_m_per_s(triangles_), 1e-9));
-  if (memory_.is_touching) {
-    longest_s = std::min(longest_s, 1.0 / tuning::touching_regions_per_s);
-  }
+  if (memory_.is_touching) longest_s = std::min(longest_s, 1.0 / tuning::touching_regions_per_s);
   const double steps_left = std::max(std::round((frame_end_s - time_s) / time_step_s), 1.0);
   const double times_left = std::ceil((frame_end_s - time_s) / std::max(longest_s, time_step_s) - 1e-3);
   const double steps = std::ceil(steps_left / std::max(times_left, 1.0) - 1e-3);
@@ -323,12 +305,8 @@ void Contacts::renew_regions(const Frame& frame, const Layout& layout, const Mot
 // Cloth whose parts are nearer at rest than it is thick is not torn apart for that.
 float Contacts::thickness_of(const NearPair& near, float thickness_m) const {
   std::array<glm::vec3, 4> p{};
-  for (std::size_t k = 0; k < 4; ++k) {
-    p[k] = vec(rest_[near.rows[k]]);
-  }
-  if (glm::distance(p[0], p[3]) > 2.0F * (longest_edge_m_ + thickness_m)) {
-    return thickness_m;
-  }
+  for (std::size_t k = 0; k < 4; ++k) p[k] = vec(rest_[near.rows[k]]);
+  if (glm::distance(p[0], p[3]) > 2.0F * (longest_edge_m_ + thickness_m)) return thickness_m;
   return std::min(thickness_m, rest_part * distance_between(near, p));
 }
 
@@ -347,9 +325,7 @@ std::span<const NearPair> Contacts::find_near(const TimeSpan& time, float thickn
 
 // Of pairs that are not kept apart the thickness is 0.
 ContactPair Contacts::contact_of(const NearPair& near, const Material& material, float thickness_m) const {
-  if (left_out_.has(near)) {
-    return {near};
-  }
+  if (left_out_.has(near)) return {near};
   const Index first = near.rows.front();
   const Index second = near.rows.back();
   if (bodies_.has(first) || bodies_.has(second)) {
@@ -365,9 +341,7 @@ void Contacts::collect_pairs(const Material& material, float thickness_m, std::s
                              const TimeSpan& time, const Vec3& origin_m, ParallelKernels& kernels) {
   pairs_.resize(found.size());
   kernels.split(0, found.size(), ParallelKernels::least_pairs, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) {
-      pairs_[i] = contact_of(found[i], material, thickness_m);
-    }
+    for (std::size_t i = begin; i < end; ++i) pairs_[i] = contact_of(found[i], material, thickness_m);
   });
   std::erase_if(pairs_, [](const ContactPair& pair) { return pair.thickness_m == 0.0F; });
   bodies_.add_near(solid_, thickness_m, time, origin_m, rows_, pairs_);
@@ -404,9 +378,7 @@ bool Contacts::find_regions(const Frame& frame, const Layout& layout, const Moti
                   kernels);
     fits = regions_.make(pairs_, rows_, kernels, search > 0);
     pairs_made_ += static_cast<double>(pairs_.size());
-    if (!fits && may_be_shorter && (search + 1 == most_searches || are_many_large())) {
-      return false;
-    }
+    if (!fits && may_be_shorter && (search + 1 == most_searches || are_many_large())) return false;
   }
   memory_.is_touching = regions_.pair_count() > 0;
   report_.most_pairs = std::max(report_.most_pairs, static_cast<int>(regions_.pair_count()));
@@ -466,9 +438,7 @@ void Contacts::keep_apart(const Layout& layout, double time_s, double time_step_
 // Of a few rows it is their trembling that balls hold back. Where there are many, something else was to be
 // expected, and a ball is nothing to bump into: they are late, and as fast as they were.
 void Contacts::let_go(std::span<const HeldBack> held_back, Motion& motion) {
-  for (const HeldBack& held : held_back) {
-    add(motion.previous[held.row], -held.out);
-  }
+  for (const HeldBack& held : held_back) add(motion.previous[held.row], -held.out);
 }
 
 bool Contacts::allow(Index row, const Vec3& displacement_m) const {

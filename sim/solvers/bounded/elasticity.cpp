@@ -87,9 +87,7 @@ InPlane strain_of(const SurfaceBlock& rest, std::size_t k, const Float4Array& mo
 std::pair<float, float> principal_axes(const InPlane& m) {
   const float half = 0.5F * (m.first - m.second);
   const float radius = std::sqrt(half * half + m.mixed * m.mixed);
-  if (radius < 1e-12F) {
-    return {1.0F, 0.0F};
-  }
+  if (radius < 1e-12F) return {1.0F, 0.0F};
   const float doubled = std::clamp(half / radius, -1.0F, 1.0F);
   const float sine = std::sqrt(0.5F * (1.0F - doubled));
   return {std::sqrt(0.5F * (1.0F + doubled)), m.mixed < 0.0F ? -sine : sine};
@@ -128,9 +126,7 @@ int follows_in(double frame_time_s) {
 }
 
 Elasticity::Elasticity(const Garment& garment, const Layout& layout) : material_(garment.material) {
-  if (!sim::has_law(material_) || layout.surface.block_count() == 0) {
-    return;
-  }
+  if (!sim::has_law(material_) || layout.surface.block_count() == 0) return;
   lanes_ = layout.surface;
   sums_.resize(lanes_.block_count());
   warps_.resize(lanes_.block_count());
@@ -139,16 +135,12 @@ Elasticity::Elasticity(const Garment& garment, const Layout& layout) : material_
   for (std::size_t lane = 0; lane < lanes_.lane_count(); ++lane) {
     const SurfaceBlock& block = lanes_.blocks[lane / block_size];
     const std::size_t k = lane % block_size;
-    if (lanes_.triangle[lane] == SurfaceLanes::no_triangle) {
-      continue;
-    }
+    if (lanes_.triangle[lane] == SurfaceLanes::no_triangle) continue;
     areas_m2_[lane] = 0.5F / (block.along_per_m[k] * block.across_per_m[k]);
     const Vec2 warp = warp_of(garment, lanes_.triangle[lane]);
     warps_[lane / block_size].cosine[k] = static_cast<float>(warp.x);
     warps_[lane / block_size].sine[k] = static_cast<float>(warp.y);
-    for (const auto& at : block.at) {
-      areas_at_rows_m2_[at[k] / 4].x += areas_m2_[lane];
-    }
+    for (const auto& at : block.at) areas_at_rows_m2_[at[k] / 4].x += areas_m2_[lane];
   }
 }
 
@@ -183,9 +175,7 @@ void Elasticity::hold_back(const Layout& layout, const Float4Array& moved, doubl
   for (std::size_t lane = 0; lane < lanes_.lane_count(); ++lane) {
     const std::size_t b = lane / block_size;
     const std::size_t k = lane % block_size;
-    if (areas_m2_[lane] == 0.0F) {
-      continue;
-    }
+    if (areas_m2_[lane] == 0.0F) continue;
     const InPlane tension = in_plane(memory_.tension_n_per_m[b], k);
     const InPlane strain = turned(strain_of(layout.surface.blocks[b], k, moved), warps_[b].cosine[k], warps_[b].sine[k]);
     const auto [cosine, sine] = principal_axes(tension);
@@ -257,9 +247,7 @@ void Elasticity::follow(const Layout& layout, const Motion& motion, double time_
   const double time_s = time_step_s * steps_;
   const auto taken = static_cast<float>(time_s / (time_s + tuning::remembered_s));
   std::vector<InPlane> found = mean_tension(time_step_s, time_s);
-  for (int time = 0; time < tuning::shared_times; ++time) {
-    share_with_neighbours(found);
-  }
+  for (int time = 0; time < tuning::shared_times; ++time) share_with_neighbours(found);
   for (std::size_t lane = 0; lane < lanes_.lane_count(); ++lane) {
     SurfaceSums& tension = memory_.tension_n_per_m[lane / block_size];
     const InPlane before = in_plane(tension, lane % block_size);

@@ -33,9 +33,7 @@ std::optional<Crossing> crossing_of(const Vec3& a, const Vec3& b, const Vec3& v,
   const double vc2 = glm::dot(vc, vc);
   const double mixed = glm::dot(ab, vc);
   const double determinant = ab2 * vc2 - mixed * mixed;
-  if (!(determinant > least_squared_sine * ab2 * vc2)) {
-    return std::nullopt;
-  }
+  if (!(determinant > least_squared_sine * ab2 * vc2)) return std::nullopt;
   const double from_a = glm::dot(ab, va);
   const double from_v = glm::dot(vc, va);
   return Crossing{(mixed * from_v - vc2 * from_a) / determinant,
@@ -49,9 +47,7 @@ class Neighbours {
 
   std::vector<Index> of(Index v) const {
     std::vector<Index> neighbours;
-    for (const Index e : edges_at_[v]) {
-      neighbours.push_back(other_end(edges_[e], v));
-    }
+    for (const Index e : edges_at_[v]) neighbours.push_back(other_end(edges_[e], v));
     std::sort(neighbours.begin(), neighbours.end());
     return neighbours;
   }
@@ -79,13 +75,9 @@ std::optional<FlexuralElement> element_of(const Edge& spring, const std::vector<
   double best_offset = 0.5;  // within the spring
   for (const Index v : neighbours.common(a, b)) {
     for (const Index c : neighbours.of(v)) {
-      if (c == a || c == b) {
-        continue;
-      }
+      if (c == a || c == b) continue;
       const auto crossing = crossing_of(positions[a], positions[b], positions[v], positions[c]);
-      if (!crossing || !(std::abs(crossing->t) <= 1.0)) {
-        continue;
-      }
+      if (!crossing || !(std::abs(crossing->t) <= 1.0)) continue;
       const auto [s, t] = *crossing;
       const double offset = std::abs(s - 0.5) + distance_weight * std::abs(t);
       if (offset < best_offset) {
@@ -105,9 +97,7 @@ std::optional<FlexuralElement> element_of(const Edge& spring, const std::vector<
 /// among the elements there.
 void scale_by_area(const Garment& garment, std::vector<FlexuralElement>& elements) {
   std::vector<double> count(garment.mesh.positions.size(), 0.0);
-  for (const FlexuralElement& e : elements) {
-    count[e.vertices[2]] += 1.0;
-  }
+  for (const FlexuralElement& e : elements) count[e.vertices[2]] += 1.0;
   double covered_m2 = 0.0;
   double total_m2 = 0.0;
   for (std::size_t v = 0; v < count.size(); ++v) {

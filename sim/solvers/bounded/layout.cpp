@@ -27,15 +27,11 @@ std::vector<SpringInRows> movable_springs(const Springs& springs, const std::vec
                                           const Layout& layout) {
   std::vector<SpringInRows> rows;
   for (Index s = 0; s < bound_spring_count(springs); ++s) {
-    if (is_left_out[s]) {
-      continue;
-    }
+    if (is_left_out[s]) continue;
     const auto [a, b] = springs.ends[s];
     const Index i = std::min(layout.row_of_vertex[a], layout.row_of_vertex[b]);
     const Index j = std::max(layout.row_of_vertex[a], layout.row_of_vertex[b]);
-    if (j >= layout.pin_count) {
-      rows.push_back({i, j, s});
-    }
+    if (j >= layout.pin_count) rows.push_back({i, j, s});
   }
   std::sort(rows.begin(), rows.end(), [](const SpringInRows& a, const SpringInRows& b) {
     return std::tie(a.row_i, a.row_j, a.spring) < std::tie(b.row_i, b.row_j, b.spring);
@@ -81,9 +77,7 @@ SpringLanes make_spring_lanes(const Garment& garment, const Pins& pins, const st
                               const Layout& layout) {
   const std::vector<SpringInRows> springs = movable_springs(garment.springs, is_left_out, layout);
   std::vector<std::array<Index, 2>> rows;
-  for (const SpringInRows& s : springs) {
-    rows.push_back({s.row_i, s.row_j});
-  }
+  for (const SpringInRows& s : springs) rows.push_back({s.row_i, s.row_j});
   SpringLanes lanes;
   for (const std::vector<std::size_t>& colour : coloured(rows, layout.vertex_count())) {
     append_colour(springs, colour, garment, pins, layout, lanes);

@@ -21,9 +21,7 @@ void save(const ContactMemory& memory, ByteWriter& bytes) {
 void restore(const Frame& frame, ByteReader& bytes, ContactMemory& memory) {
   const std::vector<Body>& bodies = frame.surroundings.bodies;
   memory.may_have_crossed = bytes.get_bool("whether a crossing was accepted");
-  if (bytes.get_bool("whether it is known what crosses")) {
-    memory.bodies = bodies;
-  }
+  if (bytes.get_bool("whether it is known what crosses")) memory.bodies = bodies;
   const auto count = bytes.get<std::uint64_t>("the number of triangles that are left out");
   memory.left_out.clear();
   for (std::uint64_t k = 0; k < count; ++k) {
@@ -42,9 +40,7 @@ void save(const ElasticMemory& memory, ByteWriter& bytes) {
   for (const auto* blocks : {&memory.tension_n_per_m, &memory.held_n_per_m}) {
     for (const SurfaceSums& block : *blocks) {
       for (const auto* values : {&block.along, &block.across, &block.mixed}) {
-        for (const float value : *values) {
-          bytes.put(value);
-        }
+        for (const float value : *values) bytes.put(value);
       }
     }
   }
@@ -59,15 +55,11 @@ void restore(const Frame& frame, ByteReader& bytes, ElasticMemory& memory) {
     blocks->resize(count);
     for (SurfaceSums& block : *blocks) {
       for (auto* values : {&block.along, &block.across, &block.mixed}) {
-        for (float& value : *values) {
-          value = bytes.get<float>("the tension of a triangle");
-        }
+        for (float& value : *values) value = bytes.get<float>("the tension of a triangle");
       }
     }
   }
-  if (count == memory.tension_n_per_m.size()) {
-    memory = std::move(saved);
-  }
+  if (count == memory.tension_n_per_m.size()) memory = std::move(saved);
 }
 
 }  // namespace
@@ -78,16 +70,12 @@ void save(const Memory& memory, std::size_t vertex_count, ByteWriter& bytes) {
   memory.control.save(bytes);
   for (std::size_t row = 0; row < vertex_count; ++row) {
     const Float4& correction = memory.corrections[row];
-    for (const float coordinate_m : {correction.x, correction.y, correction.z}) {
-      bytes.put(coordinate_m);
-    }
+    for (const float coordinate_m : {correction.x, correction.y, correction.z}) bytes.put(coordinate_m);
   }
   save(memory.elastic, bytes);
   const RowMemory& rows = memory.contact.rows;
   bytes.put<std::uint8_t>(rows.is_empty() ? 0 : 1);
-  if (!rows.is_empty()) {
-    rows.save(vertex_count, bytes);
-  }
+  if (!rows.is_empty()) rows.save(vertex_count, bytes);
   save(memory.contact, bytes);
 }
 

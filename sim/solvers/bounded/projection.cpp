@@ -22,9 +22,7 @@ float squared_aim_of(double max_stretch) {
 std::vector<std::uint32_t> long_blocks(const std::vector<float>& squared_ratios, float least) {
   std::vector<std::uint32_t> blocks;
   for (std::uint32_t block = 0; block < squared_ratios.size(); ++block) {
-    if (squared_ratios[block] > least) {
-      blocks.push_back(block);
-    }
+    if (squared_ratios[block] > least) blocks.push_back(block);
   }
   return blocks;
 }
@@ -57,9 +55,7 @@ void for_triangles(const SurfaceLanes& surface, const Each& each) {
   for (std::size_t block = 0; block < surface.block_count(); ++block) {
     for (std::size_t lane = 0; lane < block_size; ++lane) {
       std::array<Index, 3> corners{};
-      for (std::size_t k = 0; k < 3; ++k) {
-        corners[k] = surface.blocks[block].at[k][lane] / 4;
-      }
+      for (std::size_t k = 0; k < 3; ++k) corners[k] = surface.blocks[block].at[k][lane] / 4;
       each(block, corners);
     }
   }
@@ -123,21 +119,15 @@ double BoundProjection::shorten_long(const Layout& layout, float squared_aim, Pa
 double BoundProjection::start(const Layout& layout, const Float4Array& raw, const Float4Array& corrections,
                               double raw_ratio, Confinement* confinement, ParallelKernels& kernels) {
   const auto bring_back = [&] {
-    if (confinement != nullptr) {
-      confinement->bring_back(corrected_);
-    }
+    if (confinement != nullptr) confinement->bring_back(corrected_);
     return largest_ratio(layout, kernels);
   };
-  if (confinement != nullptr) {
-    confinement->begin(raw, corrections);
-  }
+  if (confinement != nullptr) confinement->begin(raw, corrections);
   for (std::size_t row = 0; row < raw.size(); ++row) {
     corrected_[row] = scaled_sum(raw[row], corrections[row], kept_correction_);
   }
   const double ratio = bring_back();
-  if (ratio <= raw_ratio) {
-    return ratio;
-  }
+  if (ratio <= raw_ratio) return ratio;
   corrected_ = raw;
   return bring_back();
 }
@@ -155,17 +145,13 @@ void BoundProjection::find_rings(const SurfaceLanes& surface, float squared_boun
   rings_.assign(corrected_.size(), 0);
   for_triangles(surface, [&](std::size_t block, const std::array<Index, 3>& corners) {
     if (squared_surface_ratios_[block] > squared_bound) {
-      for (const Index row : corners) {
-        rings_[row] = tuning::evened_rings;
-      }
+      for (const Index row : corners) rings_[row] = tuning::evened_rings;
     }
   });
   for (std::uint8_t ring = tuning::evened_rings; ring > 1; --ring) {
     for_triangles(surface, [&](std::size_t, const std::array<Index, 3>& corners) {
       if (std::any_of(corners.begin(), corners.end(), [&](Index row) { return rings_[row] == ring; })) {
-        for (const Index row : corners) {
-          rings_[row] = std::max<std::uint8_t>(rings_[row], ring - 1);
-        }
+        for (const Index row : corners) rings_[row] = std::max<std::uint8_t>(rings_[row], ring - 1);
       }
     });
   }
@@ -185,9 +171,7 @@ void BoundProjection::even_out(const Layout& layout, float squared_bound) {
       }
     });
     for (std::size_t row = layout.pin_count; row < layout.vertex_count(); ++row) {
-      if (rings_[row] > 0) {
-        corrected_[row] = times(sums_[row], 1.0F / counts_[row]);
-      }
+      if (rings_[row] > 0) corrected_[row] = times(sums_[row], 1.0F / counts_[row]);
     }
   }
 }
@@ -213,12 +197,8 @@ ProjectionResult BoundProjection::project(const Layout& layout, const Float4Arra
   corrected_ = raw;
   double ratio = largest_ratio(layout, kernels);
   result.raw_max_stretch = std::sqrt(ratio) - 1.0;
-  if (!(result.raw_max_stretch < limits.raw_max_stretch)) {
-    return result;
-  }
-  if (!(ratio <= squared_bound)) {
-    ratio = start(layout, raw, corrections, ratio, confinement, kernels);
-  }
+  if (!(result.raw_max_stretch < limits.raw_max_stretch)) return result;
+  if (!(ratio <= squared_bound)) ratio = start(layout, raw, corrections, ratio, confinement, kernels);
   // A larger stretch is for more time steps to mend.
   const bool evens_out =
       confinement != nullptr && result.raw_max_stretch < tuning::coped_stretch * max_stretch;
@@ -237,9 +217,7 @@ ProjectionResult BoundProjection::project(const Layout& layout, const Float4Arra
       earlier_ratio = ratio;
     }
     result.cost += shorten_long(layout, squared_aim, kernels);
-    if (confinement != nullptr) {
-      confinement->bring_back(corrected_);
-    }
+    if (confinement != nullptr) confinement->bring_back(corrected_);
     ratio = largest_ratio(layout, kernels);
   }
   result.kept = ratio <= squared_bound;

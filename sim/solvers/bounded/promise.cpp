@@ -80,9 +80,7 @@ std::string digits(double number, int count = 6) {
 /// bound is wide enough.
 std::string wider_bound(const Load& load, const Limits& limits) {
   const double bound = bound_for(load);
-  if (bound > limits.widest_bound) {
-    return "";
-  }
+  if (bound > limits.widest_bound) return "";
   const double digit = std::pow(10.0, std::floor(std::log10(bound)) - 1.0);
   return ", or a bound of at least " + digits(digit * std::ceil(bound / digit));
 }
@@ -92,9 +90,7 @@ std::string wider_bound(const Load& load, const Limits& limits) {
 std::optional<std::string> beyond_promise(const BoundedSettings& settings, const Surroundings& surroundings,
                                           const PromiseNames& names) {
   const double bound = settings.max_stretch;
-  if (settings.allow_exceeding) {
-    return std::nullopt;
-  }
+  if (settings.allow_exceeding) return std::nullopt;
   const std::string all_the_same = std::string("; ") + names.allow_exceeding + " tries all the same";
   if (bound < smallest_promised_bound) {
     return std::string(names.bound) + ": found " + digits(bound) + ", expected at least " +

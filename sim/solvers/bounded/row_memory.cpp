@@ -30,9 +30,7 @@ void RowMemory::observe(std::size_t rows, const Float4Array& before, const Float
 }
 
 double RowMemory::relative_speed_m_per_s(std::span<const Triangle> triangles) const {
-  if (triangles.empty() || velocities.empty()) {
-    return 0.0;
-  }
+  if (triangles.empty() || velocities.empty()) return 0.0;
   std::vector<double> squares;
   squares.reserve(triangles.size());
   for (const Triangle& t : triangles) {
@@ -62,9 +60,7 @@ void RowMemory::restore(std::size_t rows, ByteReader& memory) {
   elapsed_s = memory.get("the time of what was observed", 0.0, std::numeric_limits<double>::max());
   for (std::size_t row = 0; row < rows; ++row) {
     for (Float4* v : {&velocities[row], &accelerations[row]}) {
-      for (float* value : {&v->x, &v->y, &v->z}) {
-        *value = memory.get<float>("how rows moved");
-      }
+      for (float* value : {&v->x, &v->y, &v->z}) *value = memory.get<float>("how rows moved");
     }
     deviations[row] = memory.get<float>("how far rows went from where they were expected");
   }

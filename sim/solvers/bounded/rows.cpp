@@ -40,9 +40,7 @@ void measure_reach(const Garment& garment, Rows& rows) {
     rows.reach_m = std::isfinite(distance_m) ? std::max(rows.reach_m, distance_m) : rows.reach_m;
   }
   double total_m = 0.0;
-  for (std::size_t s = 0; s < count; ++s) {
-    total_m += garment.springs.rest_lengths_m[s];
-  }
+  for (std::size_t s = 0; s < count; ++s) total_m += garment.springs.rest_lengths_m[s];
   rows.reach_springs = total_m > 0.0 ? rows.reach_m * static_cast<double>(count) / total_m : 0.0;
 }
 
@@ -61,9 +59,7 @@ Rows make_rows(const Garment& garment, const Pins& pins) {
 
 double projection_ratio(Index row_i, Index row_j, const Rows& rows) {
   const double further_m = rows.distance_from_pins_m[row_j] - rows.distance_from_pins_m[row_i];
-  if (!std::isfinite(further_m) || !(rows.reach_m > 0.0)) {
-    return 1.0;
-  }
+  if (!std::isfinite(further_m) || !(rows.reach_m > 0.0)) return 1.0;
   return exponential(-tuning::projection_weight_growth * further_m * rows.reach_springs / rows.reach_m);
 }
 

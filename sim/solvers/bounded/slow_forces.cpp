@@ -144,9 +144,7 @@ void SlowForces::update(const Garment& garment, const ExternalForces& external, 
   add_gravity_and_artificial(external, time_s);
   add_hand(garment, external, motion, time_step_s, interval_s);
   add_wind(kernels);
-  if (!bending_.empty()) {
-    add_bending(motion, interval_s / time_step_s, kernels);
-  }
+  if (!bending_.empty()) add_bending(motion, interval_s / time_step_s, kernels);
 }
 
 }  // namespace taut::sim::bounded

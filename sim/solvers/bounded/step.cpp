@@ -44,13 +44,9 @@ void move_pins(const Surroundings& surroundings, const TimeStep& time, SteppedCl
 
 void constrain(ParallelKernels& kernels, SteppedCloth& cloth) {
   Float4* rows = cloth.motion.current.data();
-  for (const BlockRange& range : cloth.layout.springs.sweep) {
-    kernels.sweep(cloth.layout.springs, range, rows);
-  }
+  for (const BlockRange& range : cloth.layout.springs.sweep) kernels.sweep(cloth.layout.springs, range, rows);
   const SurfaceLanes& surface = cloth.swept_surface();
-  for (const BlockRange& range : surface.sweep) {
-    kernels.sweep(surface, range, cloth.elasticity.sums(), rows);
-  }
+  for (const BlockRange& range : surface.sweep) kernels.sweep(surface, range, cloth.elasticity.sums(), rows);
 }
 
 /// A time for regions, and a bound on how far pins and bodies are off their chords in it, in m.
@@ -111,13 +107,9 @@ void step(const Frame& frame, const TimeStep& time, ParallelKernels& kernels, St
   const Surroundings& surroundings = frame.surroundings;
   frame.ask();
   // Step 2: impose the forces on the mass points, a few times in a frame ...
-  if (time.updates_forces) {
-    impose_forces(frame.garment, surroundings.forces, time, kernels, cloth);
-  }
+  if (time.updates_forces) impose_forces(frame.garment, surroundings.forces, time, kernels, cloth);
   // ... find what could touch, as often as the cloth's motion asks for ...
-  if (cloth.contacts.are_due(time.time_s, time.time_step_s)) {
-    renew_regions(frame, time, kernels, cloth);
-  }
+  if (cloth.contacts.are_due(time.time_s, time.time_step_s)) renew_regions(frame, time, kernels, cloth);
   // ... and predict where they go, eq. (1): d(t+dt) = d(t) + (d(t) - d(t-dt)) / (1 + c dt) + a dt^2.
   predict(surroundings, time, kernels, cloth);
   move_pins(surroundings, time, cloth);

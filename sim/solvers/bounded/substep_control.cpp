@@ -48,9 +48,7 @@ void SubstepControl::frame_kept(double projection_cost, double shift) {
     need_more();
     wanted = std::ceil(wanted * tuning::more_steps);
   } else if (calm_frames_ >= calm_frames_needed_) {
-    if (took_fewer_) {
-      calm_frames_needed_ = std::max(calm_frames_needed_ / 2, fewest_calm_frames_);
-    }
+    if (took_fewer_) calm_frames_needed_ = std::max(calm_frames_needed_ / 2, fewest_calm_frames_);
     took_fewer_ = true;
     wanted = std::floor(wanted / tuning::more_steps);
     calm_frames_ = 0;
@@ -77,9 +75,7 @@ void SubstepControl::need_at_least(int substeps) {
 }
 
 bool SubstepControl::try_more(double raw) {
-  if (is_spent()) {
-    return false;
-  }
+  if (is_spent()) return false;
   // Stretch falls with the square of the time step. Cloth that is lost has no stretch: NaN asks for most.
   constexpr double least_more = tuning::more_steps * tuning::more_steps * tuning::more_steps;
   const double wanted = std::max(least_more, std::min(2.0, std::sqrt(raw / tuning::coped_stretch)));
@@ -128,9 +124,7 @@ int first_substeps(const Garment& garment, const Layout& layout, const Surroundi
       ++count;
     }
   }
-  if (count == 0) {
-    return 1;
-  }
+  if (count == 0) return 1;
   double hanging_kg = 0.0;
   for (std::size_t row = layout.pin_count; row < layout.vertex_count(); ++row) {
     hanging_kg +=

@@ -47,9 +47,7 @@ class SpringFinder {
       const auto first = springs_.ends.begin() + static_cast<std::ptrdiff_t>(springs_.begin_of(kind));
       const auto last = springs_.ends.begin() + static_cast<std::ptrdiff_t>(springs_.end_of(kind));
       const auto found = std::lower_bound(first, last, edge);
-      if (found != last && *found == edge) {
-        mark(static_cast<std::size_t>(found - springs_.ends.begin()));
-      }
+      if (found != last && *found == edge) mark(static_cast<std::size_t>(found - springs_.ends.begin()));
     }
   }
 
@@ -76,9 +74,7 @@ std::vector<TriangleInRows> movable_triangles(const Garment& garment, const Rows
   std::vector<TriangleInRows> movable;
   for (Index t = 0; t < garment.mesh.triangles.size(); ++t) {
     Corners corners;
-    for (std::size_t k = 0; k < 3; ++k) {
-      corners[k] = rows.row_of_vertex[garment.mesh.triangles[t][k]];
-    }
+    for (std::size_t k = 0; k < 3; ++k) corners[k] = rows.row_of_vertex[garment.mesh.triangles[t][k]];
     if (garment.triangles_at_rest[t].has_surface() &&
         *std::max_element(corners.begin(), corners.end()) >= rows.pin_count) {
       movable.push_back({corners, t});
@@ -129,9 +125,7 @@ std::array<double, 3> weighted(const std::array<double, 3>& inverse_masses, cons
                                const Rows& rows) {
   std::array<double, 3> inverse_weights = inverse_masses;
   const Index nearest = *std::min_element(corners.begin(), corners.end());
-  for (std::size_t k = 0; k < 3; ++k) {
-    inverse_weights[k] /= projection_ratio(nearest, corners[k], rows);
-  }
+  for (std::size_t k = 0; k < 3; ++k) inverse_weights[k] /= projection_ratio(nearest, corners[k], rows);
   return inverse_weights;
 }
 
@@ -223,17 +217,13 @@ std::vector<bool> springs_held_by_triangles(const Garment& garment) {
 SurfaceLanes make_surface_lanes(const Garment& garment, const Pins& pins, const Rows& rows) {
   const std::vector<TriangleInRows> triangles = movable_triangles(garment, rows);
   std::vector<Corners> corners;
-  for (const TriangleInRows& t : triangles) {
-    corners.push_back(t.corners);
-  }
+  for (const TriangleInRows& t : triangles) corners.push_back(t.corners);
   SurfaceMaker maker(garment, pins, rows);
   for (const std::vector<std::size_t>& colour : coloured(corners, rows.vertex_count())) {
     maker.append_colour(triangles, colour);
   }
   SurfaceLanes lanes = maker.take();
-  if (rows.pin_count > 0) {
-    sweep_again_near_pins(lanes);
-  }
+  if (rows.pin_count > 0) sweep_again_near_pins(lanes);
   return lanes;
 }
 

@@ -16,9 +16,7 @@ Tethers make_tethers(const Garment& garment, const Layout& layout, double slack)
   const std::vector<Vec3>& rest = garment.mesh.positions;
   for (std::size_t row = layout.pin_count; row < layout.vertex_count(); ++row) {
     const double along_m = layout.distance_from_pins_m[row];
-    if (!std::isfinite(along_m)) {
-      continue;
-    }
+    if (!std::isfinite(along_m)) continue;
     const Index pin = layout.nearest_pin_row[row];
     // The distance along the cloth can come out slightly too short, but the cloth must fit at rest.
     const double straight_m = glm::length(rest[layout.vertex_of_row[row]] - rest[layout.vertex_of_row[pin]]);

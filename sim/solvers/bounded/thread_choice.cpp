@@ -14,9 +14,7 @@ constexpr int most_between_trials = 512;
 /// Returns the time, in seconds, that the chunks of others would have cost the caller, less the time it
 /// waited for them.
 double gained_s(double seconds, const PoolWork& work) {
-  if (work.own_chunks == 0) {
-    return 0.0;
-  }
+  if (work.own_chunks == 0) return 0.0;
   const double others = static_cast<double>(work.others_chunks) / static_cast<double>(work.own_chunks);
   return (seconds - work.waited_s) * others - work.waited_s;
 }

@@ -114,16 +114,12 @@ double largest_excess_m(const Garment& garment, const BoundedSettings& settings,
 void shorten_once(const Garment& garment, const Pins& pins, const BoundedSettings& settings,
                   std::span<Vec3> positions) {
   shorten_springs(garment, pins, settings.max_stretch, positions);
-  if (settings.bound == BoundKind::surface) {
-    shorten_surface(garment, pins, settings.max_stretch, positions);
-  }
+  if (settings.bound == BoundKind::surface) shorten_surface(garment, pins, settings.max_stretch, positions);
 }
 
 void move_within_bound(const Garment& garment, const Pins& pins, const BoundedSettings& settings,
                        State& state) {
-  if (largest_excess_m(garment, settings, state.current) == 0.0) {
-    return;
-  }
+  if (largest_excess_m(garment, settings, state.current) == 0.0) return;
   bounded::Layout layout = bounded::make_layout(garment, pins, settings.bound);
   bounded::ParallelKernels kernels(bounded::kernels_for(settings.vector_unit), 1);
   bounded::StartRows start;
@@ -152,9 +148,7 @@ bool keeps_bound_in_double(const Garment& garment, const Pins& pins, const Bound
     excess_m = largest_excess_m(garment, settings, positions);
   }
   for (Index v = 0; v < before_m.size(); ++v) {
-    if (allow && positions[v] != before_m[v] && !allow(v, positions[v])) {
-      positions[v] = before_m[v];
-    }
+    if (allow && positions[v] != before_m[v] && !allow(v, positions[v])) positions[v] = before_m[v];
   }
   return largest_excess_m(garment, settings, positions) == 0.0;
 }

@@ -151,9 +151,7 @@ void add_near_limb(const Search& search, const Limb& limb, std::span<const Trian
       }
     }
     const float size = std::max(glm::distance(corners[0], corners[1]), glm::distance(corners[0], corners[2]));
-    if (glm::distance(corners[0], middle) > outer + size + reach + approach) {
-      continue;
-    }
+    if (glm::distance(corners[0], middle) > outer + size + reach + approach) continue;
     const Nearest nearest = nearest_of(limb, corners);
     const Vec3 along(nearest.normal);
     const Vec3 point_m(nearest.point);
@@ -181,9 +179,7 @@ void add_near_plane(const Search& search, const Plane& at_begin, const Plane& at
   std::vector<bool> is_done(rows.radii.size(), false);
   for (const Triangle& t : cloth) {
     for (const Index v : t) {
-      if (is_done[v]) {
-        continue;
-      }
+      if (is_done[v]) continue;
       is_done[v] = true;
       // In double precision: the plane's point may be far away.
       const Vec3 at_m = vector_of(rows.positions[v]);
@@ -236,16 +232,12 @@ std::vector<Vec3> BodyContacts::mesh_positions_m(double time_s) const {
 
 double BodyContacts::off_chord_m(const TimeSpan& time) const {
   double off_m = 0.0;
-  for (const Body& body : bodies_) {
-    off_m = std::max(off_m, sim::off_chord_m(body, time));
-  }
+  for (const Body& body : bodies_) off_m = std::max(off_m, sim::off_chord_m(body, time));
   return off_m;
 }
 
 void BodyContacts::add_mesh_rows(const TimeSpan& time, const Vec3& origin_m, RowMoves& rows) const {
-  if (body_of_row_.empty()) {
-    return;
-  }
+  if (body_of_row_.empty()) return;
   const std::vector<Vec3> begin_m = mesh_positions_m(time.from_s);
   const std::vector<Vec3> end_m = mesh_positions_m(time.to_s);
   for (std::size_t v = 0; v < begin_m.size(); ++v) {
@@ -276,9 +268,7 @@ void BodyContacts::add_near(std::span<const Triangle> cloth, float thickness_m, 
 
 std::size_t BodyContacts::body_of(Index row) const {
   const std::size_t place = row - first_row_;
-  if (place < body_of_row_.size()) {
-    return body_of_row_[place];
-  }
+  if (place < body_of_row_.size()) return body_of_row_[place];
   const auto end = std::upper_bound(near_ends_.begin(), near_ends_.end(), row);
   return static_cast<std::size_t>(end - near_ends_.begin());
 }

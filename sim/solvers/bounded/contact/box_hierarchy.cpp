@@ -32,15 +32,11 @@ void order_by_place(std::span<const Vec3> centres, std::span<Index> things) {
     return;
   }
   std::size_t part = block_size;
-  while (part * block_size < things.size()) {
-    part *= block_size;
-  }
+  while (part * block_size < things.size()) part *= block_size;
   const std::size_t parts = (things.size() + part - 1) / part;
   const std::size_t middle = (parts + 1) / 2 * part;
   Extent extent;
-  for (const Index thing : things) {
-    extent.add(centres[thing]);
-  }
+  for (const Index thing : things) extent.add(centres[thing]);
   const int axis = longest_axis(extent);
   std::nth_element(things.begin(), things.begin() + static_cast<std::ptrdiff_t>(middle), things.end(),
                    [&](Index a, Index b) {
@@ -57,9 +53,7 @@ std::vector<Index> order_of(std::span<const std::array<Index, corners>> primitiv
   std::vector<Vec3> centres;
   for (const auto& rows : primitives) {
     Vec3 sum(0.0);
-    for (const Index row : rows) {
-      sum += positions[row];
-    }
+    for (const Index row : rows) sum += positions[row];
     centres.push_back(sum / static_cast<double>(corners));
   }
   std::vector<Index> order(primitives.size());
@@ -84,9 +78,7 @@ BoxHierarchy::BoxHierarchy(std::span<const Triangle> triangles, std::span<const 
 
 std::size_t BoxHierarchy::height_for(std::size_t count) {
   std::size_t height = 1;
-  for (std::size_t blocks = blocks_for(count); blocks > 1; blocks = blocks_for(blocks)) {
-    ++height;
-  }
+  for (std::size_t blocks = blocks_for(count); blocks > 1; blocks = blocks_for(blocks)) ++height;
   return height;
 }
 

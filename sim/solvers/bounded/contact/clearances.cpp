@@ -16,9 +16,7 @@ const std::vector<NearPair>& Clearances::pairs_within(std::span<const Vec3> posi
                                                       std::span<const float> radii_m) {
   const Vec3 middle = extent_of(positions_m).middle();
   rows_.clear();
-  for (const Vec3& position_m : positions_m) {
-    rows_.push_back(float4_of(position_m - middle));
-  }
+  for (const Vec3& position_m : positions_m) rows_.push_back(float4_of(position_m - middle));
   return near_.find(rows_, moves_, radii_m, kernels_);
 }
 
@@ -32,9 +30,7 @@ std::span<const float> Clearances::find(std::span<const Vec3> positions_m, float
   clearances_m_.assign(positions_m.size(), most_m);
   for (const NearPair& pair : pairs_within(positions_m, radii_)) {
     const float distance_m = distance_of(pair);
-    for (const Index row : pair.rows) {
-      clearances_m_[row] = std::min(clearances_m_[row], distance_m);
-    }
+    for (const Index row : pair.rows) clearances_m_[row] = std::min(clearances_m_[row], distance_m);
   }
   return clearances_m_;
 }
@@ -49,9 +45,7 @@ std::span<const float> Clearances::find_shares(std::span<const Vec3> positions_m
     }
     const float both_m = reaches_m[0] + reaches_m[1];
     const float share = both_m > 0.0F ? distance_of(pair) / both_m : 1.0F;
-    for (const Index row : pair.rows) {
-      shares_[row] = std::min(shares_[row], share);
-    }
+    for (const Index row : pair.rows) shares_[row] = std::min(shares_[row], share);
   }
   return shares_;
 }

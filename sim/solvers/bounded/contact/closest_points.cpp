@@ -19,15 +19,11 @@ ClosestWeights closest_vertex_triangle(const std::array<glm::vec3, 4>& p) {
   const glm::vec3 ap = p[0] - p[1];
   const float d1 = glm::dot(ab, ap);
   const float d2 = glm::dot(ac, ap);
-  if (d1 <= 0.0F && d2 <= 0.0F) {
-    return {1.0F, 1.0F, 0.0F, 0.0F};
-  }
+  if (d1 <= 0.0F && d2 <= 0.0F) return {1.0F, 1.0F, 0.0F, 0.0F};
   const glm::vec3 bp = p[0] - p[2];
   const float d3 = glm::dot(ab, bp);
   const float d4 = glm::dot(ac, bp);
-  if (d3 >= 0.0F && d4 <= d3) {
-    return {1.0F, 0.0F, 1.0F, 0.0F};
-  }
+  if (d3 >= 0.0F && d4 <= d3) return {1.0F, 0.0F, 1.0F, 0.0F};
   const float vc = d1 * d4 - d3 * d2;
   if (vc <= 0.0F && d1 >= 0.0F && d3 <= 0.0F) {
     const float v = clamped_ratio(d1, d1 - d3);
@@ -36,9 +32,7 @@ ClosestWeights closest_vertex_triangle(const std::array<glm::vec3, 4>& p) {
   const glm::vec3 cp = p[0] - p[3];
   const float d5 = glm::dot(ab, cp);
   const float d6 = glm::dot(ac, cp);
-  if (d6 >= 0.0F && d5 <= d6) {
-    return {1.0F, 0.0F, 0.0F, 1.0F};
-  }
+  if (d6 >= 0.0F && d5 <= d6) return {1.0F, 0.0F, 0.0F, 1.0F};
   const float vb = d5 * d2 - d1 * d6;
   if (vb <= 0.0F && d2 >= 0.0F && d6 <= 0.0F) {
     const float w = clamped_ratio(d2, d2 - d6);

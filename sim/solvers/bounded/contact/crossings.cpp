@@ -16,9 +16,7 @@ constexpr double least_apart_m = 0.5 * least_at_rest_m;
 
 CompressedRows triangles_of_rows(std::span<const Triangle> triangles) {
   Index rows = 0;
-  for (const Triangle& t : triangles) {
-    rows = std::max({rows, t[0] + 1, t[1] + 1, t[2] + 1});
-  }
+  for (const Triangle& t : triangles) rows = std::max({rows, t[0] + 1, t[1] + 1, t[2] + 1});
   return triangles_of_vertices(rows, triangles);
 }
 
@@ -37,9 +35,7 @@ Crossings::Crossings(std::span<const Triangle> cloth, std::span<const Triangle> 
   triangles_.insert(triangles_.end(), bodies.begin(), bodies.end());
   triangles_of_ = triangles_of_rows(triangles_);
   group_of_.assign(triangles_.size(), 0);
-  if (within_cloth_) {
-    find_touching_at_rest();
-  }
+  if (within_cloth_) find_touching_at_rest();
 }
 
 TrianglePairMeasure Crossings::measure(Index s, Index t, bool are_neighbours, std::span<const Vec3> positions_m) const {
@@ -56,21 +52,15 @@ void Crossings::find_touching_at_rest() {
   std::vector<Index> cloth(cloth_count_);
   std::iota(cloth.begin(), cloth.end(), 0U);
   for_pairs(cloth, rest_m_, least_at_rest_m, [&](Index s, Index t, bool are_neighbours) {
-    if (!is_kept_apart(s, t, are_neighbours)) {
-      touch_at_rest_[s] = touch_at_rest_[t] = true;
-    }
+    if (!is_kept_apart(s, t, are_neighbours)) touch_at_rest_[s] = touch_at_rest_[t] = true;
   });
 }
 
 // Things near at rest, as in the finest meshes, are not kept apart; nor are those that touch there, so that their group stays.
 bool Crossings::is_apart(Index s, Index t, bool are_neighbours, std::span<const Vec3> positions_m) const {
-  if (are_neighbours && neighbours_cross(triangles_[s], triangles_[t], positions_m)) {
-    return false;
-  }
+  if (are_neighbours && neighbours_cross(triangles_[s], triangles_[t], positions_m)) return false;
   const TrianglePairMeasure now = measure(s, t, are_neighbours, positions_m);
-  if (now.is_pierced || (!are_neighbours && now.is_crossing())) {
-    return false;
-  }
+  if (now.is_pierced || (!are_neighbours && now.is_crossing())) return false;
   return now.parts_m > least_apart_m || !is_kept_apart(s, t, are_neighbours);
 }
 
@@ -92,9 +82,7 @@ void Crossings::for_pairs(std::span<const Index> among, std::span<const Vec3> po
   std::vector<TriangleCouple> near;
   tree.find_near(near);
   for (const auto& [i, j] : near) {
-    if (is_wanted(among[i], among[j])) {
-      each(among[i], among[j], false);
-    }
+    if (is_wanted(among[i], among[j])) each(among[i], among[j], false);
   }
   for (const Index s : among) {
     for (std::size_t k = 0; k < 3 && within_cloth_ && s < cloth_count_; ++k) {
@@ -102,18 +90,14 @@ void Crossings::for_pairs(std::span<const Index> among, std::span<const Vec3> po
         // Those that share more come once, with the first that they share.
         const bool has_come = (k > 0 && has_row(triangles_[t], triangles_[s][0])) ||
                               (k > 1 && has_row(triangles_[t], triangles_[s][1]));
-        if (t > s && is_among[t] && !has_come) {
-          each(s, t, true);
-        }
+        if (t > s && is_among[t] && !has_come) each(s, t, true);
       }
     }
   }
 }
 
 void Crossings::add(std::span<const Vec3> positions_m) {
-  if (!within_cloth_ && cloth_count_ == triangles_.size()) {
-    return;
-  }
+  if (!within_cloth_ && cloth_count_ == triangles_.size()) return;
   std::vector<Index> all(triangles_.size());
   std::iota(all.begin(), all.end(), 0U);
   Groups groups(triangles_.size());
@@ -125,14 +109,10 @@ void Crossings::add(std::span<const Vec3> positions_m) {
     }
   });
   for (Index t = 0; t < group_of_.size(); ++t) {
-    if (group_of_[t] > 0) {
-      groups.join(t, group_of_[t] - 1);
-    }
+    if (group_of_[t] > 0) groups.join(t, group_of_[t] - 1);
   }
   std::vector<bool> is_in(triangles_.size(), false);
-  for (const Index t : seeds) {
-    is_in[t] = true;
-  }
+  for (const Index t : seeds) is_in[t] = true;
   std::vector<Index> patch = seeds;
   for (int ring = 0; ring < rings; ++ring) {
     const std::vector<Index> before = patch;
@@ -158,13 +138,9 @@ void Crossings::free(std::span<const Vec3> positions_m) {
   std::vector<Index> patches;
   std::vector<bool> stays(triangles_.size() + 1, false);
   for (Index t = 0; t < group_of_.size(); ++t) {
-    if (group_of_[t] > 0) {
-      patches.push_back(t);
-    }
+    if (group_of_[t] > 0) patches.push_back(t);
   }
-  if (patches.empty()) {
-    return;
-  }
+  if (patches.empty()) return;
   for_pairs(patches, positions_m, least_apart_m, [&](Index s, Index t, bool are_neighbours) {
     const Index group = group_of_[s];
     if (group == group_of_[t] && !stays[group] && !is_apart(s, t, are_neighbours, positions_m)) {
@@ -189,16 +165,12 @@ void Crossings::find_keys() {
     });
   };
   for (std::size_t t = 0; t < triangles_.size(); ++t) {
-    if (group_of_[t] == 0) {
-      continue;
-    }
+    if (group_of_[t] == 0) continue;
     Triangle rows = triangles_[t];
     std::sort(rows.begin(), rows.end());
     const auto [a, b, c] = rows;
     for (const Triangle& thing : {Triangle{a, a, a}, {b, b, b}, {c, c, c}, {a, b, b}, {a, c, c}, {b, c, c}, {a, b, c}}) {
-      if (lies_in(thing, group_of_[t])) {
-        keys_.push_back({thing, group_of_[t]});
-      }
+      if (lies_in(thing, group_of_[t])) keys_.push_back({thing, group_of_[t]});
     }
   }
   std::sort(keys_.begin(), keys_.end());
@@ -217,9 +189,7 @@ Index Crossings::group_of(std::span<const Index> rows) const {
 }
 
 bool Crossings::has(const NearPair& near) const {
-  if (keys_.empty()) {
-    return false;
-  }
+  if (keys_.empty()) return false;
   const Index first = group_of(std::span(near.rows).first(near.first_count));
   return first > 0 && first == group_of(std::span(near.rows).subspan(near.first_count));
 }

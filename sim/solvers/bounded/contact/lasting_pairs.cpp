@@ -29,14 +29,10 @@ float LastingPairs::part_at(double time_s, float at_once) const {
 
 void LastingPairs::sort_by_kind(std::span<const NearPair> pairs) {
   for (List& list : lists_) {
-    for (Lanes<std::uint32_t>& at : list) {
-      at.clear();
-    }
+    for (Lanes<std::uint32_t>& at : list) at.clear();
   }
   for (const NearPair& pair : pairs) {
-    for (std::size_t k = 0; k < 4; ++k) {
-      lists_[pair.first_count - 1][k].push_back(4 * pair.rows[k]);
-    }
+    for (std::size_t k = 0; k < 4; ++k) lists_[pair.first_count - 1][k].push_back(4 * pair.rows[k]);
   }
 }
 
@@ -94,16 +90,12 @@ void LastingPairs::renew_marked(const ExpectedRows& rows, float edge_m, Parallel
   const auto longer = static_cast<float>(lasts_s > 0.0 ? list_lasts_s / lasts_s : 1.0);
   const float from = part_at(rows.time.from_s, 0.0F);
   for (std::size_t row = 0; row < reaches_.size(); ++row) {
-    if (marks_[row] != unexpected) {
-      continue;
-    }
+    if (marks_[row] != unexpected) continue;
     marks_[row] = renewed;
     const Float4 expected = scaled_sum(begin_[row], ways_[row], from);
     const float off =
         std::min(length_between(rows.positions[row], expected), tuning::most_room_per_edge * edge_m);
-    if (!is_end) {
-      ways_[row] = times(rows.moves[row], longer);
-    }
+    if (!is_end) ways_[row] = times(rows.moves[row], longer);
     begin_[row] = scaled_sum(rows.positions[row], ways_[row], -from);
     reaches_[row] = rows.radii[row] + (is_end ? length_of(rows.moves[row]) : 0.0F);
     if (lasts_) {
@@ -139,16 +131,10 @@ std::span<const NearPair> LastingPairs::find(const ExpectedRows& rows, double un
   } else {
     is_new = false;
   }
-  if (!lasts_) {
-    return found_;
-  }
-  if (is_new) {
-    sort_by_kind(found_);
-  }
+  if (!lasts_) return found_;
+  if (is_new) sort_by_kind(found_);
   moving_ = rows.moves;
-  for (std::size_t row = 0; row < rows.radii.size(); ++row) {
-    moving_[row].unused = rows.radii[row];
-  }
+  for (std::size_t row = 0; row < rows.radii.size(); ++row) moving_[row].unused = rows.radii[row];
   const MovingRows moving = {rows.positions.data(), moving_.data()};
   pairs_.clear();
   keep_near(moving, 1, kernels.contact());

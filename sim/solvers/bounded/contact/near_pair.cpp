@@ -5,12 +5,8 @@
 namespace taut::sim::bounded {
 
 ClosestWeights closest_weights(const NearPair& pair, const std::array<glm::vec3, 4>& p) {
-  if (pair.first_count == 2) {
-    return closest_edges(p);
-  }
-  if (pair.first_count == 1) {
-    return closest_vertex_triangle(p);
-  }
+  if (pair.first_count == 2) return closest_edges(p);
+  if (pair.first_count == 1) return closest_vertex_triangle(p);
   const ClosestWeights w = closest_vertex_triangle({p[3], p[0], p[1], p[2]});
   return {w[1], w[2], w[3], w[0]};
 }
@@ -19,9 +15,7 @@ ClosestWeights closest_weights(const NearPair& pair, const std::array<glm::vec3,
 glm::vec3 between_closest(const NearPair& pair, const std::array<glm::vec3, 4>& p,
                           const ClosestWeights& weights) {
   glm::vec3 between(0.0F);
-  for (Index k = 0; k < 4; ++k) {
-    between += (k < pair.first_count ? weights[k] : -weights[k]) * (p[k] - p[0]);
-  }
+  for (Index k = 0; k < 4; ++k) between += (k < pair.first_count ? weights[k] : -weights[k]) * (p[k] - p[0]);
   return between;
 }
 

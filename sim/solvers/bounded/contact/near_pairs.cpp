@@ -25,9 +25,7 @@ std::size_t height_for(const ContactMesh& mesh) {
 
 Float4 mean_of(const Float4Array& vectors) {
   Float4 mean{};
-  for (const Float4& vector : vectors) {
-    add_scaled(mean, vector, 1.0F / static_cast<float>(vectors.size()));
-  }
+  for (const Float4& vector : vectors) add_scaled(mean, vector, 1.0F / static_cast<float>(vectors.size()));
   return mean;
 }
 
@@ -71,13 +69,9 @@ void NearPairs::for_found(const Trees& trees, std::size_t level, std::size_t beg
 
 /// Finds the pairs of blocks of primitives whose boxes overlap.
 void NearPairs::find_blocks(const Trees& trees, const ContactKernels& kernels) {
-  for (auto& blocks : blocks_) {
-    blocks.assign(1, 0);
-  }
+  for (auto& blocks : blocks_) blocks.assign(1, 0);
   for (std::size_t level = trees.a.height() - 1; level > 0; --level) {
-    for (auto& blocks : next_blocks_) {
-      blocks.clear();
-    }
+    for (auto& blocks : next_blocks_) blocks.clear();
     for_found(trees, level, 0, blocks_[0].size(), kernels, [&](const PairLists& found, std::size_t count) {
       for (std::size_t k = 0; k < 2; ++k) {
         next_blocks_[k].insert(next_blocks_[k].end(), found[k], found[k] + count);
@@ -88,9 +82,7 @@ void NearPairs::find_blocks(const Trees& trees, const ContactKernels& kernels) {
 }
 
 void NearPairs::find_between(const Trees& trees, const MovingRows& rows, ParallelKernels& kernels) {
-  if (trees.a.is_empty() || trees.b.is_empty()) {
-    return;
-  }
+  if (trees.a.is_empty() || trees.b.is_empty()) return;
   find_blocks(trees, kernels.contact());
   const auto first_count = static_cast<Index>(trees.a.corner_count());
   const std::size_t count = blocks_[0].size();
@@ -174,9 +166,7 @@ const std::vector<NearPair>& NearPairs::find_anew(std::span<const std::uint8_t> 
                                   const BoxHierarchy& all_b) {
     find_some_between({a, b}, rows, any, kernels);
     find_some_between({a, all_b}, rows, second_is_other, kernels);
-    if (&a != &b) {
-      find_some_between({all_a, b}, rows, first_is_other, kernels);
-    }
+    if (&a != &b) find_some_between({all_a, b}, rows, first_is_other, kernels);
   };
   if (within_cloth_) {
     find_both_ways(cloth.vertices, cloth_.vertices, cloth.triangles, cloth_.triangles);

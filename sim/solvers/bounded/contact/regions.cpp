@@ -39,9 +39,7 @@ PairExtent Regions::extent_of(const NearPair& near, const std::array<glm::vec3, 
 Regions::Pair Regions::pair_of(const ContactPair& contact, const RowMoves& rows) const {
   const NearPair& near = contact.near;
   std::array<glm::vec3, 4> p{};
-  for (Index k = 0; k < 4; ++k) {
-    p[k] = vec(rows.positions[near.rows[k]]);
-  }
+  for (Index k = 0; k < 4; ++k) p[k] = vec(rows.positions[near.rows[k]]);
   Pair pair{};
   pair.contact = contact;
   pair.weights = closest_weights(near, p);
@@ -80,9 +78,7 @@ void Regions::find_same(std::span<const ContactPair> pairs, std::size_t rows) {
   auto earlier = earlier_.begin();
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     earlier = std::find_if(earlier, earlier_.end(), [&](const Pair& pair) { return is_kept(pair.contact); });
-    if (earlier != earlier_.end() && earlier->contact.near == pairs[i].near) {
-      same_[i] = &*earlier++;
-    }
+    if (earlier != earlier_.end() && earlier->contact.near == pairs[i].near) same_[i] = &*earlier++;
   }
 }
 
@@ -104,9 +100,7 @@ void Regions::make_pairs(std::span<const ContactPair> pairs, const RowMoves& row
     }
   });
   std::erase_if(pairs_, [&](const Pair& pair) {
-    if (!pair.is_told_apart) {
-      note_blocked(pair.contact.near, 0.0F);
-    }
+    if (!pair.is_told_apart) note_blocked(pair.contact.near, 0.0F);
     return !pair.is_told_apart;
   });
   note_kinematic_gap(rows.inverse_masses_per_kg);
@@ -125,16 +119,12 @@ void Regions::note_kinematic_gap(std::span<const float> inverse_masses) {
 }
 
 void Regions::set_heights(const std::array<glm::vec3, 4>& p, Pair& pair) {
-  for (Index k = 0; k < 4; ++k) {
-    pair.heights[k] = glm::dot(pair.normal, p[k] - p[0]);
-  }
+  for (Index k = 0; k < 4; ++k) pair.heights[k] = glm::dot(pair.normal, p[k] - p[0]);
   pair.distance = span_of(pair.contact.near, pair.heights).apart();
 }
 
 void Regions::note_blocked(const NearPair& near, float distance) {
-  if (!blocked_) {
-    blocked_ = {near, distance};
-  }
+  if (!blocked_) blocked_ = {near, distance};
 }
 
 Regions::Span Regions::span_of(const NearPair& near, const std::array<float, 4>& heights) {
@@ -151,9 +141,7 @@ Regions::Span Regions::span_of(const NearPair& near, const std::array<float, 4>&
 
 Regions::Span Regions::span_at_end(const Pair& pair) const {
   std::array<float, 4> heights = pair.heights;
-  for (Index k = 0; k < 4; ++k) {
-    heights[k] += glm::dot(pair.normal, vec(moves_[pair.contact.near.rows[k]]));
-  }
+  for (Index k = 0; k < 4; ++k) heights[k] += glm::dot(pair.normal, vec(moves_[pair.contact.near.rows[k]]));
   return span_of(pair.contact.near, heights);
 }
 
@@ -205,9 +193,7 @@ void Regions::hold_where_needed(const RowMoves& rows) {
   while (has_changed) {
     has_changed = false;
     for (const Pair& pair : pairs_) {
-      if (span_at_end(pair).apart() >= pair.needed) {
-        continue;
-      }
+      if (span_at_end(pair).apart() >= pair.needed) continue;
       if (hold(pair.contact.near, Held::carried, rows) || hold(pair.contact.near, Held::still, rows)) {
         has_changed = true;
       } else {
@@ -254,9 +240,7 @@ bool Regions::needs_larger_balls(RowMoves& rows) const {
   for (const Pair& pair : pairs_) {
     const auto& r = pair.contact.near.rows;
     const auto is_within = [&](Index row) { return is_cut_short_[row] == 0; };
-    if (std::all_of(r.begin(), r.end(), is_within) || span_at_end(pair).apart() >= pair.needed) {
-      continue;
-    }
+    if (std::all_of(r.begin(), r.end(), is_within) || span_at_end(pair).apart() >= pair.needed) continue;
     for (const Index row : r) {
       if (!is_within(row)) {
         rows.radii[row] = std::max(rows.radii[row], tuning::larger * deviations_[row]);
@@ -270,17 +254,13 @@ bool Regions::needs_larger_balls(RowMoves& rows) const {
 void Regions::place_half_spaces() {
   half_space_begin_.assign(radii_.size() + 1, 0);
   for (const Pair& pair : pairs_) {
-    for (const Index row : pair.contact.near.rows) {
-      ++half_space_begin_[row + 1];
-    }
+    for (const Index row : pair.contact.near.rows) ++half_space_begin_[row + 1];
   }
   std::partial_sum(half_space_begin_.begin(), half_space_begin_.end(), half_space_begin_.begin());
   half_spaces_.resize(half_space_begin_.back());
   std::vector<Index> next(half_space_begin_.begin(), half_space_begin_.end() - 1);
   for (Pair& pair : pairs_) {
-    for (Index k = 0; k < 4; ++k) {
-      pair.half_spaces[k] = next[pair.contact.near.rows[k]]++;
-    }
+    for (Index k = 0; k < 4; ++k) pair.half_spaces[k] = next[pair.contact.near.rows[k]]++;
   }
 }
 
@@ -315,18 +295,14 @@ void Regions::set_half_spaces(const Pair& pair, std::span<const float> inverse_m
 
 float Regions::room_of(Index row) const {
   float room = radii_[row] - std::min(deviations_[row], tuning::filled_part_of_ball * radii_[row]);
-  for (const HalfSpace& half_space : half_spaces_of(row)) {
-    room = std::min(room, half_space.room);
-  }
+  for (const HalfSpace& half_space : half_spaces_of(row)) room = std::min(room, half_space.room);
   return room;
 }
 
 void Regions::make_half_spaces(std::span<const float> inverse_masses, ParallelKernels& kernels) {
   place_half_spaces();
   kernels.split(0, pairs_.size(), ParallelKernels::least_pairs, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) {
-      set_half_spaces(pairs_[i], inverse_masses);
-    }
+    for (std::size_t i = begin; i < end; ++i) set_half_spaces(pairs_[i], inverse_masses);
   });
   for (Index row = 0; row < radii_.size(); ++row) {
     moves_[row].unused = inverse_masses[row] > 0.0F ? room_of(row) : infinity;

@@ -32,9 +32,7 @@ glm::vec3 Regions::projected(Index row, float time, const glm::vec3& start, cons
       const float depth = half_space.start + time * half_space.rate - glm::dot(half_space.normal, e);
       if (depth > (projection == 0 ? 0.0F : tolerance_m)) {
         e += (projection == 0 ? depth : tuning::over_projected * depth) * half_space.normal;
-        if (projection == 0) {
-          met(half_space, e);
-        }
+        if (projection == 0) met(half_space, e);
         is_out = true;
       }
     }
@@ -75,9 +73,7 @@ glm::vec3 Regions::slid(Index row, float time, const glm::vec3& aim, const glm::
       }
     }
     e += part * left;
-    if (plane == nullptr) {
-      return e;
-    }
+    if (plane == nullptr) return e;
     left *= 1.0F - part;
     if (met == 0) {
       first_normal = plane->normal;
@@ -111,9 +107,7 @@ std::optional<glm::vec3> Regions::bring_row_back(Index row, float time, const gl
   const glm::vec3 before = vec(current) - since;
   const glm::vec3 end = projected(row, time, before, met);
   glm::vec3 e = moved_less(row, time, aim, end);
-  if (e != end) {
-    e = moved_less(row, time, aim, slid(row, time, aim, end));
-  }
+  if (e != end) e = moved_less(row, time, aim, slid(row, time, aim, end));
   const glm::vec3 centre = time * vec(expected_[row]);
   std::optional<glm::vec3> out;
   if (glm::dot(e - centre, e - centre) > radii_[row] * radii_[row]) {
@@ -121,9 +115,7 @@ std::optional<glm::vec3> Regions::bring_row_back(Index row, float time, const gl
     out = e - within;
     e = within;
   }
-  if (e != before) {
-    current = {since.x + e.x, since.y + e.y, since.z + e.z, 0.0F};
-  }
+  if (e != before) current = {since.x + e.x, since.y + e.y, since.z + e.z, 0.0F};
   return out;
 }
 

@@ -18,9 +18,7 @@ void Regions::add_touch(const Pair& pair, const std::array<float, 4>& weights, c
     mobility += weights[k] * weights[k] * rows.inverse_masses_per_kg[contact.near.rows[k]];
     distance += sign(k) * weights[k] * pair.heights[k];
   }
-  if (!(mobility > 0.0F)) {
-    return;
-  }
+  if (!(mobility > 0.0F)) return;
   Touch touch{};
   glm::vec3 carried(0.0F);
   for (Index k = 0; k < 4; ++k) {
@@ -76,9 +74,7 @@ void Regions::collide(const Touch& touch, float time, float step, const Float4* 
     add_scaled(moved, scaled_sum(current[row], since[row], -1.0F), touch.weights[k]);
   }
   const float lacking = touch.wanted + time * touch.rate - touch.distance - dot(touch.normal, moved);
-  if (!(lacking > 0.0F)) {
-    return;
-  }
+  if (!(lacking > 0.0F)) return;
   const Float4 parted = times(touch.normal, lacking);
   Float4 slid = scaled_sum(parted, touch.carried, step);
   for (std::size_t k = 0; k < touch.count; ++k) {

@@ -68,9 +68,7 @@ struct LaneTable {
     for (std::uint32_t set = 0; set < 1U << width; ++set) {
       std::size_t size = 0;
       for (std::uint32_t lane = 0; lane < width; ++lane) {
-        if ((set >> lane & 1U) != 0) {
-          at[set][size++] = lane;
-        }
+        if ((set >> lane & 1U) != 0) at[set][size++] = lane;
       }
     }
   }
@@ -168,9 +166,7 @@ void enclose(const PrimitiveLanes& primitives, std::size_t begin, std::size_t en
 HWY_INLINE void enclose_block(const BoxBlock& block, std::size_t lane, BoxBlock& around_blocks) {
   const Floats f;
   Boxes all = load_boxes(block, 0);
-  for (std::size_t k = lanes; k < block_size; k += lanes) {
-    all = around(all, load_boxes(block, k));
-  }
+  for (std::size_t k = lanes; k < block_size; k += lanes) all = around(all, load_boxes(block, k));
   auto& [low, high] = around_blocks;
   low[0][lane] = hn::GetLane(hn::MinOfLanes(f, all.low.x));
   low[1][lane] = hn::GetLane(hn::MinOfLanes(f, all.low.y));
@@ -276,9 +272,7 @@ std::size_t overlapping_codes(const BoxLevel& a, const BoxLevel& b, const BlockP
     const Boxes both = within_both(repeat_box(a.around[block_a / block_size], block_a % block_size),
                                    repeat_box(b.around[block_b / block_size], block_b % block_size));
     std::uint32_t reaching = overlapping_bits(both, mine);
-    if (reaching == 0) {
-      continue;
-    }
+    if (reaching == 0) continue;
     find_reaching<corners_b>(both, b, block_b, others);
     for (; reaching != 0; reaching &= reaching - 1) {
       const auto lane = static_cast<std::uint32_t>(std::countr_zero(reaching));
@@ -287,18 +281,12 @@ std::size_t overlapping_codes(const BoxLevel& a, const BoxLevel& b, const BlockP
       // Within itself all of a block reaches, and what is before the lane has been its other.
       for (std::size_t k = is_same ? lane - lane % lanes : 0; k < others.count; k += lanes) {
         auto mask = hn::RebindMask(u, overlap(box, load_boxes(others, k)));
-        if (hn::AllFalse(u, mask)) {
-          continue;
-        }
+        if (hn::AllFalse(u, mask)) continue;
         const Rows lane_of_other = hn::Load(u, &others.lane[k]);
         mask = hn::AndNot(
             sharing<corners_a, corners_b>(a, std::size_t{block_a} * block_size + lane, others, k), mask);
-        if (is_same) {
-          mask = hn::AndNot(hn::Lt(lane_of_other, hn::Set(u, lane)), mask);
-        }
-        if (lanes < block_size && hn::AllFalse(u, mask)) {
-          continue;
-        }
+        if (is_same) mask = hn::AndNot(hn::Lt(lane_of_other, hn::Set(u, lane)), mask);
+        if (lanes < block_size && hn::AllFalse(u, mask)) continue;
         const Some some(hn::RebindMask(Floats(), mask));
         some.store(u, hn::Add(first_code, lane_of_other), codes + size);
         size += some.count();
@@ -324,13 +312,9 @@ template <std::size_t corners_a, std::size_t corners_b>
 std::size_t overlapping_primitives(const BoxLevel& a, const BoxLevel& b, const BlockPairs& pairs,
                                    const PairLists& found) {
   const std::uint32_t* mine[corners_a];
-  for (std::size_t c = 0; c < corners_a; ++c) {
-    mine[c] = a.primitives->at[c].data();
-  }
+  for (std::size_t c = 0; c < corners_a; ++c) mine[c] = a.primitives->at[c].data();
   const std::uint32_t* others[corners_b];
-  for (std::size_t d = 0; d < corners_b; ++d) {
-    others[d] = b.primitives->at[d].data();
-  }
+  for (std::size_t d = 0; d < corners_b; ++d) others[d] = b.primitives->at[d].data();
   const PairLists lists = found;
   const std::size_t size = overlapping_codes<corners_a, corners_b>(a, b, pairs, lists[0]);
   for (std::size_t n = 0; n < size; ++n) {
@@ -338,24 +322,16 @@ std::size_t overlapping_primitives(const BoxLevel& a, const BoxLevel& b, const B
     const std::size_t p = Code::pair_of(code);
     const std::size_t i = pairs.first[p] * block_size + Code::lane_of_first(code);
     const std::size_t j = pairs.second[p] * block_size + Code::lane_of_second(code);
-    for (std::size_t c = 0; c < corners_a; ++c) {
-      lists[c][n] = mine[c][i];
-    }
-    for (std::size_t d = 0; d < corners_b; ++d) {
-      lists[corners_a + d][n] = others[d][j];
-    }
+    for (std::size_t c = 0; c < corners_a; ++c) lists[c][n] = mine[c][i];
+    for (std::size_t d = 0; d < corners_b; ++d) lists[corners_a + d][n] = others[d][j];
   }
   return size;
 }
 
 std::size_t overlapping(const BoxLevel& a, const BoxLevel& b, const BlockPairs& pairs,
                         const PairLists& found) {
-  if (a.primitives == nullptr) {
-    return overlapping_lanes(a, b, pairs, found);
-  }
-  if (a.primitives->corner_count == 1) {
-    return overlapping_primitives<1, 3>(a, b, pairs, found);
-  }
+  if (a.primitives == nullptr) return overlapping_lanes(a, b, pairs, found);
+  if (a.primitives->corner_count == 1) return overlapping_primitives<1, 3>(a, b, pairs, found);
   return overlapping_primitives<2, 2>(a, b, pairs, found);
 }
 

@@ -16,9 +16,7 @@ const char* name_of(VectorUnit unit) {
 std::vector<VectorUnit> available_vector_units() {
   std::vector<VectorUnit> units = {VectorUnit::best, VectorUnit::scalar};
   for (const VectorUnit unit : {VectorUnit::sse, VectorUnit::avx2, VectorUnit::avx512}) {
-    if (bounded::vector_kernels(unit) != nullptr) {
-      units.push_back(unit);
-    }
+    if (bounded::vector_kernels(unit) != nullptr) units.push_back(unit);
   }
   return units;
 }
@@ -26,13 +24,9 @@ std::vector<VectorUnit> available_vector_units() {
 namespace bounded {
 
 const Kernels& kernels_for(VectorUnit unit) {
-  if (unit == VectorUnit::scalar) {
-    return emulated_kernels();
-  }
+  if (unit == VectorUnit::scalar) return emulated_kernels();
   const Kernels* kernels = vector_kernels(unit);
-  if (kernels == nullptr && unit == VectorUnit::best) {
-    return emulated_kernels();
-  }
+  if (kernels == nullptr && unit == VectorUnit::best) return emulated_kernels();
   if (kernels == nullptr) {
     throw std::invalid_argument(std::string("this processor has no ") + name_of(unit) +
                                 "; the solver's vector unit must be best or one it has");

@@ -55,9 +55,7 @@ HWY_INLINE V tethered(V rows, const Tether* tethers, V pins_moved) {
   const V limit = hn::Broadcast<3>(tether);
   const V excess = hn::Sub(squared, limit);
   const auto too_far = hn::Gt(excess, hn::Zero(f));
-  if (hn::AllFalse(f, too_far)) {
-    return rows;
-  }
+  if (hn::AllFalse(f, too_far)) return rows;
   const V error = hn::IfThenElseZero(too_far, hn::Div(excess, hn::Add(squared, limit)));
   return hn::Sub(rows, hn::Mul(from_pin, error));
 }
@@ -118,9 +116,7 @@ void sweep(const SpringLanes& springs, std::size_t begin, std::size_t end, Float
 /// Returns where rows k, k + 1, ... begin, counted in floats.
 HWY_INLINE std::array<std::uint32_t, lanes> rows_from(std::size_t k) {
   std::array<std::uint32_t, lanes> at;
-  for (std::uint32_t lane = 0; lane < lanes; ++lane) {
-    at[lane] = 4 * (static_cast<std::uint32_t>(k) + lane);
-  }
+  for (std::uint32_t lane = 0; lane < lanes; ++lane) at[lane] = 4 * (static_cast<std::uint32_t>(k) + lane);
   return at;
 }
 
@@ -138,9 +134,7 @@ void shorten(const SpringLanes& springs, std::span<const std::uint32_t> blocks, 
       const V limit = hn::Mul(hn::Load(f, &block.squared_rest[k]), hn::Set(f, squared_bound));
       const V excess = hn::Sub(squared_length, limit);
       const auto too_long = hn::Gt(excess, hn::Zero(f));
-      if (hn::AllFalse(f, too_long)) {
-        continue;
-      }
+      if (hn::AllFalse(f, too_long)) continue;
       const V divisor = hn::Add(squared_length, hn::Sqrt(hn::Mul(squared_length, limit)));
       const V fraction = hn::Mul(hn::Div(excess, divisor), hn::Set(f, relaxation));
       shorten_springs(block, k, i, j, spring, hn::IfThenElseZero(too_long, fraction),
@@ -300,19 +294,13 @@ HWY_EXPORT(table);
 
 const Kernels* vector_kernels(VectorUnit unit) {
 #if HWY_TARGETS & HWY_AVX3
-  if (unit == VectorUnit::avx512 && supported(HWY_AVX3)) {
-    return N_AVX3::table();
-  }
+  if (unit == VectorUnit::avx512 && supported(HWY_AVX3)) return N_AVX3::table();
 #endif
 #if HWY_TARGETS & HWY_AVX2
-  if (unit == VectorUnit::avx2 && supported(HWY_AVX2)) {
-    return N_AVX2::table();
-  }
+  if (unit == VectorUnit::avx2 && supported(HWY_AVX2)) return N_AVX2::table();
 #endif
 #if HWY_TARGETS & HWY_SSE4
-  if (unit == VectorUnit::sse && supported(HWY_SSE4)) {
-    return N_SSE4::table();
-  }
+  if (unit == VectorUnit::sse && supported(HWY_SSE4)) return N_SSE4::table();
 #endif
   return unit == VectorUnit::best ? HWY_DYNAMIC_DISPATCH(table)() : nullptr;
 }

@@ -123,9 +123,7 @@ HWY_INLINE Mask may_meet(const Triple (&points)[4], const Four (&ways)[4], const
 
 template <std::size_t first_count>
 std::size_t keep_near(const MovingRows& rows, std::size_t count, const PairLists& pairs) {
-  for (std::uint32_t* list : pairs) {
-    std::fill_n(list + count, lanes, 0U);
-  }
+  for (std::uint32_t* list : pairs) std::fill_n(list + count, lanes, 0U);
   std::size_t kept = 0;
   for (std::size_t i = 0; i < count; i += lanes) {
     Triple points[4];

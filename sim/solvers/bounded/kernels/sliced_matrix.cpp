@@ -14,9 +14,7 @@ constexpr std::size_t rows_sorted_together = 32 * block_size;
 std::vector<Index> order_of_slices(const std::vector<std::vector<MatrixEntry>>& rows) {
   std::vector<Index> order;
   for (Index row = 0; row < rows.size(); ++row) {
-    if (!rows[row].empty()) {
-      order.push_back(row);
-    }
+    if (!rows[row].empty()) order.push_back(row);
   }
   for (std::size_t begin = 0; begin < order.size(); begin += rows_sorted_together) {
     const std::size_t end = std::min(begin + rows_sorted_together, order.size());

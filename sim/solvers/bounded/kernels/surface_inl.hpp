@@ -293,9 +293,7 @@ struct Shorten {
     const V limit = hn::Set(f, squared_bound);
     load_triangles(at, rows, found);
     const Principal& s = found.principal;
-    if (hn::AllFalse(f, hn::Gt(s.largest(), limit))) {
-      return false;
-    }
+    if (hn::AllFalse(f, hn::Gt(s.largest(), limit))) return false;
     const Divisors divisors = divisors_of(found.mobility, s);
     found.first = excess_over(s.largest(), squared_bound, relaxation, divisors.first);
     found.second = hn::Zero(f);

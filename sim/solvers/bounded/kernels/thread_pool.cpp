@@ -30,18 +30,14 @@ void pause() {
 }  // namespace
 
 ThreadPool::ThreadPool(int threads) {
-  for (int member = 1; member < threads; ++member) {
-    workers_.emplace_back([this] { work(); });
-  }
+  for (int member = 1; member < threads; ++member) workers_.emplace_back([this] { work(); });
 }
 
 ThreadPool::~ThreadPool() {
   is_over_.store(true, std::memory_order_relaxed);
   claim_.fetch_add(one_loop, std::memory_order_release);
   claim_.notify_all();
-  for (std::thread& worker : workers_) {
-    worker.join();
-  }
+  for (std::thread& worker : workers_) worker.join();
 }
 
 void ThreadPool::run(Call call, const void* context, std::size_t begin, std::size_t end, std::size_t least) {
@@ -57,14 +53,10 @@ void ThreadPool::run(Call call, const void* context, std::size_t begin, std::siz
   claim_.store((loop + 1) * one_loop, std::memory_order_release);
   claim_.notify_all();
   std::size_t own_chunks = 0;
-  while (do_chunk()) {
-    ++own_chunks;
-  }
+  while (do_chunk()) ++own_chunks;
   work_.own_chunks += own_chunks;
   work_.others_chunks += chunks - own_chunks;
-  if (done_.load(std::memory_order_acquire) != chunks) {
-    wait_for(chunks);
-  }
+  if (done_.load(std::memory_order_acquire) != chunks) wait_for(chunks);
 }
 
 void ThreadPool::wait_for(std::size_t chunks) {
@@ -84,9 +76,7 @@ void ThreadPool::work() {
     const std::uint64_t before = claim_.load(std::memory_order_acquire);
     while (do_chunk()) {
     }
-    if (is_over_.load(std::memory_order_relaxed)) {
-      return;
-    }
+    if (is_over_.load(std::memory_order_relaxed)) return;
     const auto is_same_loop = [&] {
       return claim_.load(std::memory_order_acquire) / one_loop == before / one_loop;
     };
@@ -112,9 +102,7 @@ bool ThreadPool::do_chunk() {
     const std::size_t end = end_.load(std::memory_order_acquire);
     const std::size_t chunks = chunk_count_.load(std::memory_order_acquire);
     const std::size_t chunk = claim % one_loop;
-    if (chunk >= chunks) {
-      return false;
-    }
+    if (chunk >= chunks) return false;
     // Claims of this loop are closed before any of these values is written for the next loop. So if this
     // exchange succeeds, all values are of this loop.
     if (claim_.compare_exchange_weak(claim, claim + 1, std::memory_order_acq_rel,
@@ -128,9 +116,7 @@ bool ThreadPool::do_chunk() {
 }
 
 int thread_count(std::optional<int> asked, std::size_t triangles) {
-  if (asked) {
-    return *asked;
-  }
+  if (asked) return *asked;
   const int processors = static_cast<int>(std::thread::hardware_concurrency());
   return triangles < triangles_worth_threads ? 1 : std::clamp(processors, 1, most_threads_unasked);
 }

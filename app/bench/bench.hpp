@@ -38,6 +38,7 @@ struct ContactCase {
   std::string scene;
   std::vector<std::vector<Setting>> runs = {{}};  ///< of each the settings that are not the scene's
   std::optional<int> frames = {};                 ///< empty: as many as the scene has
+  bool drags_wind = false;                        ///< from 0 to the scene's and back, as a slider
 };
 
 /// The built-in scenes about contact, those in which something is worn among them, and a fine shirt in wind.
@@ -65,6 +66,7 @@ struct ContactFacts {
   double median_ms = 0.0;           ///< processor time per frame, the median of the runs'; 0 without frames
   double p99_ms = 0.0;              ///< its 99th percentile in the worst run
   double worst_ms = 0.0;            ///< of the slowest frame
+  double second_ms = 0.0;           ///< the mean of the slowest 60 frames in a row
   double search_share = 0.0;        ///< the part of all time that the search for what is near takes
   double detections = 0.0;          ///< per frame: searches through all
   double partial_detections = 0.0;  ///< per frame: searches around single vertices
@@ -84,10 +86,14 @@ std::vector<sim::Vec3> jittered_start(const GarmentInScene& cloth, double thickn
 
 /// Runs the scene for `frames` frames from a jittered start, or from its own with the seed 0, and never lets
 /// it sleep. Bodies are dressed first; a run of which that fails has no frames. A frame that breaks a promise
-/// does not end the run; one that diverges or cannot be made does. `after_frame` is called with the number of
-/// every frame. Bodies must have been loaded.
+/// does not end the run; one that diverges or cannot be made does. `before_frame` is called with the number
+/// of every frame. Bodies must have been loaded.
 ContactRun run_contact(const Scene& scene, const GarmentInScene& cloth, int frames, std::uint64_t seed,
-                       const std::function<void(int)>& after_frame);
+                       const std::function<void(int, sim::Simulation&)>& before_frame);
+
+/// Sets the wind that a slider has in this frame of so many, dragged evenly from 0 to `most_m_per_s` and
+/// back.
+void drag_wind(int frame, int frames, double most_m_per_s, sim::Simulation& simulation);
 
 ContactFacts facts_of(std::span<const ContactRun> runs);
 

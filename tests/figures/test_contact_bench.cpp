@@ -26,7 +26,7 @@ Scene falling_sheet(double depth_m, double max_stretch = 0.01) {
 }
 
 ContactRun run_of(const Scene& scene, int frames, std::uint64_t seed = 0) {
-  return run_contact(scene, load_garment(scene), frames, seed, [](int) {});
+  return run_contact(scene, load_garment(scene), frames, seed, [](int, sim::Simulation&) {});
 }
 
 TEST(ContactBench, StartsAreMovedAtRandomAndCanBeRepeated) {
@@ -48,6 +48,26 @@ TEST(ContactBench, StartsAreMovedAtRandomAndCanBeRepeated) {
   }
   EXPECT_LE(furthest_m, jitter_part * 0.002);
   EXPECT_GT(furthest_m, 0.8 * jitter_part * 0.002);
+}
+
+TEST(ContactBench, DragsTheWindUpAndBack) {
+  const Scene scene = falling_sheet(-0.01);
+  const LoadedGarment cloth = load_garment(scene);
+  std::vector<double> speeds_m_per_s;
+  run_contact(scene, cloth, 4, 0, [&](int frame, sim::Simulation& simulation) {
+    drag_wind(frame, 4, 20.0, simulation);
+    speeds_m_per_s.push_back(simulation.surroundings().forces.wind.speed_m_per_s);
+  });
+  EXPECT_EQ(speeds_m_per_s, (std::vector<double>{10.0, 20.0, 10.0, 0.0}));
+}
+
+TEST(ContactBench, TellsTheSlowestSecond) {
+  ContactRun run;
+  run.frames.resize(100);
+  for (std::size_t k = 0; k < 100; ++k) run.frames[k].cpu_ms = k < 20 || k >= 80 ? 1.0 : 3.0;
+  EXPECT_DOUBLE_EQ(facts_of({&run, 1}).second_ms, 3.0);
+  run.frames.resize(40);
+  EXPECT_DOUBLE_EQ(facts_of({&run, 1}).second_ms, 2.0);
 }
 
 TEST(ContactBench, ARunThatKeepsBothPromisesPasses) {

@@ -130,6 +130,7 @@ constexpr std::array hints = {
     Hint{"measured.speed",
          "Simulated seconds in a second of the clock, over the last second, and what keeps it from being as "
          "fast as asked."},
+    Hint{"measured.coarser", "The simulation falls behind: take the same garment with fewer triangles."},
     Hint{"look.shaded", "Show the cloth as cloth."},
     Hint{"look.stretch", "Show the stretch as colours, in percent of the length at rest."},
     Hint{"look.stretch_of", "What the colours show the stretch of."},

@@ -157,14 +157,32 @@ std::string reason_text(SlowedBy reason, const Snapshot& newest) {
   return texts[static_cast<std::size_t>(reason)];
 }
 
-std::string speed_text(const ViewerState& state) {
+/// How fast the window is, and why no faster. Empty where it is not known.
+std::optional<std::pair<double, SlowedBy>> speed_of(const ViewerState& state) {
   const Measurements& m = state.measurements;
-  if (state.newest->paused || has_stopped(*state.newest)) return state.newest->paused ? "paused" : "stopped";
   const auto factor = m.real_time.factor();
-  if (!m.shows_times || !factor) return "times real time: not known here";
+  if (!m.shows_times || !factor) return std::nullopt;
   const double frame_ms = 1000.0 / (state.scene.simulation.frame_rate_hz * state.speed);
-  const SlowedBy reason = slowed_by(*factor, state.speed, m.worked_ms, frame_ms, m.real_time.busy_share());
-  return fmt::format("{:.2f} x real time{}", *factor, reason_text(reason, *state.newest));
+  return std::pair(*factor, slowed_by(*factor, state.speed, m.worked_ms, frame_ms, m.real_time.busy_share()));
+}
+
+bool stands_still(const ViewerState& state) { return state.newest->paused || has_stopped(*state.newest); }
+
+std::string speed_text(const ViewerState& state) {
+  if (stands_still(state)) return state.newest->paused ? "paused" : "stopped";
+  const auto speed = speed_of(state);
+  if (!speed) return "times real time: not known here";
+  return fmt::format("{:.2f} x real time{}", speed->first, reason_text(speed->second, *state.newest));
+}
+
+/// Where the simulation falls behind, a button that takes a garment of fewer triangles.
+void offer_coarser(ViewerState& state) {
+  const auto speed = speed_of(state);
+  const Choice* const coarser =
+      coarser_than(state.newest->loaded->scene.garment.file.stem().string(), state.garments);
+  if (stands_still(state) || !speed || speed->second != SlowedBy::simulation || coarser == nullptr) return;
+  if (ImGui::SmallButton(("Take " + coarser->name).c_str())) state.garment_asked = coarser->file;
+  note_place(state, "measured.coarser");
 }
 
 constexpr float background = 0.88F;
@@ -270,6 +288,7 @@ void lay_out_measurements(ViewerState& state, float scale) {
   plot_times(state, scale);
   reading_line(state, "measured.size", size_text(*state.newest->loaded->garment));
   reading_line(state, "measured.speed", speed_text(state));
+  offer_coarser(state);
 }
 
 void lay_out_time_bar(ViewerState& state, const ViewArea& area, float scale) {

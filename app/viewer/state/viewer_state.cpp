@@ -126,6 +126,26 @@ SlowedBy slowed_by(double factor, double asked, double simulate_ms, double frame
   return busy_share >= most_of_it ? SlowedBy::drawing : SlowedBy::other_programs;
 }
 
+const Choice* coarser_than(const std::string& name, std::span<const Choice> garments) {
+  // Of "tshirt_10600": "tshirt_" and 10600; 0 without a number.
+  const auto split = [](const std::string& text) {
+    const std::size_t digits = text.find_last_not_of("0123456789") + 1;
+    const bool has_number =
+        digits > 0 && digits < text.size() && text.size() - digits < 9 && text[digits - 1] == '_';
+    return std::pair(text.substr(0, digits), has_number ? std::stoi(text.substr(digits)) : 0);
+  };
+  const auto [kind, triangles] = split(name);
+  const Choice* best = nullptr;
+  int most = 0;
+  for (const Choice& choice : garments) {
+    const auto [other, count] = split(choice.name);
+    if (other != kind || count >= triangles || count <= most) continue;
+    best = &choice;
+    most = count;
+  }
+  return best;
+}
+
 std::string in_little_room(double value, int decimals) {
   return std::abs(value) < 1e5 ? fmt::format("{:.{}f}", value, decimals) : fmt::format("{:.1e}", value);
 }

@@ -225,6 +225,10 @@ std::vector<Choice> files_in(const std::string& folder, const std::string& endin
 /// The garments that come with the program.
 inline std::vector<Choice> garment_choices() { return files_in("garments", ".obj"); }
 
+/// The finest of the garments that is coarser than the one of this name, where names end in numbers of triangles:
+/// tshirt_5280 for tshirt_10600. Null if there is none.
+const Choice* coarser_than(const std::string& name, std::span<const Choice> garments);
+
 /// Motions for the first body of the scene that has joints: those that come with the program and fit
 /// it, then its own animations. None if there is no such body or it cannot be read. `known` is returned if it
 /// is of that body's file.

@@ -28,16 +28,10 @@ template <class Names> std::string names_of(const Names& entries) {
   return joined(names, ", ");
 }
 
-bool same_word(std::string_view a, std::string_view b) {
-  return std::ranges::equal(a, b, [](char x, char y) {
-    return std::tolower(static_cast<unsigned char>(x)) == std::tolower(static_cast<unsigned char>(y));
-  });
-}
-
 // The entry with this name, in small or capital letters; null: none.
 template <class Names> auto find_named(const Names& entries, std::string_view text) {
-  const auto found =
-      std::ranges::find_if(entries, [&](const auto& entry) { return same_word(entry.name, text); });
+  const auto found = std::ranges::find_if(
+      entries, [&](const auto& entry) { return lower_case(entry.name) == lower_case(std::string(text)); });
   return found == entries.end() ? nullptr : &*found;
 }
 

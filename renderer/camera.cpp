@@ -50,8 +50,7 @@ struct Fit {
 // |across - centre| <= t (distance - depth). The two tightest of these lines meet at the answer.
 Fit fit_across(std::span<const glm::vec3> points, const glm::vec3& axis, const glm::vec3& back,
                float tangent) {
-  float right_most = -INFINITY;
-  float left_most = -INFINITY;
+  float right_most = -INFINITY, left_most = -INFINITY;
   for (const glm::vec3& point : points) {
     const float across = glm::dot(point, axis);
     const float depth = tangent * glm::dot(point, back);

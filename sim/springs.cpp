@@ -97,15 +97,10 @@ std::vector<Edge> opposite_vertex_pairs(const Mesh& mesh, const Adjacency& adjac
 
 std::vector<Edge> flexural_pairs(const Mesh& mesh, const Adjacency& adjacency,
                                  const std::vector<Edge>& structural, const MappingSettings& settings) {
-  switch (settings.flexural_rule) {
-    case FlexuralRule::angular:
-      return angular_pairs(mesh, structural, settings.smallest_flexural_angle_rad);
-    case FlexuralRule::opposite_vertex:
-      return opposite_vertex_pairs(mesh, adjacency);
-    case FlexuralRule::none:
-      break;
-  }
-  return {};
+  if (settings.flexural_rule == FlexuralRule::none) return {};
+  return settings.flexural_rule == FlexuralRule::opposite_vertex
+             ? opposite_vertex_pairs(mesh, adjacency)
+             : angular_pairs(mesh, structural, settings.smallest_flexural_angle_rad);
 }
 
 void append(Springs& springs, const std::vector<Edge>& ends, const std::vector<Vec3>& positions) {

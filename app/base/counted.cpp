@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <cctype>
+
 namespace taut::app {
 namespace {
 
@@ -43,6 +45,11 @@ std::string nearest_name(std::string_view name, std::span<const std::string> nam
 }
 
 }  // namespace
+
+std::string lower_case(std::string text) {
+  for (char& letter : text) letter = static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
+  return text;
+}
 
 std::string joined(std::span<const std::string> names, std::string_view separator) {
   return fmt::format("{}", fmt::join(names, separator));

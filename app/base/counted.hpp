@@ -26,6 +26,9 @@ template <class Number, class... Base> std::optional<Number> number_in(std::stri
   return error == std::errc() && stop == end ? std::optional(number) : std::nullopt;
 }
 
+/// The text with small letters in the place of capital ones, those of ASCII alone.
+std::string lower_case(std::string text);
+
 /// The names with the separator between them: "a, b, c".
 std::string joined(std::span<const std::string> names, std::string_view separator = ", ");
 

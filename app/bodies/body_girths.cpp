@@ -65,8 +65,7 @@ Pieces pieces_at(const Surface& body, double height_m) {
 }
 
 const Piece& largest_of(const Pieces& pieces) {
-  return *std::max_element(pieces.begin(), pieces.end(),
-                           [](const Piece& a, const Piece& b) { return a.tape_m < b.tape_m; });
+  return *std::ranges::max_element(pieces, {}, &Piece::tape_m);
 }
 
 /// The tape around the pieces that are over or under the trunk, whose hull it replaces. Empty: there are none.
@@ -76,10 +75,10 @@ std::optional<LevelTape> tape_around(const Pieces& pieces, double height_m, std:
     return is_in_hull(trunk, piece.middle) || is_in_hull(piece.hull, middle);
   };
   Pieces of_trunk;
-  std::copy_if(pieces.begin(), pieces.end(), std::back_inserter(of_trunk), is_of_trunk);
+  std::ranges::copy_if(pieces, std::back_inserter(of_trunk), is_of_trunk);
   if (of_trunk.empty()) return std::nullopt;
   LevelTape tape{.height_m = height_m, .single_m = largest_of(of_trunk).tape_m};
-  tape.beside = static_cast<std::size_t>(std::count_if(pieces.begin(), pieces.end(), [&](const Piece& piece) {
+  tape.beside = static_cast<std::size_t>(std::ranges::count_if(pieces, [&](const Piece& piece) {
     return !is_of_trunk(piece) && piece.tape_m > share_of_arms * tape.single_m;
   }));
   std::erase_if(of_trunk, [&](const Piece& piece) { return piece.tape_m < share_of_legs * tape.single_m; });
@@ -118,7 +117,7 @@ Followed follow_trunk(const Surface& body, const sim::Extent& box) {
   };
   for (std::size_t k = start; k > 0 && add(k - 1); --k) {
   }
-  std::reverse(followed.levels.begin(), followed.levels.end());
+  std::ranges::reverse(followed.levels);
   followed.start = static_cast<std::ptrdiff_t>(followed.levels.size());
   trunk = largest_of(first).hull;
   for (std::size_t k = start; k < levels_of_body && add(k); ++k) {
@@ -138,7 +137,7 @@ std::vector<sim::Triangle> skin_of(const Surface& body, double height_m) {
     for (const sim::Index v : t) boxes[shells.find(v)].add(body.positions_m[v]);
   }
   const auto higher = [](const auto& a, const auto& b) { return a.second.size().y < b.second.size().y; };
-  const auto highest = std::max_element(boxes.begin(), boxes.end(), higher);
+  const auto highest = std::ranges::max_element(boxes, higher);
   std::vector<sim::Triangle> skin(body.triangles.begin(), body.triangles.end());
   if (highest != boxes.end() && highest->second.size().y > share_of_body * height_m) {
     std::erase_if(skin, [&](const sim::Triangle& t) { return shells.find(t[0]) != highest->first; });
@@ -393,8 +392,7 @@ void measure_arms(const Surface& body, const JointPlaces& joints, BodyMeasures& 
 }
 
 const Girth* girth_of(const BodyMeasures& measures, const std::string& name) {
-  const auto found = std::find_if(measures.girths.begin(), measures.girths.end(),
-                                  [&](const Girth& girth) { return girth.name == name; });
+  const auto found = std::ranges::find(measures.girths, name, &Girth::name);
   return found == measures.girths.end() ? nullptr : &*found;
 }
 

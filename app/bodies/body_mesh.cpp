@@ -70,7 +70,7 @@ bool has_edge_from(sim::Index vertex, const Loop& loop, const sim::Adjacency& ad
   std::size_t shared = 0;
   for (const sim::Index e : adjacency.vertex_edges[vertex]) {
     const sim::Index other = sim::other_end(adjacency.edges[e], vertex);
-    shared += std::find(loop.begin(), loop.end(), other) != loop.end() ? 1 : 0;
+    shared += std::ranges::find(loop, other) != loop.end() ? 1 : 0;
   }
   return shared > 2;  // besides the two of the border
 }
@@ -102,8 +102,8 @@ std::vector<sim::Triangle> best_fan(const sim::Mesh& mesh, const sim::Adjacency&
 
 /// A triangle by itself has a border like a hole of three edges.
 bool is_lone_triangle(const Loop& loop, const sim::Adjacency& adjacency) {
-  return loop.size() == 3 && std::all_of(loop.begin(), loop.end(),
-                                         [&](sim::Index v) { return adjacency.vertex_edges[v].size() == 2; });
+  return loop.size() == 3 &&
+         std::ranges::all_of(loop, [&](sim::Index v) { return adjacency.vertex_edges[v].size() == 2; });
 }
 
 /// Closes each hole of the mesh whose border is at most `longest` long, in the unit of the mesh, by a fan of
@@ -125,8 +125,7 @@ std::vector<ClosedHole> close_small_holes(double longest, sim::Mesh& mesh) {
       closed.push_back({around, loop.front()});
     }
   }
-  std::stable_sort(closed.begin(), closed.end(),
-                   [](const ClosedHole& a, const ClosedHole& b) { return a.around > b.around; });
+  std::ranges::stable_sort(closed, std::greater{}, &ClosedHole::around);
   return closed;
 }
 
@@ -198,7 +197,7 @@ std::size_t turn_once(const Places& places, sim::Mesh& soup) {
     if (both.size() != 2 || is_changed[both[0]] || is_changed[both[1]]) continue;
     const std::size_t across = both[0] == t ? both[1] : both[0];
     const sim::Triangle& other = soup.triangles[across];
-    const auto far = std::find_if(other.begin(), other.end(), [&, from = from, to = to](sim::Index v) {
+    const auto far = std::ranges::find_if(other, [&, from = from, to = to](sim::Index v) {
       return places[v] != places[from] && places[v] != places[to];
     });
     if (far == other.end()) continue;

@@ -72,8 +72,7 @@ struct Fitting {
   /// Sleeves are measured as if the arms were in them. The shoulder width is that between two armholes.
   void add_arms(std::vector<FitRow>& rows) const {
     std::vector<sim::Vec3> armholes_m;
-    double armhole_around_m = 0.0;
-    double sleeve_m = 0.0;
+    double armhole_around_m = 0.0, sleeve_m = 0.0;
     for (ArmJoints arm : marks.cuffs.empty() ? std::vector<ArmJoints>{} : arms_of(wearer.joints)) {
       const double length_m = glm::distance(arm.shoulder_m, arm.elbow_m);
       arm.shoulder_m = pose(arm.shoulder_m);
@@ -132,7 +131,7 @@ struct Tightness {
 
 Tightness tightness_at(const std::vector<std::pair<double, sim::Vec3>>& stretches) {
   std::vector<std::pair<double, sim::Vec3>> sorted = stretches;
-  std::stable_sort(sorted.begin(), sorted.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
+  std::ranges::stable_sort(sorted, [](const auto& a, const auto& b) { return a.first > b.first; });
   const auto count = static_cast<std::size_t>(share_of_tight * static_cast<double>(sorted.size()));
   Tightness tightest;
   for (std::size_t k = 0; k < count; ++k) {
@@ -227,7 +226,7 @@ std::string describe_tightness(const Scene& scene, const sim::Garment& garment, 
   }
   look("shoulders", measured.upper.y + around_row_m, std::numeric_limits<double>::infinity());
   look("lower end", -std::numeric_limits<double>::infinity(), measured.lower.y - around_row_m);
-  std::stable_sort(places.begin(), places.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
+  std::ranges::stable_sort(places, [](const auto& a, const auto& b) { return a.first > b.first; });
   places.resize(std::min(places.size(), most_places));
   std::string text;
   for (const auto& [how_much, place] : places) text += (text.empty() ? "stretched most: " : ", ") + place;

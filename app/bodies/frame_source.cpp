@@ -40,8 +40,7 @@ PlacedFrames::Positions PlacedFrames::placed(std::size_t frame) const {
 
 PlacedFrames::Positions PlacedFrames::remembered(std::size_t frame) const {
   const std::lock_guard lock(mutex_);
-  const auto found = std::find_if(remembered_.begin(), remembered_.end(),
-                                  [&](const Remembered& known) { return known.frame == frame; });
+  const auto found = std::ranges::find(remembered_, frame, &Remembered::frame);
   return found == remembered_.end() ? nullptr : found->positions_m;
 }
 

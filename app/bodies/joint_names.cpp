@@ -93,8 +93,7 @@ SidedName taken_apart(std::string_view name) {
 
 template <class Table>
 std::string_view look_up(const Table& table, const std::string& name) {
-  const auto found =
-      std::find_if(table.begin(), table.end(), [&](const auto& row) { return row.first == name; });
+  const auto found = std::ranges::find_if(table, [&](const auto& row) { return row.first == name; });
   return found == table.end() ? std::string_view(name) : found->second;
 }
 
@@ -104,7 +103,7 @@ std::vector<std::string> parts_of_joints(std::span<const std::string> names) {
   std::vector<SidedName> joints;
   for (const std::string& name : names) joints.push_back(taken_apart(name));
   const bool has_elbows =
-      std::any_of(joints.begin(), joints.end(), [](const SidedName& joint) { return joint.rest == "elbow"; });
+      std::ranges::any_of(joints, [](const SidedName& joint) { return joint.rest == "elbow"; });
   std::vector<std::string> parts;
   for (const SidedName& joint : joints) {
     const bool is_arm = has_elbows && joint.rest == "shoulder";
@@ -118,7 +117,7 @@ std::vector<std::string> parts_of_joints(std::span<const std::string> names) {
 
 bool is_main_part(const std::string& part) {
   const std::string name = part.substr(part.find(' ') + 1);
-  return std::find(main_parts.begin(), main_parts.end(), name) != main_parts.end();
+  return std::ranges::find(main_parts, name) != main_parts.end();
 }
 
 }  // namespace taut::app

@@ -1,7 +1,5 @@
 #include "app/bodies/motion_opening.hpp"
 
-#include <cctype>
-
 #include "app/base/counted.hpp"
 #include "app/base/errors.hpp"
 #include "app/base/interruption.hpp"
@@ -96,8 +94,8 @@ void require_playable(const Rig& rig, std::size_t clip) {
     throw InputError(animation + " moves '" + asked.unknown.front() + "', which it does not have");
   }
   const std::vector<bool> followed = followed_nodes(rig);
-  const bool moves = std::any_of(asked.channels.begin(), asked.channels.end(),
-                                 [&](const RigChannel& channel) { return followed[channel.node]; });
+  const bool moves =
+      std::ranges::any_of(asked.channels, [&](const RigChannel& channel) { return followed[channel.node]; });
   if (!moves && asked.targets.empty()) {
     throw InputError(
         "{} moves {} nodes, and no vertex follows any of them; expected a mesh that is bound to its joints",
@@ -140,13 +138,6 @@ class LoopedFrames final : public sim::BodyFrames {
   std::size_t period_;
   std::size_t first_;
 };
-
-std::string ending_of(const std::filesystem::path& file) {
-  std::string ending = file.extension().string();
-  std::transform(ending.begin(), ending.end(), ending.begin(),
-                 [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
-  return ending;
-}
 
 OpenedMotion open_clip(const BodySource& source, const std::shared_ptr<const Rig>& own) try {
   OpenedMotion opened{source.file};
@@ -232,7 +223,7 @@ std::shared_ptr<const sim::BodyFrames> looped(std::shared_ptr<const sim::BodyFra
 
 OpenedMotion open_motion(const BodySource& source, const std::shared_ptr<const Rig>& rig, ModelAxis up) {
   if (source.motion.empty()) return open_clip(source, rig);
-  const std::string ending = ending_of(source.motion);
+  const std::string ending = lower_case(source.motion.extension().string());
   if (names_obj_sequence(source.motion)) return {source.motion, open_obj_sequence(source.motion)};
   if (ending == ".pc2") return {source.motion, open_pc2(source.motion)};
   if (ending == ".mdd") return {source.motion, open_mdd(source.motion)};

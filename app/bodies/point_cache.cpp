@@ -147,7 +147,7 @@ std::vector<std::string> names_in(const fs::path& folder) {
     names.push_back(entry.path().filename().string());
   }
   if (error) throw InputError("cannot read the folder '" + folder.string() + "': " + error.message());
-  std::sort(names.begin(), names.end());
+  std::ranges::sort(names);
   return names;
 }
 

@@ -5,7 +5,6 @@
 #include "app/base/version.hpp"
 #include "app/commands/run.hpp"
 #include "app/drawing/framing.hpp"
-#include "app/drawing/garment_painter.hpp"
 #include "app/models/model_fitting.hpp"
 #include "app/output/output_pattern.hpp"
 #include "app/output/picture_record.hpp"

@@ -1,9 +1,8 @@
 #pragma once
 
-#include "app/drawing/drawn_scene.hpp"
-#include "app/models/garment_loading.hpp"
+#include <filesystem>
+
 #include "renderer/page/canvas.hpp"
-#include "renderer/scene_renderer.hpp"
 
 namespace taut::app {
 
@@ -64,37 +63,5 @@ struct CaptionStyle {
 /// Draws the caption with its centre at `centre_px` and its upper edge at `top_px`.
 void draw_caption(renderer::Canvas& canvas, const Caption& caption, float centre_px, float top_px,
                   const CaptionStyle& style = {});
-
-/// An OpenGL context without a window, and the scene renderer in it.
-class OffscreenRenderer {
- public:
-  /// `backend` as in renderer::create_context. Throws renderer::ContextError.
-  explicit OffscreenRenderer(const std::string& backend)
-      : context_(renderer::create_context(backend)), renderer_(*context_) {}
-
-  renderer::SceneRenderer& renderer() { return renderer_; }
-  /// The name OpenGL gives its renderer (GL_RENDERER).
-  const std::string& gl_renderer() const { return context_->renderer(); }
-
- private:
-  std::unique_ptr<renderer::Context> context_;
-  renderer::SceneRenderer renderer_;
-};
-
-/// Base colours on the triangles of a garment, as renderer::SurfaceView has them. No base colours: those of
-/// the cloth. Its texture coordinates, if it has any, say where it is sewn too.
-struct DrawnColours {
-  std::vector<glm::vec2> corner_coordinates;
-  std::vector<renderer::BaseColour> base_colours;
-  std::vector<std::uint32_t> base_colour_of_triangle;
-  std::vector<std::string> remarks = {};  ///< what of it is missing, one line each
-  /// The model whose triangles these are, where it follows the garment; null: they are the garment's own.
-  std::shared_ptr<const FollowingModel> following = {};
-};
-
-/// Returns what picture.texture asks for: an image over the cloth's colours, or the model's own colours if it
-/// names images of them and the scene no outside colour of its own. Throws InputError if the image cannot be
-/// read or the garment has no texture coordinates.
-DrawnColours drawn_colours(const DrawnScene& scene, const GarmentInScene& loaded);
 
 }  // namespace taut::app

@@ -187,14 +187,9 @@ renderer::Camera scene_camera(const DrawnScene& scene, const renderer::Box& reac
 }
 
 std::optional<float> ground_height(const DrawnScene& scene, const renderer::Box& reach) {
-  switch (scene.picture.ground.kind) {
-    case GroundKind::none:
-      return std::nullopt;
-    case GroundKind::fixed:
-      return static_cast<float>(scene.picture.ground.height_m);
-    case GroundKind::automatic:
-      break;
-  }
+  const auto& ground = scene.picture.ground;
+  if (ground.kind == GroundKind::none) return std::nullopt;
+  if (ground.kind == GroundKind::fixed) return static_cast<float>(ground.height_m);
   const renderer::Box box = scene.camera.box.value_or(reach);
   const std::vector<sim::Body>& bodies = scene.surroundings.bodies;
   const std::optional<float> plane_m = level_plane(bodies, 0.0);

@@ -4,9 +4,26 @@
 #include "app/drawing/drawn_bodies.hpp"
 #include "app/drawing/garment_surface.hpp"
 #include "renderer/page/legend.hpp"
+#include "renderer/scene_renderer.hpp"
 #include "sim/solvers/bounded/contact/clearances.hpp"
 
 namespace taut::app {
+
+/// An OpenGL context without a window, and the scene renderer in it.
+class OffscreenRenderer {
+ public:
+  /// `backend` as in renderer::create_context. Throws renderer::ContextError.
+  explicit OffscreenRenderer(const std::string& backend)
+      : context_(renderer::create_context(backend)), renderer_(*context_) {}
+
+  renderer::SceneRenderer& renderer() { return renderer_; }
+  /// The name OpenGL gives its renderer (GL_RENDERER).
+  const std::string& gl_renderer() const { return context_->renderer(); }
+
+ private:
+  std::unique_ptr<renderer::Context> context_;
+  renderer::SceneRenderer renderer_;
+};
 
 /// How far the surface that is drawn of a garment may leave its triangles without meeting another layer or a
 /// body where the simulation keeps those apart.

@@ -61,15 +61,10 @@ struct KindLook {
 };
 
 KindLook look_of(sim::SpringKind kind) {
-  switch (kind) {
-    case sim::SpringKind::structural:
-      return {"structural", {palette::ink, 8.0F, {}}, 0.0F};
-    case sim::SpringKind::shear:
-      return {"shear", {palette::vermilion, 5.0F, {0.6F, 1.6F}}, 0.0F};
-    case sim::SpringKind::flexural:
-      return {"flexural", {palette::sky, 6.0F, {4.0F, 1.6F}}, 0.11F};
-  }
-  return {};
+  return std::array<KindLook, 3>{
+      {{"structural", {palette::ink, 8.0F, {}}, 0.0F},
+       {"shear", {palette::vermilion, 5.0F, {0.6F, 1.6F}}, 0.0F},
+       {"flexural", {palette::sky, 6.0F, {4.0F, 1.6F}}, 0.11F}}}[static_cast<std::size_t>(kind)];
 }
 
 // From metres to the middle of a square on the canvas.

@@ -2,7 +2,6 @@
 
 #include "app/base/errors.hpp"
 #include "app/drawing/framing.hpp"
-#include "app/drawing/garment_painter.hpp"
 #include "app/figures/figures.hpp"
 #include "app/output/csv.hpp"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/drawing/drawing.hpp"
+#include "app/drawing/garment_painter.hpp"
 #include "app/figures/experiments/recording.hpp"
 #include "app/scene/fabric.hpp"
 

@@ -3,7 +3,6 @@
 #include <fmt/core.h>
 
 #include "app/fitting/joining.hpp"
-#include "app/fitting/remeshing.hpp"
 #include "app/fitting/walls.hpp"
 #include "app/verify/crossing_pairs.hpp"
 #include "sim/mesh/extent.hpp"
@@ -90,7 +89,7 @@ FittedMesh fit_once(const sim::Mesh& model_m, const FittingSettings& settings) {
   fitted.mesh = std::move(cut.mesh);
   fitted.sheets = cut.count;
   fitted.is_simulated.assign(kept.begin(), kept.end());
-  fitted.carried_triangles = static_cast<std::size_t>(std::count(kept.begin(), kept.end(), 0));
+  fitted.carried_triangles = static_cast<std::size_t>(std::ranges::count(kept, 0));
   fitted.crossings = crossing_pairs({fitted.mesh.positions, fitted.mesh.triangles}).size();
   return fitted;
 }
@@ -109,15 +108,14 @@ double sine_of_smallest_angle(const sim::Mesh& mesh, const sim::Triangle& t) {
   for (std::size_t k = 0; k < 3; ++k) {
     sides[k] = glm::distance(mesh.positions[t[k]], mesh.positions[t[(k + 1) % 3]]);
   }
-  std::sort(sides.begin(), sides.end());
+  std::ranges::sort(sides);
   const double area = glm::length(sim::doubled_area_vector(mesh.positions, t));
   return sides[1] > 0.0 ? area / (sides[1] * sides[2]) : 0.0;
 }
 
 std::size_t needles_of(const sim::Mesh& mesh) {
-  return static_cast<std::size_t>(
-      std::count_if(mesh.triangles.begin(), mesh.triangles.end(),
-                    [&](const sim::Triangle& t) { return sine_of_smallest_angle(mesh, t) < needle_sine; }));
+  return static_cast<std::size_t>(std::ranges::count_if(
+      mesh.triangles, [&](const sim::Triangle& t) { return sine_of_smallest_angle(mesh, t) < needle_sine; }));
 }
 
 }  // namespace
@@ -164,7 +162,7 @@ std::optional<std::string> why_not_fit_for_simulation(const sim::Mesh& model_m, 
   const auto is_short = [&](const sim::Edge& edge) {
     return glm::distance(model_m.positions[edge[0]], model_m.positions[edge[1]]) < thickness_m;
   };
-  const auto too_short = std::count_if(adjacency.edges.begin(), adjacency.edges.end(), is_short);
+  const auto too_short = std::ranges::count_if(adjacency.edges, is_short);
   if (static_cast<double>(too_short) > short_share * static_cast<double>(adjacency.edges.size())) {
     return fmt::format("{} of its edges are shorter than the cloth is thick", too_short);
   }
@@ -181,7 +179,7 @@ std::optional<std::string> why_not_fit_for_simulation(const sim::Mesh& model_m, 
   const double share = share_of_two_walls(sheets, other);
   if (share > two_walled) return fmt::format("it has two walls over {:.0f} % of its area", 100.0 * share);
   const std::vector<char> kept = choose_walls(sheets, other);
-  const auto carried = std::count(kept.begin(), kept.end(), 0);
+  const auto carried = std::ranges::count(kept, 0);
   if (carried > 0) return fmt::format("parts of {} triangles lie on others", carried);
   return std::nullopt;
 }

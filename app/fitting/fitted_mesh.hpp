@@ -46,4 +46,10 @@ bool is_coarse(const sim::Mesh& model);
 std::optional<std::string> why_not_fit_for_simulation(const sim::Mesh& model_m, std::size_t crossings,
                                                       double thickness_m = 0.0);
 
+/// Makes triangles of one size that are near equilateral, on the same surface (Botsch and Kobbelt 2004, A
+/// Remeshing Approach to Multiresolution Modeling). Borders stay on the borders, their corners in place.
+/// Requires a mesh with two triangles at most at every edge, one fan at every vertex, and neighbours that
+/// face the same side.
+sim::Mesh remesh(const sim::Mesh& surface, double edge_m);
+
 }  // namespace taut::app

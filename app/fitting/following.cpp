@@ -41,8 +41,8 @@ std::array<double, 3> nearest_weights(const Vec3& p, const Vec3& a, const Vec3& 
   const auto distance = [&](const std::array<double, 3>& at) {
     return glm::length(at[0] * a + at[1] * b + at[2] * c - p);
   };
-  return *std::min_element(edges.begin(), edges.end(),
-                           [&](const auto& x, const auto& y) { return distance(x) < distance(y); });
+  return *std::ranges::min_element(edges,
+                                   [&](const auto& x, const auto& y) { return distance(x) < distance(y); });
 }
 
 /// The nearest triangle of those that face along the normal, of all for a normal of 0.
@@ -138,7 +138,7 @@ class Binder {
       const double clear_m = other ? other->distance_m : 4.0 * edge_m_;
       seeds.push_back({own.distance_m - clear_m, v, own});
     }
-    std::sort(seeds.begin(), seeds.end(), [](const Candidate& a, const Candidate& b) { return b > a; });
+    std::ranges::sort(seeds, [](const Candidate& a, const Candidate& b) { return b > a; });
     return seeds;
   }
 
@@ -292,7 +292,7 @@ CarriedVertices carried_vertices(const sim::Mesh& model, std::span<const std::ui
   for (const sim::Triangle& t : carried.wall) {
     for (const Index v : t) is_carried[v] = 0;
   }
-  if (std::count(is_carried.begin(), is_carried.end(), 1) == 0) return carried;
+  if (std::ranges::count(is_carried, 1) == 0) return carried;
   const std::vector<Bond> bonds = bonds_of_model(model, is_wall, {model.positions, carried.wall, {}});
   for (Index v = 0; v < bonds.size(); ++v) {
     if (is_carried[v] != 0) {
@@ -312,7 +312,7 @@ void carry(const CarriedVertices& carried, std::span<const float> shares, std::v
 }
 
 Index nearest_corner(const Bond& bond, std::span<const sim::Triangle> triangles) {
-  const auto largest = std::max_element(bond.weights.begin(), bond.weights.end());
+  const auto largest = std::ranges::max_element(bond.weights);
   return triangles[bond.triangle][static_cast<std::size_t>(largest - bond.weights.begin())];
 }
 

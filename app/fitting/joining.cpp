@@ -94,7 +94,7 @@ class Seams {
   }
 
   std::size_t join(std::vector<Weld> welds) {
-    std::sort(welds.begin(), welds.end());
+    std::ranges::sort(welds);
     pairs_.clear();
     for (std::size_t begin = 0; begin < welds.size();) {
       std::size_t end = begin;

@@ -1,4 +1,4 @@
-#include "app/fitting/remeshing.hpp"
+#include "app/fitting/fitted_mesh.hpp"
 
 #include <OpenMesh/Core/Mesh/TriConnectivity.hh>
 
@@ -178,7 +178,7 @@ class Remesher {
         const Edge e(static_cast<int>(i));
         if (!is_gone(e) && length(e) > longest * length_) edges.emplace_back(-length(e), e.idx());
       }
-      std::sort(edges.begin(), edges.end());
+      std::ranges::sort(edges);
       is_split = !edges.empty() && at_.size() < most_vertices;
       for (const auto& [negative, e] : edges) {
         if (at_.size() < most_vertices && 2.0 * negative <= edges.front().first) split(Edge(e));

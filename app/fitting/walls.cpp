@@ -27,7 +27,7 @@ sim::Vec3 middle_of(const sim::Mesh& mesh, sim::Index t) {
 }
 
 bool share_vertex(const sim::Triangle& a, const sim::Triangle& b) {
-  return std::any_of(a.begin(), a.end(), [&](sim::Index v) { return v == b[0] || v == b[1] || v == b[2]; });
+  return std::ranges::any_of(a, [&](sim::Index v) { return v == b[0] || v == b[1] || v == b[2]; });
 }
 
 /// The garment, prepared for rays, areas and looks.
@@ -78,7 +78,7 @@ std::vector<std::vector<sim::Index>> gathered(const std::vector<sim::Index>& num
 }
 
 bool is_closed(const Sheets& sheets, std::span<const sim::Index> sheet) {
-  return std::none_of(sheet.begin(), sheet.end(), [&](sim::Index t) {
+  return std::ranges::none_of(sheet, [&](sim::Index t) {
     return std::any_of(&sheets.beyond[3 * t], &sheets.beyond[3 * t] + 3,
                        [](sim::Index beyond) { return beyond == sim::no_vertex; });
   });
@@ -167,8 +167,8 @@ class Pieces {
     }
     for (const double least_cosine : {goes_on, bends}) {
       front.clear();
-      std::copy_if(sheet.begin(), sheet.end(), std::back_inserter(front),
-                   [&](sim::Index t) { return piece_of_[t] != sim::no_vertex; });
+      std::ranges::copy_if(sheet, std::back_inserter(front),
+                           [&](sim::Index t) { return piece_of_[t] != sim::no_vertex; });
       flood(front, true, least_cosine);
     }
     fill_gaps(sheet);
@@ -192,7 +192,7 @@ class Pieces {
           }
         }
       }
-      std::sort(around.begin(), around.end());
+      std::ranges::sort(around);
       if (!around.empty() && around.front() == around.back()) {
         for (const sim::Index t : gap) piece_of_[t] = around.front();
       }
@@ -275,7 +275,7 @@ std::vector<char> choose_walls(const Sheets& sheets, const OtherWalls& other) {
   for (sim::Index p = 0; p < pieces.count(); ++p) {
     order.emplace_back(-area_of(view, triangles_of[p]) * (1.0 + view.openness(triangles_of[p], 1.0)), p);
   }
-  std::sort(order.begin(), order.end());
+  std::ranges::sort(order);
   std::vector<char> kept(view.areas.size(), 0);
   for (const auto& [score, p] : order) {
     double covered = 0.0, all = 0.0;

@@ -22,7 +22,7 @@ std::string FileVertices::why_missing(std::size_t number) const {
 }
 
 std::optional<sim::Index> FileVertices::number_of(sim::Index vertex) const {
-  const auto found = std::find(mesh_vertex.begin(), mesh_vertex.end(), vertex);
+  const auto found = std::ranges::find(mesh_vertex, vertex);
   return found != mesh_vertex.end() ? std::optional(static_cast<sim::Index>(found - mesh_vertex.begin()))
                                     : std::nullopt;
 }

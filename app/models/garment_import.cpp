@@ -2,10 +2,10 @@
 
 #include <minizip/unzip.h>
 
-#include <cctype>
 #include <fstream>
 #include <pugixml.hpp>
 
+#include "app/base/counted.hpp"
 #include "app/base/errors.hpp"
 #include "app/base/files.hpp"
 #include "sim/mesh/polygons.hpp"
@@ -73,13 +73,6 @@ bool contains(std::string_view text, std::string_view part) {
   return text.find(part) != std::string_view::npos;
 }
 
-std::string extension_of(const std::filesystem::path& path) {
-  std::string extension = path.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
-  return extension;
-}
-
 /// The texts that stand behind "key": in JSON, in their order. Enough to tell what a glTF file needs, and it
 /// takes one that is damaged.
 std::vector<std::string> texts_behind(std::string_view json, std::string_view key) {
@@ -100,9 +93,9 @@ std::string why_not_gltf(const std::filesystem::path& path, const std::string& h
   const bool is_binary = head.starts_with("glTF") && head.size() > 4;
   const std::vector<std::string> versions = texts_behind(head, "version");
   const bool is_first =
-      is_binary ? head[4] == 1
-                : std::any_of(versions.begin(), versions.end(),
-                              [](const std::string& version) { return version.starts_with("1."); });
+      is_binary ? head[4] == 1 : std::ranges::any_of(versions, [](const std::string& version) {
+        return version.starts_with("1.");
+      });
   if (is_first) return "it is glTF 1.0, which is not read; save it as glTF 2.0";
   if (contains(head, "KHR_draco_mesh_compression")) {
     return "its meshes are compressed with Draco in a way that is not read; save it without compression";
@@ -222,9 +215,9 @@ ImportedModel import_garment(const std::filesystem::path& path, const ImportLimi
 
 std::string why_unreadable(const std::filesystem::path& path) {
   const std::string head = head_of(path);
-  const std::string extension = extension_of(path);
+  const std::string extension = lower_case(path.extension().string());
   constexpr std::array usd = {".usd", ".usda", ".usdc", ".usdz"};
-  if (std::find(usd.begin(), usd.end(), extension) != usd.end() || head.starts_with("#usda") ||
+  if (std::ranges::find(usd, extension) != usd.end() || head.starts_with("#usda") ||
       head.starts_with("PXR-USDC")) {
     return "it is USD, which is not read; save it as glTF, FBX or OBJ";
   }

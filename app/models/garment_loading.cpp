@@ -91,8 +91,8 @@ std::size_t leave_out_backs(const ImportedModel& model, sim::Mesh& soup) {
     at += count;
     triangle += count - 2;
   }
-  for (auto& quad : quads) std::sort(quad.first.begin(), quad.first.end());
-  std::sort(quads.begin(), quads.end());
+  for (auto& quad : quads) std::ranges::sort(quad.first);
+  std::ranges::sort(quads);
   std::vector<char> is_back(soup.triangles.size(), 0);
   for (std::size_t q = 1; q < quads.size(); ++q) {
     const bool is_same = quads[q].first == quads[q - 1].first;
@@ -294,8 +294,8 @@ void require_one_motion(const std::vector<sim::MovingPins>& groups, const FileVe
   for (const sim::MovingPins& group : groups) {
     all.insert(all.end(), group.vertices.begin(), group.vertices.end());
   }
-  std::sort(all.begin(), all.end());
-  const auto twice = std::adjacent_find(all.begin(), all.end());
+  std::ranges::sort(all);
+  const auto twice = std::ranges::adjacent_find(all);
   if (twice != all.end()) {
     throw InputError("pins.moving: found vertex {} in two entries, expected each in one",
                      file_vertices.number_of(*twice).value_or(*twice));
@@ -309,7 +309,7 @@ std::vector<sim::MovingPins> choose_moving_pins(const Scene& scene, const sim::M
   for (const MovingPinsInScene& entry : scene.moving_pins) {
     std::vector<sim::Index> vertices =
         select_pins(entry.at, {mesh, loaded.landmarks, loaded.file_vertices, grid, "pins.moving"});
-    std::sort(vertices.begin(), vertices.end());
+    std::ranges::sort(vertices);
     vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
     sim::PinnedMesh finer =
         subdivided({scene.garment.subdivisions > 0 ? mesh : sim::Mesh{}, std::move(vertices)},

@@ -49,9 +49,8 @@ struct Finder {
     if (vertices.empty()) vertices = landmarks_with(landmarks, "waist");
     if (vertices.empty() && top != nullptr) {
       vertices = top->vertices;
-      const auto above = std::count_if(part.openings.begin(), part.openings.end(), [&](const Opening& o) {
-        return o.mean_height_m > part.range.middle().y;
-      });
+      const auto above = std::ranges::count_if(
+          part.openings, [&](const Opening& o) { return o.mean_height_m > part.range.middle().y; });
       marks.is_worn_at_waist = above == 1 && (part.openings.size() == 2 || !marks.hem_height_m);
     }
     if (!vertices.empty()) {
@@ -75,9 +74,8 @@ struct Finder {
       }
     }
     // Without a hem the lowest two are those of legs.
-    std::stable_sort(beside.begin(), beside.end(), [](const Opening* a, const Opening* b) {
-      return a->mean_height_m > b->mean_height_m;
-    });
+    std::ranges::stable_sort(
+        beside, [](const Opening* a, const Opening* b) { return a->mean_height_m > b->mean_height_m; });
     const std::size_t sleeves =
         beside.size() - (marks.hem_height_m ? 0 : std::min<std::size_t>(beside.size(), 2));
     const std::span<const Opening* const> all = beside;
@@ -141,9 +139,8 @@ std::optional<Around> around(const Surface& garment, const sim::Vec3& middle_m, 
   std::erase_if(curves, [](const SectionCurve& curve) { return !curve.is_closed; });
   if (curves.empty()) return std::nullopt;
   const auto tape_m = [](const SectionCurve& curve) { return tight_tape_m(curve.points_m); };
-  const SectionCurve& trunk = *std::max_element(
-      curves.begin(), curves.end(),
-      [&](const SectionCurve& a, const SectionCurve& b) { return tape_m(a) < tape_m(b); });
+  const SectionCurve& trunk = *std::ranges::max_element(
+      curves, [&](const SectionCurve& a, const SectionCurve& b) { return tape_m(a) < tape_m(b); });
   std::vector<sim::Vec2> both;
   std::size_t legs = 0;
   for (const SectionCurve& curve : curves) {
@@ -168,8 +165,7 @@ GarmentMarks marks_of(const sim::Garment& garment, std::span<const sim::Vec3> po
                       const Landmarks& landmarks) {
   const sim::Mesh mesh{{positions_m.begin(), positions_m.end()}, garment.mesh.triangles, {}};
   const std::vector<GarmentPart> parts = parts_of(mesh, garment.adjacency);
-  const auto smaller = [](const GarmentPart& a, const GarmentPart& b) { return a.area_m2 < b.area_m2; };
-  const GarmentPart& part = *std::max_element(parts.begin(), parts.end(), smaller);
+  const GarmentPart& part = *std::ranges::max_element(parts, {}, &GarmentPart::area_m2);
   const Opening* const top = top_opening(part);
   const Finder finder{landmarks, part, positions_m};
   GarmentMarks marks;
@@ -179,7 +175,7 @@ GarmentMarks marks_of(const sim::Garment& garment, std::span<const sim::Vec3> po
 }
 
 const LimbOpening& nearest_of(const std::vector<LimbOpening>& openings, const sim::Vec3& place_m) {
-  return *std::min_element(openings.begin(), openings.end(), [&](const LimbOpening& a, const LimbOpening& b) {
+  return *std::ranges::min_element(openings, [&](const LimbOpening& a, const LimbOpening& b) {
     return glm::distance(a.middle_m, place_m) < glm::distance(b.middle_m, place_m);
   });
 }

@@ -86,7 +86,7 @@ std::vector<Opening> openings_of(const sim::Mesh& mesh, const sim::Adjacency& ad
     at_border.insert(at_border.end(), {a, b});
     lengths_m[a] += border[k].length_m;
   }
-  std::sort(at_border.begin(), at_border.end());
+  std::ranges::sort(at_border);
   at_border.erase(std::unique(at_border.begin(), at_border.end()), at_border.end());
   std::map<sim::Index, Opening> openings;
   for (const sim::Index v : at_border) {
@@ -232,8 +232,7 @@ const Opening* inner_opening(const GarmentPart& part) {
 
 bool has_sleeves(const GarmentPart& part) {
   const std::vector<const Opening*> large = large_openings(part);
-  return std::any_of(large.begin(), large.end(),
-                     [&](const Opening* opening) { return !is_near_middle(part, *opening); });
+  return std::ranges::any_of(large, [&](const Opening* opening) { return !is_near_middle(part, *opening); });
 }
 
 std::vector<sim::Index> pair_of_openings(const GarmentPart& part) {

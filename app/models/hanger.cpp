@@ -63,7 +63,7 @@ struct Wearer {
   bool is_clear(const sim::Capsule& bar) const {
     const double reach_m = bar.start_radius_m + clearance * half_m;
     const Limb limb{bar.start_m, bar.end_m, reach_m, reach_m};
-    return std::none_of(part.triangles.begin(), part.triangles.end(), [&](sim::Index triangle) {
+    return std::ranges::none_of(part.triangles, [&](sim::Index triangle) {
       const sim::Triangle& t = mesh.triangles[triangle];
       return enters_limb({mesh.positions[t[0]], mesh.positions[t[1]], mesh.positions[t[2]]}, limb);
     });
@@ -241,8 +241,8 @@ std::vector<sim::Body> hanger_for(const sim::Mesh& mesh, const GarmentPart& part
 
 std::vector<sim::Body> make_hanger(const sim::Mesh& mesh) {
   const std::vector<GarmentPart> parts = parts_of(mesh, sim::make_adjacency(mesh));
-  const auto smaller = [](const GarmentPart& a, const GarmentPart& b) { return a.area_m2 < b.area_m2; };
-  std::vector<sim::Body> hanger = hanger_for(mesh, *std::max_element(parts.begin(), parts.end(), smaller));
+  std::vector<sim::Body> hanger =
+      hanger_for(mesh, *std::ranges::max_element(parts, {}, &GarmentPart::area_m2));
   if (hanger.empty()) {
     throw InputError(
         "pins.at: found no room for a hanger below the garment's shoulders; expected a garment that is "

@@ -206,14 +206,13 @@ Hanging hang(const sim::Mesh& mesh, const sim::Adjacency& adjacency) {
   for (const GarmentPart& part : parts_of(mesh, adjacency)) {
     hanging.parts.push_back(hang_part(mesh, part, hanging.pins));
   }
-  std::sort(hanging.pins.begin(), hanging.pins.end());
+  std::ranges::sort(hanging.pins);
   return hanging;
 }
 
 Hanging hang_as_in_a_shop(const sim::Mesh& mesh, const sim::Adjacency& adjacency) {
   Hanging hanging = hang(mesh, adjacency);
-  const auto smaller = [](const HungPart& a, const HungPart& b) { return a.area_m2 < b.area_m2; };
-  const auto largest = std::max_element(hanging.parts.begin(), hanging.parts.end(), smaller);
+  const auto largest = std::ranges::max_element(hanging.parts, {}, &HungPart::area_m2);
   if (largest->by != HungBy::shoulders && largest->by != HungBy::neck) return hanging;
   const std::vector<GarmentPart> parts = parts_of(mesh, adjacency);
   const GarmentPart& part = parts[static_cast<std::size_t>(largest - hanging.parts.begin())];
@@ -221,9 +220,8 @@ Hanging hang_as_in_a_shop(const sim::Mesh& mesh, const sim::Adjacency& adjacency
   if (!hanging.hanger.empty()) {
     largest->by = HungBy::hanger;
     largest->pins = 0;
-    std::erase_if(hanging.pins, [&](sim::Index pin) {
-      return std::binary_search(part.vertices.begin(), part.vertices.end(), pin);
-    });
+    std::erase_if(hanging.pins,
+                  [&](sim::Index pin) { return std::ranges::binary_search(part.vertices, pin); });
   }
   return hanging;
 }

@@ -46,8 +46,8 @@ fs::path importer_program(const fs::path& chosen_program) {
   }
   for (fs::path& candidate : candidates) candidate = candidate / "libexec" / "taut" / "taut-import";
   std::error_code error;
-  const auto found = std::find_if(candidates.begin(), candidates.end(),
-                                  [&](const fs::path& candidate) { return fs::exists(candidate, error); });
+  const auto found = std::ranges::find_if(
+      candidates, [&](const fs::path& candidate) { return fs::exists(candidate, error); });
   if (found == candidates.end()) {
     throw InputError("there is no program that reads models; expected '" + candidates.front().string() +
                      '\'');

@@ -47,9 +47,8 @@ void measure_edges(const sim::Garment& garment, Inspection& result) {
 
 void measure_surface(const LoadedGarment& loaded, Inspection& result) {
   const sim::Garment& garment = *loaded.garment;
-  result.without_surface = static_cast<std::size_t>(
-      std::count_if(garment.triangles_at_rest.begin(), garment.triangles_at_rest.end(),
-                    [](const sim::TriangleAtRest& t) { return !t.has_surface(); }));
+  result.without_surface = static_cast<std::size_t>(std::ranges::count_if(
+      garment.triangles_at_rest, [](const sim::TriangleAtRest& t) { return !t.has_surface(); }));
   if (loaded.start_m) {
     result.start = StretchAtStart{sim::measure_stretch(garment.springs, *loaded.start_m),
                                   sim::measure_surface_stretch(garment, *loaded.start_m)};

@@ -98,7 +98,7 @@ std::vector<NamedVertices> grid_parts(const sim::GridSettings& grid) {
 
 std::vector<sim::Index> top_band(const sim::Mesh& mesh) {
   const auto by_height = [](const sim::Vec3& a, const sim::Vec3& b) { return a.y < b.y; };
-  const auto [lowest, highest] = std::minmax_element(mesh.positions.begin(), mesh.positions.end(), by_height);
+  const auto [lowest, highest] = std::ranges::minmax_element(mesh.positions, by_height);
   const double limit_m = highest->y - top_band_fraction * (highest->y - lowest->y);
   std::vector<sim::Index> band;
   for (std::size_t v = 0; v < mesh.positions.size(); ++v) {

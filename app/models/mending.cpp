@@ -40,7 +40,7 @@ std::vector<Patch> patches_of(const sim::Mesh& mesh) {
 std::pair<double, double> bulk_along(int axis, const std::vector<Patch>& patches, double area) {
   std::vector<std::pair<double, double>> places;
   for (const Patch& patch : patches) places.emplace_back(patch.middle[axis], patch.area);
-  std::sort(places.begin(), places.end());
+  std::ranges::sort(places);
   const auto beyond = [&](auto first, auto last) {
     double sum = 0.0;
     for (auto place = first; place != last; ++place) {
@@ -90,7 +90,7 @@ double border_of(const sim::Mesh& mesh, const std::vector<sim::Triangle>& triang
       edges.push_back({std::min(t[k], t[(k + 1) % 3]), std::max(t[k], t[(k + 1) % 3])});
     }
   }
-  std::sort(edges.begin(), edges.end());
+  std::ranges::sort(edges);
   std::map<sim::Index, std::vector<sim::Index>> beside;
   for (std::size_t e = 0; e < edges.size(); ++e) {
     const bool is_alone =
@@ -261,7 +261,7 @@ std::vector<Place> stitches_of(const std::vector<Place>& places, std::size_t mos
                                const sim::Mesh& mesh) {
   std::vector<Place> stitches;
   const auto nearer = [](const Place& a, const Place& b) { return a.distance < b.distance; };
-  stitches.push_back(*std::min_element(places.begin(), places.end(), nearer));
+  stitches.push_back(*std::ranges::min_element(places, nearer));
   while (stitches.size() < most_stitches) {
     const Place* farthest = nullptr;
     double farthest_distance = 0.0;
@@ -376,9 +376,7 @@ std::size_t sew_on_trims(std::span<const GarmentPart> parts, double metres_per_u
   double area = 0.0;
   for (const GarmentPart& part : parts) area += part.area_m2;
   const auto is_trim = [&](const GarmentPart& part) { return part.area_m2 <= largest_trim * area; };
-  if (std::none_of(parts.begin(), parts.end(), is_trim) || std::all_of(parts.begin(), parts.end(), is_trim)) {
-    return 0;
-  }
+  if (std::ranges::none_of(parts, is_trim) || std::ranges::all_of(parts, is_trim)) return 0;
   const double farthest = farthest_m / metres_per_unit;
   const Cloth cloth(parts, largest_trim * area, farthest, mesh);
   std::vector<sim::Triangle> stitches;

@@ -149,8 +149,7 @@ ModelArrays decode(const std::string& bytes) {
   model.rig = decode_rig(reader);
   model.colours = decode_colours(reader, model.corners.size(), model.corner_counts.size());
   const auto is_position = [&](sim::Index index) { return index < model.positions.size(); };
-  const bool has_positions =
-      std::all_of(model.position_of_vertex.begin(), model.position_of_vertex.end(), is_position);
+  const bool has_positions = std::ranges::all_of(model.position_of_vertex, is_position);
   const bool has_rig = model.rig.empty() || model.rig.in_part.size() == model.positions.size();
   if (!reader.at_end() || !has_positions || !has_rig ||
       (axis != no_axis && axis > static_cast<std::uint8_t>(ModelAxis::minus_z))) {

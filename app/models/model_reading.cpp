@@ -8,28 +8,19 @@
 #include <assimp/Importer.hpp>
 #include <cctype>
 
+#include "app/base/counted.hpp"
 #include "app/base/errors.hpp"
 #include "app/base/files.hpp"
 #include "app/models/garment_import.hpp"
-#include "app/models/image_reading.hpp"
 #include "app/models/obj_reading.hpp"
 
 namespace taut::app {
 namespace {
 
 void append_face(const aiFace& face, const aiMesh& mesh, bool mirrored, ModelArrays& model) {
-  switch (face.mNumIndices) {
-    case 0:
-      return;
-    case 1:
-      ++model.ignored_points;
-      return;
-    case 2:
-      ++model.ignored_lines;
-      return;
-    default:
-      break;
-  }
+  model.ignored_points += face.mNumIndices == 1;
+  model.ignored_lines += face.mNumIndices == 2;
+  if (face.mNumIndices < 3) return;
   model.corner_counts.push_back(face.mNumIndices);
   model.colours.material_of_face.push_back(mesh.mMaterialIndex);
   const auto first = static_cast<sim::Index>(model.positions.size()) - mesh.mNumVertices;
@@ -135,11 +126,6 @@ std::string reason_of(std::string reason, const std::string& file) {
   return reason;
 }
 
-std::string in_lower_case(std::string text) {
-  for (char& letter : text) letter = static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
-  return text;
-}
-
 /// The bytes of an image within the scene; assimp keeps those that are compressed as one row of them.
 std::optional<std::string_view> embedded_image(const aiScene& scene, const std::string& name) {
   const aiTexture* texture = scene.GetEmbeddedTexture(name.c_str());
@@ -233,7 +219,7 @@ ModelArrays read_with_assimp(const std::filesystem::path& path, ReadParts parts)
   model.meshes = scene->mNumMeshes;
   read_units(*scene, path, model);
   append_node(*scene, *scene->mRootNode, aiMatrix4x4(), model);
-  model.rig = read_rig(*scene, in_lower_case(path.extension().string()) != ".fbx");
+  model.rig = read_rig(*scene, lower_case(path.extension().string()) != ".fbx");
   if (parts == ReadParts::model) read_colours(*scene, path.parent_path(), model);
   return model;
 }
@@ -247,7 +233,7 @@ ModelArrays read_model(const std::filesystem::path& path, ReadParts parts) {
     return image;
   }
   std::optional<ModelArrays> model;
-  if (in_lower_case(path.extension().string()) == ".obj") {
+  if (lower_case(path.extension().string()) == ".obj") {
     model = read_obj(read_text_file(path));
     if (model && parts == ReadParts::model) read_colours_of_obj(path.parent_path(), model->colours);
   }
@@ -267,8 +253,7 @@ void read_mtl(std::string_view text, SurfaceColours& colours) {
       std::string name;
       std::getline(line >> std::ws, name);
       name.erase(name.find_last_not_of(" \t\r") + 1);
-      material = std::find_if(colours.materials.begin(), colours.materials.end(),
-                              [&](const SurfaceMaterial& known) { return known.name == name; });
+      material = std::ranges::find(colours.materials, name, &SurfaceMaterial::name);
     } else if (kind == "Kd" && material != colours.materials.end()) {
       glm::vec3 colour(1.0F);
       if (line >> colour.x >> colour.y >> colour.z) material->base_colour = glm::clamp(colour, 0.0F, 1.0F);

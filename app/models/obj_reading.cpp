@@ -120,8 +120,7 @@ sim::Index ObjReader::texture_vertex(std::string_view word) const {
 // Faces before the first name have a material without one.
 void ObjReader::use_material(std::string_view name) {
   std::vector<SurfaceMaterial>& all = model_.colours.materials;
-  const auto known = std::find_if(all.begin(), all.end(),
-                                  [&](const SurfaceMaterial& material) { return material.name == name; });
+  const auto known = std::ranges::find(all, name, &SurfaceMaterial::name);
   material_ = static_cast<sim::Index>(known - all.begin());
   if (known == all.end()) all.push_back({.name = std::string(name)});
 }
@@ -207,7 +206,7 @@ void ObjReader::begin_section(std::string_view kind, std::string_view name) {
 void ObjReader::place_texture() {
   SurfaceColours& colours = model_.colours;
   const auto is_named = [](sim::Index texture) { return texture != unnamed; };
-  if (std::any_of(corner_texture_.begin(), corner_texture_.end(), is_named)) {
+  if (std::ranges::any_of(corner_texture_, is_named)) {
     for (const sim::Index texture : corner_texture_) {
       colours.corner_uv.push_back(texture < texture_vertices_.size() ? texture_vertices_[texture]
                                                                      : glm::vec2(0.0F));

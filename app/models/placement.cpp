@@ -88,7 +88,7 @@ const Unit* unit_by_size(double size, double part_size) {
   const auto is_usual = [](double size_m) { return is_between(size_m, smallest_garment_m, largest_garment_m); };
   const std::span<const Unit> usual = std::span(units).first(4);
   const auto find = [&](const auto& fits) {
-    const auto found = std::find_if(usual.begin(), usual.end(), fits);
+    const auto found = std::ranges::find_if(usual, fits);
     return found == usual.end() ? nullptr : &*found;
   };
   const Unit* unit = find([&](const Unit& u) {
@@ -157,21 +157,18 @@ void choose_up(const sim::Vec3& size, const PlacementHints& hints, Placement& pl
 }
 
 sim::Vec3 turned(const sim::Vec3& p, ModelAxis up) {
-  switch (up) {
-    case ModelAxis::x:
-      return {-p.y, p.x, p.z};
-    case ModelAxis::minus_x:
-      return {p.y, -p.x, p.z};
-    case ModelAxis::y:
-      return p;
-    case ModelAxis::minus_y:
-      return {p.x, -p.y, -p.z};
-    case ModelAxis::z:
-      return {p.x, p.z, -p.y};
-    case ModelAxis::minus_z:
-      return {p.x, -p.z, p.y};
-  }
-  return p;
+  struct Turn {
+    std::array<int, 3> axis;  ///< of the model, for each axis of the scene
+    sim::Vec3 sign;
+  };
+  static constexpr std::array<Turn, 6> turns = {{{{1, 0, 2}, {-1, 1, 1}},
+                                                 {{1, 0, 2}, {1, -1, 1}},
+                                                 {{0, 1, 2}, {1, 1, 1}},
+                                                 {{0, 1, 2}, {1, -1, -1}},
+                                                 {{0, 2, 1}, {1, 1, -1}},
+                                                 {{0, 2, 1}, {1, -1, 1}}}};  // by ModelAxis
+  const auto& [axis, sign] = turns[static_cast<std::size_t>(up)];
+  return sign * sim::Vec3(p[axis[0]], p[axis[1]], p[axis[2]]);
 }
 
 using LevelCut = std::vector<std::array<sim::Vec3, 2>>;
@@ -223,7 +220,7 @@ bool goes_around(const LevelCut& section) {
       is_met[static_cast<std::size_t>(std::floor(at) + directions) % directions] = true;
     }
   }
-  return std::count(is_met.begin(), is_met.end(), false) <= widest_slit;
+  return std::ranges::count(is_met, false) <= widest_slit;
 }
 
 /// Whether it goes around both halves, as around legs; those are apart where nothing goes from one to the
@@ -319,9 +316,7 @@ bool has_legs(const sim::Mesh& mesh) { return std::abs(legs_below(mesh)) >= clea
 /// sock.
 bool is_bag(const sim::Mesh& mesh, const sim::Adjacency& adjacency) {
   const std::vector<GarmentPart> parts = parts_of(mesh, adjacency);
-  const auto largest =
-      std::max_element(parts.begin(), parts.end(),
-                       [](const GarmentPart& a, const GarmentPart& b) { return a.area_m2 < b.area_m2; });
+  const auto largest = std::ranges::max_element(parts, {}, &GarmentPart::area_m2);
   const std::vector<const Opening*> openings = large_openings(*largest);
   return openings.size() == 1 && openings[0]->range.size().y < level_opening * largest->range.size().y;
 }

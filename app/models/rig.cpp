@@ -161,8 +161,8 @@ void RigReader::add_target_channels(const aiMeshMorphAnim& channel, double tick_
   const std::string name = full.substr(0, full.rfind('*'));
   bool is_known = false;
   for (sim::Index part = 0, first = 0; part < rig_.parts.size(); ++part) {
-    const auto count = static_cast<sim::Index>(std::count_if(rig_.targets.begin(), rig_.targets.end(),
-                                                             [&](const auto& t) { return t.part == part; }));
+    const auto count = static_cast<sim::Index>(
+        std::ranges::count_if(rig_.targets, [&](const auto& t) { return t.part == part; }));
     const bool is_meant = rig_.parts[part].mesh == name || rig_.nodes[rig_.parts[part].node].name == name;
     for (sim::Index t = 0; is_meant && t < count; ++t) {
       RigTargetChannel target{first + t, {}};

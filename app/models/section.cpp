@@ -68,8 +68,7 @@ class Section {
       curve.push_back(point_on(edge));
       const std::vector<EdgeKey> ends = found->second;
       next_.erase(found);
-      const auto left =
-          std::find_if(ends.begin(), ends.end(), [&](const EdgeKey& end) { return next_.contains(end); });
+      const auto left = std::ranges::find_if(ends, [&](const EdgeKey& end) { return next_.contains(end); });
       edge = left == ends.end() ? ends.front() : *left;
     }
     return curve;
@@ -102,8 +101,8 @@ double length_m(const SectionCurve& curve) {
 
 /// Andrew 1979: the lower and the upper chain of the points in order of x.
 std::vector<Vec2> convex_hull(std::vector<Vec2> points_m) {
-  std::sort(points_m.begin(), points_m.end(),
-            [](const Vec2& a, const Vec2& b) { return a.x != b.x ? a.x < b.x : a.y < b.y; });
+  std::ranges::sort(points_m,
+                    [](const Vec2& a, const Vec2& b) { return a.x != b.x ? a.x < b.x : a.y < b.y; });
   std::vector<Vec2> hull;
   for (int side = 0; side < 2; ++side) {
     const std::size_t first = hull.size();
@@ -113,7 +112,7 @@ std::vector<Vec2> convex_hull(std::vector<Vec2> points_m) {
     }
     // Where a chain ends the other one begins.
     hull.pop_back();
-    std::reverse(points_m.begin(), points_m.end());
+    std::ranges::reverse(points_m);
   }
   return hull;
 }

@@ -1,5 +1,9 @@
 #include "app/models/surface_colours.hpp"
 
+#include <stb_image.h>
+
+#include "app/base/errors.hpp"
+#include "app/base/files.hpp"
 #include "sim/mesh/welding.hpp"
 
 namespace taut::app {
@@ -29,7 +33,7 @@ SurfaceMaterial take_material(ArrayReader& in) {
 }
 
 bool are_below(const std::vector<sim::Index>& indices, std::size_t count) {
-  return std::all_of(indices.begin(), indices.end(), [&](sim::Index index) { return index < count; });
+  return std::ranges::all_of(indices, [&](sim::Index index) { return index < count; });
 }
 
 /// Sources of new triangles in old ones: per triangle the face, per corner the corner; none of it where a
@@ -68,6 +72,100 @@ SurfaceColours taken_from(SurfaceColours colours, const Sources& sources) {
 
 bool is_plain(const SurfaceColours& colours) {
   return colours.corner_uv.empty() && colours.material_of_face.empty();
+}
+
+namespace fs = std::filesystem;
+
+/// Half as wide and high, without a last odd row or column. Colours count by their alpha.
+TextureImage halved(const TextureImage& image) {
+  TextureImage half{std::max(image.width_px / 2, 1U), std::max(image.height_px / 2, 1U), nullptr};
+  std::vector<std::uint8_t> rgba(std::size_t{4} * half.width_px * half.height_px);
+  for (std::uint32_t y = 0; y < half.height_px; ++y) {
+    for (std::uint32_t x = 0; x < half.width_px; ++x) {
+      std::array<unsigned, 3> sums{};
+      unsigned alphas = 0, pixels = 0;
+      for (const std::uint32_t row : {2 * y, std::min(2 * y + 1, image.height_px - 1)}) {
+        for (const std::uint32_t column : {2 * x, std::min(2 * x + 1, image.width_px - 1)}) {
+          const std::uint8_t* pixel = image.rgba->data() + 4 * (std::size_t{row} * image.width_px + column);
+          for (std::size_t k = 0; k < 3; ++k) sums[k] += unsigned{pixel[k]} * pixel[3];
+          alphas += pixel[3];
+          ++pixels;
+        }
+      }
+      std::uint8_t* to = rgba.data() + 4 * (std::size_t{y} * half.width_px + x);
+      for (std::size_t k = 0; k < 3; ++k) {
+        to[k] = static_cast<std::uint8_t>((sums[k] + alphas / 2) / std::max(alphas, 1U));
+      }
+      to[3] = static_cast<std::uint8_t>((alphas + pixels / 2) / pixels);
+    }
+  }
+  half.rgba = std::make_shared<const std::vector<std::uint8_t>>(std::move(rgba));
+  return half;
+}
+
+/// The largest side that this many square images may have.
+std::uint32_t most_side_px(std::size_t images) {
+  std::uint32_t side_px = 4096;
+  while (side_px > 64 && images * 4 * side_px * side_px > most_map_bytes) side_px /= 2;
+  return side_px;
+}
+
+/// The image times a colour, in linear light.
+TextureImage tinted(const TextureImage& image, const glm::vec3& tint, bool is_opaque) {
+  std::array<std::array<std::uint8_t, 256>, 3> channels{};
+  for (int k = 0; k < 3; ++k) {
+    for (std::size_t value = 0; value < 256; ++value) {
+      const float light = srgb_to_linear(static_cast<float>(value) / 255.0F) * srgb_to_linear(tint[k]);
+      channels[static_cast<std::size_t>(k)][value] =
+          static_cast<std::uint8_t>(255.0F * linear_to_srgb(light) + 0.5F);
+    }
+  }
+  std::vector<std::uint8_t> rgba = *image.rgba;
+  for (std::size_t i = 0; i < rgba.size(); i += 4) {
+    for (std::size_t k = 0; k < 3; ++k) rgba[i + k] = channels[k][rgba[i + k]];
+    rgba[i + 3] = is_opaque ? 255 : rgba[i + 3];
+  }
+  return {image.width_px, image.height_px,
+          std::make_shared<const std::vector<std::uint8_t>>(std::move(rgba))};
+}
+
+/// Where an image may be: as it is named, or else by its last name beside the model. Models often name the
+/// place on the machine that they were made on.
+std::vector<fs::path> places_of(const std::string& name, const fs::path& folder) {
+  std::string slashed = name;
+  std::replace(slashed.begin(), slashed.end(), '\\', '/');
+  const fs::path last = fs::path(slashed).filename();
+  return {folder / slashed, folder / last, folder / "textures" / last};
+}
+
+bool is_inside(const fs::path& file, const fs::path& folder) {
+  std::error_code error;
+  const fs::path way = fs::canonical(file, error).lexically_relative(fs::canonical(folder, error));
+  return !way.empty() && *way.begin() != "..";
+}
+
+/// Nothing outside of the model's folder is read: a model could ask for any file of the machine.
+std::string read_file_of(const std::string& name, const fs::path& folder) {
+  const std::vector<fs::path> places = places_of(name, folder);
+  bool is_outside = false;
+  for (const fs::path& place : places) {
+    std::error_code error;
+    if (fs::is_regular_file(place, error) && is_inside(place, folder)) return read_text_file(place);
+    is_outside |= fs::exists(place, error);
+  }
+  throw InputError("it is neither '{}' nor '{}' nor '{}'{}", places[0].lexically_normal().string(),
+                   places[1].lexically_normal().string(), places[2].lexically_normal().string(),
+                   is_outside ? ", of which nothing outside of the model's folder is read" : "");
+}
+
+TextureImage read_map(const SurfaceMaterial& material, const fs::path& folder, const EmbeddedImage& embedded,
+                      std::uint32_t most_px) {
+  const std::optional<std::string_view> inside = embedded(material.map_file);
+  const TextureImage image = fitted_to(
+      decode_image(inside ? std::string(*inside) : read_file_of(material.map_file, folder)), most_px);
+  const bool is_tinted = material.map_tint != glm::vec3(1.0F);
+  return is_tinted || material.map_is_opaque ? tinted(image, material.map_tint, material.map_is_opaque)
+                                             : image;
 }
 
 }  // namespace
@@ -116,7 +214,7 @@ SurfaceColours cut_colours(SurfaceColours colours, std::span<const std::uint32_t
   for (sim::Index face = 0; face < corner_counts.size(); ++face) {
     const auto own = corners.subspan(first, corner_counts[face]);
     const auto corner_at = [&](sim::Index vertex) {
-      return static_cast<sim::Index>(first + (std::find(own.begin(), own.end(), vertex) - own.begin()));
+      return static_cast<sim::Index>(first + (std::ranges::find(own, vertex) - own.begin()));
     };
     for (std::size_t k = 2; k < own.size(); ++k) {
       const auto& [a, b, c] = triangles[triangle++];
@@ -131,7 +229,7 @@ SurfaceColours kept_colours(SurfaceColours colours, std::span<const sim::Triangl
                             std::span<const sim::Index> kept, std::span<const sim::Triangle> after) {
   if (is_plain(colours)) return colours;
   const auto sorted = [](sim::Triangle t) {
-    std::sort(t.begin(), t.end());
+    std::ranges::sort(t);
     return t;
   };
   // Of triangles with the same vertices the first was kept.
@@ -140,7 +238,7 @@ SurfaceColours kept_colours(SurfaceColours colours, std::span<const sim::Triangl
   for (sim::Index t = 0; t < before.size(); ++t) {
     known.emplace_back(sorted({kept[before[t][0]], kept[before[t][1]], kept[before[t][2]]}), t);
   }
-  std::sort(known.begin(), known.end());
+  std::ranges::sort(known);
   Sources sources;
   for (const sim::Triangle& t : after) {
     const auto source = std::lower_bound(known.begin(), known.end(), std::pair(sorted(t), sim::Index{0}));
@@ -184,6 +282,57 @@ double metres_per_uv(const sim::Mesh& mesh, std::span<const glm::vec2> corner_uv
   const auto middle = scales.begin() + static_cast<std::ptrdiff_t>(scales.size() / 2);
   std::nth_element(scales.begin(), middle, scales.end());
   return scales.empty() ? 0.0 : *middle;
+}
+
+TextureImage fitted_to(TextureImage image, std::uint32_t most_px) {
+  while (std::max(image.width_px, image.height_px) > most_px) image = halved(image);
+  return image;
+}
+
+TextureImage decode_image(std::string_view bytes) {
+  const auto* data = reinterpret_cast<const stbi_uc*>(bytes.data());
+  const int size = static_cast<int>(std::min<std::size_t>(bytes.size(), 1U << 30U));
+  int width_px = 0, height_px = 0, channels = 0;
+  if (stbi_info_from_memory(data, size, &width_px, &height_px, &channels) == 0) {
+    throw InputError("it is no image that can be read, such as PNG or JPEG ({})", stbi_failure_reason());
+  }
+  if (std::size_t(width_px) * std::size_t(height_px) > most_pixels) {
+    throw InputError("it has {} x {} pixels, more than the {} that are read", width_px, height_px,
+                     most_pixels);
+  }
+  const std::unique_ptr<stbi_uc, void (*)(void*)> pixels(
+      stbi_load_from_memory(data, size, &width_px, &height_px, &channels, 4), stbi_image_free);
+  if (pixels == nullptr) throw InputError("it is damaged ({})", stbi_failure_reason());
+  const std::size_t count = std::size_t{4} * std::size_t(width_px) * std::size_t(height_px);
+  return {static_cast<std::uint32_t>(width_px), static_cast<std::uint32_t>(height_px),
+          std::make_shared<const std::vector<std::uint8_t>>(pixels.get(), pixels.get() + count)};
+}
+
+void read_maps(const fs::path& folder, const EmbeddedImage& embedded, SurfaceColours& colours) {
+  // Images that look the same are read once: by name, tint and whether alpha counts.
+  using Look = std::tuple<std::string, float, float, float, bool>;
+  std::map<Look, sim::Index> known;
+  const auto look_of = [](const SurfaceMaterial& material) {
+    const glm::vec3& tint = material.map_tint;
+    return Look(material.map_file, tint.x, tint.y, tint.z, material.map_is_opaque);
+  };
+  for (const SurfaceMaterial& material : colours.materials) known.emplace(look_of(material), no_map);
+  const std::uint32_t most_px = most_side_px(known.size());
+  for (SurfaceMaterial& material : colours.materials) {
+    if (material.map_file.empty()) continue;
+    sim::Index& map = known[look_of(material)];
+    try {
+      if (map == no_map) {
+        colours.maps.push_back(read_map(material, folder, embedded, most_px));
+        map = static_cast<sim::Index>(colours.maps.size() - 1);
+      }
+      material.map = map;
+    } catch (const InputError& error) {
+      colours.remarks.push_back(
+          fmt::format("the image '{}' of its material '{}' is not drawn, its base colour is: {}",
+                      material.map_file, material.name, error.what()));
+    }
+  }
 }
 
 }  // namespace taut::app

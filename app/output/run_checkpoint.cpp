@@ -106,8 +106,7 @@ void require_same_scene(const std::filesystem::path& file, const RunCheckpoint& 
                         const std::string& scene_name, const std::string& scene) {
   std::istringstream found(scene);
   std::istringstream expected(checkpoint.scene);
-  std::string section;
-  std::string expected_section;
+  std::string section, expected_section;
   while (found || expected) {
     const Line line = next_line(found, section);
     const Line saved = next_line(expected, expected_section);

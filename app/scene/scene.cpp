@@ -6,22 +6,15 @@ namespace taut::app {
 namespace {
 
 sim::SolverMethod method_of(const SolverChoice& choice) {
-  switch (choice.kind) {
-    case sim::SolverKind::ideal:
-      return choice.ideal;
-    case sim::SolverKind::provot:
-      return sim::ProvotSettings{choice.ideal.stiffness, choice.bounded.max_stretch};
-    case sim::SolverKind::strong:
-      return choice.strong;
-    case sim::SolverKind::vassilev:
-      return sim::VassilevSettings{choice.ideal.stiffness, choice.bounded.max_stretch};
-    case sim::SolverKind::fast_projection:
-      return sim::FastProjectionSettings{choice.ideal.stiffness, choice.bounded.max_stretch,
-                                         choice.fast_projection.most_projections};
-    case sim::SolverKind::implicit:
-      return choice.implicit;
-    case sim::SolverKind::bounded:
-      break;
+  using enum sim::SolverKind;
+  const double most = choice.bounded.max_stretch;
+  if (choice.kind == ideal) return choice.ideal;
+  if (choice.kind == provot) return sim::ProvotSettings{choice.ideal.stiffness, most};
+  if (choice.kind == strong) return choice.strong;
+  if (choice.kind == vassilev) return sim::VassilevSettings{choice.ideal.stiffness, most};
+  if (choice.kind == implicit) return choice.implicit;
+  if (choice.kind == fast_projection) {
+    return sim::FastProjectionSettings{choice.ideal.stiffness, most, choice.fast_projection.most_projections};
   }
   return choice.bounded;
 }

@@ -5,7 +5,7 @@
 #include "app/base/errors.hpp"
 #include "app/base/files.hpp"
 #include "app/base/interruption.hpp"
-#include "app/models/image_reading.hpp"
+#include "app/models/surface_colours.hpp"
 #include "app/output/csv.hpp"
 #include "app/report/report.hpp"
 

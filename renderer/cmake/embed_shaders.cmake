@@ -25,7 +25,7 @@ function(append_shader file)
   set(included ${included} PARENT_SCOPE)
 endfunction()
 
-set(all "// Generated from shaders/; edit those.\n#include \"renderer/gl/shader.hpp\"\n\n")
+set(all "// Generated from shaders/; edit those.\n#include \"renderer/gl/gl_objects.hpp\"\n\n")
 string(APPEND all "namespace taut::renderer {\n\nstd::span<const ShaderFile> embedded_shaders() {\n")
 string(APPEND all "  static constexpr ShaderFile files[] = {\n")
 foreach(shader IN LISTS SHADERS)

@@ -64,8 +64,7 @@ class GlfwWindow final : public Window {
   }
 
   double content_scale() const override {
-    float x = 1.0F;
-    float y = 1.0F;
+    float x = 1.0F, y = 1.0F;
     glfwGetWindowContentScale(handle_, &x, &y);
     return std::max(x, y);
   }
@@ -95,8 +94,7 @@ class GlfwWindow final : public Window {
 
   // The display reports positions in its own units, which are not always pixels.
   static WindowEvent moved(GLFWwindow* window, double x, double y) {
-    int width = 1;
-    int height = 1;
+    int width = 1, height = 1;
     glfwGetWindowSize(window, &width, &height);
     const Resized pixels = static_cast<GlfwWindow*>(glfwGetWindowUserPointer(window))->framebuffer_size();
     return PointerMoved{x * pixels.width_px / std::max(width, 1), y * pixels.height_px / std::max(height, 1)};

@@ -77,4 +77,86 @@ void end_blending_over(const GladGLContext& gl);
 void check_errors(const GladGLContext& gl, const char* stage);
 void check_framebuffer(const GladGLContext& gl, const char* stage);
 
+/// A shader does not compile or link. The message names the file and the line of every error.
+struct ShaderError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// One shader of the shaders folder.
+struct ShaderFile {
+  std::string_view name;  ///< without folder, e.g. "surface.frag"
+  std::string_view text;  ///< the source, with what it includes
+};
+
+/// Returns all shaders, as they were when the program was built.
+std::span<const ShaderFile> embedded_shaders();
+
+/// A linked vertex and fragment shader.
+class Program {
+ public:
+  /// Compiles two of `files`, by name. Each of `defines` is defined in both. Throws ShaderError.
+  Program(const GladGLContext& context, std::span<const ShaderFile> files, std::string_view vertex_file,
+          std::string_view fragment_file, std::span<const std::string_view> defines = {});
+  ~Program();
+  Program(Program&& other) noexcept;
+  Program& operator=(Program&&) = delete;
+  Program(const Program&) = delete;
+  Program& operator=(const Program&) = delete;
+
+  /// Makes this the program in use.
+  void use() const;
+  /// Set a uniform. The program must be in use. A name that the program does not have is ignored.
+  void set(const char* uniform, int value) const;
+  void set(const char* uniform, const glm::vec4& value) const;
+  void set(const char* uniform, const glm::ivec4& value) const;
+  /// Sets the binding point of a uniform block; ignored when the program has no such block.
+  void bind_block(const char* block, unsigned binding) const;
+
+ private:
+  const GladGLContext* gl_;
+  GLuint program_ = 0;
+};
+
+// The binding point of the uniform block and the texture unit of each sampler that several passes share.
+
+inline constexpr unsigned frame_block_binding = 0;
+
+inline constexpr unsigned shadow_compare_unit = 0;
+inline constexpr unsigned shadow_depth_unit = 1;
+inline constexpr unsigned ground_light_unit = 2;
+inline constexpr unsigned scalar_maps_unit = 3;
+inline constexpr unsigned drawn_unit = 4;
+inline constexpr unsigned visibility_unit = 5;
+inline constexpr unsigned vertex_data_unit = 6;
+inline constexpr unsigned triangle_data_unit = 7;
+inline constexpr unsigned material_data_unit = 8;
+inline constexpr unsigned floor_shadow_unit = 9;
+inline constexpr unsigned halved_unit = 10;
+inline constexpr unsigned base_colour_maps_unit = 11;
+inline constexpr unsigned corner_data_unit = 12;
+inline constexpr unsigned trim_data_unit = 13;
+inline constexpr unsigned unit_count = 14;
+
+/// Sets the uniform block and the samplers of a program to these bindings and leaves the program in use.
+void bind_shared_inputs(const Program& program);
+
+/// A Program that is compiled at its first use, since a picture needs few of all programs. The arguments are
+/// as those of Program, of embedded_shaders(); what they point at must outlive this object.
+class LazyProgram {
+ public:
+  LazyProgram(const GladGLContext& context, std::string_view vertex_file, std::string_view fragment_file,
+              std::span<const std::string_view> define_names = {})
+      : gl_(&context), vertex_(vertex_file), fragment_(fragment_file), defines_(define_names) {}
+
+  /// Returns the program, bound as in bindings.hpp and in use. Throws ShaderError.
+  const Program& use();
+
+ private:
+  const GladGLContext* gl_;
+  std::string_view vertex_;
+  std::string_view fragment_;
+  std::span<const std::string_view> defines_;
+  std::optional<Program> program_;
+};
+
 }  // namespace taut::renderer

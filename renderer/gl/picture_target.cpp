@@ -1,6 +1,5 @@
 #include "renderer/gl/picture_target.hpp"
 
-#include "renderer/gl/shader.hpp"
 #include "renderer/page/colour.hpp"
 
 namespace taut::renderer {

@@ -2,11 +2,91 @@
 
 #include <future>
 
-#include "renderer/gl/shader.hpp"
-
 namespace taut::renderer {
-
 namespace {
+
+// Side of one map. Larger keeps finer folds dark, and costs time to fill.
+constexpr int map_px = 128;
+constexpr std::size_t map_texels = static_cast<std::size_t>(map_px) * map_px;
+// Brightness of the studio's floor against its ceiling, as seen by the underside of things.
+constexpr float floor_brightness = 0.5F;
+// Distance from a surface at which its occlusion is tested, texels of the map along the box's diagonal. Less
+// lets a surface occlude itself, more loses narrow folds.
+constexpr float lift_texels = 1.5F;
+// Blur of the floor's shadow, times the cone that a direction stands for: above 1, so that neighbouring
+// directions run into each other. Less shows single shadows, more loses the contact.
+constexpr float floor_blur = 1.5F;
+// Narrowest blur, texels of the map, and widest, share of the map's side.
+constexpr float narrowest_blur_texels = 1.5F;
+constexpr float widest_blur = 0.45F;
+// Where the floor's light starts to fade out towards the edge of its texture, share of half its side.
+constexpr float fade_start = 0.75F;
+// Width of the window in which a vertex looks, texels: its edges count in part, so that nothing jumps.
+constexpr int window = 5;
+
+// Equal areas of the upper hemisphere along a spiral (Fibonacci lattice).
+glm::vec3 upper_direction(int i, int count) {
+  const float y = 1.0F - (static_cast<float>(i) + 0.5F) / static_cast<float>(count);
+  const float turn = 2.0F * std::numbers::pi_v<float> * static_cast<float>(i) / std::numbers::phi_v<float>;
+  const float flat = std::sqrt(1.0F - y * y);
+  return {flat * std::cos(turn), y, flat * std::sin(turn)};
+}
+
+// Tangent of the half angle of the cone that is a direction's share of the whole sphere.
+float share_of_sphere(int directions) {
+  const float cosine = std::max(1.0F - 2.0F / static_cast<float>(directions), 0.3F);
+  return std::sqrt(1.0F - cosine * cosine) / cosine;
+}
+
+// The light of an open studio on a side: the same integral without anything in the way.
+float open_sky(float upwards) { return 0.75F + 0.25F * upwards; }
+
+// Shares of a window's texels along one axis, from the place of its middle.
+struct WindowAxis {
+  int first;
+  std::array<float, 8> weights;
+};
+
+WindowAxis window_axis(float middle_px) {
+  const float start = std::clamp(middle_px - 0.5F * window, 0.0F, static_cast<float>(map_px - 8));
+  const int first = whole_within(start, 0, map_px - 8);
+  const float part = start - static_cast<float>(first);
+  return {first, {1.0F - part, 1.0F, 1.0F, 1.0F, 1.0F, part, 0.0F, 0.0F}};
+}
+
+// Compilers leave a comparison and a sum of single numbers as they are; GCC and Clang know this as one
+// register.
+using FourNumbers = float __attribute__((vector_size(16)));
+using FourMasks = std::int32_t __attribute__((vector_size(16)));
+
+FourNumbers four_at(const float* values) {
+  FourNumbers four;
+  std::memcpy(&four, values, sizeof four);
+  return four;
+}
+
+FourNumbers kept(float weight, const FourMasks& mask) {
+  const FourNumbers weights{weight, weight, weight, weight};
+  return std::bit_cast<FourNumbers>(std::bit_cast<FourMasks>(weights) & mask);
+}
+
+// Share of the window in which the map's depth is at least (or, if not `beyond`, at most) the place's own.
+template <bool beyond> float open_share(const std::vector<float>& map, const glm::vec3& place) {
+  const WindowAxis across = window_axis(place.x * static_cast<float>(map_px));
+  const WindowAxis up = window_axis(place.y * static_cast<float>(map_px));
+  const FourNumbers own{place.z, place.z, place.z, place.z};
+  FourNumbers left{};
+  FourNumbers right{};
+  const float* row = map.data() + up.first * map_px + across.first;
+  for (std::size_t y = 0; y <= window; ++y, row += map_px) {
+    const FourNumbers a = four_at(row);
+    const FourNumbers b = four_at(row + 4);
+    left += kept(up.weights[y], beyond ? a >= own : a <= own);
+    right += kept(up.weights[y], beyond ? b >= own : b <= own);
+  }
+  const FourNumbers weighed = left * four_at(across.weights.data()) + right * four_at(&across.weights[4]);
+  return (weighed[0] + weighed[1] + weighed[2] + weighed[3]) / static_cast<float>(window * window);
+}
 
 void set_up(const GladGLContext& gl, const Sampler& sampler, GLint filter) {
   gl.SamplerParameteri(sampler.name(), GL_TEXTURE_MIN_FILTER, filter);
@@ -40,6 +120,143 @@ MapArea united(const MapArea& a, const MapArea& b) {
 }
 
 }  // namespace
+
+void SkyLight::draw_maps(std::span<const SurfaceView* const> casters, const std::optional<Box>& box,
+                         int directions) {
+  pairs_.resize(box ? static_cast<std::size_t>((directions + 1) / 2) : 0);
+  if (pairs_.empty()) return;
+  const auto count = static_cast<int>(pairs_.size());
+  lift_m_ = lift_texels * glm::length(box->upper - box->lower) / static_cast<float>(map_px);
+  cone_tangent_ = share_of_sphere(2 * count);
+  for (int i = 0; i < count; ++i) {
+    Pair& pair = pairs_[static_cast<std::size_t>(i)];
+    pair.towards = upper_direction(i, count);
+    pair.world_to_map = world_to_unit_cube(*box, pair.towards);
+    draw(pair, casters);
+  }
+}
+
+void SkyLight::draw(Pair& pair, std::span<const SurfaceView* const> casters) {
+  pair.nearest.assign(map_texels, 1.0F);
+  pair.farthest.assign(map_texels, 0.0F);
+  for (const SurfaceView* caster : casters) {
+    project_to_map(pair.world_to_map, map_px, caster->positions, projected_);
+    for (std::size_t i = 0; i + 2 < caster->triangles.size(); i += 3) {
+      const glm::vec3& a = projected_[caster->triangles[i]];
+      const glm::vec3& b = projected_[caster->triangles[i + 1]];
+      const glm::vec3& c = projected_[caster->triangles[i + 2]];
+      const float least = std::min({a.z, b.z, c.z});
+      const float greatest = std::max({a.z, b.z, c.z});
+      rasterise_triangle(a, b, c, map_px, [&](const TriangleSpan& span) {
+        const int row = span.row * map_px;
+        for (int column = span.first; column <= span.last; ++column) {
+          const float depth =
+              std::clamp(span.depth + span.depth_step * static_cast<float>(column), least, greatest);
+          const auto texel = static_cast<std::size_t>(row + column);
+          pair.nearest[texel] = std::min(pair.nearest[texel], depth);
+          pair.farthest[texel] = std::max(pair.farthest[texel], depth);
+        }
+      });
+    }
+  }
+}
+
+void SkyLight::gather(const SurfaceView& surface, std::vector<glm::vec2>& light) {
+  light.assign(surface.positions.size(), glm::vec2{0.0F});
+  if (pairs_.empty()) {
+    std::ranges::transform(surface.normals, light.begin(), [](const glm::vec3& normal) {
+      return glm::vec2{open_sky(normal.y), open_sky(-normal.y)};
+    });
+    return;
+  }
+  for (const Pair& pair : pairs_) gather_pair(pair, surface, light);
+  for (glm::vec2& share : light) share *= 2.0F / static_cast<float>(pairs_.size());
+}
+
+// Each direction lights one side, and starts from that side.
+void SkyLight::gather_pair(const Pair& pair, const SurfaceView& surface,
+                           std::vector<glm::vec2>& light) const {
+  const glm::mat4 to_map = pair.world_to_map;
+  for (std::size_t i = 0; i < light.size(); ++i) {
+    const glm::vec3& normal = surface.normals[i];
+    const float cosine = glm::dot(normal, pair.towards);
+    const glm::vec3 lift = std::copysign(lift_m_, cosine) * normal;
+    const glm::vec3 upper{to_map * glm::vec4{surface.positions[i] + lift, 1.0F}};
+    const glm::vec3 lower{to_map * glm::vec4{surface.positions[i] - lift, 1.0F}};
+    const float from_above = open_share<true>(pair.nearest, upper);
+    const float from_below = open_share<false>(pair.farthest, lower);
+    const glm::vec2 shares = std::abs(cosine) * glm::vec2{from_above, floor_brightness * from_below};
+    light[i] += cosine > 0.0F ? shares : glm::vec2{shares.y, shares.x};
+  }
+}
+
+// Sums over rectangles from the map's corner (Crow 1984) of what is between a direction and the floor.
+void SkyLight::sum_up(const Pair& pair, float height_m) {
+  constexpr std::size_t row_length = map_px + 1;
+  sums_.assign(row_length * row_length, 0.0F);
+  const glm::mat4 map_to_world = glm::inverse(pair.world_to_map);
+  const float texel = 1.0F / static_cast<float>(map_px);
+  for (std::size_t y = 0; y < map_px; ++y) {
+    float row_sum = 0.0F;
+    for (std::size_t x = 0; x < map_px; ++x) {
+      const glm::vec2 place = (glm::vec2{x, y} + 0.5F) * texel;
+      const float start_m = map_to_world[3].y + map_to_world[0].y * place.x + map_to_world[1].y * place.y;
+      const float floor_depth = (height_m - start_m) / map_to_world[2].y;
+      const float depth = pair.nearest[y * map_px + x];
+      row_sum += depth < 1.0F && depth < floor_depth ? 1.0F : 0.0F;
+      sums_[(y + 1) * row_length + x + 1] = sums_[y * row_length + x + 1] + row_sum;
+    }
+  }
+}
+
+float SkyLight::floor_blocked(const glm::vec2& middle_px, float radius_px) const {
+  const auto highest = static_cast<float>(map_px);
+  const glm::vec2 lower = glm::clamp(middle_px - radius_px, 0.0F, highest);
+  const glm::vec2 upper = glm::clamp(middle_px + radius_px, 0.0F, highest);
+  const auto sum_to = [&](float x, float y) {
+    const int column = whole_within(x, 0, map_px - 1);
+    const int row = whole_within(y, 0, map_px - 1);
+    const float* corner = sums_.data() + row * (map_px + 1) + column;
+    const glm::vec2 part{x - static_cast<float>(column), y - static_cast<float>(row)};
+    const float near = glm::mix(corner[0], corner[1], part.x);
+    const float far = glm::mix(corner[map_px + 1], corner[map_px + 2], part.x);
+    return glm::mix(near, far, part.y);
+  };
+  const float sum = sum_to(upper.x, upper.y) - sum_to(lower.x, upper.y) - sum_to(upper.x, lower.y) +
+                    sum_to(lower.x, lower.y);
+  return sum / (4.0F * radius_px * radius_px);
+}
+
+// A direction stands for a whole cone of sky, so its shadow softens with the distance to what casts it. That
+// distance is taken as if all casters stood in the middle of the map: searching for them gives every spot
+// another softness, which shows as clouds.
+void SkyLight::gather_floor(const glm::vec4& area, float height_m, std::vector<float>& light) {
+  constexpr std::size_t count = static_cast<std::size_t>(floor_px) * floor_px;
+  light.assign(count, pairs_.empty() ? 1.0F : 0.0F);
+  float all = 0.0F;
+  for (const Pair& pair : pairs_) {
+    sum_up(pair, height_m);
+    const float weight = pair.towards.y;
+    all += weight;
+    for (std::size_t i = 0; i < count; ++i) {
+      const glm::vec2 place = (glm::vec2{i % floor_px, i / floor_px} + 0.5F) / static_cast<float>(floor_px);
+      const glm::vec2 spot = glm::vec2{area} + place / glm::vec2{area.z, area.w};
+      const glm::vec3 seen{pair.world_to_map * glm::vec4{spot.x, height_m + 0.5F * lift_m_, spot.y, 1.0F}};
+      const float texel = 1.0F / static_cast<float>(map_px);
+      const float radius = std::clamp(floor_blur * cone_tangent_ * (seen.z - 0.5F),
+                                      narrowest_blur_texels * texel, widest_blur);
+      const float blocked = floor_blocked(glm::vec2{seen} / texel, radius / texel);
+      light[i] += weight * (1.0F - blocked);
+    }
+  }
+  for (std::size_t i = 0; i < count; ++i) {
+    // The texture ends somewhere; fading out beforehand hides where.
+    const glm::vec2 place = (glm::vec2{i % floor_px, i / floor_px} + 0.5F) / static_cast<float>(floor_px);
+    const glm::vec2 edge = glm::abs(2.0F * place - 1.0F);
+    const float fade = glm::smoothstep(fade_start, 1.0F, std::max(edge.x, edge.y));
+    if (all > 0.0F) light[i] = glm::mix(light[i] / all, 1.0F, fade);
+  }
+}
 
 StudioLight::StudioLight(const GladGLContext& context)
     : gl_(&context), shadow_texture_(context), floor_texture_(context), compare_(context), plain_(context) {

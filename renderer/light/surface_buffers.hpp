@@ -1,10 +1,49 @@
 #pragma once
 
-#include "renderer/gl/base_colour_map_texture.hpp"
+#include "renderer/frame_view.hpp"
+#include "renderer/gl/gl_objects.hpp"
 #include "renderer/light/shadow_map.hpp"
 #include "renderer/page/ticks.hpp"
 
 namespace taut::renderer {
+
+/// The base colour maps of a frame as layers of one array texture, in premultiplied linear light. Smaller
+/// maps are enlarged to the size of the largest. It is uploaded when other maps are asked for than before.
+class BaseColourMapTexture {
+ public:
+  /// The context must be current and outlive this object.
+  explicit BaseColourMapTexture(const GladGLContext& context) : gl_(&context) {}
+
+  /// Begins a frame.
+  void clear() { maps_.clear(); }
+  /// Returns the layer of a map, counted from 0. Calls no OpenGL.
+  int layer_of(const BaseColourMap& map);
+  /// Uploads what was asked for since clear(), unless it is there.
+  void upload();
+  /// Returns the texture of the last upload(), which must have been called.
+  const Texture& texture() const { return *made_; }
+
+ private:
+  const GladGLContext* gl_;
+  std::vector<BaseColourMap> maps_;
+  std::vector<BaseColourMap> uploaded_;
+  std::optional<Texture> made_;
+};
+
+/// A texture with one colour map per row, made at the first call of texture().
+class ColourMapTexture {
+ public:
+  /// The context must be current and outlive this object.
+  explicit ColourMapTexture(const GladGLContext& context) : gl_(&context) {}
+  /// Returns the row of a map, counted from 0.
+  static int row_of(ColourMap map) { return static_cast<int>(map); }
+  /// Returns the texture. The first call binds it to the active texture unit.
+  const Texture& texture();
+
+ private:
+  const GladGLContext* gl_;
+  std::optional<Texture> made_;
+};
 
 /// The light that arrives at a surface.
 struct SurfaceLight {

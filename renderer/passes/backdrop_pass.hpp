@@ -2,7 +2,6 @@
 
 #include "renderer/gl/frame_block.hpp"
 #include "renderer/gl/picture_target.hpp"
-#include "renderer/gl/shader.hpp"
 
 namespace taut::renderer {
 

@@ -1,7 +1,6 @@
 #include "renderer/passes/overlay_pass.hpp"
 
 #include "renderer/gl/gl_objects.hpp"
-#include "renderer/gl/shader.hpp"
 
 namespace taut::renderer {
 

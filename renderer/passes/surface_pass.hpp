@@ -1,7 +1,6 @@
 #pragma once
 
 #include "renderer/gl/picture_target.hpp"
-#include "renderer/gl/shader.hpp"
 #include "renderer/light/studio_light.hpp"
 #include "renderer/passes/covered_squares.hpp"
 

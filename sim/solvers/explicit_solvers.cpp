@@ -112,8 +112,7 @@ double stable_time_step_s(const Garment& garment, const Pins& pins, const Spring
       }
     }
   }
-  double w_squared = 0.0;
-  double c = air_drag_per_s;
+  double w_squared = 0.0, c = air_drag_per_s;
   for (std::size_t v = 0; v < stiffness_about.size(); ++v) {
     const double inverse_mass = pins.inverse_masses_per_kg[v];
     w_squared = std::max(w_squared, 2.0 * stiffness_about[v] * inverse_mass);

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "app/bodies/bvh_reading.hpp"
+#include "app/bodies/bvh_frames.hpp"
 #include "gltf_text.hpp"
 #include "loading.hpp"
 

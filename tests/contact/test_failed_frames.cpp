@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "scenes.hpp"
-#include "sim/checkpoint.hpp"
 #include "sim/simulation.hpp"
 
 namespace taut::sim {

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "app/figures/experiments/method_trials.hpp"
+#include "app/figures/experiments/experiments.hpp"
 
 namespace taut::app {
 namespace {

@@ -5,7 +5,6 @@
 #include <numbers>
 
 #include "app/fitting/fitted_mesh.hpp"
-#include "app/fitting/remeshing.hpp"
 #include "app/fitting/sheets.hpp"
 #include "app/verify/crossing_pairs.hpp"
 #include "sim/mesh/topology.hpp"

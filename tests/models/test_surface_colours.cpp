@@ -6,7 +6,7 @@
 #include <set>
 
 #include "app/base/errors.hpp"
-#include "app/drawing/drawing.hpp"
+#include "app/drawing/garment_surface.hpp"
 #include "app/models/garment_import.hpp"
 #include "app/models/import_process.hpp"
 #include "app/models/obj_reading.hpp"

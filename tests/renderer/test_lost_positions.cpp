@@ -3,7 +3,7 @@
 #include <limits>
 
 #include "renderer/light/shadow_map.hpp"
-#include "renderer/light/sky_light.hpp"
+#include "renderer/light/studio_light.hpp"
 #include "renderer/light/surface_buffers.hpp"
 #include "renderer/passes/backdrop_pass.hpp"
 #include "renderer/passes/covered_squares.hpp"

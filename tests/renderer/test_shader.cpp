@@ -4,7 +4,7 @@
 #include <string>
 
 #include "renderer/context/context.hpp"
-#include "renderer/gl/shader.hpp"
+#include "renderer/gl/gl_objects.hpp"
 
 namespace taut::renderer {
 namespace {

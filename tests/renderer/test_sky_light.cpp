@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "renderer/light/sky_light.hpp"
+#include "renderer/light/studio_light.hpp"
 #include "scene_support.hpp"
 
 namespace taut::renderer {

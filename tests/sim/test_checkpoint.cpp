@@ -3,7 +3,6 @@
 #include <ostream>
 
 #include "sim/bytes.hpp"
-#include "sim/checkpoint.hpp"
 #include "sim/mesh/grid.hpp"
 #include "sim/simulation.hpp"
 

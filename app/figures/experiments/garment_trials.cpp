@@ -1,7 +1,6 @@
 #include "app/base/counted.hpp"
 #include "app/base/interruption.hpp"
 #include "app/base/stopwatch.hpp"
-#include "app/drawing/drawn_scene.hpp"
 #include "app/figures/experiments/experiments.hpp"
 #include "app/frame_loop.hpp"
 #include "app/models/garment_loading.hpp"

@@ -1,5 +1,3 @@
-#include "app/figures/experiments/method_trials.hpp"
-
 #include "app/base/counted.hpp"
 #include "app/base/interruption.hpp"
 #include "app/base/stopwatch.hpp"
@@ -152,14 +150,10 @@ MethodTrial run_with_steps(MethodTrial trial, const GarmentInScene& cloth, const
 }
 
 MethodTrial make_trial(MethodTrial trial, const GarmentInScene& cloth, const TrialLengths& lengths) {
-  switch (trial.test) {
-    case MethodTest::energy:
-      return drop_without_air(std::move(trial), cloth, lengths);
-    case MethodTest::rest:
-      return shake_and_hold(std::move(trial), cloth, lengths);
-    default:
-      return run_with_steps(std::move(trial), cloth, lengths);
-  }
+  const auto& run = trial.test == MethodTest::energy ? drop_without_air
+                    : trial.test == MethodTest::rest ? shake_and_hold
+                                                     : run_with_steps;
+  return run(std::move(trial), cloth, lengths);
 }
 
 double largest_of(const MethodTrial& trial, double TrialFrame::*measure) {

@@ -229,8 +229,7 @@ void lay_out_timeline(ViewerState& state, float width) {
 void legend_of_stretch(const ViewerState& state, float scale) {
   // Not a structured binding, which Clang before 16 does not let a lambda capture.
   const std::array<double, 2> range = shown_stretch_range(state.scene);
-  const double low = range[0];
-  const double high = range[1];
+  const double low = range[0], high = range[1];
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   const ImVec2 size = {14.0F * scale, 170.0F * scale};
   ImDrawList& list = *ImGui::GetWindowDrawList();

@@ -56,8 +56,7 @@ std::string describe_now(const Untangling& u) {
 // The outer third on one side of what the pins extend over, across.
 std::vector<sim::Index> without_side(const sim::Garment& garment, std::span<const sim::Index> pins,
                                      bool right) {
-  double lowest = INFINITY;
-  double highest = -INFINITY;
+  double lowest = INFINITY, highest = -INFINITY;
   for (const sim::Index pin : pins) {
     lowest = std::min(lowest, garment.mesh.positions[pin].x);
     highest = std::max(highest, garment.mesh.positions[pin].x);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/drawing/drawing.hpp"
+#include "app/drawing/garment_surface.hpp"
 #include "app/output/frame_record.hpp"
 
 namespace taut::app {

@@ -23,7 +23,7 @@ struct ImplicitSettings {
 };
 
 /// Large steps by backward Euler (Baraff and Witkin 1998). Triangles oppose stretch and shear, edges bending
-/// (conditions.hpp); a model without triangles falls apart. Each time step solves one linear system for the
+/// (system.hpp); a model without triangles falls apart. Each time step solves one linear system for the
 /// change of velocities (system.hpp). Pins are constraints of that system. Cloth is pushed out of bodies as
 /// by the explicit solvers; its layers pass through each other. Wind and hands are forces of the step's
 /// beginning.

@@ -101,7 +101,7 @@ def material(name, colour, roughness, sheen=0.0):
 
 
 def moment(objects, frame, aside):
-    """What is there at a frame, standing aside."""
+    """Copies the objects as they are at a frame, and puts the copies aside."""
     bpy.context.scene.frame_set(frame)
     for obj in objects:
         mesh = bpy.data.meshes.new_from_object(obj.evaluated_get(bpy.context.view_layer.depsgraph))

@@ -11,7 +11,7 @@ MODULE = __package__ + '.taut'
 
 
 class Refused(Exception):
-    """What a person can mend; the text says how."""
+    """An error that a person can mend; the text says how."""
 
 
 def forget() -> None:

@@ -1,4 +1,4 @@
-"""What a person sets of a cloth, saved with its object."""
+"""The settings of a cloth, saved with its object."""
 import pathlib
 
 import bpy

@@ -129,7 +129,7 @@ class Simulation:
         self.remark_on_start(body.name)
 
     def remark_on_start(self, name: str) -> None:
-        """What crosses at the start may stay so."""
+        """Counts what crosses at the start, which may stay so."""
         crossings = self.cloth.info.crossings_at_start
         if crossings > self.crossings:
             self.remarks.append(f'Crossings with {name} at the start, which may stay: {crossings - self.crossings}')
@@ -151,7 +151,7 @@ class Simulation:
         return re.sub(rf'\[({number}(?:, {number}){{2}})\](?: m\b)?', place, text)
 
     def lead(self, frame: int, depsgraph) -> None:
-        """What does not move is not led: it stays."""
+        """Moves the pins that have targets of their own in this frame; the others stay."""
         targets = self.garment(depsgraph)[self.pins]
         moving = (targets != self.targets).any(axis=1)
         if moving.any():

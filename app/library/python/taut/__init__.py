@@ -31,7 +31,7 @@ class Error(RuntimeError):
 
 
 class Frame(NamedTuple):
-    """What a frame is worth: TautFrame of taut.h."""
+    """The measurements of a frame: TautFrame of taut.h."""
     frame: int
     time_s: float
     max_edge_stretch: float
@@ -148,7 +148,7 @@ def _mesh(positions, faces, kept: list) -> _Mesh:
 
 
 class Body(NamedTuple):
-    """What cloth stays out of: a closed mesh of positions and faces, or without them the plane. A mesh that the cloth is
+    """A body that cloth stays out of: a closed mesh of positions and faces, or without them the plane. A mesh that the cloth is
     to be put on grows into it in `dress` frames before the first."""
     positions: Optional[np.ndarray] = None
     faces: Optional[Sequence] = None

@@ -63,10 +63,9 @@ void add_chunk(CLI::App& command, const Options& options, const std::string& mea
 }
 
 void add_plan(CLI::App& sweep, const Options& options) {
-  CLI::App* command = add(sweep, options, SweepAction::plan, "plan",
-                          "Check a study and make the folder in which its runs are made");
-  command->add_option("STUDY", options->study, "a TOML file: scene, frames, pictures, and [axes]")
-      ->required();
+  CLI::App* command =
+      add(sweep, options, SweepAction::plan, "plan", "Check a study and make the folder in which its runs are made");
+  command->add_option("STUDY", options->study, "a TOML file: scene, frames, pictures, and [axes]")->required();
   command->add_option("--output,-o", options->folder, "folder of the sweep")->required();
   command->footer(
       "A study:\n\n  scene = \"tshirt\"            as the argument SCENE of taut simulate, or relative to "
@@ -129,9 +128,8 @@ void add_rest(CLI::App& sweep, const Options& options) {
   show->get_option("--index")->required();
   show->footer("Examples:\n  taut sweep show sweep --index 12 > run.toml && taut render run.toml\n");
 
-  CLI::App* check =
-      add(sweep, options, SweepAction::check, "check",
-          "Make one run, write nothing, and print host, program and last state, to compare machines");
+  CLI::App* check = add(sweep, options, SweepAction::check, "check",
+                        "Make one run, write nothing, and print host, program and last state, to compare machines");
   add_index(*check, options, "the run (default 0)");
   check->footer(
       "Examples:\n  taut sweep check sweep\n"

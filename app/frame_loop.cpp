@@ -21,9 +21,7 @@ template <class Stage> std::exception_ptr error_of(const Stage& stage) {
   return nullptr;
 }
 
-bool is_drawn(int frame, const FrameOutputs& outputs) {
-  return std::ranges::binary_search(outputs.pictures, frame);
-}
+bool is_drawn(int frame, const FrameOutputs& outputs) { return std::ranges::binary_search(outputs.pictures, frame); }
 
 void advance(sim::Simulation& simulation, int frame) {
   try {
@@ -85,8 +83,7 @@ void run_in_turn(const FrameStages& stages) {
   }
 }
 
-void run_gathered(const FrameStages& stages,
-                  const std::function<void(std::span<const FrameInWork>)>& gathered) {
+void run_gathered(const FrameStages& stages, const std::function<void(std::span<const FrameInWork>)>& gathered) {
   std::vector<FrameInWork> frames;
   std::exception_ptr simulating_failed;
   try {
@@ -147,8 +144,7 @@ FrameBlocked::FrameBlocked(int blocked_frame, const sim::ContactBlocked& error)
       frame(blocked_frame),
       blocked(error.blocked()) {}
 
-std::vector<FrameRecord> run_frames(sim::Simulation& simulation, int last_frame,
-                                    const FrameOutputs& outputs) {
+std::vector<FrameRecord> run_frames(sim::Simulation& simulation, int last_frame, const FrameOutputs& outputs) {
   std::vector<FrameRecord> records;
   const bool hands_out_start = outputs.with_start || is_drawn(outputs.start_frame, outputs);
   int next_frame = outputs.start_frame + (hands_out_start ? 0 : 1);

@@ -48,8 +48,7 @@ struct Fit {
 
 // A point at `across` and `depth` (towards the camera) is inside the opening of tangent t when
 // |across - centre| <= t (distance - depth). The two tightest of these lines meet at the answer.
-Fit fit_across(std::span<const glm::vec3> points, const glm::vec3& axis, const glm::vec3& back,
-               float tangent) {
+Fit fit_across(std::span<const glm::vec3> points, const glm::vec3& axis, const glm::vec3& back, float tangent) {
   float right_most = -INFINITY, left_most = -INFINITY;
   for (const glm::vec3& point : points) {
     const float across = glm::dot(point, axis);
@@ -78,8 +77,8 @@ void check(const Box& box, const Framing& framing, float aspect) {
 }
 
 // Of points given from `middle`, all within `half` of it along every axis.
-Camera fitted(std::span<const glm::vec3> points, const glm::vec3& middle, const glm::vec3& half,
-              const Framing& framing, float aspect) {
+Camera fitted(std::span<const glm::vec3> points, const glm::vec3& middle, const glm::vec3& half, const Framing& framing,
+              float aspect) {
   const Axes axes = axes_of(framing);
   const float opening = opening_of(framing);
   const Fit vertical = fit_across(points, axes.up, axes.back, opening);
@@ -100,9 +99,7 @@ Camera fitted(std::span<const glm::vec3> points, const glm::vec3& middle, const 
 
 glm::mat4 Camera::view() const { return glm::lookAt(eye, target, up); }
 
-glm::mat4 Camera::projection(float aspect) const {
-  return glm::perspective(vertical_fov_rad, aspect, near_m, far_m);
-}
+glm::mat4 Camera::projection(float aspect) const { return glm::perspective(vertical_fov_rad, aspect, near_m, far_m); }
 
 Box bounding_box(std::span<const glm::vec3> points) {
   if (points.empty()) throw std::invalid_argument("bounding_box: there are no points");
@@ -131,8 +128,7 @@ Camera fit_camera_to_box(const Box& box, const Framing& framing, float aspect) {
   return fitted(corners_of({-half, half}), middle, half, framing, aspect);
 }
 
-std::array<glm::vec3, 4> outermost_points(std::span<const glm::vec3> points, const Framing& framing,
-                                          float aspect) {
+std::array<glm::vec3, 4> outermost_points(std::span<const glm::vec3> points, const Framing& framing, float aspect) {
   const Box box = bounding_box(points);
   check(box, framing, aspect);
   const glm::vec3 middle = 0.5F * (box.lower + box.upper);
@@ -144,8 +140,8 @@ std::array<glm::vec3, 4> outermost_points(std::span<const glm::vec3> points, con
       return glm::dot(a - middle, functional) < glm::dot(b - middle, functional);
     });
   };
-  return {farthest(axes.right, aspect * opening), farthest(-axes.right, aspect * opening),
-          farthest(axes.up, opening), farthest(-axes.up, opening)};
+  return {farthest(axes.right, aspect * opening), farthest(-axes.right, aspect * opening), farthest(axes.up, opening),
+          farthest(-axes.up, opening)};
 }
 
 Camera fit_camera_to_points(std::span<const glm::vec3> points, const Framing& framing, float aspect) {

@@ -52,8 +52,7 @@ Camera fit_camera_to_box(const Box& box, const Framing& framing, float aspect);
 
 /// Returns those of the points that decide how fit_camera_to_points places the camera: the ones farthest to
 /// the right, to the left, up and down. Throws std::invalid_argument as it does.
-std::array<glm::vec3, 4> outermost_points(std::span<const glm::vec3> points, const Framing& framing,
-                                          float aspect);
+std::array<glm::vec3, 4> outermost_points(std::span<const glm::vec3> points, const Framing& framing, float aspect);
 
 /// As fit_camera_to_box, but fits the points themselves, which is closer than their bounding box. Throws
 /// std::invalid_argument also when there are no points.

@@ -14,9 +14,8 @@ constexpr int largest_side_px = 16384;
 bool is_within(int number, int lowest, int highest) { return number >= lowest && number <= highest; }
 
 bool are_finite(std::span<const glm::vec3> values) {
-  return std::ranges::all_of(values, [](const glm::vec3& v) {
-    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-  });
+  return std::ranges::all_of(
+      values, [](const glm::vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); });
 }
 
 // Indices in whole groups, each below `count`.
@@ -30,20 +29,18 @@ bool are_colours(std::span<const Colour> colours, std::size_t count) {
 }
 
 bool is_map(const BaseColourMap& map, const SurfaceView& surface) {
-  return map.rgba == nullptr ||
-         (!surface.corner_coordinates.empty() && is_within(map.width_px, 1, largest_side_px) &&
-          is_within(map.height_px, 1, largest_side_px) &&
-          map.rgba->size() == std::size_t{4} * static_cast<std::size_t>(map.width_px) *
-                                  static_cast<std::size_t>(map.height_px));
+  return map.rgba == nullptr || (!surface.corner_coordinates.empty() && is_within(map.width_px, 1, largest_side_px) &&
+                                 is_within(map.height_px, 1, largest_side_px) &&
+                                 map.rgba->size() == std::size_t{4} * static_cast<std::size_t>(map.width_px) *
+                                                         static_cast<std::size_t>(map.height_px));
 }
 
 bool has_sound_colours(const SurfaceView& surface) {
   const auto& corners = surface.corner_coordinates;
   const auto& of_triangle = surface.base_colour_of_triangle;
   return (corners.empty() || corners.size() == surface.triangles.size()) &&
-         std::ranges::all_of(
-             corners,
-             [](const glm::vec2& place) { return std::isfinite(place.x) && std::isfinite(place.y); }) &&
+         std::ranges::all_of(corners,
+                             [](const glm::vec2& place) { return std::isfinite(place.x) && std::isfinite(place.y); }) &&
          std::ranges::all_of(surface.base_colours,
                              [&](const BaseColour& colour) { return is_map(colour.map, surface); }) &&
          (of_triangle.empty() || of_triangle.size() == surface.triangles.size() / 3) &&
@@ -90,9 +87,7 @@ Lighting studio_lighting(const Camera& camera) {
   const glm::vec3 right{towards.z, 0.0F, -towards.x};
   const glm::vec3 up{0.0F, 1.0F, 0.0F};
   Lighting lighting;
-  const auto in_world = [&](const glm::vec3& lamp) {
-    return lamp.x * right + lamp.y * up + lamp.z * towards;
-  };
+  const auto in_world = [&](const glm::vec3& lamp) { return lamp.x * right + lamp.y * up + lamp.z * towards; };
   lighting.towards_key = in_world(key_lamp);
   lighting.towards_fill = in_world(fill_lamp);
   lighting.towards_rim = in_world(rim_lamp);
@@ -101,9 +96,7 @@ Lighting studio_lighting(const Camera& camera) {
 
 bool is_sound(const FrameView& frame) {
   const Camera& camera = frame.camera;
-  const auto all = [](const auto& views, const auto& are_sound) {
-    return std::ranges::all_of(views, are_sound);
-  };
+  const auto all = [](const auto& views, const auto& are_sound) { return std::ranges::all_of(views, are_sound); };
   return camera.vertical_fov_rad > 0.0F && camera.vertical_fov_rad < 3.1F && camera.near_m > 0.0F &&
          camera.far_m > camera.near_m && std::isfinite(camera.far_m) &&
          all(frame.surfaces, [](const SurfaceView& surface) { return is_sound(surface); }) &&
@@ -122,22 +115,19 @@ bool is_sound(const FrameView& frame) {
 }
 
 bool is_sound(const PictureSettings& settings) {
-  return is_within(settings.width_px, 1, largest_side_px) &&
-         is_within(settings.height_px, 1, largest_side_px) && is_within(settings.samples, 1, 64) &&
-         is_within(settings.supersampling, 1, 8) && is_within(settings.shadow_map_px, 256, 8192) &&
-         is_within(settings.shading_px, 1, 2) && is_within(settings.shadow_taps, 1, 64) &&
-         is_within(settings.sky_directions, 0, 64);
+  return is_within(settings.width_px, 1, largest_side_px) && is_within(settings.height_px, 1, largest_side_px) &&
+         is_within(settings.samples, 1, 64) && is_within(settings.supersampling, 1, 8) &&
+         is_within(settings.shadow_map_px, 256, 8192) && is_within(settings.shading_px, 1, 2) &&
+         is_within(settings.shadow_taps, 1, 64) && is_within(settings.sky_directions, 0, 64);
 }
 
 void check(const FrameView& frame, const PictureSettings& settings) {
   const Camera& camera = frame.camera;
-  if (!is_near({camera.eye, camera.eye}) || !is_near({camera.target, camera.target}) ||
-      camera.eye == camera.target) {
+  if (!is_near({camera.eye, camera.eye}) || !is_near({camera.target, camera.target}) || camera.eye == camera.target) {
     throw std::invalid_argument("camera: eye and target have to be different and no farther than 1e9 m");
   }
   if (!is_sound(frame) || !is_sound(settings)) {
-    throw std::invalid_argument(
-        "renderer: a frame or settings do not keep what frame_view.hpp requires of them");
+    throw std::invalid_argument("renderer: a frame or settings do not keep what frame_view.hpp requires of them");
   }
 }
 

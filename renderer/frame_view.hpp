@@ -11,8 +11,7 @@ namespace taut::renderer {
 /// How the threads of cloth run. The warp runs along the second material coordinate.
 enum class WeaveKind { knit, plain, twill, satin };
 
-inline constexpr std::array all_weave_kinds = {WeaveKind::knit, WeaveKind::plain, WeaveKind::twill,
-                                               WeaveKind::satin};
+inline constexpr std::array all_weave_kinds = {WeaveKind::knit, WeaveKind::plain, WeaveKind::twill, WeaveKind::satin};
 
 /// The name used in files.
 const char* name_of(WeaveKind kind);

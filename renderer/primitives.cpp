@@ -4,8 +4,7 @@ namespace taut::renderer {
 namespace {
 
 // Rings of a sphere around the axis `up`; the ring at the equator is doubled and moved apart by `axis`.
-TriangleMesh rounded(const glm::vec3& a, const glm::vec3& axis, const glm::vec3& up, float radius_m,
-                     int segments) {
+TriangleMesh rounded(const glm::vec3& a, const glm::vec3& axis, const glm::vec3& up, float radius_m, int segments) {
   const int around = std::max(segments, 3);
   const int half_rings = std::max(around / 4, 1);
   const glm::vec3 other = std::abs(up.y) < 0.9F ? glm::vec3{0, 1, 0} : glm::vec3{1, 0, 0};
@@ -18,8 +17,7 @@ TriangleMesh rounded(const glm::vec3& a, const glm::vec3& axis, const glm::vec3&
     const float latitude =
         std::numbers::pi_v<float> * (static_cast<float>(step) / static_cast<float>(2 * half_rings) - 0.5F);
     for (int i = 0; i < around; ++i) {
-      const float turn =
-          2.0F * std::numbers::pi_v<float> * static_cast<float>(i) / static_cast<float>(around);
+      const float turn = 2.0F * std::numbers::pi_v<float> * static_cast<float>(i) / static_cast<float>(around);
       const glm::vec3 normal =
           std::cos(latitude) * (std::cos(turn) * side + std::sin(turn) * forward) + std::sin(latitude) * up;
       mesh.normals.push_back(normal);

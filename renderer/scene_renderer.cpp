@@ -16,8 +16,7 @@ bool sees_floor(const FrameView& frame) {
 
 bool has_marks(const FrameView& frame) {
   return !frame.lines.empty() || !frame.points.empty() ||
-         std::ranges::any_of(frame.surfaces,
-                             [](const SurfaceView& surface) { return surface.wireframe.has_value(); });
+         std::ranges::any_of(frame.surfaces, [](const SurfaceView& surface) { return surface.wireframe.has_value(); });
 }
 
 // Light has to be encoded after it is blended, which only the renderer's own target is sure to do.
@@ -41,8 +40,8 @@ std::vector<Tile> tiles_of(const Tile& area, int supersampling) {
   std::vector<Tile> tiles;
   for (int y = 0; y < area.height_px; y += side_px) {
     for (int x = 0; x < area.width_px; x += side_px) {
-      tiles.push_back({area.x_px + x, area.y_px + y, std::min(side_px, area.width_px - x),
-                       std::min(side_px, area.height_px - y)});
+      tiles.push_back(
+          {area.x_px + x, area.y_px + y, std::min(side_px, area.width_px - x), std::min(side_px, area.height_px - y)});
     }
   }
   return tiles;
@@ -74,10 +73,9 @@ struct SceneRenderer::Parts {
   void end();
   void reset_state() const;
   void collect_surfaces(const FrameView& frame);
-  void set_tile_of(FrameBlock& block, const FrameView& frame, const PictureSettings& settings,
-                   const Tile& tile) const;
-  void draw_whole(GLuint framebuffer, FrameBlock& block, const FrameView& frame,
-                  const PictureSettings& settings, std::future<void>& light_gathered);
+  void set_tile_of(FrameBlock& block, const FrameView& frame, const PictureSettings& settings, const Tile& tile) const;
+  void draw_whole(GLuint framebuffer, FrameBlock& block, const FrameView& frame, const PictureSettings& settings,
+                  std::future<void>& light_gathered);
   void draw_supersampled(FrameBlock& block, const FrameView& frame, const PictureSettings& settings);
   void draw_behind(GLuint framebuffer, const FrameBlock& block, const FrameView& frame,
                    const PictureSettings& settings);
@@ -157,9 +155,8 @@ void SceneRenderer::Parts::draw_visibility(const PixelRect& place, const FrameVi
 
 // Shades the surfaces that draw_visibility() saw last. Marks have edges of their own between pixels: they are
 // drawn apart and blended over.
-void SceneRenderer::Parts::shade_surfaces_and_marks(GLuint framebuffer, const PixelRect& place,
-                                                    const FrameBlock& block, const FrameView& frame,
-                                                    const PictureSettings& settings) {
+void SceneRenderer::Parts::shade_surfaces_and_marks(GLuint framebuffer, const PixelRect& place, const FrameBlock& block,
+                                                    const FrameView& frame, const PictureSettings& settings) {
   surface_pass.shade(visibility, framebuffer, block, place, settings.shading_px > 1);
   if (!has_marks(frame)) return;
   visibility.begin_marks();
@@ -169,8 +166,8 @@ void SceneRenderer::Parts::shade_surfaces_and_marks(GLuint framebuffer, const Pi
   resolve_pass.draw(visibility.marks(), visibility.samples(), 1, {place.x_px, place.y_px});
 }
 
-void SceneRenderer::Parts::set_tile_of(FrameBlock& block, const FrameView& frame,
-                                       const PictureSettings& settings, const Tile& tile) const {
+void SceneRenderer::Parts::set_tile_of(FrameBlock& block, const FrameView& frame, const PictureSettings& settings,
+                                       const Tile& tile) const {
   set_tile(block, frame.camera, settings, tile);
   upload(gl, GL_UNIFORM_BUFFER, block_buffer, std::span<const FrameBlock>(&block, 1));
 }
@@ -298,8 +295,7 @@ SceneRenderer::~SceneRenderer() { delete_in_context(parts_); }
 
 // A ball above a larger one and a floor: their picture needs every shader that pictures of cloth need.
 void SceneRenderer::prepare(const PictureSettings& settings, bool scalars) {
-  const std::array balls{make_sphere({0.0F, 0.0F, 0.0F}, 1.0F, 16),
-                         make_sphere({0.0F, 1.6F, 0.0F}, 0.4F, 16)};
+  const std::array balls{make_sphere({0.0F, 0.0F, 0.0F}, 1.0F, 16), make_sphere({0.0F, 1.6F, 0.0F}, 0.4F, 16)};
   const std::vector<float> values(balls[0].positions.size());
   FrameView frame;
   for (const TriangleMesh& ball : balls) {

@@ -26,15 +26,13 @@ std::string name_of(const ContactSide& side, const Pins& pins, std::span<const B
   }
   const std::string kind = side.vertices.size() == 2 ? "the edge" : "the triangle";
   return kind + " of the vertices " + listed(side.vertices) +
-         (pinned.empty()
-              ? ""
-              : ", of which " + listed(pinned) + (pinned.size() == 1 ? " is" : " are") + " pinned");
+         (pinned.empty() ? "" : ", of which " + listed(pinned) + (pinned.size() == 1 ? " is" : " are") + " pinned");
 }
 
 /// Whether nothing of it can give way.
 bool is_led(const ContactSide& side, const Pins& pins) {
-  return side.body || std::all_of(side.vertices.begin(), side.vertices.end(),
-                                  [&](Index vertex) { return is_pinned(vertex, pins); });
+  return side.body ||
+         std::all_of(side.vertices.begin(), side.vertices.end(), [&](Index vertex) { return is_pinned(vertex, pins); });
 }
 
 std::string formatted(const char* format, double a, double b = 0.0, double c = 0.0) {
@@ -52,8 +50,7 @@ std::string meeting(const BlockedContact& blocked, const Pins& pins, std::span<c
   const bool is_first_led = is_led(first, pins);
   const bool is_second_led = is_led(second, pins);
   if (is_first_led == is_second_led) {
-    return one + " and " + other +
-           (is_first_led ? " close in on each other" : " cannot be kept from crossing");
+    return one + " and " + other + (is_first_led ? " close in on each other" : " cannot be kept from crossing");
   }
   return (is_first_led ? one : other) + " closes in on " + (is_first_led ? other : one);
 }
@@ -71,10 +68,8 @@ std::string describe(const BlockedContact& blocked, const Pins& pins, std::span<
   return text + formatted(" at [%.5f, %.5f, %.5f] m", at.x, at.y, at.z);
 }
 
-ContactBlocked::ContactBlocked(BlockedContact blocked, const Pins& pins, std::span<const Body> bodies,
-                               double time_s)
-    : std::runtime_error("something would cross at " + formatted("%.4f s: ", time_s) +
-                         describe(blocked, pins, bodies)),
+ContactBlocked::ContactBlocked(BlockedContact blocked, const Pins& pins, std::span<const Body> bodies, double time_s)
+    : std::runtime_error("something would cross at " + formatted("%.4f s: ", time_s) + describe(blocked, pins, bodies)),
       blocked_(std::move(blocked)),
       time_s_(time_s) {}
 

@@ -52,8 +52,7 @@ void ByteReader::require_seal() {
 
 std::string_view ByteReader::take(const char* what, std::size_t size) {
   if (size > bytes_.size() - at_) {
-    refuse(at_, what,
-           std::to_string(bytes_.size() - at_) + " bytes, expected at least " + std::to_string(size));
+    refuse(at_, what, std::to_string(bytes_.size() - at_) + " bytes, expected at least " + std::to_string(size));
   }
   at_ += size;
   return bytes_.substr(at_ - size, size);

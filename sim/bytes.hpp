@@ -5,8 +5,7 @@
 namespace taut::sim {
 
 /// Returns the bytes of a number as they are written on every machine: the lowest byte first.
-template <typename T>
-constexpr std::array<char, sizeof(T)> little_endian(T value) {
+template <typename T> constexpr std::array<char, sizeof(T)> little_endian(T value) {
   auto bytes = std::bit_cast<std::array<char, sizeof(T)>>(value);
   if constexpr (std::endian::native == std::endian::big) {
     std::reverse(bytes.begin(), bytes.end());
@@ -36,8 +35,7 @@ struct BadBytes : std::runtime_error {
 /// Writes plain data as bytes, without padding.
 class ByteWriter {
  public:
-  template <typename T>
-  void put(T value) {
+  template <typename T> void put(T value) {
     const auto bytes = little_endian(value);
     bytes_.append(bytes.data(), bytes.size());
   }
@@ -64,8 +62,7 @@ class ByteReader {
 
   /// Reads a number. Throws if it is not from `least` to `most`, both included, or not a number.
   template <typename T>
-  T get(const char* what, T least = std::numeric_limits<T>::lowest(),
-        T most = std::numeric_limits<T>::max()) {
+  T get(const char* what, T least = std::numeric_limits<T>::lowest(), T most = std::numeric_limits<T>::max()) {
     std::array<char, sizeof(T)> raw = {};
     const std::size_t at = at_;
     const std::string_view taken = take(what, sizeof(T));

@@ -36,8 +36,7 @@ void add_gravity(const Garment& garment, const Vec3& gravity_m_per_s2, std::span
 }
 
 /// The force on a vertex is -mass * air_drag_per_s * velocity.
-void add_air_drag(const Garment& garment, const State& state, double air_drag_per_s,
-                  std::span<Vec3> forces_n) {
+void add_air_drag(const Garment& garment, const State& state, double air_drag_per_s, std::span<Vec3> forces_n) {
   assert(forces_n.size() == garment.masses_kg.size() && state.current.size() == forces_n.size());
   if (air_drag_per_s == 0.0) return;
   for (std::size_t v = 0; v < forces_n.size(); ++v) {
@@ -105,8 +104,8 @@ double largest_gravity_m_per_s2(const ExternalForces& external) {
   return largest;
 }
 
-void add_external_forces(const Garment& garment, const State& state, const ExternalForces& external,
-                         double time_step_s, std::span<Vec3> forces_n) {
+void add_external_forces(const Garment& garment, const State& state, const ExternalForces& external, double time_step_s,
+                         std::span<Vec3> forces_n) {
   add_gravity(garment, gravity_at(external, state.time_s), forces_n);
   add_wind_forces(garment, state, external.wind, time_step_s, forces_n);
   add_air_drag(garment, state, external.air_drag_per_s, forces_n);

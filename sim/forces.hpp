@@ -71,7 +71,7 @@ double largest_gravity_m_per_s2(const ExternalForces& external);
 /// Adds all external forces: gravity, wind, air drag, artificial forces and the forces of hands.
 /// `time_step_s` is the step in which the forces will act; wind and hands need it to stay stable. Requires
 /// that the vertices of forces and hands exist (require_possible checks it).
-void add_external_forces(const Garment& garment, const State& state, const ExternalForces& external,
-                         double time_step_s, std::span<Vec3> forces_n);
+void add_external_forces(const Garment& garment, const State& state, const ExternalForces& external, double time_step_s,
+                         std::span<Vec3> forces_n);
 
 }  // namespace taut::sim

@@ -43,10 +43,10 @@ void require_usable(const Material& material) {
     throw std::invalid_argument(
         "the thickness, friction, bending rigidity and compression stiffness of cloth must be at least 0");
   }
-  const int given = (material.tensile_warp_n_per_m > 0.0) + (material.tensile_weft_n_per_m > 0.0) +
-                    (material.shear_n_per_m > 0.0);
-  if (given != 3 && (given != 0 || material.tensile_warp_n_per_m < 0.0 ||
-                     material.tensile_weft_n_per_m < 0.0 || material.shear_n_per_m < 0.0)) {
+  const int given =
+      (material.tensile_warp_n_per_m > 0.0) + (material.tensile_weft_n_per_m > 0.0) + (material.shear_n_per_m > 0.0);
+  if (given != 3 && (given != 0 || material.tensile_warp_n_per_m < 0.0 || material.tensile_weft_n_per_m < 0.0 ||
+                     material.shear_n_per_m < 0.0)) {
     throw std::invalid_argument(
         "the tensile stiffness along warp and weft and the shear stiffness of cloth must all be above 0 N/m, "
         "or all 0 for none");

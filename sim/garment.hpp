@@ -39,8 +39,7 @@ struct Material {
 
 /// Whether its tension depends on its strain.
 inline bool has_law(const Material& material) {
-  return material.tensile_warp_n_per_m > 0.0 && material.tensile_weft_n_per_m > 0.0 &&
-         material.shear_n_per_m > 0.0;
+  return material.tensile_warp_n_per_m > 0.0 && material.tensile_weft_n_per_m > 0.0 && material.shear_n_per_m > 0.0;
 }
 
 /// The cloth itself. Nothing here changes while the cloth is simulated.

@@ -12,14 +12,13 @@ Vec3 hand_force(const HeldVertex& held, double mass_kg, const Vec3& position_m, 
   return size > held.max_force_n ? force * (held.max_force_n / size) : force;
 }
 
-void add_hand_forces(const Garment& garment, const State& state, std::span<const HeldVertex> held,
-                     double time_step_s, std::span<Vec3> forces_n) {
+void add_hand_forces(const Garment& garment, const State& state, std::span<const HeldVertex> held, double time_step_s,
+                     std::span<Vec3> forces_n) {
   for (const HeldVertex& h : held) {
     assert(h.vertex < forces_n.size());
     const double mass_kg = garment.masses_kg[h.vertex];
     if (mass_kg > 0.0) {
-      forces_n[h.vertex] +=
-          hand_force(h, mass_kg, state.current[h.vertex], velocity(state, h.vertex), time_step_s);
+      forces_n[h.vertex] += hand_force(h, mass_kg, state.current[h.vertex], velocity(state, h.vertex), time_step_s);
     }
   }
 }

@@ -28,7 +28,7 @@ Vec3 hand_force(const HeldVertex& held, double mass_kg, const Vec3& position_m, 
 
 /// Adds the forces of hands to `forces_n`, in newtons, one entry per vertex of the garment. Vertices without
 /// mass are skipped. Requires that the held vertices exist (require_possible checks it).
-void add_hand_forces(const Garment& garment, const State& state, std::span<const HeldVertex> held,
-                     double time_step_s, std::span<Vec3> forces_n);
+void add_hand_forces(const Garment& garment, const State& state, std::span<const HeldVertex> held, double time_step_s,
+                     std::span<Vec3> forces_n);
 
 }  // namespace taut::sim

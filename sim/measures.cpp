@@ -103,9 +103,7 @@ Convergence measure_convergence(const ShapeChange& change) {
   return result;
 }
 
-double rms_speed(const ShapeChange& change) {
-  return measure_convergence(change).rms_m / change.time_s;
-}
+double rms_speed(const ShapeChange& change) { return measure_convergence(change).rms_m / change.time_s; }
 
 Energy measure_energy(const Garment& garment, const ShapeChange& change, const Vec3& gravity_m_per_s2) {
   assert(change.before.size() == change.now.size() && change.time_s > 0.0);
@@ -121,8 +119,7 @@ Energy measure_energy(const Garment& garment, const ShapeChange& change, const V
 std::size_t first_lost(std::span<const Vec3> positions) {
   const auto is_near = [](double coordinate_m) { return std::abs(coordinate_m) <= lost_at_m; };
   std::size_t v = 0;
-  while (v < positions.size() && is_near(positions[v].x) && is_near(positions[v].y) &&
-         is_near(positions[v].z)) {
+  while (v < positions.size() && is_near(positions[v].x) && is_near(positions[v].y) && is_near(positions[v].z)) {
     ++v;
   }
   return v;

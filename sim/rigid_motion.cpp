@@ -6,8 +6,7 @@ namespace taut::sim {
 namespace {
 
 /// Returns how long the shift or the spin has lasted, in s.
-template <typename Part>
-double lasted_s(const Part& part, double time_s) {
+template <typename Part> double lasted_s(const Part& part, double time_s) {
   return std::max(0.0, std::min(time_s, part.until_s) - part.from_s);
 }
 
@@ -21,14 +20,14 @@ glm::dmat3 rotation(const Vec3& axis, double turns) {
           Vec3(k.z * axis.x + s.y, k.z * axis.y - s.x, c + k.z * axis.z)};
 }
 
-template <typename Part>
-bool lasts_after(const Part& part, double time_s) { return part.until_s > std::max(time_s, part.from_s); }
+template <typename Part> bool lasts_after(const Part& part, double time_s) {
+  return part.until_s > std::max(time_s, part.from_s);
+}
 
 }  // namespace
 
 Vec3 offset_at(const std::vector<PathPoint>& path, double time_s) {
-  const auto next =
-      std::find_if(path.begin(), path.end(), [&](const PathPoint& p) { return p.time_s > time_s; });
+  const auto next = std::find_if(path.begin(), path.end(), [&](const PathPoint& p) { return p.time_s > time_s; });
   if (next == path.begin() || next == path.end()) {
     return path.empty() ? Vec3(0.0) : next == path.end() ? path.back().offset : next->offset;
   }
@@ -68,9 +67,8 @@ bool is_moving_after(const RigidMotion& motion, double time_s) {
 }
 
 double off_chord_per_jump(double at_s, const TimeSpan& time) {
-  return at_s > time.from_s && at_s < time.to_s
-             ? (at_s - time.from_s) * (time.to_s - at_s) / (time.to_s - time.from_s)
-             : 0.0;
+  return at_s > time.from_s && at_s < time.to_s ? (at_s - time.from_s) * (time.to_s - at_s) / (time.to_s - time.from_s)
+                                                : 0.0;
 }
 
 double off_chord_m(const RigidMotion& motion, double radius_m, double speed_m_per_s, const TimeSpan& time) {
@@ -83,9 +81,8 @@ double off_chord_m(const RigidMotion& motion, double radius_m, double speed_m_pe
   double off_m = glm::length(shift.velocity_m_per_s) * begins_and_ends(shift);
   if (spin.turns_per_s != 0.0 && spin.from_s < time.to_s && spin.until_s > time.from_s) {
     const double radians_per_s = 2.0 * std::numbers::pi * std::abs(spin.turns_per_s);
-    off_m +=
-        radians_per_s * (radians_per_s * radius_m + 2.0 * speed_m_per_s) * off_chord_per_acceleration(time) +
-        radians_per_s * radius_m * begins_and_ends(spin);
+    off_m += radians_per_s * (radians_per_s * radius_m + 2.0 * speed_m_per_s) * off_chord_per_acceleration(time) +
+             radians_per_s * radius_m * begins_and_ends(spin);
   }
   const auto velocity = [&](std::size_t k) {  // from one point of the path to the next
     return k + 1 < path.size() ? (path[k + 1].offset - path[k].offset) / (path[k + 1].time_s - path[k].time_s)

@@ -22,7 +22,7 @@ struct Shift {
 /// Turns about a fixed line at a constant rate from one time to another.
 struct Spin {
   Vec3 about_m = {0.0, 0.0, 0.0};  ///< a point of the line
-  Vec3 axis = {0.0, 1.0, 0.0};  ///< its direction, of length 1; counter-clockwise seen from where it points
+  Vec3 axis = {0.0, 1.0, 0.0};     ///< its direction, of length 1; counter-clockwise seen from where it points
   double turns_per_s = 0.0;
   double from_s = 0.0;
   double until_s = std::numeric_limits<double>::infinity();

@@ -11,8 +11,7 @@ void require_shape(const Garment& garment, std::span<const Vec3> positions_m) {
   const std::size_t count = garment.mesh.positions.size();
   if (positions_m.size() != count) {
     throw std::invalid_argument("the start has " + std::to_string(positions_m.size()) +
-                                " positions, expected one for each vertex of the garment, " +
-                                std::to_string(count));
+                                " positions, expected one for each vertex of the garment, " + std::to_string(count));
   }
   const std::size_t lost = first_lost(positions_m);
   if (lost < count) {
@@ -112,8 +111,7 @@ ContactReport get_contact(ByteReader& in) {
   contact.detections = in.get("the number of detections", 0, most_counted);
   contact.partial_detections = in.get("the number of partial detections", 0, most_counted);
   contact.most_pairs = in.get("the number of near pairs", 0, most_counted);
-  contact.smallest_distance_m =
-      in.get("the smallest distance", -largest, std::numeric_limits<double>::infinity());
+  contact.smallest_distance_m = in.get("the smallest distance", -largest, std::numeric_limits<double>::infinity());
   contact.crossing_pairs = in.get<std::uint64_t>("the number of crossing pairs");
   contact.left_out_share = in.get("the part of the area that is left out", 0.0, 1.0);
   return contact;
@@ -232,8 +230,7 @@ void Simulation::restore(const Checkpoint& checkpoint) {
   require_equal("positions", checkpoint.state.current.size(), count);
   require_equal("previous positions", checkpoint.state.previous.size(), count);
   require_equal("positions one frame ago", checkpoint.before_m.size(), count);
-  require_equal("positions of rest", checkpoint.quiet_since_m.size(),
-                is_rest_judged(checkpoint.state) ? count : 0);
+  require_equal("positions of rest", checkpoint.quiet_since_m.size(), is_rest_judged(checkpoint.state) ? count : 0);
   const std::string solver = name_of(kind_of(settings_.solver.method));
   if (checkpoint.solver != solver) {
     throw BadBytes("what the solver '" + checkpoint.solver + "' remembers, expected '" + solver + '\'');
@@ -343,8 +340,7 @@ Checkpoint decode(std::string_view bytes, const Garment& garment) {
   Checkpoint checkpoint;
   checkpoint.state = get_state(count, in);
   checkpoint.before_m = get_shape("the positions one frame ago", count, in);
-  checkpoint.quiet_since_m =
-      get_shape("the positions of rest", is_rest_judged(checkpoint.state) ? count : 0, in);
+  checkpoint.quiet_since_m = get_shape("the positions of rest", is_rest_judged(checkpoint.state) ? count : 0, in);
   checkpoint.report = get_report(in);
   checkpoint.solver = in.get_text("the solver");
   checkpoint.solver_memory = in.get_text("the solver's memory");

@@ -67,9 +67,8 @@ class Simulation {
   ///   (promise.hpp);
   /// - on a pin that is no vertex;
   /// - on a start with another number of positions, or with one that is not finite.
-  Simulation(std::shared_ptr<const Garment> garment, std::vector<Index> pins,
-             const SimulationSettings& settings, Surroundings surroundings,
-             std::optional<std::vector<Vec3>> start_m = {});
+  Simulation(std::shared_ptr<const Garment> garment, std::vector<Index> pins, const SimulationSettings& settings,
+             Surroundings surroundings, std::optional<std::vector<Vec3>> start_m = {});
 
   /// Moves on by 1 / frame rate. A garment at rest is left as it is (the paper's Step 2: where no force
   /// results, go straight to rendering). `poll` is called at least once in every time step and search. Throws

@@ -16,9 +16,8 @@ void sort_and_deduplicate(std::vector<Edge>& edges) {
 
 std::vector<Edge> without(const std::vector<Edge>& edges, const std::vector<Edge>& sorted_unwanted) {
   std::vector<Edge> rest;
-  std::copy_if(edges.begin(), edges.end(), std::back_inserter(rest), [&](const Edge& e) {
-    return !std::binary_search(sorted_unwanted.begin(), sorted_unwanted.end(), e);
-  });
+  std::copy_if(edges.begin(), edges.end(), std::back_inserter(rest),
+               [&](const Edge& e) { return !std::binary_search(sorted_unwanted.begin(), sorted_unwanted.end(), e); });
   return rest;
 }
 
@@ -40,8 +39,7 @@ struct Neighbour {
 
 /// Returns the neighbour in the direction closest to opposite that of neighbour a. Returns a itself if the
 /// angle to every other neighbour is too small.
-Index straightest_neighbour(const Neighbour& a, std::span<const Neighbour> neighbours,
-                            double largest_cosine) {
+Index straightest_neighbour(const Neighbour& a, std::span<const Neighbour> neighbours, double largest_cosine) {
   Index best = a.vertex;
   double best_cosine = largest_cosine;
   for (const Neighbour& b : neighbours) {
@@ -56,8 +54,7 @@ Index straightest_neighbour(const Neighbour& a, std::span<const Neighbour> neigh
   return best;
 }
 
-std::vector<Edge> angular_pairs(const Mesh& mesh, const std::vector<Edge>& structural,
-                                double smallest_angle_rad) {
+std::vector<Edge> angular_pairs(const Mesh& mesh, const std::vector<Edge>& structural, double smallest_angle_rad) {
   const CompressedRows edges_at = edges_of_vertices(mesh.positions.size(), structural);
   const double largest_cosine = sine_of_turns(0.25 - smallest_angle_rad * turns_per_radian);
   std::vector<Edge> pairs;
@@ -95,8 +92,8 @@ std::vector<Edge> opposite_vertex_pairs(const Mesh& mesh, const Adjacency& adjac
   return pairs;
 }
 
-std::vector<Edge> flexural_pairs(const Mesh& mesh, const Adjacency& adjacency,
-                                 const std::vector<Edge>& structural, const MappingSettings& settings) {
+std::vector<Edge> flexural_pairs(const Mesh& mesh, const Adjacency& adjacency, const std::vector<Edge>& structural,
+                                 const MappingSettings& settings) {
   if (settings.flexural_rule == FlexuralRule::none) return {};
   return settings.flexural_rule == FlexuralRule::opposite_vertex
              ? opposite_vertex_pairs(mesh, adjacency)
@@ -136,14 +133,12 @@ const char* name_of(SpringKind kind) {
 
 double mean_edge_m(const Springs& springs) {
   const auto begin = springs.rest_lengths_m.begin();
-  const double sum_m =
-      std::accumulate(begin, begin + static_cast<std::ptrdiff_t>(springs.structural_count), 0.0);
+  const double sum_m = std::accumulate(begin, begin + static_cast<std::ptrdiff_t>(springs.structural_count), 0.0);
   return sum_m / static_cast<double>(std::max<std::size_t>(springs.structural_count, 1));
 }
 
 std::size_t Springs::begin_of(SpringKind kind) const {
-  return std::array{std::size_t{0}, structural_count,
-                    structural_count + shear_count}[static_cast<std::size_t>(kind)];
+  return std::array{std::size_t{0}, structural_count, structural_count + shear_count}[static_cast<std::size_t>(kind)];
 }
 
 std::size_t Springs::end_of(SpringKind kind) const {

@@ -7,8 +7,7 @@ namespace taut::sim {
 /// The three kinds of springs of the paper's Figure 1.
 enum class SpringKind { structural, shear, flexural };
 
-inline constexpr std::array all_spring_kinds = {SpringKind::structural, SpringKind::shear,
-                                                SpringKind::flexural};
+inline constexpr std::array all_spring_kinds = {SpringKind::structural, SpringKind::shear, SpringKind::flexural};
 
 /// The name used in files and messages.
 const char* name_of(SpringKind kind);

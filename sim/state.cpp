@@ -43,8 +43,6 @@ Vec3 velocity(const State& state, Index vertex) {
   return (state.current[vertex] - state.previous[vertex]) / state.time_step_s;
 }
 
-std::uint64_t hash(const State& state) {
-  return hash_onto(hash_onto(fnv1a_of_nothing, state.current), state.previous);
-}
+std::uint64_t hash(const State& state) { return hash_onto(hash_onto(fnv1a_of_nothing, state.current), state.previous); }
 
 }  // namespace taut::sim

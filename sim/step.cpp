@@ -2,9 +2,8 @@
 
 namespace taut::sim {
 
-void predict_positions(std::span<const Vec3> previous, std::span<const Vec3> current,
-                       std::span<const Vec3> forces_n, std::span<const double> inverse_masses_per_kg,
-                       double time_step_s, std::span<Vec3> predicted) {
+void predict_positions(std::span<const Vec3> previous, std::span<const Vec3> current, std::span<const Vec3> forces_n,
+                       std::span<const double> inverse_masses_per_kg, double time_step_s, std::span<Vec3> predicted) {
   const std::size_t n = current.size();
   assert(previous.size() == n && forces_n.size() == n && inverse_masses_per_kg.size() == n);
   assert(predicted.size() == n);
@@ -29,8 +28,7 @@ void impose_forces(const Garment& garment, const ExternalForces& external, const
 }
 
 void predict(const Pins& pins, std::span<const Vec3> forces_n, double time_step_s, State& state) {
-  predict_positions(state.previous, state.current, forces_n, pins.inverse_masses_per_kg, time_step_s,
-                    state.predicted);
+  predict_positions(state.previous, state.current, forces_n, pins.inverse_masses_per_kg, time_step_s, state.predicted);
 }
 
 void constrain(const Garment& garment, const Pins& pins, const SpringResponse& springs, State& state) {
@@ -48,8 +46,8 @@ void move_pins(const Pins& pins, const Surroundings& surroundings, double time_s
   for (std::size_t k = 0; k < moved_m.size(); ++k) state.predicted[pins.vertices[k]] = from_m[k] + moved_m[k];
 }
 
-void finish_step(const Garment& garment, const Pins& pins, const Surroundings& surroundings,
-                 double time_step_s, State& state) {
+void finish_step(const Garment& garment, const Pins& pins, const Surroundings& surroundings, double time_step_s,
+                 State& state) {
   const Material& cloth = garment.material;
   push_out_of_bodies(surroundings.bodies, {cloth.thickness_m, cloth.friction},
                      {state.time_s, state.time_s + time_step_s}, pins.inverse_masses_per_kg, state.current,
@@ -60,8 +58,8 @@ void finish_step(const Garment& garment, const Pins& pins, const Surroundings& s
   ++state.step_count;
 }
 
-void step(const Garment& garment, const Pins& pins, const Surroundings& surroundings,
-          const SpringResponse& springs, double time_step_s, State& state, std::span<Vec3> forces_n) {
+void step(const Garment& garment, const Pins& pins, const Surroundings& surroundings, const SpringResponse& springs,
+          double time_step_s, State& state, std::span<Vec3> forces_n) {
   set_time_step(state, time_step_s);
 
   // Step 2: impose the forces on the mass points ...

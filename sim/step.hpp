@@ -9,9 +9,8 @@ namespace taut::sim {
 /// Eq. (1): p(t + dt) = 2 p(t) - p(t - dt) + a(t) dt^2 with a = f / m (Verlet 1967). Positions are in metres.
 /// All spans have one entry per vertex. A pinned vertex (inverse mass 0) is predicted to stay at its current
 /// position.
-void predict_positions(std::span<const Vec3> previous, std::span<const Vec3> current,
-                       std::span<const Vec3> forces_n, std::span<const double> inverse_masses_per_kg,
-                       double time_step_s, std::span<Vec3> predicted);
+void predict_positions(std::span<const Vec3> previous, std::span<const Vec3> current, std::span<const Vec3> forces_n,
+                       std::span<const double> inverse_masses_per_kg, double time_step_s, std::span<Vec3> predicted);
 
 /// How the springs of one solver act: by forces before the prediction, by corrections after it, or by both.
 class SpringResponse {
@@ -19,8 +18,7 @@ class SpringResponse {
   virtual ~SpringResponse() = default;
 
   /// Adds the springs' forces in the current state to `forces_n`, in newtons, one entry per vertex.
-  virtual void add_spring_forces(const Garment& garment, const State& state,
-                                 std::span<Vec3> forces_n) const = 0;
+  virtual void add_spring_forces(const Garment& garment, const State& state, std::span<Vec3> forces_n) const = 0;
 
   /// Corrects the predicted positions; pinned vertices stay where they are.
   virtual void compensate(const Garment& garment, const Pins& pins, State& state) const = 0;
@@ -29,13 +27,13 @@ class SpringResponse {
 /// Does one time step: Steps 2 and 3 of the paper. Cloth is pushed out of bodies (push_out_of_bodies); its
 /// layers pass through each other. `time_step_s` must be above 0. `forces_n` is memory to work in, one entry
 /// per vertex: all zero before and after a step.
-void step(const Garment& garment, const Pins& pins, const Surroundings& surroundings,
-          const SpringResponse& springs, double time_step_s, State& state, std::span<Vec3> forces_n);
+void step(const Garment& garment, const Pins& pins, const Surroundings& surroundings, const SpringResponse& springs,
+          double time_step_s, State& state, std::span<Vec3> forces_n);
 
 /// A part of the above: predicts that pins move as the surroundings have it.
 void move_pins(const Pins& pins, const Surroundings& surroundings, double time_step_s, State& state);
 /// The end of the above: pushes what is predicted out of bodies and makes it current.
-void finish_step(const Garment& garment, const Pins& pins, const Surroundings& surroundings,
-                 double time_step_s, State& state);
+void finish_step(const Garment& garment, const Pins& pins, const Surroundings& surroundings, double time_step_s,
+                 State& state);
 
 }  // namespace taut::sim

@@ -68,8 +68,7 @@ PrincipalStretches principal_stretches(const DeformationGradient& gradient) {
 
 Vec2 principal_direction(const DeformationGradient& gradient) {
   const double product = glm::dot(gradient.along, gradient.across);
-  const double half =
-      (glm::dot(gradient.along, gradient.along) - glm::dot(gradient.across, gradient.across)) / 2.0;
+  const double half = (glm::dot(gradient.along, gradient.along) - glm::dot(gradient.across, gradient.across)) / 2.0;
   const double larger = std::sqrt(half * half + product * product) + std::abs(half);
   if (!(larger > 0.0)) return {1.0, 0.0};
   return glm::normalize(half >= 0.0 ? Vec2(larger, product) : Vec2(product, larger));

@@ -7,8 +7,8 @@ namespace {
 
 void require_vertex(const char* acts_on, Index vertex, std::size_t vertex_count) {
   if (vertex >= vertex_count) {
-    throw std::invalid_argument(std::string(acts_on) + " vertex " + std::to_string(vertex) +
-                                ", but there are only " + std::to_string(vertex_count));
+    throw std::invalid_argument(std::string(acts_on) + " vertex " + std::to_string(vertex) + ", but there are only " +
+                                std::to_string(vertex_count));
   }
 }
 
@@ -71,8 +71,8 @@ std::vector<Vec3> pin_displacements(const Surroundings& surroundings, std::span<
   return moved_m;
 }
 
-double pins_off_chord_m(const Surroundings& surroundings, std::span<const Index> pins,
-                        std::span<const Vec3> at_m, double at_s, const TimeSpan& time) {
+double pins_off_chord_m(const Surroundings& surroundings, std::span<const Index> pins, std::span<const Vec3> at_m,
+                        double at_s, const TimeSpan& time) {
   assert(at_m.size() == pins.size());
   double off_m = pins.empty() ? 0.0 : swing_off_chord_m(surroundings.pin_motion, time);
   for (const MovingPins& group : surroundings.moving_pins) {
@@ -88,8 +88,8 @@ double pins_off_chord_m(const Surroundings& surroundings, std::span<const Index>
   const LedPins& led = surroundings.led_pins;
   for (const Vec3& by_m : led.by_m) {
     const double jump_m_per_s = glm::length(by_m) / (led.until_s - led.from_s);
-    off_m = std::max(
-        off_m, jump_m_per_s * (off_chord_per_jump(led.from_s, time) + off_chord_per_jump(led.until_s, time)));
+    off_m =
+        std::max(off_m, jump_m_per_s * (off_chord_per_jump(led.from_s, time) + off_chord_per_jump(led.until_s, time)));
   }
   return off_m;
 }
@@ -130,8 +130,8 @@ bool is_steady(const Surroundings& s, double time_s) {
   const auto moves = [&](const Body& body) { return is_moving_after(body, time_s); };
   const auto move = [&](const MovingPins& group) { return is_moving_after(group.motion, time_s); };
   const bool leads = !s.led_pins.vertices.empty() && s.led_pins.until_s > time_s;
-  return !gusts && !leads && !changes_after(s.forces.gravity_path, time_s) &&
-         s.pin_motion.amplitude_m == Vec3(0.0) && std::none_of(s.bodies.begin(), s.bodies.end(), moves) &&
+  return !gusts && !leads && !changes_after(s.forces.gravity_path, time_s) && s.pin_motion.amplitude_m == Vec3(0.0) &&
+         std::none_of(s.bodies.begin(), s.bodies.end(), moves) &&
          std::none_of(s.moving_pins.begin(), s.moving_pins.end(), move);
 }
 

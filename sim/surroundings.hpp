@@ -58,8 +58,8 @@ std::vector<Vec3> pin_displacements(const Surroundings& surroundings, std::span<
 
 /// Returns a bound on how far any of `pins` is off the chord of its path at any time of the span, in m. They
 /// are at `at_m` at the time `at_s`, one entry per pin.
-double pins_off_chord_m(const Surroundings& surroundings, std::span<const Index> pins,
-                        std::span<const Vec3> at_m, double at_s, const TimeSpan& time);
+double pins_off_chord_m(const Surroundings& surroundings, std::span<const Index> pins, std::span<const Vec3> at_m,
+                        double at_s, const TimeSpan& time);
 
 /// Returns whether any pin moves otherwise than by swinging with all others.
 bool has_pins_of_their_own(const Surroundings& surroundings);

@@ -71,8 +71,7 @@ int ChildProcess::wait() {
 
 bool ChildProcess::has_ended() const {
   siginfo_t ended{};
-  return ::waitid(P_PID, static_cast<id_t>(process_), &ended, WEXITED | WNOHANG | WNOWAIT) != 0 ||
-         ended.si_pid != 0;
+  return ::waitid(P_PID, static_cast<id_t>(process_), &ended, WEXITED | WNOHANG | WNOWAIT) != 0 || ended.si_pid != 0;
 }
 
 std::string describe_end(int status) {

@@ -16,9 +16,7 @@ namespace fs = std::filesystem;
 
 std::string reason_of(int error_number) { return std::generic_category().message(error_number); }
 
-fs::path folder_of(const fs::path& file) {
-  return file.has_parent_path() ? file.parent_path() : fs::path(".");
-}
+fs::path folder_of(const fs::path& file) { return file.has_parent_path() ? file.parent_path() : fs::path("."); }
 
 /// Such as /dev/stdout and named pipes: a rename would put a file in their place. Where the standard output
 /// is a regular file, it still is one to be written on and not to be replaced.

@@ -70,8 +70,7 @@ std::string time_left(double elapsed_s, int done, int all) {
   constexpr double little_s = 1.0;
   if (done <= 0 || done >= all || elapsed_s < little_s) return "";
   const double left_s = elapsed_s / done * (all - done);
-  return left_s < 100.0 ? fmt::format(", {:.0f} s left", left_s)
-                        : fmt::format(", {:.0f} min left", left_s / 60.0);
+  return left_s < 100.0 ? fmt::format(", {:.0f} s left", left_s) : fmt::format(", {:.0f} min left", left_s / 60.0);
 }
 
 void Progress::keep_drawing() {

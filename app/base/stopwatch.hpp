@@ -1,8 +1,9 @@
 #pragma once
 
-#include "prelude.hpp"
 #include <chrono>
 #include <ctime>
+
+#include "prelude.hpp"
 
 namespace taut::app {
 

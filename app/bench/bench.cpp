@@ -35,8 +35,7 @@ class Judge {
     const bool is_broken = !broken.empty();
     if (run_.first_broken.empty()) run_.first_broken = std::move(broken);
     run_.stretch = holds_surface_ ? verifier_.largest().surface : verifier_.largest().springs;
-    return {cpu_ms, simulation.last_report().search.ms, record.contact, record.crossing_pairs.value(),
-            is_broken};
+    return {cpu_ms, simulation.last_report().search.ms, record.contact, record.crossing_pairs.value(), is_broken};
   }
 
  private:
@@ -69,11 +68,10 @@ std::string row_of(const ContactTrial& trial) {
       "{:<30}{:>6}{:>8}{:>9.1f}{:>8.0f}{:>8.0f}{:>8.0f}{:>8.0f}{:>8.1f}{:>8.1f}{:>9}{:>10}{:>10.5f}{:>7}{:>"
       "10}{:>8}  "
       "{}\n",
-      trial.scene, trial.triangles, facts.frames, facts.median_ms, facts.second_ms, facts.p99_ms,
-      facts.worst_ms, 100.0 * facts.search_share, facts.detections, facts.partial_detections,
-      facts.most_pairs, millimetres(facts.smallest_distance_m), 100.0 * facts.stretch,
-      fmt::format("{:g} %", 100.0 * trial.bound), facts.crossing_pairs, facts.broken_frames,
-      fmt::format("{} of {}", facts.passed, trial.runs.size()));
+      trial.scene, trial.triangles, facts.frames, facts.median_ms, facts.second_ms, facts.p99_ms, facts.worst_ms,
+      100.0 * facts.search_share, facts.detections, facts.partial_detections, facts.most_pairs,
+      millimetres(facts.smallest_distance_m), 100.0 * facts.stretch, fmt::format("{:g} %", 100.0 * trial.bound),
+      facts.crossing_pairs, facts.broken_frames, fmt::format("{} of {}", facts.passed, trial.runs.size()));
 }
 
 /// The mean of the slowest 60 frames in a row, or of all where there are fewer.
@@ -87,9 +85,7 @@ double slowest_second(std::span<const double> times_ms) {
   return slowest_ms / static_cast<double>(length);
 }
 
-std::string start_of(const ContactRun& run) {
-  return run.seed == 0 ? "" : fmt::format(", start {}", run.seed);
-}
+std::string start_of(const ContactRun& run) { return run.seed == 0 ? "" : fmt::format(", start {}", run.seed); }
 
 std::string failures_of(const ContactTrial& trial) {
   std::string text;
@@ -209,16 +205,15 @@ std::vector<ContactCase> quick_contact_cases() {
   const Setting speed = {"wind.speed", "20"};
   const Setting front = {"wind.direction", "[0, 0, -1]"}, side = {"wind.direction", "[-1, 0, 0]"};
   const Setting slanting = {"wind.direction", "[0.7, 0, -0.7]"}, below = {"wind.direction", "[0, 0.5, 0.9]"};
-  std::vector<ContactCase> cases = {
-      {"hanging", "tshirt-gravity"},
-      {"wind-1", "tshirt-wind-1"},
-      {"wind-10", "tshirt-wind-10"},
-      {"wind-10-around", "tshirt-wind-10", {{front}, {side}, {slanting}, {below}}},
-      {"wind-20-front", "tshirt-wind-10", {{speed, front}}},
-      {"wind-20-side", "tshirt-wind-10", {{speed, side}}},
-      {"slider", "tshirt-wind-10", {{speed}}, 600, true},
-      {"walking", "tshirt-walk"},
-      {"hang", "hang"}};
+  std::vector<ContactCase> cases = {{"hanging", "tshirt-gravity"},
+                                    {"wind-1", "tshirt-wind-1"},
+                                    {"wind-10", "tshirt-wind-10"},
+                                    {"wind-10-around", "tshirt-wind-10", {{front}, {side}, {slanting}, {below}}},
+                                    {"wind-20-front", "tshirt-wind-10", {{speed, front}}},
+                                    {"wind-20-side", "tshirt-wind-10", {{speed, side}}},
+                                    {"slider", "tshirt-wind-10", {{speed}}, 600, true},
+                                    {"walking", "tshirt-walk"},
+                                    {"hang", "hang"}};
   for (ContactCase& one : cases) {
     one.frames = one.frames.value_or(60);
     for (std::vector<Setting>& settings : one.runs) settings.push_back({"solver.threads", "1"});
@@ -252,18 +247,17 @@ std::string contact_head(const std::string& vector_unit) {
 std::string contact_row(const ContactTrial& trial) { return row_of(trial) + failures_of(trial); }
 
 std::string contact_csv(std::span<const ContactTrial> trials) {
-  CsvTable table({"scene", "seed", "triangles", "bound", "frames", "median_ms", "second_ms", "p99_ms",
-                  "worst_ms", "search_share", "detections", "partial_detections", "contact_pairs",
-                  "smallest_distance_m", "max_stretch", "crossing_pairs", "broken_frames", "first_broken"});
+  CsvTable table({"scene", "seed", "triangles", "bound", "frames", "median_ms", "second_ms", "p99_ms", "worst_ms",
+                  "search_share", "detections", "partial_detections", "contact_pairs", "smallest_distance_m",
+                  "max_stretch", "crossing_pairs", "broken_frames", "first_broken"});
   for (const ContactTrial& trial : trials) {
     for (const ContactRun& run : trial.runs) {
       const ContactFacts facts = facts_of({&run, 1});
       table.add({trial.scene, std::to_string(run.seed), std::to_string(trial.triangles), cell(trial.bound),
-                 std::to_string(facts.frames), cell(facts.median_ms), cell(facts.second_ms),
-                 cell(facts.p99_ms), cell(facts.worst_ms), cell(facts.search_share), cell(facts.detections),
-                 cell(facts.partial_detections), std::to_string(facts.most_pairs),
-                 cell(facts.smallest_distance_m), cell(facts.stretch), std::to_string(facts.crossing_pairs),
-                 std::to_string(facts.broken_frames), cell(run.first_broken)});
+                 std::to_string(facts.frames), cell(facts.median_ms), cell(facts.second_ms), cell(facts.p99_ms),
+                 cell(facts.worst_ms), cell(facts.search_share), cell(facts.detections), cell(facts.partial_detections),
+                 std::to_string(facts.most_pairs), cell(facts.smallest_distance_m), cell(facts.stretch),
+                 std::to_string(facts.crossing_pairs), std::to_string(facts.broken_frames), cell(run.first_broken)});
     }
   }
   return table.text();

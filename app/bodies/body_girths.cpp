@@ -14,25 +14,25 @@ constexpr double surely_trunk = 0.55;
 constexpr double share_of_legs = 0.5;
 /// A curve beside the trunk of at least this share of its girth is an arm.
 constexpr double share_of_arms = 0.15;
-constexpr double arms_begin = 1.2;           ///< times the girth a few levels below
-constexpr double arms_join = 1.08;           ///< the same where there were arms beside it
-constexpr double upper_part = 0.6;           ///< of the trunk's height, from there on
-constexpr double below_chest = 0.8;          ///< of the trunk's height, up to there
-constexpr double wider_than_waist = 1.03;    ///< a chest, times the smallest girth of the trunk
-constexpr double lower_part = 0.5;           ///< of the trunk's height, up to there
-constexpr std::ptrdiff_t levels_below = 3;   ///< of where arms or legs begin, where a tape can lie
+constexpr double arms_begin = 1.2;          ///< times the girth a few levels below
+constexpr double arms_join = 1.08;          ///< the same where there were arms beside it
+constexpr double upper_part = 0.6;          ///< of the trunk's height, from there on
+constexpr double below_chest = 0.8;         ///< of the trunk's height, up to there
+constexpr double wider_than_waist = 1.03;   ///< a chest, times the smallest girth of the trunk
+constexpr double lower_part = 0.5;          ///< of the trunk's height, up to there
+constexpr std::ptrdiff_t levels_below = 3;  ///< of where arms or legs begin, where a tape can lie
 constexpr double narrower_than_head = 0.85;
-constexpr double base_of_neck = 1.35;        ///< times its smallest girth
-constexpr double neck_to_head = 0.75;        ///< where the neck is measured
-constexpr double share_of_body = 0.8;        ///< of the height: a surface that is as high is the body without hair
+constexpr double base_of_neck = 1.35;  ///< times its smallest girth
+constexpr double neck_to_head = 0.75;  ///< where the neck is measured
+constexpr double share_of_body = 0.8;  ///< of the height: a surface that is as high is the body without hair
 
-constexpr double still_joining = 1.02;       ///< times the girth one level below
-constexpr double furthest_ring_m = 0.1;      ///< the middle of an arm from where it was looked for
-constexpr double beside_middle = 0.15;       ///< of the upper arm's length
-constexpr double beside_joint_m = 0.03;      ///< the end of the shoulder
-constexpr int steps_of_armhole = 40;         ///< to the middle of the upper arm
-constexpr double still_armhole = 0.98;       ///< times the girth a step before; what shrinks faster is still the shoulder
-constexpr double most_of_armhole = 2.0;      ///< times the girth of the arm; what is more is the trunk
+constexpr double still_joining = 1.02;   ///< times the girth one level below
+constexpr double furthest_ring_m = 0.1;  ///< the middle of an arm from where it was looked for
+constexpr double beside_middle = 0.15;   ///< of the upper arm's length
+constexpr double beside_joint_m = 0.03;  ///< the end of the shoulder
+constexpr int steps_of_armhole = 40;     ///< to the middle of the upper arm
+constexpr double still_armhole = 0.98;   ///< times the girth a step before; what shrinks faster is still the shoulder
+constexpr double most_of_armhole = 2.0;  ///< times the girth of the arm; what is more is the trunk
 
 using Levels = std::vector<LevelTape>;
 using Level = Levels::const_iterator;
@@ -64,9 +64,7 @@ Pieces pieces_at(const Surface& body, double height_m) {
   return pieces;
 }
 
-const Piece& largest_of(const Pieces& pieces) {
-  return *std::ranges::max_element(pieces, {}, &Piece::tape_m);
-}
+const Piece& largest_of(const Pieces& pieces) { return *std::ranges::max_element(pieces, {}, &Piece::tape_m); }
 
 /// The tape around the pieces that are over or under the trunk, whose hull it replaces. Empty: there are none.
 std::optional<LevelTape> tape_around(const Pieces& pieces, double height_m, std::vector<sim::Vec2>& trunk) {
@@ -78,9 +76,8 @@ std::optional<LevelTape> tape_around(const Pieces& pieces, double height_m, std:
   std::ranges::copy_if(pieces, std::back_inserter(of_trunk), is_of_trunk);
   if (of_trunk.empty()) return std::nullopt;
   LevelTape tape{.height_m = height_m, .single_m = largest_of(of_trunk).tape_m};
-  tape.beside = static_cast<std::size_t>(std::ranges::count_if(pieces, [&](const Piece& piece) {
-    return !is_of_trunk(piece) && piece.tape_m > share_of_arms * tape.single_m;
-  }));
+  tape.beside = static_cast<std::size_t>(std::ranges::count_if(
+      pieces, [&](const Piece& piece) { return !is_of_trunk(piece) && piece.tape_m > share_of_arms * tape.single_m; }));
   std::erase_if(of_trunk, [&](const Piece& piece) { return piece.tape_m < share_of_legs * tape.single_m; });
   std::vector<sim::Vec2> points;
   sim::Extent box;
@@ -265,8 +262,8 @@ std::optional<RingAround> upper_arm(const Surface& surface, const ArmJoints& arm
   const auto below = ring_near(surface, {glm::mix(arm.shoulder_m, arm.elbow_m, 0.5 + beside_middle), along});
   if (!above || !below) return std::nullopt;
   // Joints that are guessed are beside the arm's axis.
-  return ring_near(surface, {0.5 * (above->middle_m + below->middle_m),
-                             glm::normalize(below->middle_m - above->middle_m)});
+  return ring_near(surface,
+                   {0.5 * (above->middle_m + below->middle_m), glm::normalize(below->middle_m - above->middle_m)});
 }
 
 }  // namespace
@@ -291,11 +288,9 @@ JointPlaces joint_places(const Rig& rig, const RigPose& pose, const Placement& p
 }
 
 const LevelTape& BodyMeasures::level_at(double height_m) const {
-  const auto above =
-      std::lower_bound(levels.begin(), levels.end() - 1, height_m,
-                       [](const LevelTape& tape, double wanted_m) { return tape.height_m < wanted_m; });
-  const bool is_below_nearer =
-      above != levels.begin() && height_m - (above - 1)->height_m < above->height_m - height_m;
+  const auto above = std::lower_bound(levels.begin(), levels.end() - 1, height_m,
+                                      [](const LevelTape& tape, double wanted_m) { return tape.height_m < wanted_m; });
+  const bool is_below_nearer = above != levels.begin() && height_m - (above - 1)->height_m < above->height_m - height_m;
   return is_below_nearer ? *(above - 1) : *above;
 }
 
@@ -337,7 +332,8 @@ std::optional<RingAround> ring_near(const Surface& surface, const CuttingPlane& 
   return nearest;
 }
 
-std::optional<RingAround> ring_at_shoulder(const Surface& surface, const ArmJoints& arm, double arm_m, double next_share) {
+std::optional<RingAround> ring_at_shoulder(const Surface& surface, const ArmJoints& arm, double arm_m,
+                                           double next_share) {
   const sim::Vec3 along = arm.elbow_m - arm.shoulder_m;
   const sim::Vec3 normal = glm::normalize(glm::normalize(along) + arm.outwards);
   std::optional<RingAround> found;

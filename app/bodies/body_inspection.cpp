@@ -32,10 +32,8 @@ std::vector<std::string> joints_of(const Rig& rig) {
 }
 
 MotionInspection motion_of(const sim::BodyMesh& body) {
-  MotionInspection motion{body.frames->count(),
-                          body.frames->rate_hz(),
-                          {},
-                          find_loop_begin(*body.frames, body.data->positions_m.size())};
+  MotionInspection motion{
+      body.frames->count(), body.frames->rate_hz(), {}, find_loop_begin(*body.frames, body.data->positions_m.size())};
   std::vector<sim::Vec3> before_m(body.data->positions_m.size());
   std::vector<sim::Vec3> now_m(before_m.size());
   body.frames->positions_in(0, before_m);
@@ -68,8 +66,7 @@ void look_for_crossings(const sim::BodyMesh& body, BodyInspection& result) {
 std::string girths_text(const BodyInspection& body) {
   std::string text;
   for (const Girth& girth : body.girths) {
-    text +=
-        fmt::format("{}{} {:.1f} cm", text.empty() ? "  girths: " : ", ", girth.name, 100.0 * girth.girth_m);
+    text += fmt::format("{}{} {:.1f} cm", text.empty() ? "  girths: " : ", ", girth.name, 100.0 * girth.girth_m);
   }
   return text.empty() ? text : text + '\n';
 }
@@ -109,8 +106,8 @@ BodyInspection inspect_body(const BodySource& source) {
 
 std::string describe(const BodyInspection& body) {
   std::string text = fmt::format("{}: a body, {}\n", body.file, body.format);
-  text += fmt::format("  {:.3f} m high, {:.3f} m wide, {:.3f} m deep, {:.4g} litres\n", body.size_m.y,
-                      body.size_m.x, body.size_m.z, 1e3 * body.volume_m3);
+  text += fmt::format("  {:.3f} m high, {:.3f} m wide, {:.3f} m deep, {:.4g} litres\n", body.size_m.y, body.size_m.x,
+                      body.size_m.z, 1e3 * body.volume_m3);
   text += girths_text(body);
   text += fmt::format("  {}, {}, {}\n", counted(body.vertices, "vertex", "vertices"),
                       counted(body.triangles, "triangle"), counted(body.shells, "closed surface"));
@@ -120,11 +117,11 @@ std::string describe(const BodyInspection& body) {
   text += fmt::format("  animations: {}\n", body.clips);
   if (body.motion) {
     const FastestVertex& fastest = body.motion->fastest;
-    text += fmt::format(
-        "  its motion: {} at {:.6g} Hz, {:.4g} s; the fastest vertex at {:.3g} m/s into frame {} at {}\n",
-        counted(body.motion->frames, "frame"), body.motion->rate_hz,
-        static_cast<double>(body.motion->frames - 1) / body.motion->rate_hz, fastest.speed_m_per_s,
-        fastest.frame, describe_place(fastest.place_m));
+    text +=
+        fmt::format("  its motion: {} at {:.6g} Hz, {:.4g} s; the fastest vertex at {:.3g} m/s into frame {} at {}\n",
+                    counted(body.motion->frames, "frame"), body.motion->rate_hz,
+                    static_cast<double>(body.motion->frames - 1) / body.motion->rate_hz, fastest.speed_m_per_s,
+                    fastest.frame, describe_place(fastest.place_m));
     text += "  " + describe(body.motion->loop) + " (loop, --body-loop)\n";
   }
   text += "  " + crossings_text(body) + '\n';
@@ -134,15 +131,13 @@ std::string describe(const BodyInspection& body) {
 
 Json json_of(const BodyInspection& body) {
   const auto point = [](const sim::Vec3& p) { return Json::array({p.x, p.y, p.z}); };
-  Json json = {
-      {"file", body.file},           {"format", body.format},          {"vertices", body.vertices},
-      {"triangles", body.triangles}, {"closed_surfaces", body.shells}, {"size_m", point(body.size_m)},
-      {"volume_m3", body.volume_m3}, {"joints", body.joints},          {"shapes", body.shapes},
-      {"animations", body.clips}};
+  Json json = {{"file", body.file},           {"format", body.format},          {"vertices", body.vertices},
+               {"triangles", body.triangles}, {"closed_surfaces", body.shells}, {"size_m", point(body.size_m)},
+               {"volume_m3", body.volume_m3}, {"joints", body.joints},          {"shapes", body.shapes},
+               {"animations", body.clips}};
   json["girths"] = Json::array();
   for (const Girth& girth : body.girths) {
-    json["girths"].push_back(
-        {{"name", girth.name}, {"girth_m", girth.girth_m}, {"height_m", girth.height_m}});
+    json["girths"].push_back({{"name", girth.name}, {"girth_m", girth.girth_m}, {"height_m", girth.height_m}});
   }
   if (body.motion) {
     const FastestVertex& fastest = body.motion->fastest;

@@ -17,9 +17,7 @@ struct Axes {
   std::array<int, 3> axis;
   sim::Vec3 sign;
 
-  sim::Vec3 operator()(const sim::Vec3& p) const {
-    return sign * sim::Vec3(p[axis[0]], p[axis[1]], p[axis[2]]);
-  }
+  sim::Vec3 operator()(const sim::Vec3& p) const { return sign * sim::Vec3(p[axis[0]], p[axis[1]], p[axis[2]]); }
 };
 
 /// The body's own first.
@@ -34,8 +32,7 @@ constexpr double clearly_nearer = 9.0;
 
 class TurnedFrames final : public FrameSource {
  public:
-  TurnedFrames(std::unique_ptr<const FrameSource> motion, const Axes& axes)
-      : motion_(std::move(motion)), axes_(axes) {}
+  TurnedFrames(std::unique_ptr<const FrameSource> motion, const Axes& axes) : motion_(std::move(motion)), axes_(axes) {}
 
   std::size_t frames() const override { return motion_->frames(); }
   std::size_t vertices() const override { return motion_->vertices(); }
@@ -54,8 +51,7 @@ class TurnedFrames final : public FrameSource {
 double distance_from(const LoadedMesh& body, const std::vector<sim::Vec3>& in_file, const Axes& axes) {
   double sum = 0.0;
   for (std::size_t v = 0; v < body.mesh.positions.size(); ++v) {
-    const sim::Vec3 apart =
-        body.places.placement(axes(in_file[body.places.file_vertex[v]])) - body.mesh.positions[v];
+    const sim::Vec3 apart = body.places.placement(axes(in_file[body.places.file_vertex[v]])) - body.mesh.positions[v];
     sum += glm::dot(apart, apart);
   }
   return sum;
@@ -66,8 +62,7 @@ double distance_from(const LoadedMesh& body, const std::vector<sim::Vec3>& in_fi
 /// is taken in which the first frame is nearest to the body, if that is clearly nearer; it is said in
 /// `remarks`. A motion of joints is returned as it is. Requires a frame source with the vertices of the
 /// body's file.
-std::unique_ptr<const FrameSource> in_axes_of(const LoadedMesh& body,
-                                              std::unique_ptr<const FrameSource> motion,
+std::unique_ptr<const FrameSource> in_axes_of(const LoadedMesh& body, std::unique_ptr<const FrameSource> motion,
                                               std::vector<std::string>& remarks) {
   if (motion->pose(0)) return motion;
   std::vector<sim::Vec3> in_file(motion->vertices());
@@ -82,9 +77,8 @@ std::unique_ptr<const FrameSource> in_axes_of(const LoadedMesh& body,
     }
   }
   if (nearest == &systems.front()) return motion;
-  remarks.push_back(
-      std::string("its motion is in other axes than it, guessed from its first frame: there (") +
-      nearest->name + ") are its x, y and z");
+  remarks.push_back(std::string("its motion is in other axes than it, guessed from its first frame: there (") +
+                    nearest->name + ") are its x, y and z");
   return std::make_unique<TurnedFrames>(std::move(motion), *nearest);
 }
 
@@ -117,28 +111,27 @@ std::string remark_on_height(const sim::Mesh& mesh) {
 double rate_of(const BodySource& source, const FrameSource& motion, std::vector<std::string>& remarks) {
   const std::optional<double> own_hz = motion.rate_hz();
   if (!source.frame_rate_hz && !own_hz) {
-    remarks.push_back(fmt::format(
-        "its motion does not say how fast it is: {:g} frames a second are taken (frame_rate, --body-fps)",
-        usual_frame_rate_hz));
+    remarks.push_back(
+        fmt::format("its motion does not say how fast it is: {:g} frames a second are taken (frame_rate, --body-fps)",
+                    usual_frame_rate_hz));
   }
   return source.frame_rate_hz.value_or(own_hz.value_or(usual_frame_rate_hz));
 }
 
-std::size_t first_frame(const BodySource& source, const std::filesystem::path& file,
-                        const FrameSource& motion, double rate_hz) {
+std::size_t first_frame(const BodySource& source, const std::filesystem::path& file, const FrameSource& motion,
+                        double rate_hz) {
   const double first = std::round(source.start_s * rate_hz);
   const std::size_t frames = motion.frames();
   if (first >= static_cast<double>(frames)) {
-    throw InputError("'{}': found start = {:g} s, expected a time of the motion, which ends at {:g} s",
-                     file.string(), source.start_s, static_cast<double>(frames - 1) / rate_hz);
+    throw InputError("'{}': found start = {:g} s, expected a time of the motion, which ends at {:g} s", file.string(),
+                     source.start_s, static_cast<double>(frames - 1) / rate_hz);
   }
   return static_cast<std::size_t>(first);
 }
 
 /// So that what is wrong with them is said before the run.
 void look_at_frames(const sim::BodyFrames& frames, std::size_t vertices, double duration_s) {
-  const double last =
-      std::min(std::ceil(duration_s * frames.rate_hz()) + 1.0, static_cast<double>(frames.count() - 1));
+  const double last = std::min(std::ceil(duration_s * frames.rate_hz()) + 1.0, static_cast<double>(frames.count() - 1));
   std::vector<sim::Vec3> positions_m(vertices);
   for (std::size_t frame = 0; frame <= static_cast<std::size_t>(last); ++frame) {
     throw_if_interrupted();
@@ -155,8 +148,8 @@ void require_vertices(const BodySource& source, const LoadedMesh& loaded, const 
 }
 
 std::shared_ptr<const sim::BodyFrames> repeated(const std::filesystem::path& file,
-                                                std::shared_ptr<const sim::BodyFrames> motion,
-                                                const LoopBegin& begin, std::size_t first) try {
+                                                std::shared_ptr<const sim::BodyFrames> motion, const LoopBegin& begin,
+                                                std::size_t first) try {
   return looped(std::move(motion), begin, first);
 } catch (const InputError& error) {
   throw InputError('\'' + file.string() + "': " + error.what());
@@ -165,8 +158,7 @@ std::shared_ptr<const sim::BodyFrames> repeated(const std::filesystem::path& fil
 /// `pose` is that of the joints in the first frame.
 std::shared_ptr<const sim::BodyFrames> frames_of(const BodySource& source, const LoadedMesh& loaded,
                                                  OpenedMotion motion, double duration_s,
-                                                 std::vector<std::string>& remarks,
-                                                 std::optional<RigPose>& pose) {
+                                                 std::vector<std::string>& remarks, std::optional<RigPose>& pose) {
   require_vertices(source, loaded, motion);
   motion.frames = in_axes_of(loaded, std::move(motion.frames), remarks);
   if (motion.frames->frames() == 1) remarks.emplace_back("its motion has 1 frame, in which it stays");
@@ -223,14 +215,13 @@ std::vector<RigPose> poses_shown(const BodySource& source, const Rig& rig, const
 
 /// Keeps parts of the body apart that close in on each other, so that cloth has room between them. Returns
 /// whether any do.
-bool make_room(std::span<const RigPose> poses, const FileVertexPlaces& places, LoadedMesh& loaded,
-               ReadBody& body) {
+bool make_room(std::span<const RigPose> poses, const FileVertexPlaces& places, LoadedMesh& loaded, ReadBody& body) {
   std::optional<RoomForCloth> room =
       poses.empty() ? std::nullopt : leave_room(*body.rig, poses, places, loaded.mesh.triangles);
   if (room) {
-    body.remarks.push_back(fmt::format(
-        "parts of it come near each other: {} stay back by up to {:.1f} cm, so that cloth has room",
-        counted(room->vertices, "vertex", "vertices"), 100.0 * room->most_m));
+    body.remarks.push_back(
+        fmt::format("parts of it come near each other: {} stay back by up to {:.1f} cm, so that cloth has room",
+                    counted(room->vertices, "vertex", "vertices"), 100.0 * room->most_m));
     body.rig = std::make_shared<const Rig>(std::move(room->rig));
     std::vector<sim::Vec3> in_file(body.rig->in_part.size());
     pose_vertices(*body.rig, stored_pose(*body.rig), in_file);
@@ -239,9 +230,9 @@ bool make_room(std::span<const RigPose> poses, const FileVertexPlaces& places, L
   return room.has_value();
 }
 
-std::shared_ptr<const Wearer> wearer_of(const BodySource& source, const LoadedMesh& loaded,
-                                        FileVertexPlaces places, const std::optional<RigPose>& pose,
-                                        double frame_rate_hz, BodyMeasures measures, const ReadBody& body) {
+std::shared_ptr<const Wearer> wearer_of(const BodySource& source, const LoadedMesh& loaded, FileVertexPlaces places,
+                                        const std::optional<RigPose>& pose, double frame_rate_hz, BodyMeasures measures,
+                                        const ReadBody& body) {
   if (!pose) refuse_to_dress(source, "whose motion moves vertices and no joints");
   Wearer wearer{.rig = body.rig, .places = std::move(places), .pose = *pose, .full_m = loaded.mesh.positions};
   wearer.motion = body.mesh.frames;
@@ -277,8 +268,7 @@ ReadBody body_of(const BodySource& source, ImportedModel model, const ShownTime&
       (!motion.frames || !source.motion.empty())) {
     body.remarks.emplace_back("none of its shapes is mixed in: how much of them is not read from FBX");
   }
-  const std::string height =
-      motion.frames || !body.rig->influences.empty() ? remark_on_height(loaded.mesh) : "";
+  const std::string height = motion.frames || !body.rig->influences.empty() ? remark_on_height(loaded.mesh) : "";
   if (!height.empty()) body.remarks.push_back(height);
   BodyMeasures measures;
   FileVertexPlaces places = loaded.places;
@@ -300,8 +290,7 @@ ReadBody body_of(const BodySource& source, ImportedModel model, const ShownTime&
     }
   }
   if (source.dress > 0) {
-    body.wearer =
-        wearer_of(source, loaded, std::move(places), pose, shown.frame_rate_hz, std::move(measures), body);
+    body.wearer = wearer_of(source, loaded, std::move(places), pose, shown.frame_rate_hz, std::move(measures), body);
     body.mesh.frames = body.wearer->frames;
   }
   body.mesh.data = std::make_shared<const sim::BodyMeshData>(
@@ -320,8 +309,7 @@ std::vector<std::string> load_bodies(Scene& scene) {
     sim::Body& body = scene.surroundings.bodies[k];
     auto* mesh = std::get_if<sim::BodyMesh>(&body.shape);
     if (mesh == nullptr || mesh->data) continue;
-    const std::string name =
-        "body " + (body.name.empty() ? fmt::format("{}", k + 1) : '\'' + body.name + '\'');
+    const std::string name = "body " + (body.name.empty() ? fmt::format("{}", k + 1) : '\'' + body.name + '\'');
     std::vector<std::string> remarks;
     try {
       ReadBody read = read_body(scene.body_sources.at(k), shown);
@@ -350,9 +338,9 @@ std::vector<std::string> load_bodies(Scene& scene, std::span<const Override> ove
   try {
     std::vector<std::string> remarks = load_bodies(worn);
     if (worn.wearers.back() && !worn.wearers.back()->measures.girths.empty()) {
-      remarks.push_back(fmt::format(
-          "it is put on the body '{}' in {} frames before frame 0; --dress 0 leaves both where they are",
-          worn.surroundings.bodies.back().name, usual_dressing_frames));
+      remarks.push_back(
+          fmt::format("it is put on the body '{}' in {} frames before frame 0; --dress 0 leaves both where they are",
+                      worn.surroundings.bodies.back().name, usual_dressing_frames));
       scene = std::move(worn);
       return remarks;
     }

@@ -83,8 +83,7 @@ double smallest_area(const sim::Mesh& mesh, std::span<const sim::Triangle> fan) 
   return smallest;
 }
 
-std::vector<sim::Triangle> best_fan(const sim::Mesh& mesh, const sim::Adjacency& adjacency,
-                                    const Loop& loop) {
+std::vector<sim::Triangle> best_fan(const sim::Mesh& mesh, const sim::Adjacency& adjacency, const Loop& loop) {
   std::vector<sim::Triangle> best;
   double best_area = 0.0;
   for (std::size_t apex = 0; apex < loop.size(); ++apex) {
@@ -155,8 +154,7 @@ sim::Triangle from_middle(const sim::Mesh& soup, const sim::Triangle& t) {
 }
 
 /// The triangles at each edge, by the places of its ends.
-std::map<sim::Edge, std::vector<std::size_t>> triangles_of_edges(const sim::Mesh& soup,
-                                                                 const Places& places) {
+std::map<sim::Edge, std::vector<std::size_t>> triangles_of_edges(const sim::Mesh& soup, const Places& places) {
   std::map<sim::Edge, std::vector<std::size_t>> triangles;
   for (std::size_t t = 0; t < soup.triangles.size(); ++t) {
     const auto& [a, b, c] = soup.triangles[t];
@@ -260,8 +258,7 @@ void require_closed(const sim::Mesh& mesh, const sim::Adjacency& adjacency) {
     const std::string edge =
         "the edge from " + describe_point(mesh.positions[a]) + " to " + describe_point(mesh.positions[b]);
     if (triangles.size() != 2) {
-      throw InputError("found {} with {}, expected two at every edge: {}", edge,
-                       counted(triangles.size(), "triangle"),
+      throw InputError("found {} with {}, expected two at every edge: {}", edge, counted(triangles.size(), "triangle"),
                        triangles.size() == 1 ? "a body has no holes" : "a body has one surface");
     }
     if (sim::runs_along(mesh.triangles[triangles[0]], adjacency.edges[e]) ==
@@ -280,24 +277,22 @@ void face_outwards(const sim::Adjacency& adjacency, sim::Mesh& mesh) {
   for (const auto& [a, b, c] : mesh.triangles) {
     const sim::Index part = parts.find(a);
     const sim::Vec3& origin = mesh.positions[part];
-    volumes[part] += glm::dot(mesh.positions[a] - origin,
-                              glm::cross(mesh.positions[b] - origin, mesh.positions[c] - origin));
+    volumes[part] +=
+        glm::dot(mesh.positions[a] - origin, glm::cross(mesh.positions[b] - origin, mesh.positions[c] - origin));
   }
   for (sim::Triangle& t : mesh.triangles) {
     if (volumes[parts.find(t[0])] < 0.0) std::swap(t[1], t[2]);
   }
 }
 
-double unit_of(const BodySource& source, const ImportedModel& model, double size,
-               std::vector<std::string>& remarks) {
+double unit_of(const BodySource& source, const ImportedModel& model, double size, std::vector<std::string>& remarks) {
   if (source.scale || model.metres_per_unit || size <= largest_m) {
     return source.scale.value_or(model.metres_per_unit.value_or(1.0));
   }
   for (const Unit& unit : units) {
     if (size * unit.metres >= smallest_person_m && size * unit.metres <= largest_person_m) {
       remarks.push_back(fmt::format(
-          "its unit is the {}, guessed: in metres it would be {:.3g} m large (scale, --body-units)",
-          unit.name, size));
+          "its unit is the {}, guessed: in metres it would be {:.3g} m large (scale, --body-units)", unit.name, size));
       return unit.metres;
     }
   }
@@ -308,13 +303,11 @@ Placement placement_of(const BodySource& source, const ImportedModel& model, con
                        std::vector<std::string>& remarks) {
   const sim::Vec3 size = sim::extent_of(mesh.positions).size();
   const double scale = unit_of(source, model, std::max({size.x, size.y, size.z}), remarks);
-  Placement placement =
-      place_model(mesh, {scale, source.up.value_or(model.up.value_or(ModelAxis::y)), {}, {}});
+  Placement placement = place_model(mesh, {scale, source.up.value_or(model.up.value_or(ModelAxis::y)), {}, {}});
   placement.moved_m = sim::Vec3(0.0);
   if (!source.up && !model.up && size.z > clearly_longer * size.y && size.z > clearly_longer * size.x) {
-    remarks.push_back(
-        fmt::format("it is {:.3g} m along z and {:.3g} m along y, which is taken as up (up, --body-up)",
-                    size.z * scale, size.y * scale));
+    remarks.push_back(fmt::format("it is {:.3g} m along z and {:.3g} m along y, which is taken as up (up, --body-up)",
+                                  size.z * scale, size.y * scale));
   }
   return placement;
 }

@@ -203,9 +203,8 @@ std::vector<std::size_t> matched_joints(const Skeletons& skeletons) {
 struct HipsMotion {
   sim::Index node = no_node;  ///< no_node: nothing
   std::size_t joint = 0;
-  sim::Vec3 zero =
-      sim::Vec3(0.0);  ///< where the motion's hips are when the body's are where they were stored
-  double ratio = 1.0;  ///< units of the body per unit of the motion
+  sim::Vec3 zero = sim::Vec3(0.0);  ///< where the motion's hips are when the body's are where they were stored
+  double ratio = 1.0;               ///< units of the body per unit of the motion
 };
 
 class BvhFrames final : public FrameSource {
@@ -299,9 +298,7 @@ HipsMotion hips_motion(const Rig& rig, ModelAxis up, const BvhMotion& motion, co
   const RigPose stored = stored_pose(rig);
   const BvhPose zero = zero_pose(motion);
   const glm::dmat3 body_into_scene = into_scene(up);
-  const auto body_height = [&](std::size_t n) {
-    return (body_into_scene * sim::Vec3(stored.to_model[n][3])).y;
-  };
+  const auto body_height = [&](std::size_t n) { return (body_into_scene * sim::Vec3(stored.to_model[n][3])).y; };
   const auto height = [&](std::size_t j) { return (motion_into_scene * zero.positions[j]).y; };
   double body_hips = 0.0, motion_hips = 0.0;
   for (std::size_t n = 0; n < joint_of.size(); ++n) {
@@ -381,8 +378,7 @@ BvhPose pose_in(const BvhMotion& motion, std::size_t frame) {
       }
     }
     const bool is_root = j == 0;
-    pose.positions.push_back(is_root ? place
-                                     : pose.positions[joint.parent] + pose.rotations[joint.parent] * place);
+    pose.positions.push_back(is_root ? place : pose.positions[joint.parent] + pose.rotations[joint.parent] * place);
     pose.rotations.push_back(is_root ? rotation : pose.rotations[joint.parent] * rotation);
   }
   return pose;
@@ -409,14 +405,14 @@ RetargetedMotion retarget(std::shared_ptr<const Rig> rig, ModelAxis up, BvhMotio
   require_match(*rig, motion, joint_of);
   const ModelAxis motion_up = up_of(motion, skeletons);
   const glm::dmat3 motion_into_scene = into_scene(motion_up);
-  const HipsMotion hips = hips_motion(*rig, up, motion, skeletons, joint_of, motion_into_scene,
-                                      std::min(first, motion.frames - 1));
+  const HipsMotion hips =
+      hips_motion(*rig, up, motion, skeletons, joint_of, motion_into_scene, std::min(first, motion.frames - 1));
   RetargetedMotion retargeted{nullptr, remarks_on(*rig, motion, skeletons, joint_of, hips)};
   if (motion_up == ModelAxis::z) {
     retargeted.remarks.emplace_back("up in its motion is z, as its head is there");
   }
-  retargeted.frames = std::make_unique<BvhFrames>(std::move(rig), up, std::move(motion), std::move(joint_of),
-                                                  hips, motion_into_scene);
+  retargeted.frames =
+      std::make_unique<BvhFrames>(std::move(rig), up, std::move(motion), std::move(joint_of), hips, motion_into_scene);
   return retargeted;
 }
 

@@ -23,9 +23,8 @@ struct BvhMotion {
   std::vector<BvhJoint> joints;  ///< the root first
   std::size_t frames = 0;
   double frame_time_s = 0.0;
-  std::size_t numbers = 0;  ///< of a frame
-  std::vector<double>
-      values;  ///< lengths in the file's unit and degrees, by frame, then as the joints have them
+  std::size_t numbers = 0;     ///< of a frame
+  std::vector<double> values;  ///< lengths in the file's unit and degrees, by frame, then as the joints have them
 };
 
 /// Reads a BVH file. Throws InputError that names the file, the line, what was found and what was expected.

@@ -42,8 +42,7 @@ std::vector<std::vector<sim::Vec3>> ends_of_bones(const Rig& rig, const RigPose&
   return ends;
 }
 
-sim::Vec3 nearest_on_bones(const sim::Vec3& begin, const std::vector<sim::Vec3>& ends,
-                           const sim::Vec3& point) {
+sim::Vec3 nearest_on_bones(const sim::Vec3& begin, const std::vector<sim::Vec3>& ends, const sim::Vec3& point) {
   sim::Vec3 nearest = begin;
   for (const sim::Vec3& end : ends) {
     const sim::Vec3 along = end - begin;
@@ -78,7 +77,8 @@ class GrowingFrames final : public sim::BodyFrames {
       motion_->positions_in(frame - frames_, positions_m);
       return;
     }
-    const double share = static_cast<double>(frame) / (ends_at * static_cast<double>(std::max<std::size_t>(frames_, 1)));
+    const double share =
+        static_cast<double>(frame) / (ends_at * static_cast<double>(std::max<std::size_t>(frames_, 1)));
     const double grown = share >= 1.0 ? 1.0 : share * share * (3.0 - 2.0 * share);
     const double at = grown * static_cast<double>(shapes_.size() - 1);
     const auto before = static_cast<std::size_t>(at);
@@ -274,8 +274,7 @@ std::vector<RigPose> turning_back(const Rig& rig, const RigPose& pose, std::span
   RigPose turned = pose;
   std::vector<glm::dvec4> rotations;
   for (const TurnedBone& bone : bones) {
-    rotations.push_back(
-        rotation_from_to(place_of(turned, bone.end) - place_of(turned, bone.joint), bone.direction));
+    rotations.push_back(rotation_from_to(place_of(turned, bone.end) - place_of(turned, bone.joint), bone.direction));
     turn_about(rig, bone.joint, rotations.back(), turned);
   }
   std::vector<RigPose> poses;
@@ -292,14 +291,13 @@ std::vector<RigPose> turning_back(const Rig& rig, const RigPose& pose, std::span
 std::vector<RigPose> poses_from_stored(const Wearer& wearer) {
   std::vector<RigPose> poses;
   for (int step = 0; step < turning_steps; ++step) {
-    poses.push_back(pose_between(*wearer.rig, stored_pose(*wearer.rig), wearer.pose,
-                                 static_cast<double>(step) / turning_steps));
+    poses.push_back(
+        pose_between(*wearer.rig, stored_pose(*wearer.rig), wearer.pose, static_cast<double>(step) / turning_steps));
   }
   return poses;
 }
 
-std::optional<RoomForCloth> leave_room(const Rig& rig, std::span<const RigPose> poses,
-                                       const FileVertexPlaces& places,
+std::optional<RoomForCloth> leave_room(const Rig& rig, std::span<const RigPose> poses, const FileVertexPlaces& places,
                                        std::span<const sim::Triangle> triangles) {
   std::vector<double> most(places.file_vertex.size(), 1.0);
   const std::vector<sim::Index> ends_in_file = ends_of_body(rig);
@@ -326,8 +324,8 @@ std::optional<RoomForCloth> leave_room(const Rig& rig, std::span<const RigPose> 
     if (most[v] < 1.0) {
       ++result.vertices;
       result.rig.in_part[in_file] += glm::inverse(transforms[in_file]) * back;
-      result.most_m = std::max(result.most_m, glm::distance(places.placement(full[in_file]),
-                                                            places.placement(full[in_file] + back)));
+      result.most_m = std::max(result.most_m,
+                               glm::distance(places.placement(full[in_file]), places.placement(full[in_file] + back)));
     }
   }
   return result.vertices > 0 ? std::optional(std::move(result)) : std::nullopt;

@@ -64,8 +64,7 @@ struct RoomForCloth {
 /// near before it; it stays so much nearer to its bones in all poses. Heads, hands and feet leave none within
 /// themselves. Empty if nothing comes near. The triangles are those of the mesh whose vertices `places` finds in the
 /// file.
-std::optional<RoomForCloth> leave_room(const Rig& rig, std::span<const RigPose> poses,
-                                       const FileVertexPlaces& places,
+std::optional<RoomForCloth> leave_room(const Rig& rig, std::span<const RigPose> poses, const FileVertexPlaces& places,
                                        std::span<const sim::Triangle> triangles);
 
 }  // namespace taut::app

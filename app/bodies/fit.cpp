@@ -36,9 +36,9 @@ double lift_of(const sim::Body& body, const Wearer& wearer) {
 /// A garment on the body that is dressed.
 struct Fitting {
   const Wearer& wearer;
-  sim::Pose pose;     ///< of the body
-  double lift_m;      ///< the body is so much higher than it was stored
-  Surface garment;    ///< where it begins
+  sim::Pose pose;   ///< of the body
+  double lift_m;    ///< the body is so much higher than it was stored
+  Surface garment;  ///< where it begins
   GarmentMarks marks;
 
   double body_m(const char* name) const {
@@ -159,8 +159,7 @@ std::string fit_thresholds() {
                      100.0 * fitted_below_m);
 }
 
-std::vector<FitRow> fit_of(const Scene& scene, const sim::Garment& garment,
-                           std::span<const sim::Vec3> start_m) {
+std::vector<FitRow> fit_of(const Scene& scene, const sim::Garment& garment, std::span<const sim::Vec3> start_m) {
   const Dressed dressed = dressed_body(scene);
   std::vector<FitRow> rows;
   if (dressed.wearer == nullptr) return rows;
@@ -212,9 +211,9 @@ std::string describe_tightness(const Scene& scene, const sim::Garment& garment, 
     }
     const Tightness tight = tightness_at(near);
     if (tight.stretch > least_tightness) {
-      places.emplace_back(tight.stretch, fmt::format("at the {} {} {:.1f} %", name,
-                                                     side_of(tight.place_m - level.middle(), front),
-                                                     100.0 * tight.stretch));
+      places.emplace_back(tight.stretch,
+                          fmt::format("at the {} {} {:.1f} %", name, side_of(tight.place_m - level.middle(), front),
+                                      100.0 * tight.stretch));
     }
   };
   sim::Extent measured;
@@ -257,9 +256,8 @@ std::string describe_misfit(std::span<const FitRow> rows) {
   std::string text;
   for (const FitRow& row : rows) {
     if (row.ease_m() < too_small_below_m && row.name != shoulder_width) {
-      text +=
-          fmt::format("{}{} {:.1f} cm in a garment of {:.1f} cm", text.empty() ? "; it does not fit: " : ", ",
-                      row.name, 100.0 * row.body_m, 100.0 * row.garment_m);
+      text += fmt::format("{}{} {:.1f} cm in a garment of {:.1f} cm", text.empty() ? "; it does not fit: " : ", ",
+                          row.name, 100.0 * row.body_m, 100.0 * row.garment_m);
     }
   }
   return text;

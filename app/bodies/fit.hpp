@@ -6,9 +6,9 @@ namespace taut::app {
 
 /// How wide a garment is where a body has a girth.
 struct FitRow {
-  std::string name;        ///< of the girth (body_girths.hpp), "hem" or "leg hem"
-  double body_m = 0.0;     ///< a tight tape around the body
-  double garment_m = 0.0;  ///< the length of the cloth at rest
+  std::string name;                     ///< of the girth (body_girths.hpp), "hem" or "leg hem"
+  double body_m = 0.0;                  ///< a tight tape around the body
+  double garment_m = 0.0;               ///< the length of the cloth at rest
   std::optional<double> height_m = {};  ///< of the girth of a trunk; empty of others
   std::optional<double> worn_m = {};    ///< the length of the cloth there once it is worn
   double held_m = 0.0;                  ///< a tight tape around the body right there; 0: it is not known
@@ -28,11 +28,10 @@ const char* fit_word(const FitRow& row);
 std::string fit_thresholds();
 
 /// Measures a garment that begins at these positions, in m, where the body that is dressed has its girths: at rest;
-/// around its trunk, not above the armholes; its neck opening, armholes and, without sleeves, the width between them; its sleeves, its legs
-/// and its hem, where the body is as it was stored. Leaves out what the garment does not cover or what does not go
-/// all around. Empty if no body is dressed.
-std::vector<FitRow> fit_of(const Scene& scene, const sim::Garment& garment,
-                           std::span<const sim::Vec3> start_m);
+/// around its trunk, not above the armholes; its neck opening, armholes and, without sleeves, the width between them;
+/// its sleeves, its legs and its hem, where the body is as it was stored. Leaves out what the garment does not cover or
+/// what does not go all around. Empty if no body is dressed.
+std::vector<FitRow> fit_of(const Scene& scene, const sim::Garment& garment, std::span<const sim::Vec3> start_m);
 
 /// Requires that the garment, stretched as far as it may be, goes around the body that is dressed. Throws InputError
 /// with the girths for which it does not.

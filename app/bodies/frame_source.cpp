@@ -58,15 +58,13 @@ PlacedFrames::Positions PlacedFrames::read(std::size_t frame) const {
   return std::make_shared<const std::vector<sim::Vec3>>(std::move(positions_m));
 }
 
-void PlacedFrames::require_near(std::size_t frame, const Positions& before_m,
-                                const Positions& after_m) const {
+void PlacedFrames::require_near(std::size_t frame, const Positions& before_m, const Positions& after_m) const {
   for (std::size_t v = 0; v < after_m->size(); ++v) {
     const double moved_m = glm::distance((*before_m)[v], (*after_m)[v]);
     if (!(moved_m <= furthest_in_frame_m)) {
-      refuse(
-          frame, places_.file_vertex[v],
-          fmt::format("found at {} m, {:.3g} m from where it is in the frame before, expected at most {:g} m",
-                      describe_point((*after_m)[v]), moved_m, furthest_in_frame_m));
+      refuse(frame, places_.file_vertex[v],
+             fmt::format("found at {} m, {:.3g} m from where it is in the frame before, expected at most {:g} m",
+                         describe_point((*after_m)[v]), moved_m, furthest_in_frame_m));
     }
   }
 }

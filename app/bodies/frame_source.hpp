@@ -46,8 +46,8 @@ class PlacedFrames final : public sim::BodyFrames {
  public:
   /// `motion` is the file's name, for messages. Frames before `first` are left out: requires one that the
   /// source has, and a rate above 0.
-  PlacedFrames(std::filesystem::path motion, std::unique_ptr<const FrameSource> source,
-               FileVertexPlaces places, double rate_hz, std::size_t first);
+  PlacedFrames(std::filesystem::path motion, std::unique_ptr<const FrameSource> source, FileVertexPlaces places,
+               double rate_hz, std::size_t first);
 
   std::size_t count() const override { return source_->frames() - first_; }
   double rate_hz() const override { return rate_hz_; }

@@ -7,11 +7,10 @@ namespace {
 
 /// Names of parts that have no sides.
 constexpr std::array<std::pair<std::string_view, std::string_view>, 20> middle_parts = {{
-    {"hip", "hips"},        {"hips", "hips"},     {"pelvis", "hips"},    {"spine", "spine"},
-    {"spine0", "spine"},    {"spine01", "spine"}, {"abdomen", "spine"},  {"torso", "spine"},
-    {"waist", "spine"},     {"spine1", "spine1"}, {"spine02", "spine1"}, {"chest", "spine1"},
-    {"abdomen2", "spine1"}, {"spine2", "spine2"}, {"spine03", "spine2"}, {"upperchest", "spine2"},
-    {"neck", "neck"},       {"neck01", "neck"},   {"neck1", "neck"},     {"head", "head"},
+    {"hip", "hips"},          {"hips", "hips"},     {"pelvis", "hips"},     {"spine", "spine"},   {"spine0", "spine"},
+    {"spine01", "spine"},     {"abdomen", "spine"}, {"torso", "spine"},     {"waist", "spine"},   {"spine1", "spine1"},
+    {"spine02", "spine1"},    {"chest", "spine1"},  {"abdomen2", "spine1"}, {"spine2", "spine2"}, {"spine03", "spine2"},
+    {"upperchest", "spine2"}, {"neck", "neck"},     {"neck01", "neck"},     {"neck1", "neck"},    {"head", "head"},
 }};
 
 /// Names of parts that there are on both sides.
@@ -91,8 +90,7 @@ SidedName taken_apart(std::string_view name) {
   return joint;
 }
 
-template <class Table>
-std::string_view look_up(const Table& table, const std::string& name) {
+template <class Table> std::string_view look_up(const Table& table, const std::string& name) {
   const auto found = std::ranges::find_if(table, [&](const auto& row) { return row.first == name; });
   return found == table.end() ? std::string_view(name) : found->second;
 }
@@ -102,8 +100,7 @@ std::string_view look_up(const Table& table, const std::string& name) {
 std::vector<std::string> parts_of_joints(std::span<const std::string> names) {
   std::vector<SidedName> joints;
   for (const std::string& name : names) joints.push_back(taken_apart(name));
-  const bool has_elbows =
-      std::ranges::any_of(joints, [](const SidedName& joint) { return joint.rest == "elbow"; });
+  const bool has_elbows = std::ranges::any_of(joints, [](const SidedName& joint) { return joint.rest == "elbow"; });
   std::vector<std::string> parts;
   for (const SidedName& joint : joints) {
     const bool is_arm = has_elbows && joint.rest == "shoulder";

@@ -17,8 +17,8 @@ class ClipFrames final : public FrameSource {
   std::size_t frames() const override {
     // Times in files are of single precision: an end that is a frame must not become two.
     constexpr double rounded_off = 1e-3;
-    return 1 + static_cast<std::size_t>(
-                   std::ceil(std::max(0.0, rig_->clips[clip_].duration_s * rate_hz_ - rounded_off)));
+    return 1 +
+           static_cast<std::size_t>(std::ceil(std::max(0.0, rig_->clips[clip_].duration_s * rate_hz_ - rounded_off)));
   }
   std::size_t vertices() const override { return rig_->in_part.size(); }
   std::optional<double> rate_hz() const override { return rate_hz_; }
@@ -55,8 +55,7 @@ std::vector<bool> followed_nodes(const Rig& rig) {
 
 /// The frames of a clip, looked at `rate_hz` times a second: the last frame is its end or the first moment
 /// after it. `clip` is an index into the clips of the rig.
-std::unique_ptr<const FrameSource> frames_of_clip(std::shared_ptr<const Rig> rig, std::size_t clip,
-                                                  double rate_hz) {
+std::unique_ptr<const FrameSource> frames_of_clip(std::shared_ptr<const Rig> rig, std::size_t clip, double rate_hz) {
   return std::make_unique<ClipFrames>(std::move(rig), clip, rate_hz);
 }
 
@@ -67,8 +66,7 @@ std::size_t clip_asked_for(const Rig& rig, const std::string& name) {
   for (std::size_t clip = 0; clip < rig.clips.size(); ++clip) {
     if (name.empty() || name_of(rig, clip) == name) return clip;
   }
-  throw InputError("it has no animation '" + name +
-                   "'; expected one of those it has: " + describe_clips(rig));
+  throw InputError("it has no animation '" + name + "'; expected one of those it has: " + describe_clips(rig));
 }
 
 /// Returns the rig with one clip, of all of its clips at once; of a node that several move the last of them
@@ -98,8 +96,8 @@ void require_playable(const Rig& rig, std::size_t clip) {
       std::ranges::any_of(asked.channels, [&](const RigChannel& channel) { return followed[channel.node]; });
   if (!moves && asked.targets.empty()) {
     throw InputError(
-        "{} moves {} nodes, and no vertex follows any of them; expected a mesh that is bound to its joints",
-        animation, asked.channels.size());
+        "{} moves {} nodes, and no vertex follows any of them; expected a mesh that is bound to its joints", animation,
+        asked.channels.size());
   }
 }
 
@@ -147,8 +145,7 @@ OpenedMotion open_clip(const BodySource& source, const std::shared_ptr<const Rig
   if (clip == no_clip) return opened;
   require_playable(*rig, clip);
   if (source.clip.empty()) {
-    opened.remarks.push_back("it plays the first of its animations: " + describe_clips(*rig) +
-                             " (clip, --body-clip)");
+    opened.remarks.push_back("it plays the first of its animations: " + describe_clips(*rig) + " (clip, --body-clip)");
   }
   opened.frames = frames_of_clip(rig, clip, source.frame_rate_hz.value_or(usual_frame_rate_hz));
   return opened;
@@ -202,16 +199,15 @@ LoopBegin find_loop_begin(const sim::BodyFrames& motion, std::size_t vertices) {
 }
 
 std::string describe(const LoopBegin& begin) {
-  return begin.meets
-             ? fmt::format("repeated, its motion goes on from frame {}, which its last is again", begin.frame)
-             : fmt::format(
-                   "repeated, its motion goes on from its first frame, from which its last is up to {:.3g} m "
-                   "away",
-                   begin.furthest_m);
+  return begin.meets ? fmt::format("repeated, its motion goes on from frame {}, which its last is again", begin.frame)
+                     : fmt::format(
+                           "repeated, its motion goes on from its first frame, from which its last is up to {:.3g} m "
+                           "away",
+                           begin.furthest_m);
 }
 
-std::shared_ptr<const sim::BodyFrames> looped(std::shared_ptr<const sim::BodyFrames> motion,
-                                              const LoopBegin& begin, std::size_t first) {
+std::shared_ptr<const sim::BodyFrames> looped(std::shared_ptr<const sim::BodyFrames> motion, const LoopBegin& begin,
+                                              std::size_t first) {
   if (begin.furthest_m > furthest_in_frame_m) {
     throw InputError(
         "found a motion to be repeated (loop, --body-loop) whose last frame is up to {:.3g} m from its "
@@ -228,9 +224,8 @@ OpenedMotion open_motion(const BodySource& source, const std::shared_ptr<const R
   if (ending == ".pc2") return {source.motion, open_pc2(source.motion)};
   if (ending == ".mdd") return {source.motion, open_mdd(source.motion)};
   if (ending == ".bvh") return open_bvh(source, rig, up);
-  throw InputError(
-      "'" + source.motion.string() +
-      "': expected a motion that ends in .pc2, .mdd or .bvh, or a folder or pattern of OBJ files");
+  throw InputError("'" + source.motion.string() +
+                   "': expected a motion that ends in .pc2, .mdd or .bvh, or a folder or pattern of OBJ files");
 }
 
 }  // namespace taut::app

@@ -37,8 +37,8 @@ std::string describe(const LoopBegin& begin);
 
 /// Returns the motion from the frame `first` on, and again from `begin` on without end. Throws InputError if
 /// a vertex goes further from the last frame to the begin than it may in a frame (PlacedFrames).
-std::shared_ptr<const sim::BodyFrames> looped(std::shared_ptr<const sim::BodyFrames> motion,
-                                              const LoopBegin& begin, std::size_t first);
+std::shared_ptr<const sim::BodyFrames> looped(std::shared_ptr<const sim::BodyFrames> motion, const LoopBegin& begin,
+                                              std::size_t first);
 
 inline constexpr std::size_t no_clip = static_cast<std::size_t>(-1);
 

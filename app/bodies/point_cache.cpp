@@ -60,8 +60,8 @@ class PointCache final : public FrameSource {
   PointCache(SeekableFile file, Layout layout) : file_(std::move(file)), layout_(layout) {
     const std::uint64_t expected = layout.header_bytes + layout.frames * layout.vertices * position_bytes;
     if (file_.size() != expected) {
-      refuse(file_, fmt::format("found {} bytes, expected {} for {} frames of {} vertices", file_.size(),
-                                expected, layout.frames, layout.vertices));
+      refuse(file_, fmt::format("found {} bytes, expected {} for {} frames of {} vertices", file_.size(), expected,
+                                layout.frames, layout.vertices));
     }
   }
 
@@ -89,12 +89,10 @@ std::string beginning_of(const SeekableFile& file, std::size_t bytes) {
   return text;
 }
 
-std::size_t count_in(const SeekableFile& file, const std::string& header, std::size_t offset,
-                     const char* what) {
+std::size_t count_in(const SeekableFile& file, const std::string& header, std::size_t offset, const char* what) {
   const auto count = static_cast<std::int32_t>(number_at(header.data() + offset, std::endian::big));
   if (count < 1 || count > sim::most_counted) {
-    refuse(file,
-           fmt::format("byte {}, {}: found {}, expected 1 to {}", offset, what, count, sim::most_counted));
+    refuse(file, fmt::format("byte {}, {}: found {}, expected 1 to {}", offset, what, count, sim::most_counted));
   }
   return static_cast<std::size_t>(count);
 }
@@ -122,8 +120,7 @@ struct Naming {
 /// Of "body-%04d.obj"; empty if it is no such pattern.
 std::optional<Naming> naming_of_pattern(const std::string& name) {
   const std::size_t percent = name.find('%');
-  const std::size_t letter =
-      name.find_first_not_of(digits, percent == std::string::npos ? percent : percent + 1);
+  const std::size_t letter = name.find_first_not_of(digits, percent == std::string::npos ? percent : percent + 1);
   if (letter == std::string::npos || name[letter] != 'd') return std::nullopt;
   return Naming{name.substr(0, percent), name.substr(letter + 1)};
 }
@@ -178,8 +175,8 @@ std::vector<fs::path> files_of(const fs::path& name) {
   for (const auto& [number, file] : by_number) {
     const long expected = by_number.begin()->first + static_cast<long>(files.size());
     if (number != expected) {
-      throw InputError("'{}': found '{}' after number {}, expected number {}", name.string(),
-                       file.filename().string(), expected - 1, expected);
+      throw InputError("'{}': found '{}' after number {}, expected number {}", name.string(), file.filename().string(),
+                       expected - 1, expected);
     }
     files.push_back(file);
   }
@@ -232,12 +229,10 @@ std::unique_ptr<const FrameSource> open_pc2(const std::filesystem::path& path) {
     sim::ByteReader in(header);
     in.require_text("what the file is", pc2_signature);
     in.get<std::int32_t>("the version", 1, 1);
-    layout.vertices =
-        static_cast<std::size_t>(in.get<std::int32_t>("the number of vertices", 1, sim::most_counted));
+    layout.vertices = static_cast<std::size_t>(in.get<std::int32_t>("the number of vertices", 1, sim::most_counted));
     in.get<float>("the first frame");
     in.get<float>("the rate");
-    layout.frames =
-        static_cast<std::size_t>(in.get<std::int32_t>("the number of frames", 1, sim::most_counted));
+    layout.frames = static_cast<std::size_t>(in.get<std::int32_t>("the number of frames", 1, sim::most_counted));
   } catch (const sim::BadBytes& error) {
     refuse(file, error.what());
   }

@@ -59,8 +59,7 @@ glm::dvec4 straight_at(const RigKeys& keys, double time_s) {
 
 glm::dvec4 rotation_at(const RigKeys& keys, double time_s) {
   const BetweenKeys at = keys_around(keys.times_s, time_s);
-  return rotation_between(glm::normalize(keys.values[at.before]), glm::normalize(keys.values[at.after]),
-                          at.share);
+  return rotation_between(glm::normalize(keys.values[at.before]), glm::normalize(keys.values[at.after]), at.share);
 }
 
 glm::dmat4 transform_at(const RigNode& node, const RigChannel& channel, double time_s) {
@@ -162,9 +161,9 @@ RigPose pose_between(const Rig& rig, const RigPose& from, const RigPose& to, dou
     };
     const NodeMotion a = under_parent(from);
     const NodeMotion b = under_parent(to);
-    pose.to_model[n] = transform_of({glm::mix(a.translation, b.translation, share),
-                                     rotation_between(a.rotation, b.rotation, share),
-                                     glm::mix(a.scale, b.scale, share)});
+    pose.to_model[n] =
+        transform_of({glm::mix(a.translation, b.translation, share), rotation_between(a.rotation, b.rotation, share),
+                      glm::mix(a.scale, b.scale, share)});
   }
   multiply_down(rig, pose.to_model);
   for (std::size_t t = 0; t < pose.target_weights.size(); ++t) {
@@ -183,8 +182,7 @@ void pose_vertices(const Rig& rig, const RigPose& pose, std::span<sim::Vec3> pos
   std::vector<glm::dmat4> joints;
   for (const RigBone& bone : rig.bones) joints.push_back(pose.to_model[bone.node] * bone.from_mesh);
   for (const RigInfluence& influence : rig.influences) {
-    positions[influence.vertex] +=
-        influence.weight * applied(joints[influence.bone], mixed[influence.vertex]);
+    positions[influence.vertex] += influence.weight * applied(joints[influence.bone], mixed[influence.vertex]);
   }
 }
 

@@ -131,8 +131,7 @@ class Maker {
       sim::Index joint = 0;
       for (const Bone& bone : bones_) {
         const sim::Vec3 along = places_m_[bone.end] - places_m_[bone.begin];
-        const double share =
-            std::clamp(glm::dot(p - places_m_[bone.begin], along) / glm::dot(along, along), 0.0, 1.0);
+        const double share = std::clamp(glm::dot(p - places_m_[bone.begin], along) / glm::dot(along, along), 0.0, 1.0);
         const double distance_m = glm::distance(p, places_m_[bone.begin] + share * along);
         if (may_follow(p, bone.limb) && distance_m < nearest_m) {
           nearest_m = distance_m;

@@ -12,7 +12,7 @@ namespace {
 /// A garment is about a body if it is no further off than this, in m, and turned by less than half a right
 /// angle.
 constexpr double near_enough_m = 0.05;
-constexpr double low_enough_m = 0.12;      ///< the same downwards
+constexpr double low_enough_m = 0.12;              ///< the same downwards
 constexpr double half_a_right_angle = 0.70710678;  ///< its cosine
 /// A garment that is turned by less, as a cosine, is not turned back.
 constexpr double hardly_turned = 0.98;
@@ -95,8 +95,8 @@ bool crosses(const LoadedGarment& loaded, const sim::Body& body) {
   return !crossing_pairs(surface_at_start(loaded), {thin_m, mesh.data->triangles}).empty();
 }
 
-/// The bones of both limbs, and from where each begins to the opening that is nearer. An opening at its very begin turns
-/// nothing.
+/// The bones of both limbs, and from where each begins to the opening that is nearer. An opening at its very begin
+/// turns nothing.
 void add_limbs(const Wearer& wearer, const sim::Body& body, const std::array<const char*, 3>& joints,
                const std::vector<LimbOpening>& openings, std::vector<TurnedBone>& bones) {
   const std::map<std::string, sim::Index> nodes = joint_nodes(*wearer.rig);
@@ -150,8 +150,7 @@ Dressed dressed_body(const Scene& scene) {
 sim::Vec3 front_of_dressed(const Scene& scene) {
   const Dressed dressed = dressed_body(scene);
   if (dressed.wearer == nullptr) return {0.0, 0.0, 1.0};
-  return sim::pose_at(scene.surroundings.bodies[dressed.body].motion, 0.0).rotation *
-         front_of(dressed.wearer->joints);
+  return sim::pose_at(scene.surroundings.bodies[dressed.body].motion, 0.0).rotation * front_of(dressed.wearer->joints);
 }
 
 std::vector<std::string> put_on(LoadedGarment& loaded, Scene& scene) {

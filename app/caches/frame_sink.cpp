@@ -119,8 +119,7 @@ fs::path obj_beside(const fs::path& cache) { return fs::path(cache).replace_exte
 WrittenCloth::WrittenCloth(const GarmentInScene& loaded) : loaded_(loaded) {
   if (!loaded.file_faces.empty()) {
     faces_ = loaded.file_faces;
-    mesh_vertex_ =
-        loaded.following ? loaded.following->file_vertices.mesh_vertex : loaded.file_vertices.mesh_vertex;
+    mesh_vertex_ = loaded.following ? loaded.following->file_vertices.mesh_vertex : loaded.file_vertices.mesh_vertex;
     return;
   }
   faces_ = faces_of(loaded.shown_mesh(), loaded.colours.corner_uv);
@@ -141,9 +140,7 @@ std::vector<sim::Vec3> WrittenCloth::written(std::span<const sim::Vec3> shown_m)
   return written_m;
 }
 
-std::string WrittenCloth::obj(std::span<const sim::Vec3> mesh_m) const {
-  return text(loaded_.shown_m(mesh_m));
-}
+std::string WrittenCloth::obj(std::span<const sim::Vec3> mesh_m) const { return text(loaded_.shown_m(mesh_m)); }
 
 std::string WrittenCloth::text(std::span<const sim::Vec3> shown_m) const {
   std::vector<glm::vec3> normals;

@@ -33,9 +33,9 @@ struct SplitVertices {
       for (const sim::Index vertex : t) {
         const glm::vec2 at =
             loaded.colours.corner_uv.empty() ? glm::vec2(0.0F) : loaded.colours.corner_uv[corners.size()];
-        const auto [place, is_new] = known.try_emplace(
-            {vertex, std::bit_cast<std::uint32_t>(at.x), std::bit_cast<std::uint32_t>(at.y)},
-            static_cast<sim::Index>(mesh_vertex.size()));
+        const auto [place, is_new] =
+            known.try_emplace({vertex, std::bit_cast<std::uint32_t>(at.x), std::bit_cast<std::uint32_t>(at.y)},
+                              static_cast<sim::Index>(mesh_vertex.size()));
         if (is_new) {
           mesh_vertex.push_back(vertex);
           uv.push_back(at);
@@ -56,8 +56,7 @@ class Buffer {
  public:
   template <class Numbers> int add(const Numbers& numbers, const char* type, int components, int target = 0) {
     using Number = typename Numbers::value_type;
-    Json view = {
-        {"buffer", 0}, {"byteOffset", bytes_.size()}, {"byteLength", numbers.size() * sizeof(Number)}};
+    Json view = {{"buffer", 0}, {"byteOffset", bytes_.size()}, {"byteLength", numbers.size() * sizeof(Number)}};
     if (target != 0) view["target"] = target;
     for (const Number number : numbers) {
       const auto little = sim::little_endian(number);
@@ -72,8 +71,7 @@ class Buffer {
   }
 
   /// The same with the least and the most of each component, which glTF asks of positions and times.
-  int add_bounded(const std::vector<float>& numbers, const char* type, std::size_t components,
-                  int target = 0) {
+  int add_bounded(const std::vector<float>& numbers, const char* type, std::size_t components, int target = 0) {
     const int accessor = add(numbers, type, static_cast<int>(components), target);
     std::vector<float> least(numbers.begin(), numbers.begin() + static_cast<std::ptrdiff_t>(components));
     std::vector<float> most = least;
@@ -88,8 +86,8 @@ class Buffer {
 
   /// Returns the view of an image.
   std::size_t add_png(const TextureImage& image) {
-    const std::vector<std::uint8_t> png = renderer::encode_png(
-        {static_cast<int>(image.width_px), static_cast<int>(image.height_px), 4, *image.rgba});
+    const std::vector<std::uint8_t> png =
+        renderer::encode_png({static_cast<int>(image.width_px), static_cast<int>(image.height_px), 4, *image.rgba});
     views_.push_back({{"buffer", 0}, {"byteOffset", bytes_.size()}, {"byteLength", png.size()}});
     bytes_.append(png.begin(), png.end());
     bytes_.append((4 - bytes_.size() % 4) % 4, '\0');
@@ -199,8 +197,7 @@ void GltfSink::put_surface(Json& description) {
   std::map<sim::Index, std::vector<sim::Index>> corners_of_material;
   const std::vector<sim::Index>& material_of_face = loaded_.colours.material_of_face;
   for (std::size_t c = 0; c < vertices_.corners.size(); ++c) {
-    corners_of_material[material_of_face.empty() ? no_map : material_of_face[c / 3]].push_back(
-        vertices_.corners[c]);
+    corners_of_material[material_of_face.empty() ? no_map : material_of_face[c / 3]].push_back(vertices_.corners[c]);
   }
   Json primitives = Json::array();
   for (const auto& [material, corners] : corners_of_material) {
@@ -225,9 +222,7 @@ Json GltfSink::material_of(sim::Index index, Json& description) {
     description["textures"].push_back({{"source", description["images"].size() - 1}});
     surface["baseColorTexture"] = {{"index", description["textures"].size() - 1}};
   } else {
-    const auto linear = [&](int k) {
-      return srgb_to_linear(std::clamp(material.base_colour[k], 0.0F, 1.0F));
-    };
+    const auto linear = [&](int k) { return srgb_to_linear(std::clamp(material.base_colour[k], 0.0F, 1.0F)); };
     surface["baseColorFactor"] = {linear(0), linear(1), linear(2), 1.0};
   }
   return {{"name", material.name}, {"doubleSided", true}, {"pbrMetallicRoughness", surface}};
@@ -242,10 +237,9 @@ Json GltfSink::animation() {
     times[k] = static_cast<float>(static_cast<double>(k) / settings_.frame_rate_hz);
     weights[k * frames + k] = 1.0F;
   }
-  return {
-      {"samplers",
-       {{{"input", buffer_.add_bounded(times, "SCALAR", 1)}, {"output", buffer_.add(weights, "SCALAR", 1)}}}},
-      {"channels", {{{"sampler", 0}, {"target", {{"node", 0}, {"path", "weights"}}}}}}};
+  return {{"samplers",
+           {{{"input", buffer_.add_bounded(times, "SCALAR", 1)}, {"output", buffer_.add(weights, "SCALAR", 1)}}}},
+          {"channels", {{{"sampler", 0}, {"target", {{"node", 0}, {"path", "weights"}}}}}}};
 }
 
 std::string GltfSink::finish() {

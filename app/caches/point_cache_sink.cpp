@@ -38,8 +38,8 @@ class PointCacheSink final : public FrameSink {
   std::size_t written_ = 0;  ///< frames
 };
 
-PointCacheSink::PointCacheSink(PointCacheFormat format, const ExportSettings& settings,
-                               const GarmentInScene& loaded, const WrittenMoment& start)
+PointCacheSink::PointCacheSink(PointCacheFormat format, const ExportSettings& settings, const GarmentInScene& loaded,
+                               const WrittenMoment& start)
     : format_(format), settings_(settings), cloth_(loaded), path_(settings.name) {
   part_ = settings.can_be_resumed ? fs::path(settings.name + ".part") : temporary_name(path_);
   const int kept = settings.last_kept.value_or(0) - settings.frames.first + 1;
@@ -57,8 +57,7 @@ PointCacheSink::~PointCacheSink() {
 }
 
 std::string PointCacheSink::header(std::size_t frames) const {
-  return point_cache_header(format_,
-                            {cloth_.vertices(), frames, settings_.frames.first, settings_.frame_rate_hz});
+  return point_cache_header(format_, {cloth_.vertices(), frames, settings_.frames.first, settings_.frame_rate_hz});
 }
 
 std::string PointCacheSink::frame_of(const WrittenMoment& moment) const {

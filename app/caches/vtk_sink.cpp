@@ -32,8 +32,7 @@ std::string field(const std::string& name, double value) {
 std::string fields_text(const WrittenMoment& moment) {
   const double distance_m = moment.report.contact.smallest_distance_m;
   return "<FieldData>\n" + field("TimeValue", moment.state.time_s) +
-         field("smallest_distance",
-               std::isfinite(distance_m) ? distance_m : std::numeric_limits<double>::quiet_NaN()) +
+         field("smallest_distance", std::isfinite(distance_m) ? distance_m : std::numeric_limits<double>::quiet_NaN()) +
          "</FieldData>\n";
 }
 
@@ -61,9 +60,9 @@ std::string vtp_text(const WrittenMoment& moment) {
          "<PointData Scalars=\"stretch\">\n" +
          data_array("stretch", sim::vertex_surface_stretch(garment, positions_m)) +
          "</PointData>\n<CellData Scalars=\"stretch\">\n" +
-         data_array("stretch", sim::triangle_surface_stretch(garment, positions_m)) +
-         "</CellData>\n<Points>\n" + data_array("Points", coordinates, " NumberOfComponents=\"3\"") +
-         "</Points>\n" + polygons_text(garment.mesh.triangles) + "</Piece>\n</PolyData>\n</VTKFile>\n";
+         data_array("stretch", sim::triangle_surface_stretch(garment, positions_m)) + "</CellData>\n<Points>\n" +
+         data_array("Points", coordinates, " NumberOfComponents=\"3\"") + "</Points>\n" +
+         polygons_text(garment.mesh.triangles) + "</Piece>\n</PolyData>\n</VTKFile>\n";
 }
 
 class VtkSink final : public FrameSink {
@@ -83,8 +82,7 @@ class VtkSink final : public FrameSink {
     const int frames = std::max(last_ - settings_.frames.first + 1, 0);
     if (frames == 0) return "wrote nothing";
     write_text_file(name, collection_text());
-    return fmt::format("wrote {}, {} in {}", name.string(),
-                       counted(static_cast<std::size_t>(frames), "frame"),
+    return fmt::format("wrote {}, {} in {}", name.string(), counted(static_cast<std::size_t>(frames), "frame"),
                        vtp_beside(name, 0).parent_path().string());
   }
 
@@ -117,8 +115,6 @@ fs::path vtp_beside(const fs::path& collection, int frame) {
   return folder / fmt::format("{}_{:04}.vtp", folder.filename().string(), frame);
 }
 
-std::unique_ptr<FrameSink> make_vtk_sink(const ExportSettings& settings) {
-  return std::make_unique<VtkSink>(settings);
-}
+std::unique_ptr<FrameSink> make_vtk_sink(const ExportSettings& settings) { return std::make_unique<VtkSink>(settings); }
 
 }  // namespace taut::app

@@ -12,8 +12,7 @@ namespace taut::app {
 namespace {
 
 std::vector<ContactCase> wanted_cases(const BenchOptions& options) {
-  std::vector<ContactCase> cases =
-      options.contact && !options.quick ? all_contact_cases() : quick_contact_cases();
+  std::vector<ContactCase> cases = options.contact && !options.quick ? all_contact_cases() : quick_contact_cases();
   std::vector<std::string> all;
   std::ranges::transform(cases, std::back_inserter(all), [](const ContactCase& one) { return one.name; });
   for (const std::string& name : options.scenes) {
@@ -43,16 +42,13 @@ ContactTrial run_trial(const ContactCase& one, std::optional<double> bound, cons
     const int frames = options.frames.value_or(one.frames.value_or(scene.frames));
     for (int run = 1; run <= options.runs.value_or(1); ++run) {
       const auto seed = static_cast<std::uint64_t>(options.runs ? run : 0);
-      trial.runs.push_back(
-          run_contact(scene, loaded, frames, seed, [&](int frame, sim::Simulation& simulation) {
-            throw_if_interrupted();
-            if (one.drags_wind)
-              drag_wind(frame, frames, scene.surroundings.forces.wind.speed_m_per_s, simulation);
-            if (progress != nullptr) {
-              progress->show(
-                  fmt::format("{}, run {}: frame {} of {}", one.name, trial.runs.size() + 1, frame, frames));
-            }
-          }));
+      trial.runs.push_back(run_contact(scene, loaded, frames, seed, [&](int frame, sim::Simulation& simulation) {
+        throw_if_interrupted();
+        if (one.drags_wind) drag_wind(frame, frames, scene.surroundings.forces.wind.speed_m_per_s, simulation);
+        if (progress != nullptr) {
+          progress->show(fmt::format("{}, run {}: frame {} of {}", one.name, trial.runs.size() + 1, frame, frames));
+        }
+      }));
     }
   }
   return trial;

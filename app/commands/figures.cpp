@@ -79,8 +79,7 @@ std::vector<Experiment> experiments_for(const std::vector<Figure>& figures, bool
   std::set<Experiment> needed;
   for (const Figure& figure : figures) needed.insert(figure.needs.begin(), figure.needs.end());
   if (with_report) {
-    needed.insert(
-        {Experiment::stiffnesses, Experiment::strong_runs, Experiment::garments, Experiment::restart});
+    needed.insert({Experiment::stiffnesses, Experiment::strong_runs, Experiment::garments, Experiment::restart});
   }
   return {needed.begin(), needed.end()};
 }
@@ -97,8 +96,8 @@ void read_and_draw(const std::vector<Figure>& figures, const std::filesystem::pa
 }
 
 // Draws every figure as soon as the last of what it needs is there.
-void simulate_and_draw(const std::vector<Figure>& figures, const std::vector<Experiment>& experiments,
-                       Results& results, FigureWriter& writer) {
+void simulate_and_draw(const std::vector<Figure>& figures, const std::vector<Experiment>& experiments, Results& results,
+                       FigureWriter& writer) {
   std::vector<Job> jobs;
   for (const Experiment experiment : experiments) jobs.push_back(job_of(experiment, results));
   std::set<Experiment> done;

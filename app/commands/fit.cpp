@@ -42,8 +42,8 @@ struct Worn {
 };
 
 /// Simulates until the cloth is at rest.
-Worn let_it_settle(const FitOptions& options, const DrawnScene& scene, sim::Simulation& simulation,
-                   Progress& progress, RunSummary& summary) {
+Worn let_it_settle(const FitOptions& options, const DrawnScene& scene, sim::Simulation& simulation, Progress& progress,
+                   RunSummary& summary) {
   Worn worn;
   FrameOutputs outputs;
   outputs.report = [&](const FrameRecord& record) {
@@ -63,8 +63,7 @@ Worn let_it_settle(const FitOptions& options, const DrawnScene& scene, sim::Simu
   return worn;
 }
 
-Json json_of(const FitOptions& options, std::span<const FitRow> rows, const Worn& worn,
-             const std::string& tightness) {
+Json json_of(const FitOptions& options, std::span<const FitRow> rows, const Worn& worn, const std::string& tightness) {
   Json json = {{"garment", options.scene},
                {"frames", worn.frames},
                {"at_rest", worn.last.asleep},
@@ -110,18 +109,15 @@ int run(const FitOptions& asked) {
   const Worn worn = let_it_settle(options, scene, simulation, progress, summary);
   progress.begin("drawing it");
   measure_worn(simulation.garment(), simulation.state().current, rows);
-  const std::string tightness =
-      describe_tightness(scene, simulation.garment(), simulation.state().current, rows);
-  const std::string measured =
-      fmt::format("worn for {:.1f} s{}; largest stretch {:.2f} %, of the surface {:.2f} %", worn.last.time_s,
-                  worn.last.asleep ? ", at rest" : "", 100.0 * worn.last.stretch.max,
-                  100.0 * worn.last.surface_stretch.max);
+  const std::string tightness = describe_tightness(scene, simulation.garment(), simulation.state().current, rows);
+  const std::string measured = fmt::format("worn for {:.1f} s{}; largest stretch {:.2f} %, of the surface {:.2f} %",
+                                           worn.last.time_s, worn.last.asleep ? ", at rest" : "",
+                                           100.0 * worn.last.stretch.max, 100.0 * worn.last.surface_stretch.max);
   const std::string title =
       fmt::format("{} on {}", scene.name, scene.surroundings.bodies[dressed_body(scene).body].name);
-  write_file(options.output,
-             renderer::encode_png(draw_fit({scene, simulation.garment(), simulation.state().current,
-                                            worn.last.time_s, rows, title, measured, tightness},
-                                           options.backend)));
+  write_file(options.output, renderer::encode_png(draw_fit({scene, simulation.garment(), simulation.state().current,
+                                                            worn.last.time_s, rows, title, measured, tightness},
+                                                           options.backend)));
   progress.hide();
   if (options.json) {
     fmt::print("{}\n", json_of(options, rows, worn, tightness).dump(2));

@@ -68,8 +68,7 @@ int run(const InspectOptions& options) {
   fmt::print("{}", options.json ? inspection_json(inspection) : describe(inspection));
   if (!options.picture.empty()) {
     progress.begin("drawing it");
-    write_file(options.picture,
-               renderer::encode_png(draw_inspection(inspection, loaded, scene, options.backend)));
+    write_file(options.picture, renderer::encode_png(draw_inspection(inspection, loaded, scene, options.backend)));
     progress.hide();
     // Programs that read the report get nothing else.
     fmt::print(options.json ? stderr : stdout, "wrote {}\n", options.picture.string());

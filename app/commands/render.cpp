@@ -26,10 +26,9 @@ std::vector<int> frames_to_draw(const RenderOptions& options, const RenderJob& j
   const int last = job.again ? job.again->frame : job.scene.frames;
   const int first = is_video(job.output) && !job.again ? 0 : last;
   const bool is_played = is_video(job.output) || is_clip(options.shapes);
-  const FrameRange range = options.frames.empty()
-                               ? FrameRange{first, last}
-                               : frame_range(options.frames, job.scene.frames,
-                                             is_played ? NumberMeans::count : NumberMeans::frame);
+  const FrameRange range = options.frames.empty() ? FrameRange{first, last}
+                                                  : frame_range(options.frames, job.scene.frames,
+                                                                is_played ? NumberMeans::count : NumberMeans::frame);
   std::vector<int> frames(static_cast<std::size_t>(range.count()));
   std::iota(frames.begin(), frames.end(), range.first);
   return frames;
@@ -57,8 +56,7 @@ class PictureOutput {
     const std::filesystem::path file = job.output;
     if (is_video(file)) {
       if (job.scene.picture.background.kind == BackgroundKind::transparent) {
-        throw UsageError("output '" + job.output +
-                         "': a video has no transparency; choose another picture.background");
+        throw UsageError("output '" + job.output + "': a video has no transparency; choose another picture.background");
       }
       const renderer::PictureSettings& size = job.scene.picture.settings;
       const VideoSettings settings{size.width_px, size.height_px, job.scene.simulation.frame_rate_hz};
@@ -79,8 +77,7 @@ class PictureOutput {
     if (video_) {
       video_->add(picture);
     } else {
-      write_file(pattern_->path_of(record.frame),
-                 renderer::encode_png(picture, picture_texts(origin, record)));
+      write_file(pattern_->path_of(record.frame), renderer::encode_png(picture, picture_texts(origin, record)));
     }
     written_.push_back(record.frame);
   }
@@ -196,8 +193,8 @@ class Render {
 
  private:
   void begin_drawing() {
-    painter_.emplace(offscreen_->renderer(), run_.scene, run_.simulation->garment(),
-                     run_.simulation->pins().vertices, colours_);
+    painter_.emplace(offscreen_->renderer(), run_.scene, run_.simulation->garment(), run_.simulation->pins().vertices,
+                     colours_);
     origin_ = {command_text(options_.arguments), scene_text(run_.scene), offscreen_->gl_renderer()};
   }
 
@@ -205,8 +202,8 @@ class Render {
   void report(const std::string& done, const FrameRecord& record) {
     const int last = job_.frames.back();
     if (run_.statistics && done != "drawn") run_.statistics->add(record);
-    run_.progress.show(fmt::format("frame {} of {}{}{}{}, stretch {:.2f} %, of the surface {:.2f} %",
-                                   record.frame, last, done.empty() ? "" : " ", done,
+    run_.progress.show(fmt::format("frame {} of {}{}{}{}, stretch {:.2f} %, of the surface {:.2f} %", record.frame,
+                                   last, done.empty() ? "" : " ", done,
                                    time_left(1e-3 * since_start_.elapsed_ms(), record.frame, last),
                                    100.0 * record.stretch.max, 100.0 * record.surface_stretch.max));
   }
@@ -232,9 +229,7 @@ class Render {
     } else {
       begin_drawing();
     }
-    outputs.report = [this, is_gathered](const FrameRecord& record) {
-      report(is_gathered ? "drawn" : "", record);
-    };
+    outputs.report = [this, is_gathered](const FrameRecord& record) { report(is_gathered ? "drawn" : "", record); };
     outputs.pictures = job_.frames;
     outputs.draw_positions = [this, &lost](const std::vector<sim::Vec3>& positions, double time_s) {
       renderer::Image picture = painter_->draw(positions, time_s);

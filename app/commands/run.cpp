@@ -38,11 +38,8 @@ void SceneRun::require_outputs(const ExportSettings& settings) const {
 }
 
 void SceneRun::load(const std::function<void()>& meanwhile) {
-  const auto read = [this] {
-    return load_garment(scene, [this](const std::string& stage) { progress.begin(stage); });
-  };
-  std::future<LoadedGarment> garment =
-      std::async(meanwhile ? std::launch::async : std::launch::deferred, read);
+  const auto read = [this] { return load_garment(scene, [this](const std::string& stage) { progress.begin(stage); }); };
+  std::future<LoadedGarment> garment = std::async(meanwhile ? std::launch::async : std::launch::deferred, read);
   if (meanwhile) meanwhile();
   loaded = garment.get();
   progress.hide();
@@ -65,13 +62,10 @@ void SceneRun::open_statistics(const RunDescription& description, std::optional<
   if (!options.statistics.empty()) statistics.emplace(options.statistics, description, last_kept);
 }
 
-std::vector<FrameRecord> SceneRun::go(int last_frame, const std::string& pattern,
-                                      OffscreenRenderer* offscreen) {
+std::vector<FrameRecord> SceneRun::go(int last_frame, const std::string& pattern, OffscreenRenderer* offscreen) {
   if (shapes) outputs.write_shape = [this](int frame, const auto& moment) { shapes->write(frame, moment); };
   if (options.verify) {
-    outputs.verify = [this](const auto& moment, FrameRecord& record) {
-      return verifier.check(moment, record);
-    };
+    outputs.verify = [this](const auto& moment, FrameRecord& record) { return verifier.check(moment, record); };
   }
   const auto end_early = [this] {
     progress.hide();
@@ -108,14 +102,13 @@ void end_blocked(const FrameBlocked& error, const DrawnScene& scene, const sim::
     prepare_folder_of(file);
     std::optional<OffscreenRenderer> own;
     if (offscreen == nullptr) offscreen = &own.emplace("auto");
-    write_file(file, renderer::encode_png(draw_blocked(offscreen->renderer(), scene, simulation,
-                                                       error.blocked, error.what())));
+    write_file(file, renderer::encode_png(
+                         draw_blocked(offscreen->renderer(), scene, simulation, error.blocked, error.what())));
     shown = fmt::format("'{}' shows where, in the frame before", file.string());
   } catch (const std::exception& reason) {
     shown = fmt::format("there is no picture of it: {}", reason.what());
   }
-  throw PromiseBroken("{}; {}; solver.allow_exceeding = \"contact\" goes on all the same", error.what(),
-                      shown);
+  throw PromiseBroken("{}; {}; solver.allow_exceeding = \"contact\" goes on all the same", error.what(), shown);
 }
 
 }  // namespace taut::app

@@ -48,8 +48,7 @@ struct SceneRun {
 /// and throws PromiseBroken, which names both. `pattern` is where the run's files go: the picture goes beside
 /// them where each frame has its own, or else into the working folder. Without a picture the message says
 /// why. Null: OpenGL is started for it.
-[[noreturn]] void end_blocked(const FrameBlocked& error, const DrawnScene& scene,
-                              const sim::Simulation& simulation, const std::string& pattern,
-                              OffscreenRenderer* offscreen = nullptr);
+[[noreturn]] void end_blocked(const FrameBlocked& error, const DrawnScene& scene, const sim::Simulation& simulation,
+                              const std::string& pattern, OffscreenRenderer* offscreen = nullptr);
 
 }  // namespace taut::app

@@ -15,8 +15,8 @@ constexpr std::array pictured = {"silk", "jersey", "cotton", "wool", "linen", "d
 constexpr int pictured_frame = 150;
 
 void print_table(const std::vector<std::string>& names) {
-  fmt::print("{:<8} {:>6} {:>6} {:>8} {:>6}\n{:<8} {:>6} {:>6} {:>8} {:>6}\n", "", "weight", "thick",
-             "bending", "drape", "", "g/m2", "mm", "uN m", "%");
+  fmt::print("{:<8} {:>6} {:>6} {:>8} {:>6}\n{:<8} {:>6} {:>6} {:>8} {:>6}\n", "", "weight", "thick", "bending",
+             "drape", "", "g/m2", "mm", "uN m", "%");
   for (const std::string& name : names) {
     const sim::Material material = made_of({}, name).material;
     const Fabric fabric = find_fabric(name);

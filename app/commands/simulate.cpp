@@ -38,11 +38,10 @@ void print_summary(const RunSummary& summary) {
   fmt::print(
       "{}, {:.2f} ms of processor time each; largest stretch {:.4f} % (frame {}), at the end {:.4f} %; of "
       "the surface {:.4f} % (frame {}), at the end {:.4f} %{}{}\n",
-      counted(summary.frames, "frame"), summary.mean_sim_ms(), 100.0 * summary.max_stretch,
-      summary.max_stretch_frame, 100.0 * summary.final_max_stretch, 100.0 * summary.max_surface_stretch,
-      summary.max_surface_stretch_frame, 100.0 * summary.final_max_surface_stretch,
-      summary.asleep_since_frame < 0 ? ""
-                                     : fmt::format("; at rest since frame {}", summary.asleep_since_frame),
+      counted(summary.frames, "frame"), summary.mean_sim_ms(), 100.0 * summary.max_stretch, summary.max_stretch_frame,
+      100.0 * summary.final_max_stretch, 100.0 * summary.max_surface_stretch, summary.max_surface_stretch_frame,
+      100.0 * summary.final_max_surface_stretch,
+      summary.asleep_since_frame < 0 ? "" : fmt::format("; at rest since frame {}", summary.asleep_since_frame),
       describe_crossings(summary).empty() ? "" : "; " + describe_crossings(summary));
 }
 
@@ -85,9 +84,9 @@ struct Running {
       lines.print(record);
     }
     if (record.frame % options.checkpoint_every == 0) save();
-    run.progress.begin(fmt::format(
-        "frame {} of {}{}", record.frame + 1, last_frame,
-        time_left(1e-3 * since_start.elapsed_ms(), record.frame - first_frame, last_frame - first_frame)));
+    run.progress.begin(
+        fmt::format("frame {} of {}{}", record.frame + 1, last_frame,
+                    time_left(1e-3 * since_start.elapsed_ms(), record.frame - first_frame, last_frame - first_frame)));
   }
 
   void save() {
@@ -103,8 +102,7 @@ struct Running {
     save();
     run.progress.hide();
     std::fflush(stdout);
-    fmt::print(stderr,
-               "taut: stopped after frame {0}, saved in '{1}': the same command with --resume {1} goes on\n",
+    fmt::print(stderr, "taut: stopped after frame {0}, saved in '{1}': the same command with --resume {1} goes on\n",
                saved.frame, options.saved_to().string());
     return exit_can_be_resumed;
   }
@@ -150,10 +148,10 @@ int run(const SimulateOptions& options) {
                : options.json ? stderr
                               : stdout);
   run.is_told = !options.quiet && !options.json;
-  const FrameRange range =
-      options.frames.empty() ? FrameRange{1, run.scene.frames}
-                             : frame_range(options.frames, run.scene.frames,
-                                           is_clip(options.shapes) ? NumberMeans::count : NumberMeans::frame);
+  const FrameRange range = options.frames.empty()
+                               ? FrameRange{1, run.scene.frames}
+                               : frame_range(options.frames, run.scene.frames,
+                                             is_clip(options.shapes) ? NumberMeans::count : NumberMeans::frame);
   const ExportSettings exported = {options.shapes, range, run.scene.simulation.frame_rate_hz,
                                    !options.saved_to().empty()};
   run.require_outputs(exported);
@@ -163,8 +161,8 @@ int run(const SimulateOptions& options) {
   Running running{options, run, FrameLines(range), begin(options, run), range.last};
   const int begun = running.first_frame;
   require_begun(begun, range.last);
-  const RunDescription description = {run.scene, run.simulation->garment(),
-                                      run.simulation->pins().vertices.size(), "", options.verify};
+  const RunDescription description = {run.scene, run.simulation->garment(), run.simulation->pins().vertices.size(), "",
+                                      options.verify};
   const bool goes_on = !options.resume.empty() && running.saved.summary.frames > 0;
   run.open_statistics(description, goes_on ? std::optional(begun) : std::nullopt);
   if (options.json) fmt::print("{}", statistics_header(StatisticsFormat::json_lines, description));

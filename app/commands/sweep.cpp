@@ -63,10 +63,9 @@ int run_some(const SweepOptions& options, const Sweep& sweep) {
 }
 
 std::string told(const SweepStatus& status, const Sweep& sweep) {
-  return fmt::format(
-      "{} of {}: {} done, {} broke a promise, {} failed; {} being worked on, {} stopped on their way",
-      status.done + status.broken, counted(sweep.runs(), "run"), status.done, status.broken, status.failed,
-      status.working, status.stopped);
+  return fmt::format("{} of {}: {} done, {} broke a promise, {} failed; {} being worked on, {} stopped on their way",
+                     status.done + status.broken, counted(sweep.runs(), "run"), status.done, status.broken,
+                     status.failed, status.working, status.stopped);
 }
 
 int run_all(const SweepOptions& options, const Sweep& sweep) {
@@ -74,12 +73,10 @@ int run_all(const SweepOptions& options, const Sweep& sweep) {
   std::vector<Attempt> attempts(missing.size());
   std::vector<Job> jobs;
   for (std::size_t i = 0; i < missing.size(); ++i) {
-    jobs.push_back({"run " + std::to_string(missing[i]), 1.0, [&, i](const ProgressCallback& report) {
-                      attempts[i] = attempt_run(sweep, missing[i], report);
-                    }});
+    jobs.push_back({"run " + std::to_string(missing[i]), 1.0,
+                    [&, i](const ProgressCallback& report) { attempts[i] = attempt_run(sweep, missing[i], report); }});
   }
-  const unsigned threads =
-      options.jobs > 0 ? options.jobs : std::max(1U, std::thread::hardware_concurrency());
+  const unsigned threads = options.jobs > 0 ? options.jobs : std::max(1U, std::thread::hardware_concurrency());
   WorstEnd worst;
   try {
     run_jobs(
@@ -154,13 +151,12 @@ void hand_out(const std::filesystem::path& file, const std::string& text, bool i
 }
 
 int submit(const SweepOptions& options, const Sweep& sweep) {
-  const FarmSettings settings = {options.chunk.value_or(usual_chunk(sweep.runs())), options.memory,
-                                 options.sbatch};
+  const FarmSettings settings = {options.chunk.value_or(usual_chunk(sweep.runs())), options.memory, options.sbatch};
   constexpr std::size_t usual_array_size = 1001;
   const SweepStatus status = status_of(sweep);
   if (status.missing.size() < sweep.runs() && !options.missing) {
-    throw UsageError("{} of {} are there already; --missing submits the others",
-                     sweep.runs() - status.missing.size(), counted(sweep.runs(), "run"));
+    throw UsageError("{} of {} are there already; --missing submits the others", sweep.runs() - status.missing.size(),
+                     counted(sweep.runs(), "run"));
   }
   const std::filesystem::path folder = std::filesystem::absolute(sweep.folder) / "slurm";
   hand_out(folder / "task.sh", slurm_script(sweep, settings), options.dry_run);
@@ -180,8 +176,8 @@ int submit(const SweepOptions& options, const Sweep& sweep) {
                                        "--mem=" + settings.memory, (folder / "merge.sh").string()},
                                       options.dry_run);
   if (!options.dry_run) {
-    fmt::print("submitted {} as jobs {}, and job {} that makes the table\n",
-               counted(status.missing.size(), "run"), jobs.substr(1), merge);
+    fmt::print("submitted {} as jobs {}, and job {} that makes the table\n", counted(status.missing.size(), "run"),
+               jobs.substr(1), merge);
   }
   return 0;
 }

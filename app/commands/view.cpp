@@ -14,8 +14,8 @@ constexpr const char* first_scene = "tshirt";
 std::string layout_text(const ViewerState& state) {
   std::string text;
   for (const auto& [name, place] : state.places) {
-    text += fmt::format("{} {} {} {} {}\n", name, place.lower_px.x, place.lower_px.y, place.upper_px.x,
-                        place.upper_px.y);
+    text +=
+        fmt::format("{} {} {} {} {}\n", name, place.lower_px.x, place.lower_px.y, place.upper_px.x, place.upper_px.y);
   }
   return text;
 }
@@ -32,8 +32,7 @@ Session session_of(const ViewOptions& options) {
   } else if (session.start.scene.empty()) {
     session.start.scene = first_scene;
   }
-  session.start.overrides.insert(session.start.overrides.end(), options.overrides.begin(),
-                                 options.overrides.end());
+  session.start.overrides.insert(session.start.overrides.end(), options.overrides.begin(), options.overrides.end());
   if (options.size) session.start.size = *options.size;
   if (options.compared_with) session.start.compared_with = options.compared_with;
   return session;
@@ -68,16 +67,14 @@ void view_headless(const ViewOptions& options, const Session& session, const Dra
   }
   if (!options.layout.empty()) write_text_file(options.layout, layout_text(viewer.viewer().state()));
   const FrameRecord& shown = viewer.viewer().state().newest->record;
-  fmt::print("frame {} state {:016x} largest stretch {:.4f} %, of the surface {:.4f} %, drawn by {}\n",
-             shown.frame, viewer.state_hash(), 100.0 * shown.stretch.max, 100.0 * shown.surface_stretch.max,
-             viewer.gl_renderer());
+  fmt::print("frame {} state {:016x} largest stretch {:.4f} %, of the surface {:.4f} %, drawn by {}\n", shown.frame,
+             viewer.state_hash(), 100.0 * shown.stretch.max, 100.0 * shown.surface_stretch.max, viewer.gl_renderer());
 }
 
 }  // namespace
 
 int run(const ViewOptions& options) {
-  const bool needs_headless =
-      !options.script.empty() || !options.screenshot.empty() || !options.layout.empty();
+  const bool needs_headless = !options.script.empty() || !options.screenshot.empty() || !options.layout.empty();
   if (needs_headless && !options.headless) {
     throw UsageError("--script, --screenshot and --layout are for --headless: a window has a person instead");
   }

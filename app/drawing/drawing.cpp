@@ -11,8 +11,8 @@ renderer::Image to_image(const Drawing& drawing, float scale) {
 }
 
 void write_pdf(const std::filesystem::path& path, const Drawing& drawing, const std::string& title) {
-  renderer::Canvas canvas = renderer::Canvas::pdf(
-      drawing.width_px, drawing.height_px, static_cast<float>(drawing.width_px) / page_width_inches, title);
+  renderer::Canvas canvas = renderer::Canvas::pdf(drawing.width_px, drawing.height_px,
+                                                  static_cast<float>(drawing.width_px) / page_width_inches, title);
   drawing.draw(canvas);
   write_file(path, canvas.finish_pdf());
 }

@@ -41,8 +41,7 @@ inline const renderer::Colour purple = renderer::rgb(0xCC79A7);
 }  // namespace palette
 
 /// The font style for text of this height.
-renderer::TextStyle text_style(float size_px, const renderer::Colour& colour = palette::ink,
-                               bool bold = false);
+renderer::TextStyle text_style(float size_px, const renderer::Colour& colour = palette::ink, bool bold = false);
 
 /// The text centred under a panel of a figure: "(a) what it is", and below it in grey what was measured. An
 /// empty text leaves its line out.

@@ -40,9 +40,8 @@ struct RoundMaker {
     meshes.push_back(renderer::make_sphere(glm::vec3(ball.centre_m), static_cast<float>(ball.radius_m)));
   }
   void operator()(const sim::Capsule& limb) const {
-    meshes.push_back(
-        renderer::make_capsule(glm::vec3(limb.start_m), glm::vec3(limb.end_m),
-                               static_cast<float>(std::min(limb.start_radius_m, limb.end_radius_m))));
+    meshes.push_back(renderer::make_capsule(glm::vec3(limb.start_m), glm::vec3(limb.end_m),
+                                            static_cast<float>(std::min(limb.start_radius_m, limb.end_radius_m))));
     if (limb.start_radius_m != limb.end_radius_m) {
       (*this)(sim::Sphere{limb.start_m, limb.start_radius_m});
       (*this)(sim::Sphere{limb.end_m, limb.end_radius_m});
@@ -66,8 +65,7 @@ constexpr float head_width = 0.4F;
 
 DrawnBodies::DrawnBodies(std::vector<sim::Body> bodies)
     : bodies_(std::move(bodies)),
-      move_(std::ranges::any_of(bodies_,
-                                [](const sim::Body& body) { return sim::is_moving_after(body, 0.0); })),
+      move_(std::ranges::any_of(bodies_, [](const sim::Body& body) { return sim::is_moving_after(body, 0.0); })),
       round_(bodies_.size()) {
   std::size_t first_room = 0;
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
@@ -84,10 +82,9 @@ DrawnBodies::DrawnBodies(std::vector<sim::Body> bodies)
 
 void DrawnBodies::set_detail(float pixels_per_m, std::optional<float> shortest_edge_px) {
   for (auto& [body, mesh] : meshes_) {
-    const int levels = !shortest_edge_px
-                           ? 0
-                           : renderer::refinement_levels(mesh.edge_m * pixels_per_m,
-                                                         mesh.triangles.size() / 3, *shortest_edge_px);
+    const int levels = !shortest_edge_px ? 0
+                                         : renderer::refinement_levels(mesh.edge_m * pixels_per_m,
+                                                                       mesh.triangles.size() / 3, *shortest_edge_px);
     if (!mesh.surface || levels != mesh.levels) {
       mesh.levels = levels;
       mesh.surface.emplace(mesh.rest_positions, mesh.triangles, levels,
@@ -101,9 +98,8 @@ void DrawnBodies::place(double time_s, std::span<const float> rooms_m) {
   const bool stays = placed_s_ && (!move_ || *placed_s_ == time_s);
   if (stays && rooms_m.empty()) return;
   for (auto& [body, mesh] : meshes_) {
-    mesh.surface->place(
-        mesh_positions(bodies_[body], time_s),
-        rooms_m.empty() ? rooms_m : rooms_m.subspan(mesh.first_room, mesh.rest_positions.size()));
+    mesh.surface->place(mesh_positions(bodies_[body], time_s),
+                        rooms_m.empty() ? rooms_m : rooms_m.subspan(mesh.first_room, mesh.rest_positions.size()));
   }
   for (std::size_t b = 0; b < bodies_.size() && !stays; ++b) {
     round_[b].clear();
@@ -145,8 +141,7 @@ std::vector<glm::vec3> wind_arrows(const sim::Wind& wind, const std::vector<sim:
   const float length = radius * std::clamp(longest * speed / fastest_m_per_s, shortest, longest);
   for (const float row : {-1.0F, 0.0F, 1.0F}) {
     for (const float column : {-0.5F, 0.5F}) {
-      const glm::vec3 tip =
-          middle - along * (reach + gap * radius) + apart * radius * (row * up + column * right);
+      const glm::vec3 tip = middle - along * (reach + gap * radius) + apart * radius * (row * up + column * right);
       lines.insert(lines.end(), {tip - length * along, tip});
       for (const glm::vec3& side : {right, -right, up, -up}) {
         lines.insert(lines.end(), {tip, tip - head * radius * (along - head_width * side)});

@@ -63,8 +63,7 @@ DrawnScene read_scene_file(const std::filesystem::path& path, std::span<const Ov
   return read_scene_text(read_text_file(path), path.string(), overrides);
 }
 
-DrawnScene read_scene_text(const std::string& text, const std::string& name,
-                           std::span<const Override> overrides) {
+DrawnScene read_scene_text(const std::string& text, const std::string& name, std::span<const Override> overrides) {
   return read_scene(drawn_scene_format(), text, name, overrides);
 }
 
@@ -112,8 +111,8 @@ constexpr double degree = 0.017453292519943295;
 constexpr Range fraction = {.lowest = 0.0, .highest = 1.0};
 constexpr Range acute = {.lowest = -89.0, .highest = 89.0};
 
-Key<DrawnScene> number(std::string name, std::string unit, const Range& range, auto access,
-                       std::string meaning, double factor = 1.0) {
+Key<DrawnScene> number(std::string name, std::string unit, const Range& range, auto access, std::string meaning,
+                       double factor = 1.0) {
   return number_key<DrawnScene>(std::move(name), std::move(unit), range, access, std::move(meaning), factor);
 }
 Key<DrawnScene> whole(std::string name, double lowest, double highest, auto access, std::string meaning) {
@@ -137,8 +136,8 @@ Json list_of(const glm::vec3& v) { return Json::array({v.x, v.y, v.z}); }
 /// A key whose text "auto", which leaves the member empty, is what a file need not say; a command line takes
 /// back with it what a file says. `found(value)` is empty for what is not as expected.
 template <class Access, class Found, class Write>
-Key<DrawnScene> auto_key(std::string name, std::string expected, Access access, std::string meaning,
-                         Found found, Write write) {
+Key<DrawnScene> auto_key(std::string name, std::string expected, Access access, std::string meaning, Found found,
+                         Write write) {
   return member_key<DrawnScene>(
       std::move(name), "m", std::move(expected), access, std::move(meaning),
       [=](const toml::node& value, auto& member) {
@@ -169,8 +168,7 @@ std::optional<SpringBall> ball_in(const toml::node& value) {
       return std::nullopt;
     }
   }
-  return numbers[3] > 0.0 ? std::optional(SpringBall{{numbers[0], numbers[1], numbers[2]}, numbers[3]})
-                          : std::nullopt;
+  return numbers[3] > 0.0 ? std::optional(SpringBall{{numbers[0], numbers[1], numbers[2]}, numbers[3]}) : std::nullopt;
 }
 
 template <class Access> Key<DrawnScene> point_key(std::string name, Access access, std::string meaning) {
@@ -199,9 +197,8 @@ Key<DrawnScene> ground_key() {
            : ground.kind == GroundKind::automatic ? Json("auto")
                                                   : Json("none");
   };
-  return member_key<DrawnScene>(
-      "picture.ground", "m", "\"auto\", \"none\" or a number", MEMBER(picture.ground),
-      "height of the floor; auto: on a level plane, or else below all there is", read, write);
+  return member_key<DrawnScene>("picture.ground", "m", "\"auto\", \"none\" or a number", MEMBER(picture.ground),
+                                "height of the floor; auto: on a level plane, or else below all there is", read, write);
 }
 
 Key<DrawnScene> background_key() {
@@ -222,8 +219,8 @@ Key<DrawnScene> background_key() {
   };
   return member_key<DrawnScene>(
       "picture.background", "", "\"studio\", \"none\" or a colour, \"#rrggbb\" or a name such as \"white\"",
-      MEMBER(picture.background),
-      "what is behind; none: transparent but for shadows; on a colour shadows fall as well", read, write);
+      MEMBER(picture.background), "what is behind; none: transparent but for shadows; on a colour shadows fall as well",
+      read, write);
 }
 
 Key<DrawnScene> texture_key() {
@@ -261,8 +258,7 @@ SceneFormat<DrawnScene> drawn_scene_format() {
       keys.end(),
       {number("camera.azimuth", "degrees", {-360.0, 360.0}, MEMBER(camera.framing.azimuth_rad),
               "0: from the front (+z), 90: from +x", degree),
-       number("camera.elevation", "degrees", acute, MEMBER(camera.framing.elevation_rad), "above the horizon",
-              degree),
+       number("camera.elevation", "degrees", acute, MEMBER(camera.framing.elevation_rad), "above the horizon", degree),
        number("camera.margin", "", {0.0, 0.45}, MEMBER(camera.framing.margin),
               "free border, as a fraction of the picture"),
        number("camera.field_of_view", "degrees", {1.0, 120.0}, MEMBER(camera.framing.vertical_fov_rad),
@@ -272,8 +268,7 @@ SceneFormat<DrawnScene> drawn_scene_format() {
            "what fills a picture without camera.box and camera.eye: the garment in all frames that are "
            "drawn, which are simulated first; or what it can reach, and pictures come as they are simulated"),
        switch_key<DrawnScene>("camera.follow", MEMBER(camera.follow), "the camera moves with the garment"),
-       auto_key("camera.box",
-                "two corners [[x, y, z], [x, y, z]], the smaller coordinates first, or \"auto\"",
+       auto_key("camera.box", "two corners [[x, y, z], [x, y, z]], the smaller coordinates first, or \"auto\"",
                 MEMBER(camera.box), "what has to be in the picture; not set: what camera.fit says", box_in,
                 [](const renderer::Box& box) {
                   return Json::array({list_of(box.lower), list_of(box.upper)});
@@ -282,24 +277,20 @@ SceneFormat<DrawnScene> drawn_scene_format() {
        point_key("camera.target", MEMBER(camera.target), "what the eye looks at"),
        whole("picture.width", 16, 16384, MEMBER(picture.settings.width_px), "in pixels"),
        whole("picture.height", 16, 16384, MEMBER(picture.settings.height_px), "in pixels"),
-       choice_key<DrawnScene, DrawingQuality>("picture.quality",
-                                              {{"draft", DrawingQuality::draft},
-                                               {"normal", DrawingQuality::normal},
-                                               {"high", DrawingQuality::high}},
-                                              MEMBER(picture.quality),
-                                              "how much work a picture is; high: for print"),
-       whole("picture.samples", 1, 16, MEMBER(picture.settings.samples),
-             "in a pixel; lowered to what OpenGL offers"),
+       choice_key<DrawnScene, DrawingQuality>(
+           "picture.quality",
+           {{"draft", DrawingQuality::draft}, {"normal", DrawingQuality::normal}, {"high", DrawingQuality::high}},
+           MEMBER(picture.quality), "how much work a picture is; high: for print"),
+       whole("picture.samples", 1, 16, MEMBER(picture.settings.samples), "in a pixel; lowered to what OpenGL offers"),
        whole("picture.supersampling", 1, 8, MEMBER(picture.settings.supersampling),
              "drawn so many times as wide and high, then averaged"),
        switch_key<DrawnScene>("picture.shadows", MEMBER(picture.settings.shadows), "of the key light"),
        ground_key(),
        background_key(),
-       choice_key<DrawnScene, SurfaceLook>("picture.surface",
-                                           {{"shaded", SurfaceLook::shaded},
-                                            {"stretch", SurfaceLook::stretch},
-                                            {"wireframe", SurfaceLook::wireframe}},
-                                           MEMBER(picture.surface), "what the cloth shows"),
+       choice_key<DrawnScene, SurfaceLook>(
+           "picture.surface",
+           {{"shaded", SurfaceLook::shaded}, {"stretch", SurfaceLook::stretch}, {"wireframe", SurfaceLook::wireframe}},
+           MEMBER(picture.surface), "what the cloth shows"),
        switch_key<DrawnScene>("picture.wireframe", MEMBER(picture.wireframe),
                               "draws the structural springs over the surface"),
        choice_key<DrawnScene>("picture.springs", named(all_which_springs), MEMBER(picture.springs.which),
@@ -309,8 +300,7 @@ SceneFormat<DrawnScene> drawn_scene_format() {
                                              MEMBER(picture.springs.colours),
                                              "what their colours mean: their kind, or the order in which the "
                                              "paper's sweep corrects them, from dark to bright"),
-       auto_key("picture.springs_patch", "four numbers [x, y, z, radius], or \"auto\"",
-                MEMBER(picture.springs.patch),
+       auto_key("picture.springs_patch", "four numbers [x, y, z, radius], or \"auto\"", MEMBER(picture.springs.patch),
                 "springs are shown within this ball of the garment at rest; auto: everywhere", ball_in,
                 [](const SpringBall& ball) {
                   return Json::array({ball.middle_m.x, ball.middle_m.y, ball.middle_m.z, ball.radius_m});
@@ -322,14 +312,12 @@ SceneFormat<DrawnScene> drawn_scene_format() {
                               "what the colours show the stretch of: at each vertex the largest of the "
                               "springs there, or of the triangles in any direction"),
        member_key<DrawnScene>(
-           "picture.stretch_range", "", "two numbers [low, high], the lower first",
-           MEMBER(picture.stretch_range),
+           "picture.stretch_range", "", "two numbers [low, high], the lower first", MEMBER(picture.stretch_range),
            "stretch shown as the two ends of the colours; not set: from 0 to the solver's bound, or to 0.05 "
            "where it has none",
            [](const toml::node& value, auto& range) { return store(two_rising_numbers(value), range); },
            [](const auto& range) { return range ? Json(*range) : Json(); }),
-       colour_key<DrawnScene>("picture.outside_colour", MEMBER(picture.cloth.outside_colour),
-                              "of the cloth's outside"),
+       colour_key<DrawnScene>("picture.outside_colour", MEMBER(picture.cloth.outside_colour), "of the cloth's outside"),
        colour_key<DrawnScene>("picture.inside_colour", MEMBER(picture.cloth.inside_colour),
                               "of the cloth's inside; not set: a paler and greyer shade of its outside"),
        number("picture.roughness", "", {0.05, 1.0}, MEMBER(picture.cloth.roughness),
@@ -338,8 +326,8 @@ SceneFormat<DrawnScene> drawn_scene_format() {
               "of the cloth: brightness of its fibres seen from the side"),
        number("picture.translucency", "", fraction, MEMBER(picture.cloth.translucency),
               "of the cloth: share of the light that passes through"),
-       choice_key<DrawnScene>("picture.weave", named(renderer::all_weave_kinds),
-                              MEMBER(picture.cloth.weave_kind), "of the cloth, seen from near"),
+       choice_key<DrawnScene>("picture.weave", named(renderer::all_weave_kinds), MEMBER(picture.cloth.weave_kind),
+                              "of the cloth, seen from near"),
        number("picture.threads", "1/m", {1.0, 1e6}, MEMBER(picture.cloth.threads_per_m),
               "how many threads, or stitches of a knit, lie side by side"),
        number("picture.weave_contrast", "", {0.0, 10.0}, MEMBER(picture.cloth.weave),

@@ -37,9 +37,8 @@ enum class StretchOf {
 /// Which springs are drawn over the surface.
 enum class WhichSprings { none, structural, shear, flexural, all };
 
-inline constexpr std::array all_which_springs = {WhichSprings::none, WhichSprings::structural,
-                                                 WhichSprings::shear, WhichSprings::flexural,
-                                                 WhichSprings::all};
+inline constexpr std::array all_which_springs = {WhichSprings::none, WhichSprings::structural, WhichSprings::shear,
+                                                 WhichSprings::flexural, WhichSprings::all};
 
 /// The meaning of the colours of springs.
 enum class SpringColours {
@@ -96,9 +95,7 @@ struct Ground {
 inline constexpr const char* no_texture = "none";
 
 /// Whether this names an image.
-inline bool names_image(const std::filesystem::path& texture) {
-  return !texture.empty() && texture != no_texture;
-}
+inline bool names_image(const std::filesystem::path& texture) { return !texture.empty() && texture != no_texture; }
 
 /// How much work a picture is.
 enum class DrawingQuality {
@@ -169,8 +166,7 @@ SceneFormat<DrawnScene> drawn_scene_format();
 // The functions of scene_format.hpp and scene_text.hpp for that format.
 
 DrawnScene read_scene_file(const std::filesystem::path& path, std::span<const Override> overrides = {});
-DrawnScene read_scene_text(const std::string& text, const std::string& name,
-                           std::span<const Override> overrides = {});
+DrawnScene read_scene_text(const std::string& text, const std::string& name, std::span<const Override> overrides = {});
 DrawnScene find_scene(const std::string& name, std::span<const Override> overrides);
 void apply_overrides(std::span<const Override> overrides, DrawnScene& scene);
 /// As that of a Scene, but drawn without balls at its pins.

@@ -25,8 +25,8 @@ float nearest_float(double coordinate) {
   return static_cast<float>(std::clamp(coordinate, -largest, largest));
 }
 
-double distance_to_nearest_pin(const sim::Garment& garment, std::span<const sim::Index> pins,
-                               const sim::Vec3& point, sim::Vec3& pin_m) {
+double distance_to_nearest_pin(const sim::Garment& garment, std::span<const sim::Index> pins, const sim::Vec3& point,
+                               sim::Vec3& pin_m) {
   const std::size_t stride = 1 + pins.size() * garment.mesh.positions.size() / most_distances;
   double nearest_m = INFINITY;
   for (std::size_t k = 0; k < pins.size(); k += stride) {
@@ -61,8 +61,7 @@ struct ShapeBox {
 
 void add_box(const renderer::Box& box, std::vector<glm::vec3>& points) {
   for (unsigned corner = 0; corner < 8; ++corner) {
-    points.emplace_back((corner & 1U) != 0 ? box.upper.x : box.lower.x,
-                        (corner & 2U) != 0 ? box.upper.y : box.lower.y,
+    points.emplace_back((corner & 1U) != 0 ? box.upper.x : box.lower.x, (corner & 2U) != 0 ? box.upper.y : box.lower.y,
                         (corner & 4U) != 0 ? box.upper.z : box.lower.z);
   }
 }
@@ -133,8 +132,7 @@ std::vector<glm::vec3> mesh_positions(const sim::Body& body, double time_s) {
   return to_float(positions_m);
 }
 
-renderer::Box expected_reach(const DrawnScene& scene, const sim::Garment& garment,
-                             std::span<const sim::Index> pins) {
+renderer::Box expected_reach(const DrawnScene& scene, const sim::Garment& garment, std::span<const sim::Index> pins) {
   renderer::Box reach = renderer::bounding_box(to_float(garment.mesh.positions));
   for (const sim::Vec3& position : pins.empty() ? std::vector<sim::Vec3>{} : garment.mesh.positions) {
     sim::Vec3 pin(0.0);
@@ -165,8 +163,7 @@ void face_front(const LoadedGarment& loaded, DrawnScene& scene) {
       azimuth_rad != CameraSettings{}.framing.azimuth_rad) {
     return;
   }
-  const GarmentMarks marks =
-      marks_of(*loaded.garment, surface_at_start(loaded).positions_m, loaded.landmarks);
+  const GarmentMarks marks = marks_of(*loaded.garment, surface_at_start(loaded).positions_m, loaded.landmarks);
   if (marks.is_front_known && !marks.is_worn_at_waist && marks.front.z < facing_us) {
     azimuth_rad += static_cast<float>(std::atan2(marks.front.x, marks.front.z));
   }
@@ -193,8 +190,7 @@ std::optional<float> ground_height(const DrawnScene& scene, const renderer::Box&
   const renderer::Box box = scene.camera.box.value_or(reach);
   const std::vector<sim::Body>& bodies = scene.surroundings.bodies;
   const std::optional<float> plane_m = level_plane(bodies, 0.0);
-  return plane_m ? plane_m
-                 : standing_height(bodies, reach.lower.y).value_or(ground_below(box.lower.y, box.upper.y));
+  return plane_m ? plane_m : standing_height(bodies, reach.lower.y).value_or(ground_below(box.lower.y, box.upper.y));
 }
 
 bool is_fitted(const DrawnScene& scene) {
@@ -207,8 +203,7 @@ FittedView::FittedView(const DrawnScene& scene, const sim::Garment& garment)
       framing_(framing_of(scene, renderer::bounding_box(to_float(garment.mesh.positions)))),
       aspect_(aspect_beside_legend(scene.picture)) {}
 
-void FittedView::add(const std::vector<sim::Vec3>& positions, const std::vector<sim::Vec3>& shown,
-                     double time_s) {
+void FittedView::add(const std::vector<sim::Vec3>& positions, const std::vector<sim::Vec3>& shown, double time_s) {
   std::vector<glm::vec3> points = to_float(shown);
   for (const sim::Body& body : scene_.surroundings.bodies) {
     if (const std::optional<renderer::Box> box = box_of(body, time_s)) add_box(*box, points);
@@ -228,8 +223,7 @@ void FittedView::place_camera(DrawnScene& scene) const {
   if (outermost_.empty()) return;
   std::vector<glm::vec3> points = outermost_;
   if (scene_.picture.show_wind) {
-    const std::vector<glm::vec3> arrows =
-        wind_arrows(scene_.surroundings.forces.wind, garment_.mesh.positions);
+    const std::vector<glm::vec3> arrows = wind_arrows(scene_.surroundings.forces.wind, garment_.mesh.positions);
     points.insert(points.end(), arrows.begin(), arrows.end());
   }
   const renderer::Camera camera = renderer::fit_camera_to_points(points, framing_, aspect_);
@@ -240,8 +234,7 @@ void FittedView::place_camera(DrawnScene& scene) const {
   if (ground.kind == GroundKind::automatic && !level_plane(bodies, 0.0)) {
     const float below_m = ground_below(lowest_m_, highest_m_);
     const float gap = lowest_m_ - below_m;  // feet rise and sink a little as they walk
-    ground = {GroundKind::fixed,
-              static_cast<double>(standing_height(bodies, lowest_m_ + gap).value_or(below_m))};
+    ground = {GroundKind::fixed, static_cast<double>(standing_height(bodies, lowest_m_ + gap).value_or(below_m))};
   }
 }
 

@@ -28,8 +28,7 @@ std::vector<glm::vec3> mesh_positions(const sim::Body& body, double time_s);
 /// The box in metres that the garment is expected to stay in. It holds the shape as modelled, each vertex
 /// hanging straight below its nearest pin, and bodies where they begin. It depends only on the scene, so all
 /// frames have the same camera.
-renderer::Box expected_reach(const DrawnScene& scene, const sim::Garment& garment,
-                             std::span<const sim::Index> pins);
+renderer::Box expected_reach(const DrawnScene& scene, const sim::Garment& garment, std::span<const sim::Index> pins);
 
 /// Height in metres of the first level plane among the bodies at this time. Empty if there is none.
 std::optional<float> level_plane(std::span<const sim::Body> bodies, double time_s);

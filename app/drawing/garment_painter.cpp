@@ -30,8 +30,7 @@ std::vector<sim::Triangle> triangles_of(std::span<const sim::Body> bodies, std::
   return triangles;
 }
 
-void append_mesh_positions(std::span<const sim::Body> bodies, double time_s,
-                           std::vector<sim::Vec3>& positions_m) {
+void append_mesh_positions(std::span<const sim::Body> bodies, double time_s, std::vector<sim::Vec3>& positions_m) {
   for (const sim::Body& body : bodies) {
     if (const auto* mesh = std::get_if<sim::BodyMesh>(&body.shape)) {
       const std::size_t first = positions_m.size();
@@ -111,8 +110,7 @@ DrawnColours shown_colours(const PictureStyle& style, DrawnColours colours) {
 
 std::optional<sim::Garment> followed_model(const DrawnColours& colours, const sim::Garment& garment) {
   if (!colours.following) return std::nullopt;
-  return sim::make_garment(colours.following->mesh, {.flexural_rule = sim::FlexuralRule::none},
-                           garment.material);
+  return sim::make_garment(colours.following->mesh, {.flexural_rule = sim::FlexuralRule::none}, garment.material);
 }
 
 }  // namespace
@@ -127,8 +125,7 @@ SurfaceRooms::SurfaceRooms(const DrawnScene& scene, const sim::Garment& garment,
   const bool layers_apart = solver.kind == sim::SolverKind::bounded && solver.bounded.contact;
   if (!layers_apart && bodies_.empty()) return;
   append_mesh_positions(bodies_, 0.0, positions_m_);
-  clearances_.emplace(garment.mesh.triangles, triangles_of(bodies_, garment_vertices_), layers_apart,
-                      positions_m_);
+  clearances_.emplace(garment.mesh.triangles, triangles_of(bodies_, garment_vertices_), layers_apart, positions_m_);
 }
 
 std::span<const float> SurfaceRooms::find(const std::vector<sim::Vec3>& positions, double time_s) {
@@ -160,9 +157,8 @@ void SurfaceRooms::keep_off_shapes(double time_s) {
 
 float pin_radius_m(const renderer::Box& reach) { return 0.008F * glm::distance(reach.lower, reach.upper); }
 
-GarmentPainter::GarmentPainter(renderer::SceneRenderer& renderer, const DrawnScene& scene,
-                               const sim::Garment& garment, std::span<const sim::Index> pins,
-                               DrawnColours colours)
+GarmentPainter::GarmentPainter(renderer::SceneRenderer& renderer, const DrawnScene& scene, const sim::Garment& garment,
+                               std::span<const sim::Index> pins, DrawnColours colours)
     : renderer_(renderer),
       style_(drawn_style(scene.picture)),
       legend_(stretch_legend(scene)),
@@ -219,8 +215,7 @@ void GarmentPainter::add_wind(const DrawnScene& scene, const sim::Garment& garme
 void GarmentPainter::look_from(const renderer::Camera& camera, float shortest_edge_px) {
   frame_.camera = camera;
   frame_.lighting = renderer::studio_lighting(camera);
-  const float seen_m =
-      2.0F * glm::distance(camera.eye, camera.target) * std::tan(0.5F * camera.vertical_fov_rad);
+  const float seen_m = 2.0F * glm::distance(camera.eye, camera.target) * std::tan(0.5F * camera.vertical_fov_rad);
   // Springs lie on the simulated triangles.
   const bool is_smooth = style_.smooth && style_.surface != SurfaceLook::wireframe &&
                          style_.springs.which == WhichSprings::none &&
@@ -255,8 +250,7 @@ renderer::SurfaceView GarmentPainter::garment_view() {
 }
 
 const renderer::FrameView& GarmentPainter::view(const std::vector<sim::Vec3>& positions, double time_s) {
-  const std::vector<sim::Vec3> shown_m =
-      model_ ? colours_.following->shown_m(positions, simulated_) : positions;
+  const std::vector<sim::Vec3> shown_m = model_ ? colours_.following->shown_m(positions, simulated_) : positions;
   positions_ = to_float(shown_m);
   const std::span<const float> rooms_m =
       surface_.is_refined() ? rooms_.find(shown_m, time_s) : std::span<const float>();
@@ -282,9 +276,8 @@ const renderer::FrameView& GarmentPainter::view(const std::vector<sim::Vec3>& po
   if (style_.show_pins && !pins_.empty()) {
     pin_positions_.clear();
     for (const sim::Index pin : pins_) pin_positions_.emplace_back(positions[pin]);
-    frame_.spheres.push_back({.centres = pin_positions_,
-                              .radius_m = pin_radius_m_,
-                              .casts_shadow = pins_.size() <= most_pins_with_shadows});
+    frame_.spheres.push_back(
+        {.centres = pin_positions_, .radius_m = pin_radius_m_, .casts_shadow = pins_.size() <= most_pins_with_shadows});
   }
   return frame_;
 }

@@ -60,8 +60,8 @@ std::vector<renderer::BorderBand> bands_of(const sim::Garment& garment, float sh
   for (const GarmentPart& part : parts_of(garment.mesh, garment.adjacency)) {
     for (const Opening& opening : part.openings) {
       const bool ribbed = is_around_neck(opening, marks);
-      const float width_m = std::min(share * (ribbed ? neckband_m : hem_m),
-                                     most_of_length * static_cast<float>(opening.length_m));
+      const float width_m =
+          std::min(share * (ribbed ? neckband_m : hem_m), most_of_length * static_cast<float>(opening.length_m));
       for (const sim::Index vertex : opening.vertices) bands[vertex] = {width_m, ribbed};
     }
   }
@@ -77,8 +77,7 @@ float mean_edge_m(const sim::Garment& garment) {
   for (const sim::Edge& edge : garment.adjacency.edges) {
     sum_m += glm::distance(garment.mesh.positions[edge[0]], garment.mesh.positions[edge[1]]);
   }
-  return static_cast<float>(sum_m /
-                            static_cast<double>(std::max<std::size_t>(garment.adjacency.edges.size(), 1)));
+  return static_cast<float>(sum_m / static_cast<double>(std::max<std::size_t>(garment.adjacency.edges.size(), 1)));
 }
 
 // Flexural springs lie under the structural ones they skip along: wider, they show on both sides.
@@ -107,9 +106,8 @@ DrawnColours print(const PictureStyle& style, const SurfaceColours& colours) {
                      "' cannot be drawn, as the garment has no texture coordinates; expected a model that "
                      "has, such as an OBJ file with vt lines");
   }
-  return {colours.corner_uv,
-          {{style.cloth.outside_colour, inside_of(style.cloth), map_of(read_image(style.texture))}},
-          {}};
+  return {
+      colours.corner_uv, {{style.cloth.outside_colour, inside_of(style.cloth), map_of(read_image(style.texture))}}, {}};
 }
 
 renderer::BaseColour colour_of(const SurfaceMaterial& material, const SurfaceColours& colours,
@@ -123,8 +121,7 @@ renderer::BaseColour colour_of(const SurfaceMaterial& material, const SurfaceCol
 DrawnColours own(const PictureStyle& style, const SurfaceColours& colours) {
   DrawnColours drawn{colours.corner_uv, {}, colours.material_of_face, colours.remarks};
   for (const SurfaceMaterial& material : colours.materials) {
-    drawn.base_colours.push_back(
-        colour_of(material, colours, style.cloth.inside_colour.value_or(undyed_colour)));
+    drawn.base_colours.push_back(colour_of(material, colours, style.cloth.inside_colour.value_or(undyed_colour)));
   }
   return drawn;
 }
@@ -164,8 +161,7 @@ std::vector<glm::vec2> cloth_coordinates(const sim::Garment& garment, std::span<
     const double scale = std::sqrt(own.in_m2 / std::abs(own.in_uv));
     if (!std::isfinite(scale)) return {};
     for (std::size_t corner = 3 * t; corner < 3 * t + 3; ++corner) {
-      coordinates.emplace_back(std::copysign(scale, own.in_uv) * corner_uv[corner].x,
-                               scale * corner_uv[corner].y);
+      coordinates.emplace_back(std::copysign(scale, own.in_uv) * corner_uv[corner].x, scale * corner_uv[corner].y);
     }
   }
   return coordinates;
@@ -201,8 +197,7 @@ GarmentSurface::GarmentSurface(const sim::Garment& garment, std::vector<glm::vec
 void GarmentSurface::set_detail(float pixels_per_m, std::optional<float> shortest_edge_px) {
   Detail wanted;
   if (shortest_edge_px) {
-    wanted.levels =
-        renderer::refinement_levels(edge_m_ * pixels_per_m, triangles_.size() / 3, *shortest_edge_px);
+    wanted.levels = renderer::refinement_levels(edge_m_ * pixels_per_m, triangles_.size() / 3, *shortest_edge_px);
     wanted.rim = 2.0F * sewing_.rim_radius_m * pixels_per_m > least_rim_px;
     wanted.sewn = sewing_.stitch_m * pixels_per_m > least_stitch_px;
   }
@@ -213,8 +208,7 @@ void GarmentSurface::set_detail(float pixels_per_m, std::optional<float> shortes
 }
 
 void GarmentSurface::make() {
-  surface_.emplace(rest_positions_, triangles_, detail_.levels, freedom_,
-                   detail_.rim ? sewing_.rim_radius_m : 0.0F);
+  surface_.emplace(rest_positions_, triangles_, detail_.levels, freedom_, detail_.rim ? sewing_.rim_radius_m : 0.0F);
   surface_->place(rest_positions_);
   material_coordinates_ = surface_->positions();
   fine_corner_coordinates_ = fine_corner_values(corner_coordinates_);
@@ -226,9 +220,8 @@ void GarmentSurface::make() {
   }
   trims_.clear();
   if (detail_.sewn) {
-    trims_ =
-        renderer::trimmed_triangles(*surface_, material_coordinates_,
-                                    {sewing_.bands, sewing_.seams, sewing_.stitch_m, sewing_.rim_radius_m});
+    trims_ = renderer::trimmed_triangles(*surface_, material_coordinates_,
+                                         {sewing_.bands, sewing_.seams, sewing_.stitch_m, sewing_.rim_radius_m});
   }
   if (!cloth_coordinates_.empty()) {
     material_coordinates_.clear();
@@ -289,8 +282,7 @@ bool shows(const ShownSprings& shown, sim::SpringKind kind) {
 SpringLines::SpringLines(const sim::Garment& garment, const ShownSprings& shown, float width_px) {
   const sim::Springs& springs = garment.springs;
   const auto last = static_cast<float>(std::max<std::size_t>(springs.size(), 2) - 1);
-  for (const sim::SpringKind kind :
-       {sim::SpringKind::flexural, sim::SpringKind::shear, sim::SpringKind::structural}) {
+  for (const sim::SpringKind kind : {sim::SpringKind::flexural, sim::SpringKind::shear, sim::SpringKind::structural}) {
     if (!shows(shown, kind)) continue;
     Lines& lines = lines_.emplace_back();
     const bool is_under = shown.which == WhichSprings::all && kind == sim::SpringKind::flexural;
@@ -299,8 +291,7 @@ SpringLines::SpringLines(const sim::Garment& garment, const ShownSprings& shown,
       if (!is_within(shown.patch, garment, springs.ends[s])) continue;
       lines.springs.push_back(springs.ends[s]);
       if (shown.colours == SpringColours::order) {
-        const renderer::Colour colour =
-            renderer::colour_at(renderer::ColourMap::viridis, static_cast<float>(s) / last);
+        const renderer::Colour colour = renderer::colour_at(renderer::ColourMap::viridis, static_cast<float>(s) / last);
         lines.colours.insert(lines.colours.end(), 2, colour);
       }
     }

@@ -157,8 +157,7 @@ std::array<float, 2> azimuths_of(std::span<const glm::vec3> points) {
 int height_of_panel_px(std::span<const glm::vec3> points) {
   float width = 0.0F, height = 0.0F;
   for (const float azimuth_rad : azimuths_of(points)) {
-    const glm::vec2 size =
-        seen_size(points, renderer::fit_camera_to_points(points, framing_of(azimuth_rad), 1.0F));
+    const glm::vec2 size = seen_size(points, renderer::fit_camera_to_points(points, framing_of(azimuth_rad), 1.0F));
     width = std::max(width, size.x);
     height = std::max(height, size.y);
   }
@@ -208,9 +207,8 @@ void add_marks(const std::vector<InspectionMarks>& all, renderer::FrameView& fra
 
 }  // namespace
 
-renderer::Image draw_marked(renderer::SceneRenderer& renderer, const DrawnScene& scene,
-                            const sim::Garment& garment, std::span<const sim::Index> pins,
-                            const std::vector<sim::Vec3>& positions_m, double time_s,
+renderer::Image draw_marked(renderer::SceneRenderer& renderer, const DrawnScene& scene, const sim::Garment& garment,
+                            std::span<const sim::Index> pins, const std::vector<sim::Vec3>& positions_m, double time_s,
                             const std::vector<InspectionMarks>& marks, bool is_page) {
   GarmentPainter painter(renderer, scene, garment, pins);
   renderer::FrameView frame = painter.view(positions_m, time_s);
@@ -222,8 +220,7 @@ renderer::Image draw_marked(renderer::SceneRenderer& renderer, const DrawnScene&
   return renderer.draw(frame, scene.picture.settings);
 }
 
-std::vector<InspectionMarks> inspection_marks(const LoadedGarment& loaded,
-                                              std::span<const CrossingPair> crossings,
+std::vector<InspectionMarks> inspection_marks(const LoadedGarment& loaded, std::span<const CrossingPair> crossings,
                                               const MarkWidths& widths) {
   const float spring_width_px = widths.spring_px;
   const sim::Adjacency& adjacency = loaded.garment->adjacency;
@@ -234,9 +231,9 @@ std::vector<InspectionMarks> inspection_marks(const LoadedGarment& loaded,
   all.back().opacity = 0.45F;
   all.push_back(springs_of(loaded, sim::SpringKind::shear, spring_width_px));
   all.push_back(springs_of(loaded, sim::SpringKind::structural, spring_width_px));
-  all.push_back(edges_where(
-      loaded, {.meaning = "edges of a border", .colour = border_colour, .width_px = 3.0F + spring_width_px},
-      [&](std::size_t e) { return adjacency.edge_triangles[e].size() == 1; }));
+  all.push_back(
+      edges_where(loaded, {.meaning = "edges of a border", .colour = border_colour, .width_px = 3.0F + spring_width_px},
+                  [&](std::size_t e) { return adjacency.edge_triangles[e].size() == 1; }));
   all.push_back(edges_where(loaded,
                             {.meaning = "edges whose sides disagree about the outside",
                              .colour = misoriented_colour,
@@ -278,8 +275,7 @@ InspectionViews inspection_views(const DrawnScene& asked, const sim::Garment& ga
     scene.camera.target = cameras[k].target;
     scene.camera.eye = cameras[k].target + distance_m * backwards;
   }
-  views.px_per_m =
-      static_cast<float>(views.height_px) / (2.0F * distance_m * std::tan(0.5F * field_of_view_rad));
+  views.px_per_m = static_cast<float>(views.height_px) / (2.0F * distance_m * std::tan(0.5F * field_of_view_rad));
   return views;
 }
 

@@ -23,9 +23,8 @@ inline const renderer::Colour crossing_colour = renderer::rgb(0x00B140);
 inline constexpr float mark_outline_px = 2.0F;
 
 /// Draws a garment at these positions with marks; `is_page`: on a white page.
-renderer::Image draw_marked(renderer::SceneRenderer& renderer, const DrawnScene& scene,
-                            const sim::Garment& garment, std::span<const sim::Index> pins,
-                            const std::vector<sim::Vec3>& positions_m, double time_s,
+renderer::Image draw_marked(renderer::SceneRenderer& renderer, const DrawnScene& scene, const sim::Garment& garment,
+                            std::span<const sim::Index> pins, const std::vector<sim::Vec3>& positions_m, double time_s,
                             const std::vector<InspectionMarks>& marks, bool is_page);
 
 /// Sizes of marks.
@@ -36,8 +35,7 @@ struct MarkWidths {
 
 /// All marks of the garment, in the order they are drawn: later ones cover earlier ones. Triangles that cross
 /// are outlined where they are drawn, which is at rest.
-std::vector<InspectionMarks> inspection_marks(const LoadedGarment& loaded,
-                                              std::span<const CrossingPair> crossings,
+std::vector<InspectionMarks> inspection_marks(const LoadedGarment& loaded, std::span<const CrossingPair> crossings,
                                               const MarkWidths& widths);
 
 constexpr int inspection_panel_px = 1000;  ///< width of one view

@@ -26,8 +26,8 @@ renderer::Image draw_side(OffscreenRenderer& offscreen, DrawnScene& scene, const
   scene.picture.cloth.outside_colour = pale_outside;
   scene.picture.cloth.inside_colour = pale_inside;
   scene.picture.smooth = false;
-  return draw_marked(offscreen.renderer(), scene, *loaded.garment, loaded.pins,
-                     loaded.garment->mesh.positions, 0.0, all, true);
+  return draw_marked(offscreen.renderer(), scene, *loaded.garment, loaded.pins, loaded.garment->mesh.positions, 0.0,
+                     all, true);
 }
 
 // The longest of 1, 2 and 5 times a power of ten that takes at most a quarter of a panel.
@@ -72,14 +72,13 @@ std::string shortened(const renderer::Canvas& canvas, std::string text, const re
 std::vector<std::string> facts_of(const Inspection& i) {
   const sim::Vec3 size = i.upper_m - i.lower_m;
   return {
-      fmt::format("{}, {}, {}; {:.3g} x {:.3g} x {:.3g} m; unit: {}; up: {}",
-                  counted(i.vertices, "vertex", "vertices"), counted(i.triangles, "triangle", "triangles"),
-                  counted(i.topology.components, "part", "parts"), size.x, size.y, size.z,
-                  i.placement.unit_text, i.placement.up_text),
-      fmt::format("repaired: {} joined, {} degenerate and {} repeated triangles removed, {} turned",
-                  counted(i.repairs.welded_vertices + i.repairs.near_vertices + i.repairs.sewn_vertices,
-                          "vertex", "vertices"),
-                  i.repairs.degenerate_triangles, i.repairs.duplicate_triangles, i.repairs.turned_triangles)};
+      fmt::format("{}, {}, {}; {:.3g} x {:.3g} x {:.3g} m; unit: {}; up: {}", counted(i.vertices, "vertex", "vertices"),
+                  counted(i.triangles, "triangle", "triangles"), counted(i.topology.components, "part", "parts"),
+                  size.x, size.y, size.z, i.placement.unit_text, i.placement.up_text),
+      fmt::format(
+          "repaired: {} joined, {} degenerate and {} repeated triangles removed, {} turned",
+          counted(i.repairs.welded_vertices + i.repairs.near_vertices + i.repairs.sewn_vertices, "vertex", "vertices"),
+          i.repairs.degenerate_triangles, i.repairs.duplicate_triangles, i.repairs.turned_triangles)};
 }
 
 void draw_header(renderer::Canvas& canvas, const Inspection& inspection) {
@@ -105,13 +104,12 @@ struct LegendRow {
 std::vector<LegendRow> legend_of(const std::vector<InspectionMarks>& all, std::size_t pins) {
   std::vector<LegendRow> rows;
   for (const InspectionMarks& marks : all) {
-    rows.push_back({marks.meaning, marks.colour,
-                    marks.dots ? LegendRow::Sample::dot : LegendRow::Sample::line,
+    rows.push_back({marks.meaning, marks.colour, marks.dots ? LegendRow::Sample::dot : LegendRow::Sample::line,
                     std::max(3.0F, marks.width_px), marks.dots});
   }
   if (pins > 0) {
-    rows.push_back({fmt::format("held: {}", counted(pins, "vertex", "vertices")), pin_colour,
-                    LegendRow::Sample::dot, 16.0F});
+    rows.push_back(
+        {fmt::format("held: {}", counted(pins, "vertex", "vertices")), pin_colour, LegendRow::Sample::dot, 16.0F});
   }
   rows.push_back({"outside", pale_outside, LegendRow::Sample::area});
   rows.push_back({"inside", pale_inside, LegendRow::Sample::area});
@@ -136,8 +134,7 @@ void draw_legend_rows(renderer::Canvas& canvas, const std::vector<LegendRow>& ro
         break;
       case LegendRow::Sample::dot:
         if (rows[i].outlined) {
-          canvas.circle(x_px + 0.5F * sample_px, y_px, 0.5F * rows[i].width_px + mark_outline_px,
-                        palette::ink);
+          canvas.circle(x_px + 0.5F * sample_px, y_px, 0.5F * rows[i].width_px + mark_outline_px, palette::ink);
         }
         canvas.circle(x_px + 0.5F * sample_px, y_px, 0.5F * rows[i].width_px, rows[i].colour);
         break;
@@ -153,8 +150,7 @@ void draw_legend_rows(renderer::Canvas& canvas, const std::vector<LegendRow>& ro
 // Springs as wide as leaves the surface between them to be seen, dots as large as leaves the springs.
 MarkWidths mark_widths(const Inspection& inspection, float px_per_m) {
   const float edge_px = static_cast<float>(inspection.mean_edge_m) * px_per_m;
-  return {.spring_px = std::clamp(0.09F * edge_px, 0.4F, 2.0F),
-          .dot_px = std::clamp(0.4F * edge_px, 5.0F, 13.0F)};
+  return {.spring_px = std::clamp(0.09F * edge_px, 0.4F, 2.0F), .dot_px = std::clamp(0.4F * edge_px, 5.0F, 13.0F)};
 }
 
 constexpr float dot_px = 13.0F;
@@ -233,8 +229,7 @@ void draw_table(renderer::Canvas& canvas, const WornGarment& worn, float top_px)
   const std::span<const FitRow> rows = worn.fit;
   constexpr std::array columns_px = {0.0F, 420.0F, 640.0F, 860.0F, 930.0F};
   const float end_px = border_px + 1130.0F;
-  const auto line = [&](float y_px, const std::array<std::string, 5>& cells,
-                        const renderer::TextStyle& look) {
+  const auto line = [&](float y_px, const std::array<std::string, 5>& cells, const renderer::TextStyle& look) {
     for (std::size_t c = 0; c < cells.size(); ++c) {
       renderer::TextStyle style = look;
       const bool is_number = c > 0 && c < 4;
@@ -249,8 +244,7 @@ void draw_table(renderer::Canvas& canvas, const WornGarment& worn, float top_px)
     const auto cm = [](double length_m) { return fmt::format("{:.1f} cm", 100.0 * length_m); };
     const bool is_short = row.ease_m() < too_small_below_m;
     line(top_px + text_px + static_cast<float>(r + 1) * row_px,
-         {row.name, cm(row.body_m), cm(row.garment_m), fmt::format("{:+.1f} cm", 100.0 * row.ease_m()),
-          fit_word(row)},
+         {row.name, cm(row.body_m), cm(row.garment_m), fmt::format("{:+.1f} cm", 100.0 * row.ease_m()), fit_word(row)},
          text_style(text_px, is_short ? palette::vermilion : palette::ink));
   }
   const std::string words = rows.empty() ? "no girth of the garment goes all around the body"
@@ -263,8 +257,8 @@ void draw_table(renderer::Canvas& canvas, const WornGarment& worn, float top_px)
 
 }  // namespace
 
-renderer::Image draw_inspection(const Inspection& inspection, const LoadedGarment& loaded,
-                                const DrawnScene& scene, const std::string& backend) {
+renderer::Image draw_inspection(const Inspection& inspection, const LoadedGarment& loaded, const DrawnScene& scene,
+                                const std::string& backend) {
   OffscreenRenderer offscreen(backend);
   InspectionViews views = inspection_views(scene, *loaded.garment, loaded.pins);
   const MarkWidths widths = mark_widths(inspection, views.px_per_m);
@@ -275,21 +269,18 @@ renderer::Image draw_inspection(const Inspection& inspection, const LoadedGarmen
     views.sides[0].name = "the model, which follows";
   }
   const std::vector<InspectionMarks> all = inspection_marks(shown[0], inspection.crossings, widths);
-  const std::vector<InspectionMarks> simulated =
-      loaded.following ? inspection_marks(loaded, {}, widths) : all;
+  const std::vector<InspectionMarks> simulated = loaded.following ? inspection_marks(loaded, {}, widths) : all;
   const std::vector<LegendRow> legend = legend_of(all, loaded.pins.size());
   const float caption_px = 1.6F * row_px;
   const float below_px = header_px + static_cast<float>(views.height_px);
   const float legend_top_px = below_px + caption_px;
-  renderer::Canvas canvas(static_cast<int>(page_px),
-                          static_cast<int>(legend_top_px + legend_height_px(legend.size())));
+  renderer::Canvas canvas(static_cast<int>(page_px), static_cast<int>(legend_top_px + legend_height_px(legend.size())));
   draw_header(canvas, inspection);
   renderer::TextStyle caption = text_style(text_px);
   caption.horizontal = renderer::HorizontalAlign::centre;
   for (std::size_t k = 0; k < views.sides.size(); ++k) {
     const float x_px = border_px + static_cast<float>(k) * (panel_px + gap_px);
-    canvas.image(x_px, header_px,
-                 draw_side(offscreen, views.sides[k].scene, shown[k], k == 0 ? all : simulated));
+    canvas.image(x_px, header_px, draw_side(offscreen, views.sides[k].scene, shown[k], k == 0 ? all : simulated));
     canvas.text(x_px + 0.5F * panel_px, below_px + row_px, views.sides[k].name, caption);
   }
   draw_bar(canvas, border_px + 12.0F, below_px + row_px, views.px_per_m);
@@ -303,15 +294,14 @@ renderer::Image draw_blocked(renderer::SceneRenderer& renderer, const DrawnScene
   const std::vector<InspectionMarks> marks = marks_of(simulation, blocked);
   const auto draw = [&](DrawnScene seen) {
     seen.picture.smooth = false;
-    return draw_marked(renderer, seen, simulation.garment(), simulation.pins().vertices,
-                       simulation.state().current, simulation.state().time_s, marks, false);
+    return draw_marked(renderer, seen, simulation.garment(), simulation.pins().vertices, simulation.state().current,
+                       simulation.state().time_s, marks, false);
   };
   const auto width_px = static_cast<float>(scene.picture.settings.width_px);
   const renderer::TextStyle style = text_style(0.02F * width_px);
   const float border_px = style.size_px;
   const float row_px = 1.5F * style.size_px;
-  const std::vector<std::string> lines =
-      wrapped(renderer::Canvas(1, 1), text, style, 2.0F * (width_px - border_px));
+  const std::vector<std::string> lines = wrapped(renderer::Canvas(1, 1), text, style, 2.0F * (width_px - border_px));
   const float header_px = static_cast<float>(lines.size()) * row_px + border_px;
   renderer::Canvas canvas(2 * scene.picture.settings.width_px,
                           static_cast<int>(header_px) + scene.picture.settings.height_px);
@@ -327,12 +317,10 @@ renderer::Image draw_fit(const WornGarment& worn, const std::string& backend) {
   OffscreenRenderer offscreen(backend);
   const float caption_px = 1.6F * row_px;
   const float table_px = fit_header_px + fit_panel_height_px + caption_px;
-  renderer::Canvas canvas(
-      static_cast<int>(fit_page_px),
-      static_cast<int>(table_px + static_cast<float>(worn.fit.size() + 3) * row_px + border_px));
+  renderer::Canvas canvas(static_cast<int>(fit_page_px),
+                          static_cast<int>(table_px + static_cast<float>(worn.fit.size() + 3) * row_px + border_px));
   canvas.text(border_px, border_px + text_px, worn.title, text_style(1.4F * text_px, palette::ink, true));
-  canvas.text(border_px, border_px + text_px + row_px, worn.measured,
-              text_style(0.85F * text_px, palette::quiet_ink));
+  canvas.text(border_px, border_px + text_px + row_px, worn.measured, text_style(0.85F * text_px, palette::quiet_ink));
   renderer::TextStyle caption = text_style(text_px);
   caption.horizontal = renderer::HorizontalAlign::centre;
   float x_px = border_px;

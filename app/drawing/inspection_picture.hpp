@@ -12,8 +12,8 @@ namespace taut::app {
 /// by kind, pins, borders, vertices that were welded, edges with more than two triangles, and edges whose
 /// triangles disagree about the outside. It has a legend, counts and a scale bar. `backend` is as in
 /// renderer::create_context. Throws renderer::ContextError.
-renderer::Image draw_inspection(const Inspection& inspection, const LoadedGarment& loaded,
-                                const DrawnScene& scene, const std::string& backend);
+renderer::Image draw_inspection(const Inspection& inspection, const LoadedGarment& loaded, const DrawnScene& scene,
+                                const std::string& backend);
 
 /// Returns a page that shows the simulation as it is, with what was blocked outlined and its place marked: as
 /// the scene is looked at, and from near by. `text` is written above.

@@ -45,15 +45,12 @@ void draw_followed_point(renderer::Canvas& canvas, const StepRecording& fall, co
   const float side_px = area.width_px;
   for (int i = 0; i <= cells; ++i) {
     const float at_px = side_px * static_cast<float>(i) / cells;
-    canvas.line(area.x_px + at_px, area.y_px, area.x_px + at_px, area.y_px + side_px, palette::quiet_ink,
-                2.0F);
-    canvas.line(area.x_px, area.y_px + at_px, area.x_px + side_px, area.y_px + at_px, palette::quiet_ink,
-                2.0F);
+    canvas.line(area.x_px + at_px, area.y_px, area.x_px + at_px, area.y_px + side_px, palette::quiet_ink, 2.0F);
+    canvas.line(area.x_px, area.y_px + at_px, area.x_px + side_px, area.y_px + at_px, palette::quiet_ink, 2.0F);
   }
   const auto place = [&](sim::Index vertex) {
     return glm::vec2(
-        area.x_px +
-            side_px * static_cast<float>(vertex % grid.columns) / static_cast<float>(grid.columns - 1),
+        area.x_px + side_px * static_cast<float>(vertex % grid.columns) / static_cast<float>(grid.columns - 1),
         area.y_px + side_px * static_cast<float>(vertex / grid.columns) / static_cast<float>(grid.rows - 1));
   };
   for (const sim::Index pin : fall.frames.pins) {
@@ -87,8 +84,7 @@ std::string settings_of(int substeps, int sweeps) {
                      sweeps == 1 ? "" : "s");
 }
 
-Curve measured_curve(const std::vector<FrameTimes>& times, int substeps, const Stroke& stroke,
-                     Marker marker) {
+Curve measured_curve(const std::vector<FrameTimes>& times, int substeps, const Stroke& stroke, Marker marker) {
   Curve curve;
   curve.stroke = stroke;
   curve.stroke.thickness_px = 0.0F;
@@ -119,8 +115,7 @@ Plot frame_time_plot(const std::vector<FrameTimes>& times) {
     all_ms.insert(all_ms.end(), time.frame_ms.begin(), time.frame_ms.end());
   }
   plot.y = decades_around("time for one frame in ms", all_ms);
-  const std::array strokes = {Stroke{palette::blue, 4.0F, {}},
-                              Stroke{palette::vermilion, 4.0F, {4.0F, 2.5F}}};
+  const std::array strokes = {Stroke{palette::blue, 4.0F, {}}, Stroke{palette::vermilion, 4.0F, {4.0F, 2.5F}}};
   const std::array markers = {Marker::disc, Marker::square};
   std::vector<int> done;
   for (const FrameTimes& time : times) {
@@ -129,8 +124,8 @@ Plot frame_time_plot(const std::vector<FrameTimes>& times) {
     const PowerLaw law = fit_power_law(times, time.substeps);
     plot.curves.push_back(fitted_curve(law, plot.x, strokes[look]));
     plot.curves.push_back(measured_curve(times, time.substeps, strokes[look], markers[look]));
-    plot.curves[plot.curves.size() - 2].name = fmt::format(
-        "{}: grows as triangles to the power {:.2f}", settings_of(time.substeps, time.sweeps), law.exponent);
+    plot.curves[plot.curves.size() - 2].name = fmt::format("{}: grows as triangles to the power {:.2f}",
+                                                           settings_of(time.substeps, time.sweeps), law.exponent);
     done.push_back(time.substeps);
   }
   plot.levels = {{frame_at_60_hz_ms, "60 frames a second: 16.7 ms"}};
@@ -141,8 +136,7 @@ Plot frame_time_plot(const std::vector<FrameTimes>& times) {
 std::string medians_of(const std::vector<FrameTimes>& times) {
   std::string text;
   for (const FrameTimes& time : times) {
-    text +=
-        fmt::format("{}{:.{}f}", text.empty() ? "" : ", ", time.median_ms(), time.median_ms() < 10.0 ? 1 : 0);
+    text += fmt::format("{}{:.{}f}", text.empty() ? "" : ", ", time.median_ms(), time.median_ms() < 10.0 ? 1 : 0);
   }
   return text + " ms";
 }
@@ -228,8 +222,7 @@ std::string figure3_csv(const Results& results) {
   const StepRecording& fall = *results.fall;
   CsvTable table(columns3);
   for (std::size_t i = 0; i < fall.moved_m.size(); ++i) {
-    table.add(
-        {std::to_string(i + 1), cell(static_cast<double>(i + 1) * fall.time_step_s), cell(fall.moved_m[i])});
+    table.add({std::to_string(i + 1), cell(static_cast<double>(i + 1) * fall.time_step_s), cell(fall.moved_m[i])});
   }
   return table.text();
 }
@@ -262,8 +255,8 @@ Drawing draw_figure3(const Results& results, LazyOffscreenRenderer&) {
     draw_plot(canvas, plot, {20.0F, 10.0F, 1640.0F, 1230.0F});
     draw_plot(canvas, inset, {1740.0F, 10.0F, 640.0F, 620.0F}, {.line_px = 2.0F});
     draw_followed_point(canvas, fall, {1920.0F, 760.0F, 340.0F, 340.0F});
-    draw_caption(canvas, {'\0', "convergence of one mass point of the cloth of figure 2", rest_text(fall)},
-                 1200.0F, 1240.0F, style);
+    draw_caption(canvas, {'\0', "convergence of one mass point of the cloth of figure 2", rest_text(fall)}, 1200.0F,
+                 1240.0F, style);
   };
   return drawing;
 }
@@ -283,8 +276,7 @@ void read_figure6(const std::filesystem::path& folder, Results& results) {
   const CsvFile table(folder / "fig6.csv", columns6);
   std::vector<FrameTimes>& times = results.frame_times;
   for (std::size_t row = 0; row < table.rows(); ++row) {
-    const FrameTimes next{
-        table.whole_number(row, 0), table.whole_number(row, 1), table.whole_number(row, 2), {}};
+    const FrameTimes next{table.whole_number(row, 0), table.whole_number(row, 1), table.whole_number(row, 2), {}};
     if (times.empty() || times.back().triangles != next.triangles || times.back().substeps != next.substeps) {
       times.push_back(next);
     }
@@ -304,14 +296,13 @@ Drawing draw_figure6(const Results& results, LazyOffscreenRenderer&) {
   Drawing drawing{2400, 1300 + static_cast<int>(style.height_px()), {}};
   drawing.draw = [=](renderer::Canvas& canvas) {
     draw_plot(canvas, plot, {40.0F, 20.0F, 2300.0F, 1270.0F}, {.text_px = 38.0F, .marker_px = 15.0F});
-    draw_caption(
-        canvas,
-        {'\0',
-         fmt::format("one frame of 1/60 s with the strong constraint, one thread: medians of {}, bars from "
-                     "shortest to longest",
-                     times.front().frame_ms.size()),
-         "gravity alone, no contact; lines are fitted to the shortest times; medians " + medians_of(times)},
-        1200.0F, 1300.0F, style);
+    draw_caption(canvas,
+                 {'\0',
+                  fmt::format("one frame of 1/60 s with the strong constraint, one thread: medians of {}, bars from "
+                              "shortest to longest",
+                              times.front().frame_ms.size()),
+                  "gravity alone, no contact; lines are fitted to the shortest times; medians " + medians_of(times)},
+                 1200.0F, 1300.0F, style);
   };
   return drawing;
 }
@@ -360,8 +351,8 @@ Drawing draw_figure7(const Results& results, LazyOffscreenRenderer&) {
     const std::string step = fmt::format("steps of 1/{:.0f} s", method_rates_hz[rate]);
     const char letter = rate == 0 ? 'a' : 'b';
     stretch.push_back({stretch_plot(runs), {letter, "stretch, " + step, ""}});
-    unrest.push_back({unrest_plot(runs),
-                      {static_cast<char>(letter + 2), "movement in a step, " + step, unrest_text(runs)}});
+    unrest.push_back(
+        {unrest_plot(runs), {static_cast<char>(letter + 2), "movement in a step, " + step, unrest_text(runs)}});
   }
   stretch.insert(stretch.end(), unrest.begin(), unrest.end());
   return draw_plot_sheet(std::move(stretch), {});

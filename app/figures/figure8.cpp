@@ -38,20 +38,16 @@ Look look_of(sim::SolverKind kind) {
               {palette::purple, 4.5F, {3.0F, 1.5F}},
               Marker::ring};
     case fast_projection:
-      return {"Goldenthal 2007",
-              "fast projection of all edges; 5 steps a frame",
-              {palette::sky, 4.5F, {}},
-              Marker::disc};
+      return {
+          "Goldenthal 2007", "fast projection of all edges; 5 steps a frame", {palette::sky, 4.5F, {}}, Marker::disc};
     case strong:
       return {"the paper, literally",
               "strong constraint; 20 steps of 4 sweeps a frame",
               {palette::blue, 4.5F, {}},
               Marker::disc};
     default:
-      return {"bounded (this program)",
-              "1 % of the surface; chooses its steps",
-              {palette::ink, 9.0F, {}},
-              Marker::disc};
+      return {
+          "bounded (this program)", "1 % of the surface; chooses its steps", {palette::ink, 9.0F, {}}, Marker::disc};
   }
 }
 
@@ -105,8 +101,7 @@ PlotPanel time_panel(const MethodTrials& trials) {
   plot.curves.insert(plot.curves.begin(), line_at(100.0 * trial_max_stretch, plot.y));
   plot.legend = LegendCorner::none;
   return {std::move(plot),
-          {'a', "time and stretch, on four meshes",
-           "upwards: 9x9 cloth, T-shirts of 1028, 5280, 10600 triangles"}};
+          {'a', "time and stretch, on four meshes", "upwards: 9x9 cloth, T-shirts of 1028, 5280, 10600 triangles"}};
 }
 
 PlotPanel energy_panel(const MethodTrials& trials) {
@@ -149,10 +144,10 @@ PlotPanel rest_panel(const MethodTrials& trials) {
   plot.y = decades_around("RMS speed in m/s, the largest in 1/4 s", speeds);
   plot.curves.insert(plot.curves.begin(), line_at(shaken_s, plot.y));
   plot.legend = LegendCorner::none;
-  return {std::move(plot),
-          {'c', fmt::format("speed; pins are shaken, and held from {:g} s on", shaken_s),
-           fmt::format("T-shirt of 1028, in air; shaken by {:g} cm, {:g} times a second", 1e2 * shaken_by_m,
-                       shaken_hz)}};
+  return {
+      std::move(plot),
+      {'c', fmt::format("speed; pins are shaken, and held from {:g} s on", shaken_s),
+       fmt::format("T-shirt of 1028, in air; shaken by {:g} cm, {:g} times a second", 1e2 * shaken_by_m, shaken_hz)}};
 }
 
 Axis factor_axis() { return {"length of a time step, times its own", 0.85, 7.5, true, "", {1.0, 2.0, 5.0}}; }
@@ -200,8 +195,7 @@ PlotPanel sunk_panel(const MethodTrials& trials) {
   plot.x = factor_axis();
   plot.y = {"centre of mass, cm below the start", 0.0, 1.1 * deepest_cm};
   plot.legend = LegendCorner::none;
-  return {std::move(plot),
-          {'e', "how far it sinks into folds", "the same runs at their end; near 0 it is locked"}};
+  return {std::move(plot), {'e', "how far it sinks into folds", "the same runs at their end; near 0 it is locked"}};
 }
 
 void draw_methods(renderer::Canvas& canvas, const Area& area, const PlotSheet& sheet) {
@@ -215,10 +209,9 @@ void draw_methods(renderer::Canvas& canvas, const Area& area, const PlotSheet& s
                 look_of(kind).setting, text_style(sheet.caption.measured_px, palette::quiet_ink));
     top_px += row_px;
   }
-  canvas.text(
-      area.x_px + 60.0F, top_px + 1.2F * sheet.plot.text_px,
-      fmt::format("no contact, one thread; asked for {:g} % where possible", 100.0 * trial_max_stretch),
-      text_style(sheet.caption.measured_px));
+  canvas.text(area.x_px + 60.0F, top_px + 1.2F * sheet.plot.text_px,
+              fmt::format("no contact, one thread; asked for {:g} % where possible", 100.0 * trial_max_stretch),
+              text_style(sheet.caption.measured_px));
 }
 
 const std::vector<std::string> columns = {
@@ -226,15 +219,14 @@ const std::vector<std::string> columns = {
     "max_stretch", "max_surface_stretch", "energy_j", "rms_speed_m_per_s", "sunk_m"};
 
 /// The value that has its name in a cell.
-template <class Values>
-auto named(const CsvFile& table, std::size_t row, std::size_t column, const Values& values) {
+template <class Values> auto named(const CsvFile& table, std::size_t row, std::size_t column, const Values& values) {
   std::vector<std::string> names;
   for (const auto value : values) {
     if (table.text(row, column) == name_of(value)) return value;
     names.emplace_back(name_of(value));
   }
-  table.fail(row, fmt::format("{}: found '{}', expected one of {}", columns[column], table.text(row, column),
-                              joined(names)));
+  table.fail(
+      row, fmt::format("{}: found '{}', expected one of {}", columns[column], table.text(row, column), joined(names)));
 }
 
 /// Adds a row to the trial it belongs to, which is the last one or a new one.
@@ -275,8 +267,8 @@ std::string figure8_csv(const Results& results) {
       const auto add = [&](const TrialFrame& frame) {
         table.add({name_of(test), std::to_string(trial.triangles), name_of(trial.kind),
                    std::to_string(trial.step_factor), std::to_string(trial.substeps), cell(frame.time_s),
-                   cell(frame.frame_ms), cell(frame.stretch), cell(frame.surface_stretch),
-                   cell(frame.energy_j), cell(frame.speed_m_per_s), cell(frame.sunk_m)});
+                   cell(frame.frame_ms), cell(frame.stretch), cell(frame.surface_stretch), cell(frame.energy_j),
+                   cell(frame.speed_m_per_s), cell(frame.sunk_m)});
       };
       std::ranges::for_each(trial.frames, add);
       if (trial.is_lost) {
@@ -294,8 +286,8 @@ void read_figure8(const std::filesystem::path& folder, Results& results) {
   for (const MethodTest test : all_method_tests) {
     const std::size_t found = results.trials_of(test).size(), expected = trials_in(test);
     if (found != expected) {
-      throw InputError("{}: found {} trials of the test {}, expected {}", (folder / "fig8.csv").string(),
-                       found, name_of(test), expected);
+      throw InputError("{}: found {} trials of the test {}, expected {}", (folder / "fig8.csv").string(), found,
+                       name_of(test), expected);
     }
   }
 }

@@ -15,9 +15,7 @@ void time_strong_shirts(const ProgressCallback& report_progress, Results& result
 
 std::vector<const Recording*> falls_of(const Results& results) { return {&results.fall->frames}; }
 
-std::vector<const Recording*> pinned_of(const Results& results) {
-  return {&*results.pinned[0], &*results.pinned[1]};
-}
+std::vector<const Recording*> pinned_of(const Results& results) { return {&*results.pinned[0], &*results.pinned[1]}; }
 
 std::vector<const Recording*> shirts_of(const Results& results) {
   return {&*results.shirts[0], &*results.shirts[1], &*results.shirts[2]};
@@ -86,15 +84,13 @@ Placement placement_of(const SpringPatch& patch, const glm::vec2& corner_px) {
     upper = glm::max(upper, point);
   }
   const glm::vec2 size = upper - lower;
-  return {0.5F * (lower + upper), corner_px + glm::vec2(0.5F * panel_px),
-          0.86F * panel_px / std::max(size.x, size.y)};
+  return {0.5F * (lower + upper), corner_px + glm::vec2(0.5F * panel_px), 0.86F * panel_px / std::max(size.x, size.y)};
 }
 
 void draw_patch(renderer::Canvas& canvas, const SpringPatch& patch, const glm::vec2& corner_px) {
   const Placement place = placement_of(patch, corner_px);
   // The long ones first: what they cross stays on top.
-  for (const sim::SpringKind kind :
-       {sim::SpringKind::flexural, sim::SpringKind::shear, sim::SpringKind::structural}) {
+  for (const sim::SpringKind kind : {sim::SpringKind::flexural, sim::SpringKind::shear, sim::SpringKind::structural}) {
     const KindLook look = look_of(kind);
     for (const PatchSpring& spring : patch.springs) {
       if (spring.kind == kind) {
@@ -124,8 +120,8 @@ void draw_legend_row(renderer::Canvas& canvas, float centre_px, float y_px) {
   text.vertical = renderer::VerticalAlign::middle;
   float width_px = -space_px;
   for (const sim::SpringKind kind : sim::all_spring_kinds) {
-    width_px += sample_px + 24.0F +
-                canvas.measure(std::string(look_of(kind).name) + " spring", text).width_px + space_px;
+    width_px +=
+        sample_px + 24.0F + canvas.measure(std::string(look_of(kind).name) + " spring", text).width_px + space_px;
   }
   width_px += space_px + 60.0F + canvas.measure("mass point", text).width_px;
   float x_px = centre_px - 0.5F * width_px;
@@ -145,10 +141,7 @@ void draw_legend_row(renderer::Canvas& canvas, float centre_px, float y_px) {
 const std::vector<Figure>& all_figures() {
   using enum Experiment;
   static const std::vector<Figure> figures = {
-      {"fig1",
-       "The mass-spring model and its types of springs, as the mapping makes them",
-       {mapping},
-       draw_figure1},
+      {"fig1", "The mass-spring model and its types of springs, as the mapping makes them", {mapping}, draw_figure1},
       {"fig2",
        "A cloth falls under gravity, held by two corners",
        {fall},
@@ -217,8 +210,8 @@ Drawing draw_figure1(const Results& results, LazyOffscreenRenderer&) {
     draw_legend_row(canvas, 0.5F * static_cast<float>(canvas.width_px()), 60.0F);
     draw_patch(canvas, grid, {left_px, legend_px});
     draw_patch(canvas, shirt, {right_px, legend_px});
-    draw_caption(canvas, {'a', "regular grid", counts_of(grid)}, left_px + 0.5F * panel_px,
-                 legend_px + panel_px, style);
+    draw_caption(canvas, {'a', "regular grid", counts_of(grid)}, left_px + 0.5F * panel_px, legend_px + panel_px,
+                 style);
     draw_caption(canvas, {'b', "patch of the T-shirt: flexural springs by angle", counts_of(shirt)},
                  right_px + 0.5F * panel_px, legend_px + panel_px, style);
   };

@@ -48,8 +48,8 @@ renderer::Camera camera_for(std::span<const PrintedMoment> moments, const Pictur
   const glm::vec3 towards_light = renderer::studio_lighting(scene_camera(scene, reach, aspect)).towards_key;
   std::vector<glm::vec3> points;
   for (const PrintedMoment& moment : moments) {
-    const std::vector<glm::vec3> arrows = wind_arrows(moment.recording->scene.surroundings.forces.wind,
-                                                      moment.recording->garment->mesh.positions);
+    const std::vector<glm::vec3> arrows =
+        wind_arrows(moment.recording->scene.surroundings.forces.wind, moment.recording->garment->mesh.positions);
     points.insert(points.end(), arrows.begin(), arrows.end());
     add_points(moment, towards_light, ground_height(scene, reach), points);
   }
@@ -100,8 +100,8 @@ std::vector<sim::Vec3> read_shape(const CsvFile& shapes, const std::string& pane
   for (std::size_t row = 0; row < shapes.rows(); ++row) {
     if (shapes.text(row, 0) != panel) continue;
     if (shapes.whole_number(row, 1) != static_cast<int>(positions.size())) {
-      shapes.fail(row, fmt::format("panel {}: found vertex {}, expected {}", panel, shapes.text(row, 1),
-                                   positions.size()));
+      shapes.fail(row,
+                  fmt::format("panel {}: found vertex {}, expected {}", panel, shapes.text(row, 1), positions.size()));
     }
     positions.emplace_back(shapes.number(row, 2), shapes.number(row, 3), shapes.number(row, 4));
   }
@@ -113,8 +113,8 @@ template <class CaptionOf>
 std::vector<Panel> panels_of(Prints& prints, std::span<const PrintedMoment> moments, CaptionOf caption_of) {
   std::vector<Panel> panels;
   for (std::size_t i = 0; i < moments.size(); ++i) {
-    panels.push_back({std::move(prints.pictures[i]),
-                      caption_of(moments[i], static_cast<char>('a' + static_cast<int>(i)))});
+    panels.push_back(
+        {std::move(prints.pictures[i]), caption_of(moments[i], static_cast<char>('a' + static_cast<int>(i)))});
   }
   return panels;
 }
@@ -125,8 +125,7 @@ Caption pinned_caption(const PrintedMoment& moment, char letter) {
   if (moment.shows_stretch) {
     return {letter, "the same, coloured by the stretch of its springs",
             fmt::format("99 of 100 springs up to {:.4g} %, triangles up to {:.4g} %",
-                        100.0 * moment.moment->record.stretch.p99,
-                        100.0 * moment.moment->record.surface_stretch.p99)};
+                        100.0 * moment.moment->record.stretch.p99, 100.0 * moment.moment->record.surface_stretch.p99)};
   }
   return {letter, largest_stretch_text(moment),
           fmt::format("{} sweeps of the constraint in a step; red: at rest length",
@@ -134,8 +133,7 @@ Caption pinned_caption(const PrintedMoment& moment, char letter) {
 }
 
 renderer::Colour colour_of(double stretch) {
-  return renderer::colour_at(printed_stretch_colours,
-                             static_cast<float>(0.5 + 0.5 * stretch / printed_stretch));
+  return renderer::colour_at(printed_stretch_colours, static_cast<float>(0.5 + 0.5 * stretch / printed_stretch));
 }
 
 // Returns the shaded colour of the unstretched cloth in a picture: the lightest pixel near the middle,
@@ -145,8 +143,8 @@ renderer::Colour shade_of(const renderer::Image& unstretched) {
   const int width_px = unstretched.width_px / 8, height_px = unstretched.height_px / 8;
   for (int y = 0; y < height_px; ++y) {
     for (int x = 0; x < width_px; ++x) {
-      const std::uint8_t* pixel = unstretched.at((unstretched.width_px - width_px) / 2 + x,
-                                                 (unstretched.height_px - height_px) / 2 + y);
+      const std::uint8_t* pixel =
+          unstretched.at((unstretched.width_px - width_px) / 2 + x, (unstretched.height_px - height_px) / 2 + y);
       const renderer::Colour colour = renderer::Colour(pixel[0], pixel[1], pixel[2]) / 255.0F;
       lightest = colour.g > lightest.g ? colour : lightest;
     }
@@ -163,8 +161,7 @@ renderer::Image colour_bar(double lowest, double highest, const renderer::Colour
     const double stretch = lowest + up * (highest - lowest);
     const renderer::Colour colour = shade * colour_of(stretch);
     for (int channel = 0; channel < 3; ++channel) {
-      bar.at(0, y)[channel] =
-          static_cast<std::uint8_t>(std::lround(255.0F * std::min(colour[channel], 1.0F)));
+      bar.at(0, y)[channel] = static_cast<std::uint8_t>(std::lround(255.0F * std::min(colour[channel], 1.0F)));
     }
   }
   return bar;
@@ -175,8 +172,7 @@ glm::vec2 panel_corner(const SheetStyle& style, const PictureSize& picture, std:
   const auto column = static_cast<float>(panel % style.columns);
   const auto row = static_cast<float>(panel / style.columns);
   return {style.border_px + column * (static_cast<float>(picture.width_px) + style.gap_px),
-          style.border_px +
-              row * (static_cast<float>(picture.height_px) + style.caption.height_px() + style.gap_px)};
+          style.border_px + row * (static_cast<float>(picture.height_px) + style.caption.height_px() + style.gap_px)};
 }
 
 void draw_stretch_legend(renderer::Canvas& canvas, const SheetStyle& style, const renderer::Colour& shade) {
@@ -197,14 +193,12 @@ void draw_stretch_legend(renderer::Canvas& canvas, const SheetStyle& style, cons
     canvas.line(x_px + width_px, tick_y_px, x_px + width_px + tick_px, tick_y_px, palette::ink, 2.0F);
     canvas.text(x_px + width_px + 1.5F * tick_px, tick_y_px, fmt::format("{} %", percent), text);
   }
-  canvas.text(x_px, y_px - 1.2F * style.caption.measured_px, "stretch",
-              text_style(style.caption.measured_px));
+  canvas.text(x_px, y_px - 1.2F * style.caption.measured_px, "stretch", text_style(style.caption.measured_px));
 }
 
 /// Draws the moments with one camera, from the direction of the first moment's scene. The camera is as near
 /// as all cloths and their shadows on the floor allow. Throws renderer::ContextError.
-Prints print_moments(LazyOffscreenRenderer& lazy, std::span<const PrintedMoment> moments,
-                     const PictureSize& size) {
+Prints print_moments(LazyOffscreenRenderer& lazy, std::span<const PrintedMoment> moments, const PictureSize& size) {
   OffscreenRenderer& offscreen = lazy.open();
   const float scale = lazy.scale();
   const auto scaled = [&](int length_px) {
@@ -220,8 +214,7 @@ Prints print_moments(LazyOffscreenRenderer& lazy, std::span<const PrintedMoment>
     GarmentPainter painter(offscreen.renderer(), scene, *moment.recording->garment, moment.recording->pins);
     prints.pictures.push_back(painter.draw(moment.moment->positions, moment.moment->record.time_s));
   }
-  const float seen_m =
-      2.0F * glm::distance(camera.eye, camera.target) * std::tan(0.5F * camera.vertical_fov_rad);
+  const float seen_m = 2.0F * glm::distance(camera.eye, camera.target) * std::tan(0.5F * camera.vertical_fov_rad);
   prints.metre_px = static_cast<float>(size.height_px) / seen_m;
   return prints;
 }
@@ -229,20 +222,17 @@ Prints print_moments(LazyOffscreenRenderer& lazy, std::span<const PrintedMoment>
 }  // namespace
 
 std::string largest_stretch_text(const PrintedMoment& moment) {
-  return fmt::format("largest stretch: springs {:.4g} %, surface {:.4g} %",
-                     100.0 * moment.moment->record.stretch.max,
+  return fmt::format("largest stretch: springs {:.4g} %, surface {:.4g} %", 100.0 * moment.moment->record.stretch.max,
                      100.0 * moment.moment->record.surface_stretch.max);
 }
 
-Drawing sheet_of(std::vector<Panel> panels, const PictureSize& size, const SheetStyle& style,
-                 const ScaleBar& bar) {
+Drawing sheet_of(std::vector<Panel> panels, const PictureSize& size, const SheetStyle& style, const ScaleBar& bar) {
   const std::size_t columns = std::min(style.columns, panels.size());
   const glm::vec2 last_in_row = panel_corner(style, size, columns - 1);
   const glm::vec2 last = panel_corner(style, size, panels.size() - 1);
   Drawing drawing;
   drawing.width_px = size.width_px + static_cast<int>(last_in_row.x + style.right_px + style.border_px);
-  drawing.height_px =
-      size.height_px + static_cast<int>(last.y + style.caption.height_px() + 0.5F * style.border_px);
+  drawing.height_px = size.height_px + static_cast<int>(last.y + style.caption.height_px() + 0.5F * style.border_px);
   const auto shared = std::make_shared<const std::vector<Panel>>(std::move(panels));
   drawing.draw = [shared, style, size, bar](renderer::Canvas& canvas) {
     for (std::size_t i = 0; i < shared->size(); ++i) {
@@ -256,8 +246,7 @@ Drawing sheet_of(std::vector<Panel> panels, const PictureSize& size, const Sheet
     if (bar.length_px > 0.0F) {
       const float inset_px = 0.045F * static_cast<float>(size.width_px);
       const glm::vec2 corner = panel_corner(style, size, 0);
-      draw_scale_bar(canvas, bar,
-                     {corner.x + inset_px, corner.y + static_cast<float>(size.height_px) - inset_px},
+      draw_scale_bar(canvas, bar, {corner.x + inset_px, corner.y + static_cast<float>(size.height_px) - inset_px},
                      style.caption.measured_px);
     }
   };
@@ -270,8 +259,8 @@ std::string moments_csv(std::span<const Recording* const> recordings) {
     const FrameRecord& record = moment.record;
     const sim::SurfaceStretch& surface = moment.record.surface_stretch;
     table.add({panel, cell(recording.scene.name), std::to_string(record.frame), cell(record.time_s),
-               record.asleep ? "1" : "0", cell(record.stretch.max), cell(record.stretch.p99),
-               cell(surface.max), cell(surface.p99), cell(record.stretch.mean)});
+               record.asleep ? "1" : "0", cell(record.stretch.max), cell(record.stretch.p99), cell(surface.max),
+               cell(surface.p99), cell(record.stretch.mean)});
   });
   return table.text();
 }
@@ -303,9 +292,8 @@ Recording read_recording(const std::filesystem::path& folder, const std::string&
     Moment moment = read_moment(moments, row);
     moment.positions = read_shape(shapes, moments.text(row, 0));
     if (moment.positions.size() != vertices) {
-      throw InputError("{}: panel {}: found {} vertices, expected {}, as the garment of {} has",
-                       shapes_file.string(), moments.text(row, 0), moment.positions.size(), vertices,
-                       scene_name);
+      throw InputError("{}: panel {}: found {} vertices, expected {}, as the garment of {} has", shapes_file.string(),
+                       moments.text(row, 0), moment.positions.size(), vertices, scene_name);
     }
     moment.record.stretch = sim::measure_stretch(recording.garment->springs, moment.positions);
     moment.record.surface_stretch = sim::measure_surface_stretch(*recording.garment, moment.positions);
@@ -313,8 +301,8 @@ Recording read_recording(const std::filesystem::path& folder, const std::string&
     recording.moments.push_back(std::move(moment));
   }
   if (recording.moments.empty()) {
-    throw InputError("{}: found no moment of the scene {}, expected one",
-                     (folder / (figure + ".csv")).string(), scene_name);
+    throw InputError("{}: found no moment of the scene {}, expected one", (folder / (figure + ".csv")).string(),
+                     scene_name);
   }
   return recording;
 }
@@ -349,10 +337,9 @@ Drawing draw_figure4(const Results& results, LazyOffscreenRenderer& offscreen) {
   Prints prints = print_moments(offscreen, moments, pinned_size);
   const renderer::Colour shade = shade_of(prints.pictures.back());
   moments.pop_back();
-  const SheetStyle style = {
-      .columns = 2, .caption = {.text_px = 42.0F, .measured_px = 37.0F}, .right_px = 190.0F};
-  Drawing drawing = sheet_of(panels_of(prints, moments, pinned_caption), prints.size, style,
-                             {0.25F * prints.metre_px, "25 cm"});
+  const SheetStyle style = {.columns = 2, .caption = {.text_px = 42.0F, .measured_px = 37.0F}, .right_px = 190.0F};
+  Drawing drawing =
+      sheet_of(panels_of(prints, moments, pinned_caption), prints.size, style, {0.25F * prints.metre_px, "25 cm"});
   drawing.draw = [panels_drawing = drawing.draw, style, shade](renderer::Canvas& canvas) {
     panels_drawing(canvas);
     draw_stretch_legend(canvas, style, shade);
@@ -368,8 +355,7 @@ Drawing draw_figure5(const Results& results, LazyOffscreenRenderer& offscreen) {
   const auto caption_of = [](const PrintedMoment& moment, char letter) -> Caption {
     const FrameRecord& record = moment.moment->record;
     const double speed_m_per_s = moment.recording->scene.surroundings.forces.wind.speed_m_per_s;
-    const std::string wind =
-        speed_m_per_s == 0.0 ? "gravity alone" : fmt::format("wind {:.1f} m/s", speed_m_per_s);
+    const std::string wind = speed_m_per_s == 0.0 ? "gravity alone" : fmt::format("wind {:.1f} m/s", speed_m_per_s);
     return {letter, fmt::format("{}, after {:.1f} s", wind, record.time_s),
             fmt::format("largest stretch {:.3f} %, surface {:.3f} %", 100.0 * record.stretch.max,
                         100.0 * record.surface_stretch.max)};
@@ -379,9 +365,8 @@ Drawing draw_figure5(const Results& results, LazyOffscreenRenderer& offscreen) {
                   {0.2F * prints.metre_px, "20 cm"});
 }
 
-Drawing sheet_of_last(std::span<const Recording> recordings, std::span<const Caption> captions,
-                      const PictureSize& size, const SheetStyle& style, bool has_floor,
-                      LazyOffscreenRenderer& offscreen) {
+Drawing sheet_of_last(std::span<const Recording> recordings, std::span<const Caption> captions, const PictureSize& size,
+                      const SheetStyle& style, bool has_floor, LazyOffscreenRenderer& offscreen) {
   std::vector<PrintedMoment> moments;
   for (const Recording& recording : recordings) {
     moments.push_back({&recording, &recording.last(), false, has_floor});

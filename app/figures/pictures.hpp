@@ -82,8 +82,7 @@ struct SheetStyle {
 
 /// Arranges the panels in rows. All pictures must have the size `size`. The scale bar is drawn into the first
 /// one.
-Drawing sheet_of(std::vector<Panel> panels, const PictureSize& size, const SheetStyle& style,
-                 const ScaleBar& bar);
+Drawing sheet_of(std::vector<Panel> panels, const PictureSize& size, const SheetStyle& style, const ScaleBar& bar);
 
 /// A table with one row per moment: its letter (from a), the scene and what was measured.
 std::string moments_csv(std::span<const Recording* const> recordings);
@@ -95,17 +94,15 @@ std::string shapes_csv(std::span<const Recording* const> recordings);
 /// taken from their files as they are now. What the tables hold of stretch is measured again from the shapes,
 /// and the largest numbers cover only these moments. Throws InputError that names the file and the line.
 /// Reasons are a broken table, no moment of this scene, or another number of vertices than the garment has.
-Recording read_recording(const std::filesystem::path& folder, const std::string& figure,
-                         const std::string& scene_name);
+Recording read_recording(const std::filesystem::path& folder, const std::string& figure, const std::string& scene_name);
 
 /// Returns `scene`, named in its title, made of a fabric of this name or file. Throws UsageError if there is
 /// none.
 DrawnScene made_of(DrawnScene scene, const std::string& fabric);
 
 /// Pictures of all last moments with the captions below.
-Drawing sheet_of_last(std::span<const Recording> recordings, std::span<const Caption> captions,
-                      const PictureSize& size, const SheetStyle& style, bool has_floor,
-                      LazyOffscreenRenderer& offscreen);
+Drawing sheet_of_last(std::span<const Recording> recordings, std::span<const Caption> captions, const PictureSize& size,
+                      const SheetStyle& style, bool has_floor, LazyOffscreenRenderer& offscreen);
 
 /// One scene made of several fabrics, at the end of each recording. The scenes' titles stand below.
 Drawing draw_fabrics(std::span<const Recording> recordings, LazyOffscreenRenderer& offscreen);

@@ -17,7 +17,7 @@ constexpr double joined_share = 0.003;            ///< of the size, at most betw
 constexpr double gap_share = 0.02;                ///< the same between parts that are apart
 constexpr double flat = 0.02;                     ///< thickness of patterns that lie flat, of the size
 constexpr double first_longer = 1.08;             ///< edges than those of so many equilateral triangles
-constexpr double longer = 1.02;  ///< than they would have to be, where there were too many triangles
+constexpr double longer = 1.02;                   ///< than they would have to be, where there were too many triangles
 constexpr int most_trials = 4;
 constexpr int most_fits = 4;  ///< each of what the one before came to
 /// Each fit is farther from the model, so that of few crossings, which can be parted, it has to leave less
@@ -94,12 +94,12 @@ FittedMesh fit_once(const sim::Mesh& model_m, const FittingSettings& settings) {
   return fitted;
 }
 
-constexpr double two_walled = 0.3;       ///< share of the area from which cloth is modelled with two walls
-constexpr std::size_t too_many = 16000;  ///< triangles
-constexpr std::size_t too_few = 1000;    ///< triangles for the folds of a garment
-constexpr std::size_t fewest_apart = 8;  ///< vertices of borders that lie along another part
-constexpr double needle_share = 0.003;   ///< of the triangles
-constexpr double short_share = 0.002;    ///< of the edges: contact tears cloth thicker than they are long
+constexpr double two_walled = 0.3;            ///< share of the area from which cloth is modelled with two walls
+constexpr std::size_t too_many = 16000;       ///< triangles
+constexpr std::size_t too_few = 1000;         ///< triangles for the folds of a garment
+constexpr std::size_t fewest_apart = 8;       ///< vertices of borders that lie along another part
+constexpr double needle_share = 0.003;        ///< of the triangles
+constexpr double short_share = 0.002;         ///< of the edges: contact tears cloth thicker than they are long
 constexpr double needle_sine = 0.0871557427;  ///< of 5 degrees
 
 /// The sine of the smallest angle, which lies between the two longest sides.
@@ -130,10 +130,8 @@ FittedMesh fit_mesh(const sim::Mesh& model_m, const FittingSettings& settings) {
   FittedMesh fitted = fit_once(model_m, settings);
   for (int i = 1; i < most_fits && fitted.crossings > 0; ++i) {
     FittedMesh again = fit_once(fitted.mesh, settings);
-    const std::size_t most =
-        fitted.crossings > few_crossings ? fitted.crossings - 1 : (fitted.crossings - 1) / 2;
-    if (again.crossings > most ||
-        sim::surface_area(again.mesh) < least_left * sim::surface_area(fitted.mesh)) {
+    const std::size_t most = fitted.crossings > few_crossings ? fitted.crossings - 1 : (fitted.crossings - 1) / 2;
+    if (again.crossings > most || sim::surface_area(again.mesh) < least_left * sim::surface_area(fitted.mesh)) {
       break;
     }
     again.is_simulated = std::move(fitted.is_simulated);

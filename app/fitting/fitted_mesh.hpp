@@ -7,7 +7,7 @@ namespace taut::app {
 /// How a simulation mesh is made of a model.
 struct FittingSettings {
   std::size_t most_triangles = 8000;
-  double least_edge_m = 0.0;  ///< edges are made no shorter than this: cloth is thinner than they are long
+  double least_edge_m = 0.0;        ///< edges are made no shorter than this: cloth is thinner than they are long
   double join_distance_m = 0.0025;  ///< borders nearer than this that run along each other become one
   double gap_m = 0.02;              ///< across which a part goes on that lies apart from another
 };

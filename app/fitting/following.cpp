@@ -36,13 +36,11 @@ std::array<double, 3> nearest_weights(const Vec3& p, const Vec3& a, const Vec3& 
     if (v >= 0.0 && w >= 0.0 && v + w <= 1.0) return {1.0 - v - w, v, w};
   }
   const double s = on_edge(a, b), t = on_edge(b, c), u = on_edge(c, a);
-  const std::array<std::array<double, 3>, 3> edges = {
-      {{1.0 - s, s, 0.0}, {0.0, 1.0 - t, t}, {u, 0.0, 1.0 - u}}};
+  const std::array<std::array<double, 3>, 3> edges = {{{1.0 - s, s, 0.0}, {0.0, 1.0 - t, t}, {u, 0.0, 1.0 - u}}};
   const auto distance = [&](const std::array<double, 3>& at) {
     return glm::length(at[0] * a + at[1] * b + at[2] * c - p);
   };
-  return *std::ranges::min_element(edges,
-                                   [&](const auto& x, const auto& y) { return distance(x) < distance(y); });
+  return *std::ranges::min_element(edges, [&](const auto& x, const auto& y) { return distance(x) < distance(y); });
 }
 
 /// The nearest triangle of those that face along the normal, of all for a normal of 0.
@@ -107,8 +105,7 @@ class Binder {
     }
     std::vector<SurfacePoint> points;
     for (Index v = 0; v < found_.size(); ++v) {
-      points.push_back(found_[v] ? *found_[v]
-                                 : *nearest(tree_, mesh_, model_.positions[v], Vec3(0.0), infinite));
+      points.push_back(found_[v] ? *found_[v] : *nearest(tree_, mesh_, model_.positions[v], Vec3(0.0), infinite));
     }
     return points;
   }
@@ -220,8 +217,7 @@ Frame frame_of(const Bond& bond, std::span<const Vec3> positions_m, std::span<co
   return frame;
 }
 
-std::vector<Bond> bonds_at(std::span<const Vec3> points_m, std::span<const SurfacePoint> found,
-                           const sim::Mesh& mesh) {
+std::vector<Bond> bonds_at(std::span<const Vec3> points_m, std::span<const SurfacePoint> found, const sim::Mesh& mesh) {
   const std::vector<Vec3> normals = vertex_normals(mesh.positions, mesh.triangles);
   std::vector<Bond> bonds;
   bonds.reserve(points_m.size());
@@ -240,35 +236,30 @@ std::vector<Bond> bonds_at(std::span<const Vec3> points_m, std::span<const Surfa
 
 }  // namespace
 
-std::vector<Vec3> vertex_normals(std::span<const Vec3> positions_m,
-                                 std::span<const sim::Triangle> triangles) {
+std::vector<Vec3> vertex_normals(std::span<const Vec3> positions_m, std::span<const sim::Triangle> triangles) {
   std::vector<Vec3> normals(positions_m.size(), Vec3(0.0));
   for (const sim::Triangle& t : triangles) {
-    const Vec3 area =
-        glm::cross(positions_m[t[1]] - positions_m[t[0]], positions_m[t[2]] - positions_m[t[0]]);
+    const Vec3 area = glm::cross(positions_m[t[1]] - positions_m[t[0]], positions_m[t[2]] - positions_m[t[0]]);
     for (const Index v : t) normals[v] += area;
   }
   std::transform(normals.begin(), normals.end(), normals.begin(), unit);
   return normals;
 }
 
-std::vector<Bond> bonds_to(std::span<const Vec3> points_m, const sim::Mesh& mesh,
-                           std::span<const Vec3> normals) {
+std::vector<Bond> bonds_to(std::span<const Vec3> points_m, const sim::Mesh& mesh, std::span<const Vec3> normals) {
   const SurfaceTree tree(mesh.positions, mesh.triangles);
   std::vector<SurfacePoint> found;
   found.reserve(points_m.size());
   for (std::size_t k = 0; k < points_m.size(); ++k) {
     found.push_back(nearest(tree, mesh, points_m[k], Vec3(0.0), infinite).value());
     if (!normals.empty()) {
-      found[k] =
-          nearest(tree, mesh, points_m[k], normals[k], preferred * found[k].distance_m).value_or(found[k]);
+      found[k] = nearest(tree, mesh, points_m[k], normals[k], preferred * found[k].distance_m).value_or(found[k]);
     }
   }
   return bonds_at(points_m, found, mesh);
 }
 
-std::vector<Bond> bonds_of_model(const sim::Mesh& model, std::span<const std::uint8_t> is_wall,
-                                 const sim::Mesh& mesh) {
+std::vector<Bond> bonds_of_model(const sim::Mesh& model, std::span<const std::uint8_t> is_wall, const sim::Mesh& mesh) {
   return bonds_at(model.positions, Binder(model, is_wall, mesh).all(), mesh);
 }
 

@@ -15,13 +15,12 @@ struct Bond {
 /// triangle that faces the same way is preferred to one at up to twice the distance. Requires a mesh with
 /// triangles.
 std::vector<Bond> bonds_to(std::span<const sim::Vec3> points_m, const sim::Mesh& mesh,
-                       std::span<const sim::Vec3> normals = {});
+                           std::span<const sim::Vec3> normals = {});
 
 /// Binds the vertices of a model to the mesh that was fitted to it, each near where its neighbours are bound: of
 /// layers that touch or cross it follows its own. `is_wall` says which triangles of the model the mesh was made
 /// of; others are carried. Requires triangles in both.
-std::vector<Bond> bonds_of_model(const sim::Mesh& model, std::span<const std::uint8_t> is_wall,
-                                 const sim::Mesh& mesh);
+std::vector<Bond> bonds_of_model(const sim::Mesh& model, std::span<const std::uint8_t> is_wall, const sim::Mesh& mesh);
 
 /// Returns the bound points for positions of the mesh's vertices, in m. With `shares`, one per bond, only that
 /// share of the offset is left. At the positions it was bound at they are where they were, up to rounding, where
@@ -47,7 +46,6 @@ void carry(const CarriedVertices& carried, std::span<const float> shares, std::v
 sim::Index nearest_corner(const Bond& bond, std::span<const sim::Triangle> triangles);
 
 /// Returns unit normals per vertex, by area; 0 where a vertex has no triangle with an area.
-std::vector<sim::Vec3> vertex_normals(std::span<const sim::Vec3> positions_m,
-                                      std::span<const sim::Triangle> triangles);
+std::vector<sim::Vec3> vertex_normals(std::span<const sim::Vec3> positions_m, std::span<const sim::Triangle> triangles);
 
 }  // namespace taut::app

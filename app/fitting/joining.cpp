@@ -8,15 +8,12 @@
 namespace taut::app {
 namespace {
 
-constexpr double layered =
-    0.95;  ///< cosine between the ways into the cloth above which one border lies on the other
-constexpr double facing = -0.3;    ///< and below which borders of one sheet can be a seam
-constexpr double going_on = -0.7;  ///< and below which another part goes on beyond a gap
-constexpr double not_across =
-    0.3;  ///< cosine between the way into the cloth and to the other border of the same sheet
+constexpr double layered = 0.95;    ///< cosine between the ways into the cloth above which one border lies on the other
+constexpr double facing = -0.3;     ///< and below which borders of one sheet can be a seam
+constexpr double going_on = -0.7;   ///< and below which another part goes on beyond a gap
+constexpr double not_across = 0.3;  ///< cosine between the way into the cloth and to the other border of the same sheet
 
-constexpr double narrow_hole =
-    0.07;  ///< width over the length round a hole that is closed; then twice that length
+constexpr double narrow_hole = 0.07;  ///< width over the length round a hole that is closed; then twice that length
 
 /// A border edge in the way of its triangle.
 struct BorderEdge {
@@ -77,10 +74,10 @@ class Seams {
 
   /// Of other parts, on the other side of a gap along most of a border.
   std::vector<Weld> find_gaps(double gap_m) {
-    std::vector<Weld> welds = find(gap_m, [this](sim::Index v, const Border& border, const BorderEdge& edge,
-                                                 const SurfacePoint& place) {
-      return part_of_.find(v) != part_of_.find(edge.from) && goes_on_beyond(v, border, edge, place, going_on);
-    });
+    std::vector<Weld> welds =
+        find(gap_m, [this](sim::Index v, const Border& border, const BorderEdge& edge, const SurfacePoint& place) {
+          return part_of_.find(v) != part_of_.find(edge.from) && goes_on_beyond(v, border, edge, place, going_on);
+        });
     std::vector<std::size_t> loop_of(mesh_.positions.size());
     std::vector<std::array<std::size_t, 2>> counts;  ///< of its vertices: those found, all
     for (const std::vector<sim::Index>& loop : border_loops(mesh_)) {
@@ -118,23 +115,20 @@ class Seams {
                       double most_cosine) const {
     const double length = glm::length(border.inwards);
     return glm::dot(border.inwards, edge.inwards) < most_cosine * length &&
-           glm::dot(place.place_m - mesh_.positions[v], border.inwards) <=
-               not_across * place.distance_m * length;
+           glm::dot(place.place_m - mesh_.positions[v], border.inwards) <= not_across * place.distance_m * length;
   }
 
-  template <class Accept>
-  std::vector<Weld> find(double reach_m, const Accept& accept) {
+  template <class Accept> std::vector<Weld> find(double reach_m, const Accept& accept) {
     std::vector<sim::Triangle> segments;
     for (const BorderEdge& edge : edges_) segments.push_back({edge.from, edge.to, edge.to});
     const SurfaceTree tree(mesh_.positions, segments);
     std::vector<Weld> welds;
     for (const auto& [v, border] : borders_) {
-      const auto found = tree.nearest(mesh_.positions[v], reach_m,
-                                      [&, vertex = v, &own = border](const SurfacePoint& place) {
-                                        const BorderEdge& edge = edges_[place.triangle];
-                                        return !own.near.contains(edge.from) && !own.near.contains(edge.to) &&
-                                               accept(vertex, own, edge, place);
-                                      });
+      const auto found =
+          tree.nearest(mesh_.positions[v], reach_m, [&, vertex = v, &own = border](const SurfacePoint& place) {
+            const BorderEdge& edge = edges_[place.triangle];
+            return !own.near.contains(edge.from) && !own.near.contains(edge.to) && accept(vertex, own, edge, place);
+          });
       if (found) {
         const sim::Vec3& from = mesh_.positions[edges_[found->triangle].from];
         welds.push_back({found->triangle, glm::distance(from, found->place_m), v});

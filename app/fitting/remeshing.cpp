@@ -1,7 +1,6 @@
-#include "app/fitting/fitted_mesh.hpp"
-
 #include <OpenMesh/Core/Mesh/TriConnectivity.hh>
 
+#include "app/fitting/fitted_mesh.hpp"
 #include "app/fitting/joining.hpp"
 #include "app/fitting/sheets.hpp"
 #include "app/fitting/surface_tree.hpp"
@@ -17,9 +16,8 @@ using Edge = OpenMesh::EdgeHandle;
 using Halfedge = OpenMesh::HalfedgeHandle;
 
 constexpr int rounds = 8;
-constexpr int most_sweeps = 6;  ///< of collapses in a round
-constexpr std::size_t most_vertices =
-    1000000;  ///< of all that ever are; more would be a model of needles alone
+constexpr int most_sweeps = 6;                  ///< of collapses in a round
+constexpr std::size_t most_vertices = 1000000;  ///< of all that ever are; more would be a model of needles alone
 constexpr double longest = 4.0 / 3.0;
 constexpr double shortest = 4.0 / 5.0;
 constexpr double most_of_halved = 0.75;  ///< of an edge, for each of its halves
@@ -44,9 +42,7 @@ struct Line {
   }
 
   /// The way on from one place to the next, which is never back.
-  double between(double from_m, double to_m) const {
-    return to_m >= from_m ? to_m - from_m : to_m - from_m + length_m;
-  }
+  double between(double from_m, double to_m) const { return to_m >= from_m ? to_m - from_m : to_m - from_m + length_m; }
   Vec3 place(double way_m) const {
     const auto after = std::upper_bound(ways_m.begin() + 1, ways_m.end() - 1, way_m) - ways_m.begin();
     const auto k = static_cast<std::size_t>(after);
@@ -189,8 +185,7 @@ class Remesher {
   /// Halves an edge; on the model where that makes both halves clearly shorter, so that this comes to an end.
   void split(Edge e) {
     const bool is_border = net_.is_boundary(e);
-    const Halfedge h =
-        net_.halfedge_handle(e, is_border && net_.is_boundary(net_.halfedge_handle(e, 0)) ? 1 : 0);
+    const Halfedge h = net_.halfedge_handle(e, is_border && net_.is_boundary(net_.halfedge_handle(e, 0)) ? 1 : 0);
     const Vertex a = net_.from_vertex_handle(h), b = net_.to_vertex_handle(h);
     const double most = most_of_halved * length(e);
     at_.push_back(0.5 * (at(a) + at(b)));
@@ -266,13 +261,11 @@ class Remesher {
   };
   Diamond diamond(Edge e) const {
     const Halfedge h = net_.halfedge_handle(e, 0), o = net_.halfedge_handle(e, 1);
-    return {net_.from_vertex_handle(h), net_.to_vertex_handle(h),
-            net_.to_vertex_handle(net_.next_halfedge_handle(h)),
+    return {net_.from_vertex_handle(h), net_.to_vertex_handle(h), net_.to_vertex_handle(net_.next_halfedge_handle(h)),
             net_.to_vertex_handle(net_.next_halfedge_handle(o))};
   }
 
-  template <class Wanted>
-  void flip(const Wanted& wanted) {
+  template <class Wanted> void flip(const Wanted& wanted) {
     bool changed = true;
     for (int sweep = 0; changed && sweep < most_sweeps; ++sweep) {
       changed = false;
@@ -288,8 +281,7 @@ class Remesher {
 
   bool may_flip(Edge e) const {
     const Diamond d = diamond(e);
-    const Vec3 before =
-        doubled_area(at(d.a), at(d.b), at(d.left)) + doubled_area(at(d.b), at(d.a), at(d.right));
+    const Vec3 before = doubled_area(at(d.a), at(d.b), at(d.left)) + doubled_area(at(d.b), at(d.a), at(d.right));
     return stays(before, at(d.left), at(d.right), at(d.b)) && stays(before, at(d.right), at(d.left), at(d.a));
   }
 
@@ -306,10 +298,10 @@ class Remesher {
   }
   /// The cosine of the smallest angle of the two triangles.
   double narrowest(const Diamond& d, bool flipped) const {
-    return flipped ? std::max(largest_cosine(at(d.left), at(d.right), at(d.b)),
-                              largest_cosine(at(d.right), at(d.left), at(d.a)))
-                   : std::max(largest_cosine(at(d.a), at(d.b), at(d.left)),
-                              largest_cosine(at(d.b), at(d.a), at(d.right)));
+    return flipped
+               ? std::max(largest_cosine(at(d.left), at(d.right), at(d.b)),
+                          largest_cosine(at(d.right), at(d.left), at(d.a)))
+               : std::max(largest_cosine(at(d.a), at(d.b), at(d.left)), largest_cosine(at(d.b), at(d.a), at(d.right)));
   }
   bool widens_angles(Edge e) const {
     const Diamond d = diamond(e);
@@ -372,8 +364,7 @@ class Remesher {
 
   /// To the middle of the way between the vertices before and after it.
   void smooth_border(Vertex v) {
-    const Halfedge back =
-        net_.halfedge_handle(v);  // the one along the border, which has the cloth on its right
+    const Halfedge back = net_.halfedge_handle(v);  // the one along the border, which has the cloth on its right
     const OnLine here = on_line_[number(v)], before = on_line_[number(net_.to_vertex_handle(back))],
                  after = on_line_[number(net_.from_vertex_handle(net_.prev_halfedge_handle(back)))];
     const Line& line = model_.lines[here.line];

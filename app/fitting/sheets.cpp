@@ -16,8 +16,7 @@ struct Joint {
 
 /// How smoothly the surface goes on from one triangle to another: the negative cosine between the ways from
 /// the edge into both.
-double smoothness(const sim::Mesh& mesh, const sim::Edge& edge, const sim::Triangle& a,
-                  const sim::Triangle& b) {
+double smoothness(const sim::Mesh& mesh, const sim::Edge& edge, const sim::Triangle& a, const sim::Triangle& b) {
   const sim::Vec3 along = mesh.positions[edge[1]] - mesh.positions[edge[0]];
   const auto inwards = [&](const sim::Triangle& t) {
     for (const sim::Index v : t) {
@@ -34,8 +33,7 @@ double smoothness(const sim::Mesh& mesh, const sim::Edge& edge, const sim::Trian
 }
 
 /// Returns the two of these triangles between which the surface goes on most smoothly.
-std::array<sim::Index, 2> smoothest(const sim::Mesh& mesh, const sim::Edge& edge,
-                                    std::span<const sim::Index> around) {
+std::array<sim::Index, 2> smoothest(const sim::Mesh& mesh, const sim::Edge& edge, std::span<const sim::Index> around) {
   std::array<sim::Index, 2> smoothest = {around[0], around[1]};
   double best = -std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; around.size() > 2 && i < around.size(); ++i) {
@@ -100,16 +98,13 @@ void orient(sim::Mesh& mesh, std::vector<Joint>& joints) {
       turned[t] = static_cast<char>(turned[t] ^ static_cast<int>(2 * turned_count > sheet.size()));
     }
   }
-  std::erase_if(joints,
-                [&](const Joint& joint) { return (turned[joint.a] != turned[joint.b]) != joint.run_alike; });
+  std::erase_if(joints, [&](const Joint& joint) { return (turned[joint.a] != turned[joint.b]) != joint.run_alike; });
   for (std::size_t t = 0; t < turned.size(); ++t) {
     if (turned[t] == 1) std::swap(mesh.triangles[t][1], mesh.triangles[t][2]);
   }
 }
 
-sim::Index corner_at(const sim::Triangle& t, sim::Index vertex) {
-  return t[0] == vertex ? 0 : t[1] == vertex ? 1 : 2;
-}
+sim::Index corner_at(const sim::Triangle& t, sim::Index vertex) { return t[0] == vertex ? 0 : t[1] == vertex ? 1 : 2; }
 
 /// The corner from which the triangle's side along this edge begins.
 sim::Index side_at(const std::vector<sim::Triangle>& triangles, sim::Index t, const sim::Edge& edge) {
@@ -127,8 +122,7 @@ Sheets cut_between(const sim::Mesh& mesh, const std::vector<Joint>& joints) {
     sheets.beyond[side_at(triangles, joint.a, joint.edge)] = joint.b;
     sheets.beyond[side_at(triangles, joint.b, joint.edge)] = joint.a;
     for (const sim::Index v : joint.edge) {
-      fans.join(3 * joint.a + corner_at(triangles[joint.a], v),
-                3 * joint.b + corner_at(triangles[joint.b], v));
+      fans.join(3 * joint.a + corner_at(triangles[joint.a], v), 3 * joint.b + corner_at(triangles[joint.b], v));
     }
   }
   std::vector<sim::Index> vertex_of_fan(3 * triangles.size(), sim::no_vertex);
@@ -171,8 +165,7 @@ Sheets cut_into_sheets(const sim::Mesh& mesh) {
   orient(oriented, joints);
   Sheets sheets = cut_between(oriented, joints);
   // A sheet can come back to an edge on a long way around.
-  for (std::vector<char> apart = too_many_at_edges(sheets); !apart.empty();
-       apart = too_many_at_edges(sheets)) {
+  for (std::vector<char> apart = too_many_at_edges(sheets); !apart.empty(); apart = too_many_at_edges(sheets)) {
     std::erase_if(joints, [&](const Joint& joint) { return apart[joint.a] != 0 || apart[joint.b] != 0; });
     sheets = cut_between(oriented, joints);
   }

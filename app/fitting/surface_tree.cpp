@@ -5,9 +5,7 @@ namespace {
 
 constexpr sim::Index leaf_size = 4;
 
-double clamped_ratio(double part, double whole) {
-  return whole > 0.0 ? std::clamp(part / whole, 0.0, 1.0) : 0.0;
-}
+double clamped_ratio(double part, double whole) { return whole > 0.0 ? std::clamp(part / whole, 0.0, 1.0) : 0.0; }
 
 sim::Vec3 nearest_of_segment(const sim::Vec3& p, const sim::Vec3& a, const sim::Vec3& b) {
   return a + clamped_ratio(glm::dot(p - a, b - a), glm::dot(b - a, b - a)) * (b - a);
@@ -41,8 +39,7 @@ double square_distance(const sim::Vec3& p, const sim::Extent& box) {
 }
 
 /// Where the ray enters the box; infinite if it does not between these two distances.
-double entry(const sim::Vec3& from, const sim::Vec3& inverse, double begin, double end,
-             const sim::Extent& box) {
+double entry(const sim::Vec3& from, const sim::Vec3& inverse, double begin, double end, const sim::Extent& box) {
   for (int axis = 0; axis < 3; ++axis) {
     double near = (box.lower[axis] - from[axis]) * inverse[axis];
     double far = (box.upper[axis] - from[axis]) * inverse[axis];
@@ -109,8 +106,8 @@ std::optional<SurfacePoint> SurfaceTree::nearest(const sim::Vec3& from_m, double
     const Node& node = nodes_[at];
     if (square_distance(from_m, node.extent) > best_square) continue;
     if (node.second != 0) {
-      const bool first_is_nearer = square_distance(from_m, nodes_[at + 1].extent) <=
-                                   square_distance(from_m, nodes_[node.second].extent);
+      const bool first_is_nearer =
+          square_distance(from_m, nodes_[at + 1].extent) <= square_distance(from_m, nodes_[node.second].extent);
       stack[waiting++] = first_is_nearer ? node.second : at + 1;
       stack[waiting++] = first_is_nearer ? at + 1 : node.second;
       continue;
@@ -119,8 +116,7 @@ std::optional<SurfacePoint> SurfaceTree::nearest(const sim::Vec3& from_m, double
       const sim::Vec3 place = nearest_of_triangle(from_m, corners_[order_[i]]);
       const double square = glm::dot(place - from_m, place - from_m);
       const SurfacePoint found{std::sqrt(square), order_[i], place};
-      const bool is_nearer =
-          square < best_square || (best && square == best_square && order_[i] < best->triangle);
+      const bool is_nearer = square < best_square || (best && square == best_square && order_[i] < best->triangle);
       if (is_nearer && accept(found)) {
         best = found;
         best_square = square;
@@ -130,9 +126,8 @@ std::optional<SurfacePoint> SurfaceTree::nearest(const sim::Vec3& from_m, double
   return best;
 }
 
-std::optional<SurfacePoint> SurfaceTree::first_hit(const sim::Vec3& from_m, const sim::Vec3& direction,
-                                                   double begin_m, double end_m,
-                                                   const AcceptPoint& accept) const {
+std::optional<SurfacePoint> SurfaceTree::first_hit(const sim::Vec3& from_m, const sim::Vec3& direction, double begin_m,
+                                                   double end_m, const AcceptPoint& accept) const {
   std::optional<SurfacePoint> best;
   const sim::Vec3 inverse = 1.0 / direction;
   std::array<sim::Index, 64> stack{};

@@ -7,17 +7,17 @@
 namespace taut::app {
 namespace {
 
-constexpr double thickest_m = 0.012;   ///< from wall to wall
-constexpr double usual_size_m = 0.8;   ///< of the diagonal; of smaller garments all lengths here are smaller
-constexpr double entering_m = 0.0005;  ///< walls that cross each other a little still are two
-constexpr double against = -0.7;       ///< cosine between the normals of two walls
-constexpr double goes_on = 0.7;        ///< and of neighbours in one wall
-constexpr double bends = 0.6;          ///< and where it is creased, but not yet a rim between two walls
-constexpr double shell_share = 0.3;    ///< of a sheet's area that has another wall, to be cut into walls
-constexpr double flat_m = 0.04;        ///< a garment laid flat has two sides, not two walls
-constexpr double lies_on_m = 0.006;    ///< from a sheet to what it lies on
-constexpr double lying_share = 0.8;    ///< of its area
-constexpr double over = 0.7;  ///< cosine between the way to the cloth and its normal: above, not beside
+constexpr double thickest_m = 0.012;      ///< from wall to wall
+constexpr double usual_size_m = 0.8;      ///< of the diagonal; of smaller garments all lengths here are smaller
+constexpr double entering_m = 0.0005;     ///< walls that cross each other a little still are two
+constexpr double against = -0.7;          ///< cosine between the normals of two walls
+constexpr double goes_on = 0.7;           ///< and of neighbours in one wall
+constexpr double bends = 0.6;             ///< and where it is creased, but not yet a rim between two walls
+constexpr double shell_share = 0.3;       ///< of a sheet's area that has another wall, to be cut into walls
+constexpr double flat_m = 0.04;           ///< a garment laid flat has two sides, not two walls
+constexpr double lies_on_m = 0.006;       ///< from a sheet to what it lies on
+constexpr double lying_share = 0.8;       ///< of its area
+constexpr double over = 0.7;              ///< cosine between the way to the cloth and its normal: above, not beside
 constexpr std::size_t most_tried = 4000;  ///< triangles of a piece, for how much of it lies on others
 constexpr sim::Index most_looks = 400;    ///< rays of a piece that see whether it is outside
 
@@ -33,9 +33,7 @@ bool share_vertex(const sim::Triangle& a, const sim::Triangle& b) {
 /// The garment, prepared for rays, areas and looks.
 struct View {
   explicit View(const Sheets& source)
-      : sheets(source),
-        normals(unit_normals(source.mesh)),
-        tree(source.mesh.positions, source.mesh.triangles) {
+      : sheets(source), normals(unit_normals(source.mesh)), tree(source.mesh.positions, source.mesh.triangles) {
     size_m = glm::length(sim::extent_of(source.mesh.positions).size());
     unit = std::min(1.0, size_m / usual_size_m);
     for (const sim::Triangle& t : source.mesh.triangles) {
@@ -49,8 +47,8 @@ struct View {
     double open = 0.0, all = 0.0;
     for (std::size_t i = 0; i < piece.size(); i += stride) {
       const sim::Index t = piece[i];
-      const auto seen = tree.first_hit(
-          middle_of(sheets.mesh, t), side * normals[t], 0.0, size_m, [&](const SurfacePoint& p) {
+      const auto seen =
+          tree.first_hit(middle_of(sheets.mesh, t), side * normals[t], 0.0, size_m, [&](const SurfacePoint& p) {
             return p.distance_m > 1e-5 * size_m &&
                    !share_vertex(sheets.mesh.triangles[t], sheets.mesh.triangles[p.triangle]);
           });
@@ -110,8 +108,7 @@ class Pieces {
     for (const auto& sheet : all) {
       double doubled = 0.0;
       for (const sim::Index t : sheet) doubled += other[t] != sim::no_vertex ? view.areas[t] : 0.0;
-      const bool is_shell =
-          doubled > shell_share * area_of(view, sheet) && (!is_flat || is_closed(view.sheets, sheet));
+      const bool is_shell = doubled > shell_share * area_of(view, sheet) && (!is_flat || is_closed(view.sheets, sheet));
       if (is_shell) {
         cut_into_walls(sheet);
       } else {
@@ -227,9 +224,9 @@ void turn_outwards(Sheets& sheets) {
   const auto all = gathered(sheets.sheet_of, sheets.count);
   std::vector<char> turn(sheets.count, 0);
   for (sim::Index s = 0; s < sheets.count; ++s) {
-    turn[s] = static_cast<char>(is_closed(sheets, all[s])
-                                    ? volume(sheets.mesh, all[s]) < 0.0
-                                    : view.openness(all[s], -1.0) > view.openness(all[s], 1.0) + 0.1);
+    turn[s] =
+        static_cast<char>(is_closed(sheets, all[s]) ? volume(sheets.mesh, all[s]) < 0.0
+                                                    : view.openness(all[s], -1.0) > view.openness(all[s], 1.0) + 0.1);
   }
   for (sim::Index t = 0; t < sheets.sheet_of.size(); ++t) {
     if (turn[sheets.sheet_of[t]] != 0) {
@@ -246,8 +243,7 @@ OtherWalls find_other_walls(const Sheets& sheets) {
   for (sim::Index t = 0; t < other.size(); ++t) {
     if (view.normals[t] == sim::Vec3(0.0)) continue;
     const auto hit = view.tree.first_hit(
-        middle_of(sheets.mesh, t), -view.normals[t], -view.unit * entering_m, reach_m,
-        [&](const SurfacePoint& p) {
+        middle_of(sheets.mesh, t), -view.normals[t], -view.unit * entering_m, reach_m, [&](const SurfacePoint& p) {
           return glm::dot(view.normals[t], view.normals[p.triangle]) < against &&
                  !share_vertex(sheets.mesh.triangles[t], sheets.mesh.triangles[p.triangle]);
         });
@@ -259,8 +255,7 @@ OtherWalls find_other_walls(const Sheets& sheets) {
 double share_of_two_walls(const Sheets& sheets, const OtherWalls& other) {
   double doubled = 0.0, all = 0.0;
   for (std::size_t t = 0; t < other.size(); ++t) {
-    const double area =
-        glm::length(sim::doubled_area_vector(sheets.mesh.positions, sheets.mesh.triangles[t]));
+    const double area = glm::length(sim::doubled_area_vector(sheets.mesh.positions, sheets.mesh.triangles[t]));
     all += area;
     doubled += other[t] != sim::no_vertex ? area : 0.0;
   }

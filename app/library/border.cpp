@@ -47,8 +47,7 @@ template <class Points> void require_array(const Points* points, std::size_t cou
   require(points != nullptr, "found NULL, expected points");
   if (points->count != count) throw ArgumentError("found {} points, expected {}", points->count, count);
   const std::size_t smallest = 3 * size_of(points->type);
-  if (points->stride < smallest ||
-      points->stride > std::numeric_limits<std::size_t>::max() / 2 / most_vertices) {
+  if (points->stride < smallest || points->stride > std::numeric_limits<std::size_t>::max() / 2 / most_vertices) {
     throw ArgumentError("found a stride of {} bytes, expected at least {}", points->stride, smallest);
   }
   require(points->data != nullptr || count == 0, "found points with data of NULL");
@@ -61,8 +60,7 @@ template <class Number> sim::Vec3 read_point(const char* at) {
 }
 
 template <class Number> void write_point(const sim::Vec3& point, char* at) {
-  const Number numbers[3] = {static_cast<Number>(point.x), static_cast<Number>(point.y),
-                             static_cast<Number>(point.z)};
+  const Number numbers[3] = {static_cast<Number>(point.x), static_cast<Number>(point.y), static_cast<Number>(point.z)};
   std::memcpy(at, numbers, sizeof(numbers));
 }
 
@@ -133,8 +131,7 @@ void require(bool holds, const char* message) {
 void require_room(const void* array, std::size_t found, std::size_t expected) {
   require(array != nullptr || expected == 0, "found an array of NULL");
   if (found != expected) {
-    throw ArgumentError("found an array of " + std::to_string(found) + ", expected " +
-                        std::to_string(expected));
+    throw ArgumentError("found an array of " + std::to_string(found) + ", expected " + std::to_string(expected));
   }
 }
 

@@ -68,9 +68,9 @@ std::size_t Session::add_body(const TautBody* body) {
   change(std::move(next));
   if (given.lent) lent_[number] = std::move(*given.lent);
   const sim::State& state = simulation_.state();
-  const app::StartRemarks remarks = app::remarks_on_body(
-      scene_.surroundings.bodies, number, state.time_s, {state.current, simulation_.garment().mesh.triangles},
-      simulation_.pins().vertices);
+  const app::StartRemarks remarks =
+      app::remarks_on_body(scene_.surroundings.bodies, number, state.time_s,
+                           {state.current, simulation_.garment().mesh.triangles}, simulation_.pins().vertices);
   crossings_at_start_ += remarks.crossings;
   begin_again();
   listener_.tell(given.remarks);
@@ -86,8 +86,7 @@ const LentBody& Session::lent_body(std::size_t body) const {
 
 std::size_t Session::positions_of_body(std::size_t body) const { return lent_body(body).vertices; }
 
-std::vector<sim::Vec3> Session::in_body(const LentBody& lent,
-                                        const std::vector<sim::Vec3>& positions_m) const {
+std::vector<sim::Vec3> Session::in_body(const LentBody& lent, const std::vector<sim::Vec3>& positions_m) const {
   std::vector<sim::Vec3> in_body_m;
   for (const std::size_t vertex : lent.places.file_vertex) {
     in_body_m.push_back(lent.places.placement(positions_m[vertex]));

@@ -31,8 +31,8 @@ std::vector<app::Override> overrides_of(const TautOptions& options) {
 }
 
 app::Scene scene_of(const TautOptions& options, const std::vector<app::Override>& overrides) {
-  const int named = (options.scene != nullptr ? 1 : 0) + (options.scene_text != nullptr ? 1 : 0) +
-                    (options.mesh != nullptr ? 1 : 0);
+  const int named =
+      (options.scene != nullptr ? 1 : 0) + (options.scene_text != nullptr ? 1 : 0) + (options.mesh != nullptr ? 1 : 0);
   require(named == 1, "expected exactly one of scene, scene_text and mesh");
   if (options.scene != nullptr) return app::find_scene(app::undrawn_format(), options.scene, overrides);
   if (options.scene_text != nullptr) {
@@ -44,8 +44,7 @@ app::Scene scene_of(const TautOptions& options, const std::vector<app::Override>
   scene.garment.mesh = app::MeshChoice::model;
   app::apply_overrides(app::undrawn_format(), overrides, scene);
   require(scene.garment.file.empty(), "garment.file: expected no file where a mesh is given");
-  require(scene.garment.subdivisions == 0,
-          "garment.subdivisions: expected a mesh that is subdivided already");
+  require(scene.garment.subdivisions == 0, "garment.subdivisions: expected a mesh that is subdivided already");
   return scene;
 }
 
@@ -86,8 +85,7 @@ Start load(const TautOptions& options) {
   set_importer(options, start.scene);
   set_threads(options, start.scene);
   if (options.start != nullptr) {
-    start.scene.garment.given_start_m =
-        std::make_shared<const std::vector<sim::Vec3>>(points_from(options.start));
+    start.scene.garment.given_start_m = std::make_shared<const std::vector<sim::Vec3>>(points_from(options.start));
   }
   put_bodies_in(options, start);
   start.listener.tell(app::sew_and_load_bodies(start.scene));

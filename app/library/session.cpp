@@ -10,8 +10,7 @@ namespace {
 
 // Settings that may change while a cloth moves. All others say what the cloth is, or when and where it
 // begins.
-constexpr std::array live_sections = {"air.",  "cloth.",  "gravity.", "pins.motion.",
-                                      "rest.", "solver.", "wind."};
+constexpr std::array live_sections = {"air.", "cloth.", "gravity.", "pins.motion.", "rest.", "solver.", "wind."};
 
 bool is_live(const std::string& key) {
   return key == "forces" ||
@@ -34,8 +33,7 @@ std::vector<sim::Index> first_of_each(const std::vector<sim::Index>& mesh_vertex
 }
 
 /// Per vertex of the mesh, the caller's for it: of a model that follows, the nearest.
-std::vector<sim::Index> own_vertices(const app::GarmentInScene& loaded,
-                                     const std::vector<sim::Index>& mesh_vertex) {
+std::vector<sim::Index> own_vertices(const app::GarmentInScene& loaded, const std::vector<sim::Index>& mesh_vertex) {
   const std::vector<sim::Vec3>& mesh_m = loaded.garment->mesh.positions;
   if (!loaded.following || mesh_vertex.size() != loaded.file_vertices.mesh_vertex.size()) {
     return first_of_each(mesh_vertex, mesh_m.size());
@@ -218,9 +216,8 @@ void Session::move_pins(const std::vector<sim::Index>& vertices, const std::vect
 }
 
 sim::Vec3 Session::beside_own_m(sim::Index in_mesh, sim::Index own) const {
-  return scene_.garment.given && loaded_.following
-             ? loaded_.garment->mesh.positions[in_mesh] - loaded_.file_rest_m[own]
-             : sim::Vec3(0.0);
+  return scene_.garment.given && loaded_.following ? loaded_.garment->mesh.positions[in_mesh] - loaded_.file_rest_m[own]
+                                                   : sim::Vec3(0.0);
 }
 
 sim::Index Session::mesh_vertex(sim::Index vertex) const {
@@ -262,8 +259,7 @@ void Session::set_positions(const std::vector<sim::Vec3>& positions_m) {
 }
 
 std::vector<double> Session::stretch() const {
-  const std::vector<double> in_mesh =
-      sim::vertex_surface_stretch(simulation_.garment(), simulation_.state().current);
+  const std::vector<double> in_mesh = sim::vertex_surface_stretch(simulation_.garment(), simulation_.state().current);
   std::vector<double> stretch(vertex_count(), 0.0);
   for (std::size_t v = 0; v < stretch.size(); ++v) {
     stretch[v] = mesh_vertex_[v] == sim::no_vertex ? 0.0 : in_mesh[mesh_vertex_[v]];

@@ -170,9 +170,8 @@ TautResult taut_set_forces(TautCloth cloth, const uint32_t* vertices, const Taut
 }
 
 TautResult taut_set_pins(TautCloth cloth, const uint32_t* vertices, size_t count) {
-  return with(cloth, [&](Session& session) {
-    session.set_pins(vertices_from(vertices, count, session.vertex_count()));
-  });
+  return with(cloth,
+              [&](Session& session) { session.set_pins(vertices_from(vertices, count, session.vertex_count())); });
 }
 
 TautResult taut_get_pins(TautCloth cloth, uint32_t* vertices, size_t count) {
@@ -214,9 +213,7 @@ TautResult taut_get_positions(TautCloth cloth, const TautPointsOut* positions) {
 }
 
 TautResult taut_set_positions(TautCloth cloth, const TautPoints* positions) {
-  return with(cloth, [&](Session& session) {
-    session.set_positions(points_from(positions, session.vertex_count()));
-  });
+  return with(cloth, [&](Session& session) { session.set_positions(points_from(positions, session.vertex_count())); });
 }
 
 TautResult taut_get_stretch(TautCloth cloth, double* stretch, size_t count) {
@@ -263,9 +260,8 @@ TautResult taut_state_hash(TautCloth cloth, uint64_t* hash) {
 }
 
 TautResult taut_save(TautCloth cloth, void* buffer, size_t capacity, size_t* size) {
-  return with(cloth, [&](const Session& session) {
-    put_bytes(session.save(), static_cast<char*>(buffer), capacity, size);
-  });
+  return with(cloth,
+              [&](const Session& session) { put_bytes(session.save(), static_cast<char*>(buffer), capacity, size); });
 }
 
 TautResult taut_restore(TautCloth cloth, const void* buffer, size_t size) {

@@ -7,14 +7,12 @@ namespace taut::app {
 /// Writes values as they are in memory, for another process of this program.
 class ArrayWriter {
  public:
-  template <class T>
-  void put(const T& value) {
+  template <class T> void put(const T& value) {
     static_assert(std::is_trivially_copyable_v<T>);
     bytes.append(reinterpret_cast<const char*>(&value), sizeof(T));
   }
 
-  template <class T>
-  void put_list(const T& list) {
+  template <class T> void put_list(const T& list) {
     using Item = typename T::value_type;
     static_assert(std::is_trivially_copyable_v<Item>);
     put(static_cast<std::uint64_t>(list.size()));
@@ -31,8 +29,7 @@ class ArrayReader {
   /// `bytes` must outlive this object.
   explicit ArrayReader(const std::string& bytes) : bytes_(bytes) {}
 
-  template <class T>
-  T take() {
+  template <class T> T take() {
     T value;
     require(sizeof(T), 1);
     std::memcpy(&value, bytes_.data() + at_, sizeof(T));
@@ -40,8 +37,7 @@ class ArrayReader {
     return value;
   }
 
-  template <class List>
-  List take_list() {
+  template <class List> List take_list() {
     using Item = typename List::value_type;
     const auto count = take<std::uint64_t>();
     require(sizeof(Item), count);
@@ -72,15 +68,13 @@ class ArrayReader {
 };
 
 /// Writes how many items there are, then each by `put`.
-template <class Items, class Put>
-void put_all(const Items& items, ArrayWriter& out, const Put& put) {
+template <class Items, class Put> void put_all(const Items& items, ArrayWriter& out, const Put& put) {
   out.put(static_cast<std::uint64_t>(items.size()));
   for (const auto& item : items) put(item);
 }
 
 /// Reads what put_all wrote. Each item must take four bytes or more.
-template <class Items, class Take>
-void take_all(Items& items, ArrayReader& in, const Take& take) {
+template <class Items, class Take> void take_all(Items& items, ArrayReader& in, const Take& take) {
   items.resize(in.take_count(4));
   for (auto& item : items) take(item);
 }

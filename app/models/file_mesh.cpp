@@ -28,10 +28,9 @@ std::optional<sim::Index> FileVertices::number_of(sim::Index vertex) const {
 }
 
 std::string FileVertices::describe() const {
-  return fmt::format(
-      "{}, 0 to {}",
-      are_corners ? "corners of the file's faces, which share no vertices" : "vertices of the file",
-      mesh_vertex.size() - 1);
+  return fmt::format("{}, 0 to {}",
+                     are_corners ? "corners of the file's faces, which share no vertices" : "vertices of the file",
+                     mesh_vertex.size() - 1);
 }
 
 }  // namespace taut::app

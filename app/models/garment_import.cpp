@@ -30,8 +30,8 @@ void require_size(const ModelArrays& arrays) {
   if (arrays.corner_counts.empty()) throw std::invalid_argument("it has no faces");
   const std::size_t triangles = arrays.corners.size() - 2 * arrays.corner_counts.size();
   if (triangles > most_triangles) {
-    throw std::invalid_argument(fmt::format("it has {} triangles, more than the {} that can be simulated",
-                                            triangles, most_triangles));
+    throw std::invalid_argument(
+        fmt::format("it has {} triangles, more than the {} that can be simulated", triangles, most_triangles));
   }
 }
 
@@ -44,11 +44,8 @@ FileFaces faces_in_file(ModelArrays& arrays) {
     }
     for (sim::Index& corner : arrays.corners) corner = number[corner];
   }
-  return {std::move(arrays.corner_counts),
-          std::move(arrays.corners),
-          {},
-          std::move(arrays.sections),
-          arrays.has_normals};
+  return {
+      std::move(arrays.corner_counts), std::move(arrays.corners), {}, std::move(arrays.sections), arrays.has_normals};
 }
 
 /// Other readable formats: for those who chose another kind of file. To others it would say nothing.
@@ -69,9 +66,7 @@ std::string head_of(const std::filesystem::path& path) {
   return head;
 }
 
-bool contains(std::string_view text, std::string_view part) {
-  return text.find(part) != std::string_view::npos;
-}
+bool contains(std::string_view text, std::string_view part) { return text.find(part) != std::string_view::npos; }
 
 /// The texts that stand behind "key": in JSON, in their order. Enough to tell what a glTF file needs, and it
 /// takes one that is damaged.
@@ -93,9 +88,8 @@ std::string why_not_gltf(const std::filesystem::path& path, const std::string& h
   const bool is_binary = head.starts_with("glTF") && head.size() > 4;
   const std::vector<std::string> versions = texts_behind(head, "version");
   const bool is_first =
-      is_binary ? head[4] == 1 : std::ranges::any_of(versions, [](const std::string& version) {
-        return version.starts_with("1.");
-      });
+      is_binary ? head[4] == 1
+                : std::ranges::any_of(versions, [](const std::string& version) { return version.starts_with("1."); });
   if (is_first) return "it is glTF 1.0, which is not read; save it as glTF 2.0";
   if (contains(head, "KHR_draco_mesh_compression")) {
     return "its meshes are compressed with Draco in a way that is not read; save it without compression";
@@ -122,8 +116,7 @@ bool find_model_part(unzFile archive) {
   if (::unzLocateFile(archive, "3D/3dmodel.model", any_case) == UNZ_OK) return true;
   std::array<char, 1024> name{};
   for (int result = ::unzGoToFirstFile(archive); result == UNZ_OK; result = ::unzGoToNextFile(archive)) {
-    if (::unzGetCurrentFileInfo64(archive, nullptr, name.data(), name.size() - 1, nullptr, 0, nullptr, 0) ==
-            UNZ_OK &&
+    if (::unzGetCurrentFileInfo64(archive, nullptr, name.data(), name.size() - 1, nullptr, 0, nullptr, 0) == UNZ_OK &&
         std::string_view(name.data()).ends_with(".model")) {
       return true;
     }
@@ -169,8 +162,7 @@ ImportedModel model_of(ModelArrays arrays) {
   count_faces(arrays, model);
   model.triangles = sim::cut_into_triangles({arrays.positions, arrays.corner_counts, arrays.corners});
   std::vector<glm::vec2> corner_uv = arrays.colours.corner_uv;
-  model.colours =
-      cut_colours(std::move(arrays.colours), arrays.corner_counts, arrays.corners, model.triangles);
+  model.colours = cut_colours(std::move(arrays.colours), arrays.corner_counts, arrays.corners, model.triangles);
   model.shares_vertices = arrays.corner_counts.size() == 1 || !is_counting_up(arrays.corners);
   model.faces = faces_in_file(arrays);
   model.faces.corner_uv = std::move(corner_uv);
@@ -217,8 +209,7 @@ std::string why_unreadable(const std::filesystem::path& path) {
   const std::string head = head_of(path);
   const std::string extension = lower_case(path.extension().string());
   constexpr std::array usd = {".usd", ".usda", ".usdc", ".usdz"};
-  if (std::ranges::find(usd, extension) != usd.end() || head.starts_with("#usda") ||
-      head.starts_with("PXR-USDC")) {
+  if (std::ranges::find(usd, extension) != usd.end() || head.starts_with("#usda") || head.starts_with("PXR-USDC")) {
     return "it is USD, which is not read; save it as glTF, FBX or OBJ";
   }
   if (head.starts_with("\xFF\xFE") || head.starts_with("\xFE\xFF")) {
@@ -242,8 +233,6 @@ std::optional<double> unit_of_model_part(std::string_view xml) {
   return std::nullopt;
 }
 
-std::optional<double> unit_of_3mf(const std::filesystem::path& path) {
-  return unit_of_model_part(head_of_3mf(path));
-}
+std::optional<double> unit_of_3mf(const std::filesystem::path& path) { return unit_of_model_part(head_of_3mf(path)); }
 
 }  // namespace taut::app

@@ -71,8 +71,7 @@ std::vector<sim::Vec3> positions_in_file(const ImportedModel& model) {
 }
 
 sim::RepairSettings repair_settings(const GarmentSource& source, double metres_per_unit) {
-  return {source.weld_m.value_or(0.0) / metres_per_unit,
-          source.weld_m ? 0.0 : sewn_within_m / metres_per_unit};
+  return {source.weld_m.value_or(0.0) / metres_per_unit, source.weld_m ? 0.0 : sewn_within_m / metres_per_unit};
 }
 
 /// Leaves out four-cornered faces with the places of an earlier one, such as the backs of cloth that is seen from both
@@ -108,8 +107,7 @@ void turn_and_sew(const GarmentSource& source, bool is_fitted, sim::Mesh& mesh, 
   const std::vector<GarmentPart> parts = parts_of(mesh, adjacency);
   loaded.turned_outside_out = turn_outside_out(parts, adjacency, mesh);
   // Whoever says what is sewn wants no more of it.
-  loaded.trims_sewn_on =
-      source.weld_m || is_fitted ? 0 : sew_on_trims(parts, loaded.placement->scale, mesh);
+  loaded.trims_sewn_on = source.weld_m || is_fitted ? 0 : sew_on_trims(parts, loaded.placement->scale, mesh);
 }
 
 /// A mesh that was given stays where it is.
@@ -179,12 +177,10 @@ void find_up(const Scene& scene, const sim::Mesh& model_m, const StageReport& be
 
 sim::Mesh read_mesh(const Scene& scene, LoadedGarment& loaded, const StageReport& begin) {
   const GarmentSource& source = scene.garment;
-  const std::string name =
-      source.given ? "the garment that was given" : "the garment '" + source.file.string() + '\'';
+  const std::string name = source.given ? "the garment that was given" : "the garment '" + source.file.string() + '\'';
   tell(begin, "reading " + source.file.filename().string());
   ImportedModel& model = loaded.model.emplace(
-      source.given ? *source.given
-                   : import_garment(source.model(), {.program = source.importer}, ReadParts::model));
+      source.given ? *source.given : import_garment(source.model(), {.program = source.importer}, ReadParts::model));
   const std::vector<sim::Triangle> imported = model.triangles;
   sim::Mesh soup{std::move(model.positions), std::move(model.triangles), {}};
   const std::size_t backs = leave_out_backs(model, soup);
@@ -248,14 +244,13 @@ sim::Mesh make_mesh(const Scene& scene, LoadedGarment& loaded, const StageReport
 
 void require_count(const char* key, double triangles) {
   if (triangles > static_cast<double>(most_triangles)) {
-    throw InputError("{}: it would have {:.0f} triangles, more than the {} that can be simulated", key,
-                     triangles, most_triangles);
+    throw InputError("{}: it would have {:.0f} triangles, more than the {} that can be simulated", key, triangles,
+                     most_triangles);
   }
 }
 
 sim::PinnedMesh subdivided(sim::PinnedMesh pinned, int times) {
-  require_count("garment.subdivisions",
-                static_cast<double>(pinned.mesh.triangles.size()) * std::pow(4.0, times));
+  require_count("garment.subdivisions", static_cast<double>(pinned.mesh.triangles.size()) * std::pow(4.0, times));
   for (int i = 0; i < times; ++i) {
     if (!pinned.mesh.quads.empty()) {
       throw InputError("garment.subdivisions is for models; give a grid more columns and rows instead");
@@ -275,8 +270,7 @@ std::vector<sim::Index> choose_pins(const Scene& scene, const sim::Mesh& mesh, L
     tell(begin, "hanging it");
     const sim::Adjacency adjacency = sim::make_adjacency(mesh);
     // Whoever brings a body has the garment worn.
-    loaded.hanging =
-        scene.surroundings.bodies.empty() ? hang_as_in_a_shop(mesh, adjacency) : hang(mesh, adjacency);
+    loaded.hanging = scene.surroundings.bodies.empty() ? hang_as_in_a_shop(mesh, adjacency) : hang(mesh, adjacency);
     loaded.hanger = loaded.hanging->hanger;
     return loaded.hanging->pins;
   }
@@ -311,9 +305,8 @@ std::vector<sim::MovingPins> choose_moving_pins(const Scene& scene, const sim::M
         select_pins(entry.at, {mesh, loaded.landmarks, loaded.file_vertices, grid, "pins.moving"});
     std::ranges::sort(vertices);
     vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
-    sim::PinnedMesh finer =
-        subdivided({scene.garment.subdivisions > 0 ? mesh : sim::Mesh{}, std::move(vertices)},
-                   scene.garment.subdivisions);
+    sim::PinnedMesh finer = subdivided({scene.garment.subdivisions > 0 ? mesh : sim::Mesh{}, std::move(vertices)},
+                                       scene.garment.subdivisions);
     groups.push_back({std::move(finer.pins), entry.motion});
   }
   require_one_motion(groups, loaded.file_vertices);
@@ -323,9 +316,9 @@ std::vector<sim::MovingPins> choose_moving_pins(const Scene& scene, const sim::M
 /// The positions, in m, for the vertices of the garment's file or for those of the mesh.
 std::vector<sim::Vec3> read_start(const GarmentSource& source, const LoadedGarment& loaded) {
   const std::filesystem::path& file = source.start;
-  const std::vector<sim::Vec3> found_m =
-      source.given_start_m ? *source.given_start_m
-                           : positions_in_file(import_garment(file, {.program = source.importer}));
+  const std::vector<sim::Vec3> found_m = source.given_start_m
+                                             ? *source.given_start_m
+                                             : positions_in_file(import_garment(file, {.program = source.importer}));
   const std::size_t count = loaded.garment->mesh.positions.size();
   const std::vector<sim::Index>& mesh_vertex = loaded.file_vertices.mesh_vertex;
   const bool has_file_order = !loaded.file_faces.empty() && (!source.given_start_m || source.given);
@@ -361,8 +354,8 @@ double least_height_left(const sim::Garment& now, const sim::Garment& before) {
   return least;
 }
 
-/// Cuts a fitted mesh as it was parted: stretched up to its bound, contact may leave it no way back. Leaves it as it was
-/// where that makes triangles too flat.
+/// Cuts a fitted mesh as it was parted: stretched up to its bound, contact may leave it no way back. Leaves it as it
+/// was where that makes triangles too flat.
 bool cut_as_parted(const Scene& scene, const std::vector<sim::Vec3>& parted_m, LoadedGarment& loaded) {
   const sim::Garment& fitted = *loaded.garment;
   sim::Garment cut = sim::make_garment({parted_m, fitted.mesh.triangles, {}}, scene.mapping, fitted.material);
@@ -448,8 +441,8 @@ sim::Surroundings settled(sim::Surroundings surroundings, const GarmentInScene& 
 }
 
 sim::Simulation make_simulation(const Scene& scene, const GarmentInScene& loaded) {
-  return {loaded.garment, loaded.pins, simulation_settings(scene.simulation),
-          settled(scene.surroundings, loaded), loaded.start_m};
+  return {loaded.garment, loaded.pins, simulation_settings(scene.simulation), settled(scene.surroundings, loaded),
+          loaded.start_m};
 }
 
 }  // namespace taut::app

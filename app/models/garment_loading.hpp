@@ -16,12 +16,12 @@ inline constexpr double sewn_within_m = 1e-3;
 
 /// A model that follows a simulation mesh which was fitted to it. It is what is drawn and exported.
 struct FollowingModel {
-  sim::Mesh mesh;               ///< at rest, in m
-  FileVertices file_vertices;   ///< vertices of its file, in `mesh`
-  std::vector<Bond> bonds;      ///< per vertex of `mesh`, to the simulation mesh
+  sim::Mesh mesh;                              ///< at rest, in m
+  FileVertices file_vertices;                  ///< vertices of its file, in `mesh`
+  std::vector<Bond> bonds;                     ///< per vertex of `mesh`, to the simulation mesh
   std::shared_ptr<const OffsetLimits> limits;  ///< of the offsets in `bonds`
-  std::string why;              ///< the model itself is not simulated
-  std::size_t carried = 0;      ///< triangles that are no part of the wall which is simulated
+  std::string why;                             ///< the model itself is not simulated
+  std::size_t carried = 0;                     ///< triangles that are no part of the wall which is simulated
 
   CarriedVertices carried_vertices;  ///< of `mesh`
 
@@ -37,8 +37,8 @@ struct GarmentInScene {
   std::optional<std::vector<sim::Vec3>> start_m;  ///< positions at the start, per vertex; empty: as modelled
   FileVertices file_vertices;  ///< For the mesh before subdivision. Of a grid: all its vertices. Of a model that
                                ///< follows: the nearest ones of the simulation mesh.
-  std::vector<sim::MovingPins> moving_pins = {};  ///< vertices of the mesh
-  SurfaceColours colours = {};                    ///< of the triangles of shown_mesh()
+  std::vector<sim::MovingPins> moving_pins = {};         ///< vertices of the mesh
+  SurfaceColours colours = {};                           ///< of the triangles of shown_mesh()
   std::shared_ptr<const FollowingModel> following = {};  ///< null: the model itself is simulated
   /// Of its file, to be written again; empty of a grid and of a mesh that was subdivided.
   FileFaces file_faces = {};

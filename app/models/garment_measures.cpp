@@ -39,8 +39,7 @@ struct Finder {
 
   bool is_in_middle(const Opening& opening) const {
     const int across = part.across();
-    return std::abs(opening.range.middle()[across] - part.range.middle()[across]) <
-           in_the_middle * part.width_m();
+    return std::abs(opening.range.middle()[across] - part.range.middle()[across]) < in_the_middle * part.width_m();
   }
 
   void find_top(const Opening* top, GarmentMarks& marks) const {
@@ -74,10 +73,9 @@ struct Finder {
       }
     }
     // Without a hem the lowest two are those of legs.
-    std::ranges::stable_sort(
-        beside, [](const Opening* a, const Opening* b) { return a->mean_height_m > b->mean_height_m; });
-    const std::size_t sleeves =
-        beside.size() - (marks.hem_height_m ? 0 : std::min<std::size_t>(beside.size(), 2));
+    std::ranges::stable_sort(beside,
+                             [](const Opening* a, const Opening* b) { return a->mean_height_m > b->mean_height_m; });
+    const std::size_t sleeves = beside.size() - (marks.hem_height_m ? 0 : std::min<std::size_t>(beside.size(), 2));
     const std::span<const Opening* const> all = beside;
     marks.cuffs = pair_of(all.first(sleeves));
     marks.legs = pair_of(all.subspan(sleeves));
@@ -161,8 +159,7 @@ std::optional<Around> around(const Surface& garment, const sim::Vec3& middle_m, 
 
 }  // namespace
 
-GarmentMarks marks_of(const sim::Garment& garment, std::span<const sim::Vec3> positions_m,
-                      const Landmarks& landmarks) {
+GarmentMarks marks_of(const sim::Garment& garment, std::span<const sim::Vec3> positions_m, const Landmarks& landmarks) {
   const sim::Mesh mesh{{positions_m.begin(), positions_m.end()}, garment.mesh.triangles, {}};
   const std::vector<GarmentPart> parts = parts_of(mesh, garment.adjacency);
   const GarmentPart& part = *std::ranges::max_element(parts, {}, &GarmentPart::area_m2);

@@ -29,16 +29,15 @@ struct GarmentMarks {
 };
 
 /// Finds them where the garment is at these positions, in m. A neckline is lower in front.
-GarmentMarks marks_of(const sim::Garment& garment, std::span<const sim::Vec3> positions_m,
-                      const Landmarks& landmarks);
+GarmentMarks marks_of(const sim::Garment& garment, std::span<const sim::Vec3> positions_m, const Landmarks& landmarks);
 
 /// Returns the opening whose middle is nearest. Requires one.
 const LimbOpening& nearest_of(const std::vector<LimbOpening>& openings, const sim::Vec3& place_m);
 
 /// The trunk of a garment, without its sleeves.
 struct GarmentTube {
-  double lowest_m = 0.0;   ///< height of the lowest level that goes all around
-  double highest_m = 0.0;  ///< of the highest, which of a shirt is under its armholes
+  double lowest_m = 0.0;              ///< height of the lowest level that goes all around
+  double highest_m = 0.0;             ///< of the highest, which of a shirt is under its armholes
   std::optional<double> fork_m = {};  ///< of the highest that goes around two legs
 };
 

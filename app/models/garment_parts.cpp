@@ -27,8 +27,8 @@ std::vector<BorderEdge> border_edges(const sim::Mesh& mesh, const sim::Adjacency
     const sim::Vec3 third = mesh.positions[t[0]] + mesh.positions[t[1]] + mesh.positions[t[2]] - p - q;
     const sim::Vec3 along = glm::normalize(q - p);
     const sim::Vec3 away = p - third;
-    border.push_back({adjacency.edges[e], glm::distance(p, q), 0.5 * (p + q),
-                      glm::normalize(away - glm::dot(away, along) * along)});
+    border.push_back(
+        {adjacency.edges[e], glm::distance(p, q), 0.5 * (p + q), glm::normalize(away - glm::dot(away, along) * along)});
   }
   return border;
 }
@@ -76,8 +76,8 @@ std::vector<Opening> openings_of(const sim::Mesh& mesh, const sim::Adjacency& ad
     if (across[k] != k) {
       // An opening goes on beyond a seam that ends in it.
       const auto [c, d] = border[across[k]].ends;
-      const bool is_c = glm::distance(mesh.positions[a], mesh.positions[c]) <
-                        glm::distance(mesh.positions[a], mesh.positions[d]);
+      const bool is_c =
+          glm::distance(mesh.positions[a], mesh.positions[c]) < glm::distance(mesh.positions[a], mesh.positions[d]);
       groups.join(a, is_c ? c : d);
       groups.join(b, is_c ? d : c);
       continue;
@@ -135,8 +135,8 @@ bool is_high_and_level(const GarmentPart& part, const Opening& opening) {
 /// Whether the opening comes as near to the middle as an armhole does.
 bool is_near_middle(const GarmentPart& part, const Opening& opening) {
   const int axis = part.across();
-  const double inside_m = std::max(opening.range.lower[axis] - part.centre_m[axis],
-                                   part.centre_m[axis] - opening.range.upper[axis]);
+  const double inside_m =
+      std::max(opening.range.lower[axis] - part.centre_m[axis], part.centre_m[axis] - opening.range.upper[axis]);
   return inside_m <= armhole_reach * part.width_m();
 }
 

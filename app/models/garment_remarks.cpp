@@ -17,12 +17,10 @@ void append_repairs(const sim::MeshReport& repairs, std::vector<std::string>& li
   say(repairs.duplicate_triangles, "repeated triangle removed", "repeated triangles removed");
   say(repairs.turned_triangles, "triangle turned to the side of its neighbours",
       "triangles turned to the side of their neighbours");
-  say(repairs.parted_vertices, "vertex of layers that touch kept apart",
-      "vertices of layers that touch kept apart");
+  say(repairs.parted_vertices, "vertex of layers that touch kept apart", "vertices of layers that touch kept apart");
   if (repairs.sewn_vertices > 0) {
-    lines.push_back(
-        fmt::format("parts sewn together at {} where their borders lie within {:g} mm (garment.weld)",
-                    counted(repairs.sewn_vertices, "vertex", "vertices"), 1e3 * sewn_within_m));
+    lines.push_back(fmt::format("parts sewn together at {} where their borders lie within {:g} mm (garment.weld)",
+                                counted(repairs.sewn_vertices, "vertex", "vertices"), 1e3 * sewn_within_m));
   }
   say(repairs.near_vertices, "vertex welded to a near one", "vertices welded to near ones");
 }
@@ -43,8 +41,8 @@ std::optional<std::string> depth_in(const sim::Body& body, double time_s, const 
 }
 
 /// Of pins within a body; empty: none are.
-std::string remark_on_pins(std::span<const sim::Body> bodies, std::size_t body, double time_s,
-                           const Surface& start, std::span<const sim::Index> pins) {
+std::string remark_on_pins(std::span<const sim::Body> bodies, std::size_t body, double time_s, const Surface& start,
+                           std::span<const sim::Index> pins) {
   std::string first;
   std::size_t count = 0;
   for (const sim::Index pin : pins) {
@@ -91,8 +89,7 @@ std::vector<std::string> remarks_of(const LoadedGarment& loaded) {
   }
   if (loaded.placement && loaded.placement->is_vast) {
     lines.push_back(fmt::format("it is {:.3g} m large, which no garment is, with the unit {} (--units)",
-                                loaded.placement->scale * loaded.placement->extent,
-                                loaded.placement->unit_text));
+                                loaded.placement->scale * loaded.placement->extent, loaded.placement->unit_text));
   }
   if (loaded.strays.triangles > 0) lines.push_back(describe(loaded.strays, loaded.placement->scale));
   if (loaded.strays.body_triangles > 0) {
@@ -105,16 +102,15 @@ std::vector<std::string> remarks_of(const LoadedGarment& loaded) {
   if (loaded.repairs) append_repairs(*loaded.repairs, lines);
   if (loaded.following) lines.push_back(describe(*loaded.following, loaded.garment->mesh));
   if (loaded.refused_crossings > 0) {
-    lines.push_back(fmt::format(
-        "the model itself is simulated: a mesh fitted to it would cross itself in {} places (garment.mesh)",
-        loaded.refused_crossings));
+    lines.push_back(
+        fmt::format("the model itself is simulated: a mesh fitted to it would cross itself in {} places (garment.mesh)",
+                    loaded.refused_crossings));
   }
   if (loaded.trims_sewn_on > 0) {
     lines.push_back(counted(loaded.trims_sewn_on, "small part") + " sewn to the cloth below (garment.weld)");
   }
   if (loaded.turned_outside_out > 0) {
-    lines.push_back(counted(loaded.turned_outside_out, "triangle") +
-                    " of surfaces that faced inwards turned");
+    lines.push_back(counted(loaded.turned_outside_out, "triangle") + " of surfaces that faced inwards turned");
   }
   if (!loaded.hanger.empty()) lines.push_back(describe(loaded.hanger));
   if (loaded.hanging) {
@@ -124,20 +120,19 @@ std::vector<std::string> remarks_of(const LoadedGarment& loaded) {
   return lines;
 }
 
-StartRemarks remarks_on_body(std::span<const sim::Body> bodies, std::size_t body, double time_s,
-                             const Surface& cloth, std::span<const sim::Index> pins) {
+StartRemarks remarks_on_body(std::span<const sim::Body> bodies, std::size_t body, double time_s, const Surface& cloth,
+                             std::span<const sim::Index> pins) {
   StartRemarks remarks;
   const SceneCrossings crossings = crossings_with(bodies, body, time_s, cloth);
   remarks.crossings = crossings.pairs.size();
   if (!crossings.pairs.empty()) {
     remarks.lines.push_back("at the start " + describe(crossings, cloth, bodies));
-  } else if (const std::vector<sim::Index> within = parts_within(bodies[body], time_s, cloth);
-             !within.empty()) {
+  } else if (const std::vector<sim::Index> within = parts_within(bodies[body], time_s, cloth); !within.empty()) {
     remarks.crossings = within.size();
-    remarks.lines.push_back(fmt::format(
-        "at the start {} wholly within {}, the first: that of vertex {} at {}; nothing lets it out",
-        counted(within.size(), "part of the cloth is", "parts of the cloth are"), describe_body(bodies, body),
-        within.front(), describe_place(cloth.positions_m[within.front()])));
+    remarks.lines.push_back(
+        fmt::format("at the start {} wholly within {}, the first: that of vertex {} at {}; nothing lets it out",
+                    counted(within.size(), "part of the cloth is", "parts of the cloth are"),
+                    describe_body(bodies, body), within.front(), describe_place(cloth.positions_m[within.front()])));
   }
   remarks.lines.push_back(remark_on_pins(bodies, body, time_s, cloth, pins));
   remarks.lines.push_back(remark_on_shape(bodies, body, time_s));

@@ -16,8 +16,8 @@ struct StartRemarks {
 /// Says what is wrong: triangles that cross, triangles and pins in bodies, and bodies that cross themselves.
 StartRemarks remarks_on_start(const Scene& scene, const GarmentInScene& loaded);
 /// The same of one of the bodies and cloth that is here at this time.
-StartRemarks remarks_on_body(std::span<const sim::Body> bodies, std::size_t body, double time_s,
-                             const Surface& cloth, std::span<const sim::Index> pins);
+StartRemarks remarks_on_body(std::span<const sim::Body> bodies, std::size_t body, double time_s, const Surface& cloth,
+                             std::span<const sim::Index> pins);
 
 /// Prints both after the name of the garment's file.
 void print_remarks(const Scene& scene, const LoadedGarment& loaded, std::FILE* output = stdout);

@@ -213,8 +213,7 @@ bool has_face(const sim::Mesh& mesh, const GarmentPart& part, double neck_m) {
     }
   }
   const double above_m = face == nullptr ? 0.0 : face->range.upper.y - std::max(neck_m, face->range.lower.y);
-  return above_m >= lowest_face * hood_m &&
-         is_on_one_side(mesh, part, *face, neck_m + 0.5 * hood_m, 0.2 * hood_m);
+  return above_m >= lowest_face * hood_m && is_on_one_side(mesh, part, *face, neck_m + 0.5 * hood_m, 0.2 * hood_m);
 }
 
 /// The band around the neck has to hold the part on both sides, and more than a vertex or two.
@@ -241,8 +240,7 @@ std::vector<sim::Body> hanger_for(const sim::Mesh& mesh, const GarmentPart& part
 
 std::vector<sim::Body> make_hanger(const sim::Mesh& mesh) {
   const std::vector<GarmentPart> parts = parts_of(mesh, sim::make_adjacency(mesh));
-  std::vector<sim::Body> hanger =
-      hanger_for(mesh, *std::ranges::max_element(parts, {}, &GarmentPart::area_m2));
+  std::vector<sim::Body> hanger = hanger_for(mesh, *std::ranges::max_element(parts, {}, &GarmentPart::area_m2));
   if (hanger.empty()) {
     throw InputError(
         "pins.at: found no room for a hanger below the garment's shoulders; expected a garment that is "
@@ -258,8 +256,7 @@ std::string describe(const std::vector<sim::Body>& hanger) {
 }
 
 bool asks_for_hanger(const Scene& scene) {
-  const auto* name =
-      scene.pins && scene.pins->size() == 1 ? std::get_if<std::string>(&scene.pins->front()) : nullptr;
+  const auto* name = scene.pins && scene.pins->size() == 1 ? std::get_if<std::string>(&scene.pins->front()) : nullptr;
   return name != nullptr && *name == "hanger";
 }
 

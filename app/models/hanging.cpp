@@ -22,8 +22,7 @@ constexpr double around_arms = 0.5;
 // Parts that `describe` lists one by one.
 constexpr std::size_t most_lines = 12;
 
-std::vector<sim::Index> vertices_from(const sim::Mesh& mesh, const GarmentPart& part, int axis,
-                                      double direction) {
+std::vector<sim::Index> vertices_from(const sim::Mesh& mesh, const GarmentPart& part, int axis, double direction) {
   const double end = direction > 0.0 ? part.range.upper[axis] : part.range.lower[axis];
   const double reach = band_height * part.range.size()[axis];
   std::vector<sim::Index> vertices;
@@ -41,8 +40,8 @@ sim::Extent range_of(const sim::Mesh& mesh, const std::vector<sim::Index>& verti
 
 /// The highest of the vertices on either side of the centre of mass, no farther out than this. Empty if there
 /// are none on one side.
-std::vector<sim::Index> tops_of(const sim::Mesh& mesh, const GarmentPart& part,
-                                const std::vector<sim::Index>& vertices, double reach_m) {
+std::vector<sim::Index> tops_of(const sim::Mesh& mesh, const GarmentPart& part, const std::vector<sim::Index>& vertices,
+                                double reach_m) {
   std::vector<sim::Index> held;
   for (const double side : {-1.0, 1.0}) {
     GarmentPart half;
@@ -80,10 +79,8 @@ bool reach_up(const sim::Mesh& mesh, const GarmentPart& part, const std::vector<
 /// The tops of straps, where the opening at the top is the border of some; else none.
 std::vector<sim::Index> straps(const sim::Mesh& mesh, const GarmentPart& part, const Opening& top) {
   const double depth = top.range.size().y / part.range.size().y;
-  const bool is_apron =
-      depth >= deep_apron && top.range.size()[part.across()] >= around_arms * part.width_m();
-  const bool is_neckline =
-      depth >= deep_neckline && reach_up(mesh, part, pair_of_openings(part), top.range.upper.y);
+  const bool is_apron = depth >= deep_apron && top.range.size()[part.across()] >= around_arms * part.width_m();
+  const bool is_neckline = depth >= deep_neckline && reach_up(mesh, part, pair_of_openings(part), top.range.upper.y);
   return is_apron || is_neckline ? tops_of(mesh, part, part.vertices, part.width_m()) : std::vector<sim::Index>();
 }
 
@@ -135,8 +132,7 @@ HungPart hang_part(const sim::Mesh& mesh, const GarmentPart& part, std::vector<s
   hung.closed = part.openings.empty();
   hung.flat = std::min({size.x, size.y, size.z}) <= flat_thickness * part.size_m();
   const bool is_lying = size.y <= flat_thickness * part.size_m();
-  const std::vector<sim::Index> held =
-      is_lying ? held_of_flat(mesh, part, hung) : held_of_upright(mesh, part, hung);
+  const std::vector<sim::Index> held = is_lying ? held_of_flat(mesh, part, hung) : held_of_upright(mesh, part, hung);
   hung.pins = held.size();
   pins.insert(pins.end(), held.begin(), held.end());
   return hung;
@@ -171,8 +167,7 @@ std::optional<double> sagging_when_hung(const sim::Mesh& model_m, ModelAxis up) 
   sim::SimulationSettings settings;
   settings.solver.method = sim::BoundedSettings{.contact = false};
   try {
-    sim::Simulation simulation(sim::share(sim::make_garment(std::move(mesh), {})), std::move(pins), settings,
-                               {});
+    sim::Simulation simulation(sim::share(sim::make_garment(std::move(mesh), {})), std::move(pins), settings, {});
     for (int frame = 0; frame < frames; ++frame) simulation.advance_frame();
     const std::vector<double>& masses_kg = simulation.garment().masses_kg;
     double sum_kg_m = 0.0, all_kg = 0.0;
@@ -220,8 +215,7 @@ Hanging hang_as_in_a_shop(const sim::Mesh& mesh, const sim::Adjacency& adjacency
   if (!hanging.hanger.empty()) {
     largest->by = HungBy::hanger;
     largest->pins = 0;
-    std::erase_if(hanging.pins,
-                  [&](sim::Index pin) { return std::ranges::binary_search(part.vertices, pin); });
+    std::erase_if(hanging.pins, [&](sim::Index pin) { return std::ranges::binary_search(part.vertices, pin); });
   }
   return hanging;
 }
@@ -240,8 +234,7 @@ std::vector<std::string> describe(const Hanging& hanging) {
     }
   }
   if (hanging.parts.size() > most_lines) {
-    lines.push_back(
-        fmt::format("and {} more, held likewise", counted(hanging.parts.size() - most_lines, "part")));
+    lines.push_back(fmt::format("and {} more, held likewise", counted(hanging.parts.size() - most_lines, "part")));
   }
   if (closed > 0) {
     lines.push_back(

@@ -25,8 +25,8 @@ struct HungPart {
   std::size_t vertices = 0;
   std::size_t pins = 0;
   double area_m2 = 0.0;
-  bool closed = false;     ///< it has no border
-  bool flat = false;       ///< its thickness is at most 2 % of its size
+  bool closed = false;  ///< it has no border
+  bool flat = false;    ///< its thickness is at most 2 % of its size
 };
 
 /// The pins of a garment whose scene names none.

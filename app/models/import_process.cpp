@@ -46,11 +46,10 @@ fs::path importer_program(const fs::path& chosen_program) {
   }
   for (fs::path& candidate : candidates) candidate = candidate / "libexec" / "taut" / "taut-import";
   std::error_code error;
-  const auto found = std::ranges::find_if(
-      candidates, [&](const fs::path& candidate) { return fs::exists(candidate, error); });
+  const auto found =
+      std::ranges::find_if(candidates, [&](const fs::path& candidate) { return fs::exists(candidate, error); });
   if (found == candidates.end()) {
-    throw InputError("there is no program that reads models; expected '" + candidates.front().string() +
-                     '\'');
+    throw InputError("there is no program that reads models; expected '" + candidates.front().string() + '\'');
   }
   return *found;
 }
@@ -70,13 +69,13 @@ Importer start_importer(const fs::path& model, const ImportLimits& limits, ReadP
     if (::pipe2(ends.data(), O_CLOEXEC) != 0) throw std::system_error(errno, std::generic_category());
     Descriptor ours(ends[0]);
     const Descriptor its(ends[1]);
-    return {std::move(ours), ChildProcess({.arguments = {fs::absolute(program).string(), "import-model",
-                                                         "--memory", std::to_string(limits.memory_mib),
-                                                         "--seconds", std::to_string(limits.seconds),
-                                                         "--parts", std::to_string(static_cast<int>(parts)),
-                                                         fs::absolute(model).string()},
-                                           .variable = std::string(nested) + "=1",
-                                           .output = its.number()})};
+    return {
+        std::move(ours),
+        ChildProcess({.arguments = {fs::absolute(program).string(), "import-model", "--memory",
+                                    std::to_string(limits.memory_mib), "--seconds", std::to_string(limits.seconds),
+                                    "--parts", std::to_string(static_cast<int>(parts)), fs::absolute(model).string()},
+                      .variable = std::string(nested) + "=1",
+                      .output = its.number()})};
   } catch (const std::system_error& error) {
     throw InputError("the importer '" + program.string() + "' does not start: " + error.code().message());
   }
@@ -160,18 +159,15 @@ constexpr std::uint32_t architecture = 0;  // where the filter would refuse noth
 
 /// Has the system refuse these calls. Those of other architectures' numbers end the process.
 void keep_from_calls() {
-  constexpr std::array refused = {
-      SYS_socket, SYS_socketpair,        SYS_execve,        SYS_execveat, SYS_ptrace,
-      SYS_kill,   SYS_process_vm_writev, SYS_io_uring_setup};
+  constexpr std::array refused = {SYS_socket, SYS_socketpair,        SYS_execve,        SYS_execveat, SYS_ptrace,
+                                  SYS_kill,   SYS_process_vm_writev, SYS_io_uring_setup};
   std::array<sock_filter, refused.size() + 7> filter = {
       {BPF_STMT(BPF_LD | BPF_W | BPF_ABS, offsetof(seccomp_data, arch)),
-       BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, architecture, 1, 0),
-       BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_KILL_PROCESS),
+       BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, architecture, 1, 0), BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_KILL_PROCESS),
        BPF_STMT(BPF_LD | BPF_W | BPF_ABS, offsetof(seccomp_data, nr))}};
   for (std::size_t k = 0; k < refused.size(); ++k) {
     const auto to_refusal = static_cast<std::uint8_t>(refused.size() - k + 1);
-    filter[4 + k] =
-        BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, static_cast<std::uint32_t>(refused[k]), to_refusal, 0);
+    filter[4 + k] = BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, static_cast<std::uint32_t>(refused[k]), to_refusal, 0);
   }
   constexpr std::uint32_t first_of_x32 = 0x40000000;
   filter[refused.size() + 4] = BPF_JUMP(BPF_JMP | BPF_JGE | BPF_K, first_of_x32, 1, 0);
@@ -238,8 +234,7 @@ ModelArrays read_model_in_process(const fs::path& path, const ImportLimits& limi
   Importer importer = start_importer(path, limits, parts);
   const std::optional<std::string> bytes = read_all(importer.output, deadline);
   if (!bytes) {
-    throw InputError(Clock::now() < deadline ? "it is larger than anything that can be simulated"
-                                             : too_slow(limits));
+    throw InputError(Clock::now() < deadline ? "it is larger than anything that can be simulated" : too_slow(limits));
   }
   const int status = importer.process.wait();
   const std::optional<std::string> content = unframed(*bytes);

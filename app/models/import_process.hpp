@@ -21,8 +21,8 @@ inline constexpr bool memory_is_limited = TAUT_SHADOW_MEMORY == 0;
 
 /// Limits on reading one model.
 struct ImportLimits {
-  std::size_t memory_mib = 4096;  ///< address space; a million triangles need about a quarter of it
-  int seconds = 18;  ///< Wall time. With the work before and after, a model is refused within 20 s.
+  std::size_t memory_mib = 4096;       ///< address space; a million triangles need about a quarter of it
+  int seconds = 18;                    ///< Wall time. With the work before and after, a model is refused within 20 s.
   std::filesystem::path program = {};  ///< that reads it; empty: see read_model_in_process()
 };
 
@@ -36,8 +36,7 @@ enum class ImportAnswer : char { arrays = 'A', reason = 'R' };
 /// that is set; else this program if it is taut; else libexec/taut/taut-import of the folders above this
 /// code's file, such as libtaut. Throws InputError with the reason, without the name of the file;
 /// Interrupted.
-ModelArrays read_model_in_process(const std::filesystem::path& path, const ImportLimits& limits,
-                                  ReadParts parts);
+ModelArrays read_model_in_process(const std::filesystem::path& path, const ImportLimits& limits, ReadParts parts);
 
 /// Reads an image in the same way. Throws InputError that names the file and the reason; Interrupted.
 TextureImage read_image(const std::filesystem::path& path);

@@ -47,8 +47,8 @@ void measure_edges(const sim::Garment& garment, Inspection& result) {
 
 void measure_surface(const LoadedGarment& loaded, Inspection& result) {
   const sim::Garment& garment = *loaded.garment;
-  result.without_surface = static_cast<std::size_t>(std::ranges::count_if(
-      garment.triangles_at_rest, [](const sim::TriangleAtRest& t) { return !t.has_surface(); }));
+  result.without_surface = static_cast<std::size_t>(
+      std::ranges::count_if(garment.triangles_at_rest, [](const sim::TriangleAtRest& t) { return !t.has_surface(); }));
   if (loaded.start_m) {
     result.start = StretchAtStart{sim::measure_stretch(garment.springs, *loaded.start_m),
                                   sim::measure_surface_stretch(garment, *loaded.start_m)};
@@ -87,8 +87,7 @@ void remark(Inspection& result) {
   const double size_m = glm::length(result.upper_m - result.lower_m);
   if (size_m > 10.0 || size_m < 0.05) {
     result.remarks.push_back(fmt::format(
-        "it measures {:.3g} m across, which is no garment's size: --units mm reads it as millimetres",
-        size_m));
+        "it measures {:.3g} m across, which is no garment's size: --units mm reads it as millimetres", size_m));
   }
   if (result.topology.non_manifold_edges + result.topology.non_manifold_vertices > 0) {
     result.remarks.emplace_back("more than two triangles meet in places; it can be simulated all the same");
@@ -100,9 +99,8 @@ void remark(Inspection& result) {
     result.remarks.emplace_back("some triangles are needles, which make cloth stiff there");
   }
   if (result.without_surface > 0) {
-    result.remarks.push_back(
-        fmt::format("{} too thin to have a surface, of which only the edges are held and measured",
-                    counted(result.without_surface, "triangle is", "triangles are")));
+    result.remarks.push_back(fmt::format("{} too thin to have a surface, of which only the edges are held and measured",
+                                         counted(result.without_surface, "triangle is", "triangles are")));
   }
 }
 
@@ -113,9 +111,8 @@ std::string describe_size(const Inspection& i) {
       "area        {:.4g} m2\n"
       "edges       {:.3g} to {:.3g} mm, mean {:.3g} mm\n"
       "angles      {:.3g} degrees and more\n",
-      size.x, size.y, size.z, i.lower_m.x, i.lower_m.y, i.lower_m.z, i.upper_m.x, i.upper_m.y, i.upper_m.z,
-      i.area_m2, 1e3 * i.shortest_edge_m, 1e3 * i.longest_edge_m, 1e3 * i.mean_edge_m,
-      i.smallest_angle_rad * degrees_per_radian);
+      size.x, size.y, size.z, i.lower_m.x, i.lower_m.y, i.lower_m.z, i.upper_m.x, i.upper_m.y, i.upper_m.z, i.area_m2,
+      1e3 * i.shortest_edge_m, 1e3 * i.longest_edge_m, 1e3 * i.mean_edge_m, i.smallest_angle_rad * degrees_per_radian);
 }
 
 std::string vertices(std::size_t count) { return counted(count, "vertex", "vertices"); }
@@ -123,37 +120,33 @@ std::string vertices(std::size_t count) { return counted(count, "vertex", "verti
 std::string triangles(std::size_t count) { return counted(count, "triangle"); }
 
 std::string describe_reading(const Inspection& i) {
-  std::string text =
-      fmt::format("read        {}, {}: {}, {}, {}", i.model.format, counted(i.model.meshes, "mesh", "meshes"),
-                  triangles(i.model.file_triangles), counted(i.model.file_quads, "quad"),
-                  counted(i.model.file_polygons, "polygon"));
+  std::string text = fmt::format("read        {}, {}: {}, {}, {}", i.model.format,
+                                 counted(i.model.meshes, "mesh", "meshes"), triangles(i.model.file_triangles),
+                                 counted(i.model.file_quads, "quad"), counted(i.model.file_polygons, "polygon"));
   text += fmt::format("; ignored {}, {}\n", counted(i.model.ignored_lines, "line"),
                       counted(i.model.ignored_points, "point"));
-  text += fmt::format("repaired    {} of {} welded, {} unused; {} degenerate and {} repeated of {} removed\n",
-                      i.repairs.welded_vertices, vertices(i.repairs.input_vertices),
-                      i.repairs.unused_vertices, i.repairs.degenerate_triangles,
-                      i.repairs.duplicate_triangles, triangles(i.repairs.input_triangles));
+  text +=
+      fmt::format("repaired    {} of {} welded, {} unused; {} degenerate and {} repeated of {} removed\n",
+                  i.repairs.welded_vertices, vertices(i.repairs.input_vertices), i.repairs.unused_vertices,
+                  i.repairs.degenerate_triangles, i.repairs.duplicate_triangles, triangles(i.repairs.input_triangles));
   return text +
-         fmt::format(
-             "            {} turned, {} welded to near ones, {} sewn, {} of touching layers kept apart\n",
-             triangles(i.repairs.turned_triangles), vertices(i.repairs.near_vertices),
-             i.repairs.sewn_vertices, i.repairs.parted_vertices);
+         fmt::format("            {} turned, {} welded to near ones, {} sewn, {} of touching layers kept apart\n",
+                     triangles(i.repairs.turned_triangles), vertices(i.repairs.near_vertices), i.repairs.sewn_vertices,
+                     i.repairs.parted_vertices);
 }
 
 std::string describe_start(const StretchAtStart& start) {
   return fmt::format(
       "start       springs stretched by up to {:.4f} %, 99 of 100 by {:.4f} %\n"
       "            surface stretched by up to {:.4f} %, 99 of 100 triangles by {:.4f} %\n",
-      100.0 * start.springs.max, 100.0 * start.springs.p99, 100.0 * start.surface.max,
-      100.0 * start.surface.p99);
+      100.0 * start.springs.max, 100.0 * start.springs.p99, 100.0 * start.surface.max, 100.0 * start.surface.p99);
 }
 
 std::string describe_topology(const sim::Topology& t) {
   const std::string border =
-      t.boundary_loops == 0
-          ? "no boundary"
-          : fmt::format("{} ({}{})", counted(t.boundary_loops, "boundary loop"),
-                        counted(t.boundary_edges, "edge"), t.boundary_loops > 1 ? " in all" : "");
+      t.boundary_loops == 0 ? "no boundary"
+                            : fmt::format("{} ({}{})", counted(t.boundary_loops, "boundary loop"),
+                                          counted(t.boundary_edges, "edge"), t.boundary_loops > 1 ? " in all" : "");
   const std::string text = fmt::format("topology    {}, {}, Euler characteristic {}\n",
                                        counted(t.components, "component"), border, t.euler_characteristic);
   return text + fmt::format("            {}, {}, {}\n", counted(t.non_manifold_edges, "non-manifold edge"),
@@ -201,12 +194,11 @@ Inspection inspect_garment(const Scene& scene, const LoadedGarment& loaded) {
 std::string describe(const Inspection& i) {
   std::string text = i.file + '\n' + describe_reading(i);
   text += fmt::format("unit        {}\nup          {}\n", i.placement.unit_text, i.placement.up_text);
-  text +=
-      fmt::format("mesh        {}, {}\n", vertices(i.vertices), triangles(i.triangles)) + describe_size(i);
+  text += fmt::format("mesh        {}, {}\n", vertices(i.vertices), triangles(i.triangles)) + describe_size(i);
   text += describe_topology(i.topology);
   text += i.simulated.empty() ? "" : "simulated   " + i.simulated + '\n';
-  text += fmt::format("springs     {} structural, {} shear, {} flexural\n", i.structural_springs,
-                      i.shear_springs, i.flexural_springs);
+  text += fmt::format("springs     {} structural, {} shear, {} flexural\n", i.structural_springs, i.shear_springs,
+                      i.flexural_springs);
   text += fmt::format("texture     {}\n", i.texture);
   text += fmt::format("crossings   {}\n", i.crossings_text);
   text += i.untangling ? "untangled   " + describe(*i.untangling) + '\n' : "";

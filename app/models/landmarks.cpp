@@ -20,8 +20,7 @@ struct Search {
   const Placement& placement;
 };
 
-sim::Index vertex_at(const std::string& name, const toml::node& value, const sim::Vec3& point,
-                     const Search& search) {
+sim::Index vertex_at(const std::string& name, const toml::node& value, const sim::Vec3& point, const Search& search) {
   const sim::Vec3 scaled = search.placement(point);
   const auto [vertex, distance_m] = nearest_vertex(search.positions, scaled);
   if (!(distance_m <= same_point_m)) {
@@ -39,8 +38,8 @@ sim::Index find_vertex(const std::string& name, const toml::node& value, const S
   const std::optional<std::int64_t> number = whole_number(value);
   if (!number || *number < 0) {
     fail(search.source, line_of(value),
-         fmt::format("landmark {}: found {}, expected a point [x, y, z] or one of the {}", name,
-                     to_text(value), search.file_vertices.describe()));
+         fmt::format("landmark {}: found {}, expected a point [x, y, z] or one of the {}", name, to_text(value),
+                     search.file_vertices.describe()));
   }
   const auto index = static_cast<std::size_t>(*number);
   const std::optional<sim::Index> vertex = search.file_vertices.find(index);
@@ -50,8 +49,7 @@ sim::Index find_vertex(const std::string& name, const toml::node& value, const S
   return *vertex;
 }
 
-std::vector<sim::Index> find_vertices(const std::string& name, const toml::array& list,
-                                      const Search& search) {
+std::vector<sim::Index> find_vertices(const std::string& name, const toml::array& list, const Search& search) {
   std::vector<sim::Index> found;
   for (const toml::node& value : list) found.push_back(find_vertex(name, value, search));
   return found;
@@ -60,8 +58,7 @@ std::vector<sim::Index> find_vertices(const std::string& name, const toml::array
 /// The table in a file; an empty one where there is no file.
 toml::table file_at(const std::filesystem::path& path) {
   std::error_code error;
-  return std::filesystem::exists(path, error) ? read_toml_text(read_text_file(path), path.string())
-                                              : toml::table();
+  return std::filesystem::exists(path, error) ? read_toml_text(read_text_file(path), path.string()) : toml::table();
 }
 
 // Landmarks may stand in tables, whose names do not matter.
@@ -157,8 +154,8 @@ std::filesystem::path landmarks_path(const std::filesystem::path& garment) {
   return path.replace_extension(".landmarks.toml");
 }
 
-Landmarks read_landmarks(const std::filesystem::path& garment, const Placement& placement,
-                         const sim::Mesh& mesh, const FileVertices& file_vertices) {
+Landmarks read_landmarks(const std::filesystem::path& garment, const Placement& placement, const sim::Mesh& mesh,
+                         const FileVertices& file_vertices) {
   const std::filesystem::path path = landmarks_path(garment);
   Landmarks landmarks;
   collect(file_at(path), {{path.string(), false}, mesh.positions, file_vertices, placement}, landmarks);
@@ -198,8 +195,7 @@ NearestVertex nearest_vertex(std::span<const sim::Vec3> positions, const sim::Ve
   return best;
 }
 
-std::vector<sim::Index> select_pins(const std::optional<std::vector<PinSelector>>& pins,
-                                    const PinTargets& targets) {
+std::vector<sim::Index> select_pins(const std::optional<std::vector<PinSelector>>& pins, const PinTargets& targets) {
   const std::vector<PinSelector> top = {std::string(targets.grid != nullptr ? "top-edge" : "top-band")};
   std::vector<sim::Index> selected;
   for (const PinSelector& pin : pins.value_or(top)) {

@@ -15,8 +15,8 @@ std::filesystem::path landmarks_path(const std::filesystem::path& garment);
 /// garment's unit, or lists of numbers of the file's vertices. Returns nothing if there is no such file.
 /// Throws InputError that names the file, the line, the landmark, and the point or the vertex that was not
 /// found.
-Landmarks read_landmarks(const std::filesystem::path& garment, const Placement& placement,
-                         const sim::Mesh& mesh, const FileVertices& file_vertices);
+Landmarks read_landmarks(const std::filesystem::path& garment, const Placement& placement, const sim::Mesh& mesh,
+                         const FileVertices& file_vertices);
 
 /// The scale of the garment's texture coordinates in the same file: metres_per_uv = 1.5. Empty if it says
 /// nothing. Throws InputError that names the file and the line if it is not a number above 0.
@@ -47,7 +47,6 @@ struct PinTargets {
 
 /// The vertices of the mesh that the scene pins. Throws InputError for an unknown name or a vertex that does
 /// not exist.
-std::vector<sim::Index> select_pins(const std::optional<std::vector<PinSelector>>& pins,
-                                    const PinTargets& targets);
+std::vector<sim::Index> select_pins(const std::optional<std::vector<PinSelector>>& pins, const PinTargets& targets);
 
 }  // namespace taut::app

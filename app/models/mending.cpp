@@ -93,8 +93,7 @@ double border_of(const sim::Mesh& mesh, const std::vector<sim::Triangle>& triang
   std::ranges::sort(edges);
   std::map<sim::Index, std::vector<sim::Index>> beside;
   for (std::size_t e = 0; e < edges.size(); ++e) {
-    const bool is_alone =
-        (e == 0 || edges[e - 1] != edges[e]) && (e + 1 == edges.size() || edges[e + 1] != edges[e]);
+    const bool is_alone = (e == 0 || edges[e - 1] != edges[e]) && (e + 1 == edges.size() || edges[e + 1] != edges[e]);
     for (std::size_t k = 0; is_alone && k < 2; ++k) beside[edges[e][k]].push_back(edges[e][1 - k]);
   }
   double length = 0.0;
@@ -104,8 +103,7 @@ double border_of(const sim::Mesh& mesh, const std::vector<sim::Triangle>& triang
   return length;
 }
 
-std::map<sim::Index, Piece> measured_pieces(const sim::Mesh& mesh, sim::Groups& pieces,
-                                            const sim::Vec3& origin) {
+std::map<sim::Index, Piece> measured_pieces(const sim::Mesh& mesh, sim::Groups& pieces, const sim::Vec3& origin) {
   const std::vector<sim::Index> places = sim::first_at_same_position(mesh.positions);
   std::map<sim::Index, Piece> measured;
   for (const sim::Triangle& t : mesh.triangles) {
@@ -149,11 +147,9 @@ void find_bodies(const sim::Mesh& mesh, std::map<sim::Index, Piece>& pieces, dou
     const sim::Extent near{body.range.lower - reach, body.range.upper + reach};
     for (auto& [other, piece] : pieces) {
       if (!body.is_left_out || body.area < large_piece * area || piece.area >= large_piece * area) continue;
-      const bool is_apart =
-          piece.area >= body_piece * area && is_stout(piece) && sim::overlap(piece.range, near);
-      const bool is_within =
-          sim::overlap(piece.range, body.range) &&
-          std::abs(winding_number(piece.range.middle(), {mesh.positions, body.triangles})) > 0.5;
+      const bool is_apart = piece.area >= body_piece * area && is_stout(piece) && sim::overlap(piece.range, near);
+      const bool is_within = sim::overlap(piece.range, body.range) &&
+                             std::abs(winding_number(piece.range.middle(), {mesh.positions, body.triangles})) > 0.5;
       piece.is_left_out = piece.is_left_out || is_apart || is_within;
     }
   }
@@ -257,8 +253,7 @@ struct Cloth {
 };
 
 /// Places as far from each other as there are: the nearest to the cloth, then the farthest from those before.
-std::vector<Place> stitches_of(const std::vector<Place>& places, std::size_t most_stitches,
-                               const sim::Mesh& mesh) {
+std::vector<Place> stitches_of(const std::vector<Place>& places, std::size_t most_stitches, const sim::Mesh& mesh) {
   std::vector<Place> stitches;
   const auto nearer = [](const Place& a, const Place& b) { return a.distance < b.distance; };
   stitches.push_back(*std::ranges::min_element(places, nearer));
@@ -268,8 +263,7 @@ std::vector<Place> stitches_of(const std::vector<Place>& places, std::size_t mos
     for (const Place& place : places) {
       double distance = glm::distance(mesh.positions[place.vertex], mesh.positions[stitches[0].vertex]);
       for (const Place& stitch : stitches) {
-        distance =
-            std::min(distance, glm::distance(mesh.positions[place.vertex], mesh.positions[stitch.vertex]));
+        distance = std::min(distance, glm::distance(mesh.positions[place.vertex], mesh.positions[stitch.vertex]));
       }
       if (distance > farthest_distance) {
         farthest = &place;
@@ -334,8 +328,8 @@ Strays remove_strays(sim::Mesh& mesh) {
   mesh.triangles = std::move(kept);
   std::map<sim::Index, Piece> measured = measured_pieces(mesh, pieces, bulk.middle());
   find_bodies(mesh, measured, area);
-  strays.body_triangles = std::erase_if(
-      mesh.triangles, [&](const sim::Triangle& t) { return measured[pieces.find(t[0])].is_left_out; });
+  strays.body_triangles =
+      std::erase_if(mesh.triangles, [&](const sim::Triangle& t) { return measured[pieces.find(t[0])].is_left_out; });
   return strays;
 }
 
@@ -346,8 +340,7 @@ std::string describe(const Strays& strays, double metres_per_unit) {
                      strays.triangles == 1 ? "is" : "are");
 }
 
-std::size_t turn_outside_out(std::span<const GarmentPart> parts, const sim::Adjacency& adjacency,
-                             sim::Mesh& mesh) {
+std::size_t turn_outside_out(std::span<const GarmentPart> parts, const sim::Adjacency& adjacency, sim::Mesh& mesh) {
   sim::Groups surfaces = surfaces_of(mesh, adjacency);
   std::size_t turned = 0;
   for (const GarmentPart& part : parts) {

@@ -70,8 +70,7 @@ void require_tree(const Rig& rig) {
 void require_indices(const Rig& rig) {
   std::size_t least = 0;
   for (const RigInfluence& influence : rig.influences) {
-    require(influence.bone < rig.bones.size() && influence.vertex >= least &&
-            influence.vertex < rig.in_part.size());
+    require(influence.bone < rig.bones.size() && influence.vertex >= least && influence.vertex < rig.in_part.size());
     least = influence.vertex;
   }
   for (const RigBone& bone : rig.bones) require(bone.node < rig.nodes.size());

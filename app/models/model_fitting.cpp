@@ -95,8 +95,9 @@ std::vector<Vec2> warps_below(const sim::Mesh& simulated, const sim::Mesh& model
     const FlatAxes to(sim::corners_of(simulated.triangles[t], simulated.positions));
     const Vec3 warp = of_model[below].x * from.along + of_model[below].y * from.across;
     const Vec2 laid(glm::dot(warp, to.along), glm::dot(warp, to.across));
-    warps.push_back(glm::length(laid) > 0.5 ? glm::normalize(laid)
-                                            : sim::upright_in(sim::corners_of(simulated.triangles[t], simulated.positions)));
+    warps.push_back(glm::length(laid) > 0.5
+                        ? glm::normalize(laid)
+                        : sim::upright_in(sim::corners_of(simulated.triangles[t], simulated.positions)));
   }
   return warps;
 }
@@ -114,13 +115,13 @@ std::vector<Vec3> simulated_m(const FollowingModel& following, const sim::Mesh& 
 
 std::string describe(const FollowingModel& following, const sim::Mesh& simulated) {
   const std::size_t all = following.mesh.triangles.size();
-  return fmt::format(
-      "a fitted mesh of {} is simulated, and the model follows it{}: {} (garment.mesh)",
-      counted(simulated.triangles.size(), "triangle"),
-      following.carried > 0 ? fmt::format(", {:.0f} % of it carried", 100.0 * static_cast<double>(following.carried) /
-                                                                            static_cast<double>(all))
-                            : "",
-      following.why);
+  return fmt::format("a fitted mesh of {} is simulated, and the model follows it{}: {} (garment.mesh)",
+                     counted(simulated.triangles.size(), "triangle"),
+                     following.carried > 0
+                         ? fmt::format(", {:.0f} % of it carried",
+                                       100.0 * static_cast<double>(following.carried) / static_cast<double>(all))
+                         : "",
+                     following.why);
 }
 
 LoadedGarment as_modelled(const LoadedGarment& loaded, const sim::MappingSettings& mapping) {

@@ -12,7 +12,8 @@ struct FittedModel : FittedMesh {
 };
 
 /// Returns a simulation mesh if the scene asks for one, or if the model is not fit to be simulated and the scene
-/// leaves the choice. `model_m` is welded, in metres, and the cloth is so thick. Throws std::invalid_argument if no mesh can be made.
+/// leaves the choice. `model_m` is welded, in metres, and the cloth is so thick. Throws std::invalid_argument if no
+/// mesh can be made.
 std::optional<FittedModel> fitted_model(const GarmentSource& source, double thickness_m, const sim::Mesh& model_m);
 
 /// Returns whether the mesh is in shreds that cross each other while the model hardly crosses itself, such as one whose

@@ -28,9 +28,9 @@ void append_face(const aiFace& face, const aiMesh& mesh, bool mirrored, ModelArr
     // A mirrored node would turn the garment inside out.
     const unsigned v = face.mIndices[mirrored && k > 0 ? face.mNumIndices - k : k];
     model.corners.push_back(first + v);
-    model.colours.corner_uv.push_back(
-        mesh.HasTextureCoords(0) ? glm::vec2(mesh.mTextureCoords[0][v].x, mesh.mTextureCoords[0][v].y)
-                                 : glm::vec2(0.0F));
+    model.colours.corner_uv.push_back(mesh.HasTextureCoords(0)
+                                          ? glm::vec2(mesh.mTextureCoords[0][v].x, mesh.mTextureCoords[0][v].y)
+                                          : glm::vec2(0.0F));
   }
 }
 
@@ -79,8 +79,7 @@ void append_node(const aiScene& scene, const aiNode& node, const aiMatrix4x4& pa
 
 std::string format_of(const Assimp::Importer& importer) {
   const int index = importer.GetPropertyInteger("importerIndex", -1);
-  const aiImporterDesc* description =
-      index < 0 ? nullptr : importer.GetImporterInfo(static_cast<std::size_t>(index));
+  const aiImporterDesc* description = index < 0 ? nullptr : importer.GetImporterInfo(static_cast<std::size_t>(index));
   return description != nullptr ? description->mName : "unknown";
 }
 
@@ -159,8 +158,7 @@ SurfaceMaterial material_of(const aiMaterial& from, bool is_gltf) {
     for (int k = 0; k < 3; ++k) material.base_colour[k] = linear_to_srgb(material.base_colour[k]);
     material.map_tint = material.base_colour;
     aiString mode;
-    material.map_is_opaque =
-        from.Get(AI_MATKEY_GLTF_ALPHAMODE, mode) != aiReturn_SUCCESS || mode == aiString("OPAQUE");
+    material.map_is_opaque = from.Get(AI_MATKEY_GLTF_ALPHAMODE, mode) != aiReturn_SUCCESS || mode == aiString("OPAQUE");
   }
   for (const aiTextureType type : {aiTextureType_DIFFUSE, aiTextureType_BASE_COLOR}) {
     aiString file;

@@ -113,8 +113,7 @@ sim::Index ObjReader::texture_vertex(std::string_view word) const {
     std::from_chars(word.data() + slash + 1, word.data() + word.size(), number);
   }
   number = number < 0 ? static_cast<long long>(texture_vertices_.size()) + number + 1 : number;
-  return number > 0 && number < static_cast<long long>(unnamed) ? static_cast<sim::Index>(number - 1)
-                                                                : unnamed;
+  return number > 0 && number < static_cast<long long>(unnamed) ? static_cast<sim::Index>(number - 1) : unnamed;
 }
 
 // Faces before the first name have a material without one.
@@ -208,8 +207,7 @@ void ObjReader::place_texture() {
   const auto is_named = [](sim::Index texture) { return texture != unnamed; };
   if (std::ranges::any_of(corner_texture_, is_named)) {
     for (const sim::Index texture : corner_texture_) {
-      colours.corner_uv.push_back(texture < texture_vertices_.size() ? texture_vertices_[texture]
-                                                                     : glm::vec2(0.0F));
+      colours.corner_uv.push_back(texture < texture_vertices_.size() ? texture_vertices_[texture] : glm::vec2(0.0F));
     }
   }
   if (colours.materials.size() == 1 && colours.materials.front().name.empty()) {

@@ -21,8 +21,7 @@ std::vector<std::size_t> put_texture_vertices(std::span<const glm::vec2> corner_
 }
 
 template <class Vectors>
-void put_vectors(const std::string& kind, const Vectors& vectors, const std::string& number,
-                 std::string& text) {
+void put_vectors(const std::string& kind, const Vectors& vectors, const std::string& number, std::string& text) {
   const std::string line = kind + ' ' + number + ' ' + number + ' ' + number + '\n';
   for (const auto& v : vectors) fmt::format_to(std::back_inserter(text), fmt::runtime(line), v.x, v.y, v.z);
 }
@@ -42,16 +41,14 @@ FileFaces faces_of(const sim::Mesh& mesh, std::span<const glm::vec2> corner_uv) 
   return faces;
 }
 
-std::string obj_text(const sim::Mesh& mesh, std::span<const sim::Vec3> positions,
-                     std::span<const glm::vec2> corner_uv, const std::string& comment,
-                     const std::string& number) {
+std::string obj_text(const sim::Mesh& mesh, std::span<const sim::Vec3> positions, std::span<const glm::vec2> corner_uv,
+                     const std::string& comment, const std::string& number) {
   assert(positions.size() == mesh.positions.size());
   return obj_text(faces_of(mesh, corner_uv), positions, {}, comment, number);
 }
 
-std::string obj_text(const FileFaces& faces, std::span<const sim::Vec3> positions,
-                     std::span<const glm::vec3> normals, const std::string& comment,
-                     const std::string& number) {
+std::string obj_text(const FileFaces& faces, std::span<const sim::Vec3> positions, std::span<const glm::vec3> normals,
+                     const std::string& comment, const std::string& number) {
   assert(normals.empty() || normals.size() == positions.size());
   std::string text = comment;
   put_vectors("v", positions, number, text);

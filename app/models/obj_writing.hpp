@@ -17,8 +17,7 @@ std::string obj_text(const sim::Mesh& mesh, std::span<const sim::Vec3> positions
 
 /// The same of the faces of a file, with positions per vertex of that file. `normals`: unit vectors, one per
 /// vertex, or none.
-std::string obj_text(const FileFaces& faces, std::span<const sim::Vec3> positions,
-                     std::span<const glm::vec3> normals, const std::string& comment = obj_comment,
-                     const std::string& number = "{}");
+std::string obj_text(const FileFaces& faces, std::span<const sim::Vec3> positions, std::span<const glm::vec3> normals,
+                     const std::string& comment = obj_comment, const std::string& number = "{}");
 
 }  // namespace taut::app

@@ -34,7 +34,8 @@ OffsetLimits::OffsetLimits(std::span<const Bond> bonds, const sim::Mesh& simulat
     : reach_m_(reaches_of(bonds, simulated)), clearances_(simulated.triangles, {}, true, simulated.positions) {
   const std::span<const float> shares = clearances_.find_shares(simulated.positions, reach_m_);
   at_rest_.assign(shares.begin(), shares.end());
-  std::replace_if(at_rest_.begin(), at_rest_.end(), [](float share) { return share < least_share_at_rest; }, 1.0F);
+  std::replace_if(
+      at_rest_.begin(), at_rest_.end(), [](float share) { return share < least_share_at_rest; }, 1.0F);
 }
 
 std::vector<float> OffsetLimits::shares(std::span<const Bond> bonds, std::span<const sim::Vec3> positions_m,

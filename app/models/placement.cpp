@@ -91,9 +91,8 @@ const Unit* unit_by_size(double size, double part_size) {
     const auto found = std::ranges::find_if(usual, fits);
     return found == usual.end() ? nullptr : &*found;
   };
-  const Unit* unit = find([&](const Unit& u) {
-    return is_usual(size * u.metres) && part_size * u.metres >= smallest_part_m;
-  });
+  const Unit* unit =
+      find([&](const Unit& u) { return is_usual(size * u.metres) && part_size * u.metres >= smallest_part_m; });
   unit = unit != nullptr ? unit : find([&](const Unit& u) { return is_usual(part_size * u.metres); });
   return unit != nullptr ? unit : find([&](const Unit& u) { return is_usual(size * u.metres); });
 }
@@ -123,8 +122,7 @@ void choose_unit(double size, double part_size, const PlacementHints& hints, Pla
   }
   placement.scale = 1.0 / size;
   placement.guessed = true;
-  placement.unit_text =
-      fmt::format("{:.4g} m, so that it is 1 m large; {} ({:.4g} units)", placement.scale, why, size);
+  placement.unit_text = fmt::format("{:.4g} m, so that it is 1 m large; {} ({:.4g} units)", placement.scale, why, size);
 }
 
 void choose_up(const sim::Vec3& size, const PlacementHints& hints, Placement& placement) {
@@ -149,8 +147,8 @@ void choose_up(const sim::Vec3& size, const PlacementHints& hints, Placement& pl
   if (!hints.up_by_openings && !hints.up_by_hanging && size.z > clearly_longer * size.y) {
     placement.up = ModelAxis::z;
     placement.guessed = true;
-    placement.up_text = fmt::format("z, guessed: it measures {:.3g} along z, {:.3g} along y",
-                                    size.z * placement.scale, size.y * placement.scale);
+    placement.up_text = fmt::format("z, guessed: it measures {:.3g} along z, {:.3g} along y", size.z * placement.scale,
+                                    size.y * placement.scale);
     return;
   }
   placement.up_text = "y, as in most files";
@@ -334,8 +332,7 @@ double share_carried(const sim::Mesh& mesh, const sim::Adjacency& adjacency) {
   double area = 0.0, carried = 0.0;
   for (const HungPart& part : hang(mesh, adjacency).parts) {
     area += part.area_m2;
-    const bool is_carried =
-        part.by == HungBy::top_opening || part.by == HungBy::neck || part.by == HungBy::straps;
+    const bool is_carried = part.by == HungBy::top_opening || part.by == HungBy::neck || part.by == HungBy::straps;
     carried += is_carried ? part.area_m2 : 0.0;
   }
   return carried / area;
@@ -350,9 +347,7 @@ sim::Mesh upright(const sim::Mesh& mesh, ModelAxis up) {
 }
 
 std::optional<ModelAxis> up_by_openings(const sim::Mesh& mesh, const sim::Adjacency& adjacency) {
-  const auto can_hang = [&](ModelAxis up) {
-    return share_carried(upright(mesh, up), adjacency) >= most_of_area;
-  };
+  const auto can_hang = [&](ModelAxis up) { return share_carried(upright(mesh, up), adjacency) >= most_of_area; };
   bool is_y = can_hang(ModelAxis::y);
   const bool may_lie = !is_y && is_lying(sim::extent_of(mesh.positions).size());
   bool is_z = can_hang(ModelAxis::z) || (may_lie && can_hang(ModelAxis::minus_z));
@@ -374,9 +369,7 @@ std::optional<ModelAxis> up_by_openings(const sim::Mesh& mesh, const sim::Adjace
               : better_way_up(mesh, adjacency, ModelAxis::y, ModelAxis::minus_y, upside_down);
 }
 
-sim::Vec3 Placement::operator()(const sim::Vec3& in_file) const {
-  return turned(in_file * scale, up) + moved_m;
-}
+sim::Vec3 Placement::operator()(const sim::Vec3& in_file) const { return turned(in_file * scale, up) + moved_m; }
 
 Placement place_model(const sim::Mesh& mesh, const PlacementHints& hints) {
   const sim::Extent box = extent_of_triangles(mesh);

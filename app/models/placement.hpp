@@ -35,9 +35,9 @@ struct PlacementHints {
 /// glove and smaller than a tent; the first of m, cm, mm and dm that gives a garment of 0.2 to 2.5 m. If none
 /// does, the model is scaled to 1 m.
 ///
-/// The up axis is the one asked for or the file's own; else what its openings say; else with which it moves less when it is hung; else z if the model is far
-/// longer along z, else y. A model very far from the origin is moved there, because single precision could
-/// not tell its vertices apart.
+/// The up axis is the one asked for or the file's own; else what its openings say; else with which it moves less when
+/// it is hung; else z if the model is far longer along z, else y. A model very far from the origin is moved there,
+/// because single precision could not tell its vertices apart.
 Placement place_model(const sim::Mesh& mesh, const PlacementHints& hints);
 
 /// Returns the model with this axis up: as y.

@@ -18,8 +18,8 @@ bool can_move(const aiScene& scene) {
 
 glm::dmat4 matrix_of(const aiMatrix4x4& m) {
   // Columns, where assimp has rows.
-  return glm::dmat4(glm::mat4(m.a1, m.b1, m.c1, m.d1, m.a2, m.b2, m.c2, m.d2, m.a3, m.b3, m.c3, m.d3, m.a4,
-                              m.b4, m.c4, m.d4));
+  return glm::dmat4(
+      glm::mat4(m.a1, m.b1, m.c1, m.d1, m.a2, m.b2, m.c2, m.d2, m.a3, m.b3, m.c3, m.d3, m.a4, m.b4, m.c4, m.d4));
 }
 
 sim::Vec3 vector_of(const aiVector3D& v) { return {v.x, v.y, v.z}; }
@@ -90,9 +90,8 @@ void RigReader::add_bones(const aiMesh& mesh, std::size_t first_vertex) {
     rig_.bones.push_back({*node, matrix_of(bone->mOffsetMatrix)});
     for (const aiVertexWeight& weight : std::span(bone->mWeights, bone->mNumWeights)) {
       if (weight.mVertexId >= mesh.mNumVertices) {
-        throw InputError("the joint '" + rig_.nodes[*node].name + "' moves vertex " +
-                         std::to_string(weight.mVertexId) + " of a mesh that has " +
-                         std::to_string(mesh.mNumVertices));
+        throw InputError("the joint '" + rig_.nodes[*node].name + "' moves vertex " + std::to_string(weight.mVertexId) +
+                         " of a mesh that has " + std::to_string(mesh.mNumVertices));
       }
       rig_.influences.push_back({first_vertex + weight.mVertexId, number, weight.mWeight});
     }
@@ -103,8 +102,7 @@ void RigReader::add_bones(const aiMesh& mesh, std::size_t first_vertex) {
 
 void RigReader::add_targets(const aiMesh& mesh) {
   for (const aiAnimMesh* shape : std::span(mesh.mAnimMeshes, mesh.mNumAnimMeshes)) {
-    RigTarget target{
-        static_cast<sim::Index>(rig_.parts.size() - 1), knows_mixture_ ? shape->mWeight : 0.0, {}};
+    RigTarget target{static_cast<sim::Index>(rig_.parts.size() - 1), knows_mixture_ ? shape->mWeight : 0.0, {}};
     target.offsets.resize(mesh.mNumVertices, sim::Vec3(0.0));
     if (shape->HasPositions() && shape->mNumVertices != mesh.mNumVertices) {
       throw InputError("the shape '" + std::string(shape->mName.C_Str()) + "' has " +
@@ -118,8 +116,7 @@ void RigReader::add_targets(const aiMesh& mesh) {
   }
 }
 
-template <class Key>
-RigKeys keys_of(std::span<const Key> keys, double seconds_per_tick) {
+template <class Key> RigKeys keys_of(std::span<const Key> keys, double seconds_per_tick) {
   RigKeys read;
   for (const Key& key : keys) {
     read.times_s.push_back(key.mTime * seconds_per_tick);
@@ -148,8 +145,7 @@ void RigReader::add_clip(const aiAnimation& animation) {
          keys_of(std::span<const aiQuatKey>(channel->mRotationKeys, channel->mNumRotationKeys), tick_s),
          keys_of(Places(channel->mScalingKeys, channel->mNumScalingKeys), tick_s)});
   }
-  for (const aiMeshMorphAnim* channel :
-       std::span(animation.mMorphMeshChannels, animation.mNumMorphMeshChannels)) {
+  for (const aiMeshMorphAnim* channel : std::span(animation.mMorphMeshChannels, animation.mNumMorphMeshChannels)) {
     add_target_channels(*channel, tick_s, clip);
   }
   rig_.clips.push_back(std::move(clip));
@@ -161,8 +157,8 @@ void RigReader::add_target_channels(const aiMeshMorphAnim& channel, double tick_
   const std::string name = full.substr(0, full.rfind('*'));
   bool is_known = false;
   for (sim::Index part = 0, first = 0; part < rig_.parts.size(); ++part) {
-    const auto count = static_cast<sim::Index>(
-        std::ranges::count_if(rig_.targets, [&](const auto& t) { return t.part == part; }));
+    const auto count =
+        static_cast<sim::Index>(std::ranges::count_if(rig_.targets, [&](const auto& t) { return t.part == part; }));
     const bool is_meant = rig_.parts[part].mesh == name || rig_.nodes[rig_.parts[part].node].name == name;
     for (sim::Index t = 0; is_meant && t < count; ++t) {
       RigTargetChannel target{first + t, {}};

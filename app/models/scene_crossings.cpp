@@ -11,9 +11,7 @@ namespace {
 struct Enters {
   const Corners& triangle;
 
-  bool operator()(const sim::Plane& plane) const {
-    return enters_half_space(triangle, plane.point_m, plane.normal);
-  }
+  bool operator()(const sim::Plane& plane) const { return enters_half_space(triangle, plane.point_m, plane.normal); }
   bool operator()(const sim::Sphere& ball) const {
     return enters_limb(triangle, {ball.centre_m, ball.centre_m, ball.radius_m, ball.radius_m});
   }
@@ -45,15 +43,13 @@ SceneCrossings crossings_with(std::span<const sim::Body> bodies, std::size_t bod
   return {body, crossing_pairs(cloth, {positions_m, mesh->data->triangles})};
 }
 
-std::vector<SceneCrossings> scene_crossings(const Surface& cloth, std::span<const sim::Body> bodies,
-                                            double time_s) {
+std::vector<SceneCrossings> scene_crossings(const Surface& cloth, std::span<const sim::Body> bodies, double time_s) {
   std::vector<SceneCrossings> all = {{{}, crossing_pairs(cloth)}};
   for (std::size_t b = 0; b < bodies.size(); ++b) all.push_back(crossings_with(bodies, b, time_s, cloth));
   return all;
 }
 
-std::string describe(const SceneCrossings& crossings, const Surface& cloth,
-                     std::span<const sim::Body> bodies) {
+std::string describe(const SceneCrossings& crossings, const Surface& cloth, std::span<const sim::Body> bodies) {
   if (!crossings.body) return describe(cloth, crossings.pairs);
   const std::size_t count = crossings.pairs.size();
   const CrossingPair& first = crossings.pairs.front();
@@ -62,11 +58,11 @@ std::string describe(const SceneCrossings& crossings, const Surface& cloth,
   const std::string place = describe_place(first.place_m);
   if (const auto* mesh = std::get_if<sim::BodyMesh>(&bodies[*crossings.body].shape)) {
     return fmt::format("{} with {}, the first: {} and its {} at {}",
-                       counted(count, "pair of triangles crosses", "pairs of triangles cross"), name,
-                       triangle, describe_triangle({{}, mesh->data->triangles}, first.second), place);
+                       counted(count, "pair of triangles crosses", "pairs of triangles cross"), name, triangle,
+                       describe_triangle({{}, mesh->data->triangles}, first.second), place);
   }
-  return fmt::format("{} {}, the first: {} near {}", counted(count, "triangle enters", "triangles enter"),
-                     name, triangle, place);
+  return fmt::format("{} {}, the first: {} near {}", counted(count, "triangle enters", "triangles enter"), name,
+                     triangle, place);
 }
 
 std::string describe_body(std::span<const sim::Body> bodies, std::size_t body) {
@@ -87,16 +83,15 @@ std::optional<Untangling> untangle_start(const Scene& scene, const sim::Garment&
   settings.bounded = scene.simulation.solver.bounded;
   settings.distance_m = garment.material.thickness_m;
   settings.is_cut_anew = is_cut_anew;
-  sim::Untangled untangled =
-      sim::untangle(garment, start_m, settings, [&](std::span<const sim::Vec3> positions_m) {
-        throw_if_interrupted();
-        std::vector<sim::TrianglePair> pairs;
-        for (const CrossingPair& pair : crossing_pairs({positions_m, garment.mesh.triangles})) {
-          pairs.push_back({pair.first, pair.second});
-        }
-        tell(fmt::format("untangling it: {} cross", counted(pairs.size(), "pair")));
-        return pairs;
-      });
+  sim::Untangled untangled = sim::untangle(garment, start_m, settings, [&](std::span<const sim::Vec3> positions_m) {
+    throw_if_interrupted();
+    std::vector<sim::TrianglePair> pairs;
+    for (const CrossingPair& pair : crossing_pairs({positions_m, garment.mesh.triangles})) {
+      pairs.push_back({pair.first, pair.second});
+    }
+    tell(fmt::format("untangling it: {} cross", counted(pairs.size(), "pair")));
+    return pairs;
+  });
   if (untangled.pairs_before == 0 && untangled.largest_move_m == 0.0) return std::nullopt;
   start_m = std::move(untangled.positions_m);
   return Untangling{untangled.pairs_before, untangled.pairs_left, untangled.largest_move_m};
@@ -104,14 +99,12 @@ std::optional<Untangling> untangle_start(const Scene& scene, const sim::Garment&
 
 std::string describe(const Untangling& u) {
   if (u.pairs_before == 0) {
-    return fmt::format(
-        "where layers were as one it was parted and evened out, no vertex by more than {:.3g} mm",
-        1e3 * u.largest_move_m);
+    return fmt::format("where layers were as one it was parted and evened out, no vertex by more than {:.3g} mm",
+                       1e3 * u.largest_move_m);
   }
-  return fmt::format(
-      "of {} that crossed at the start {} left, and no vertex was moved by more than {:.3g} mm",
-      counted(u.pairs_before, "pair of triangles", "pairs of triangles"),
-      u.pairs_left == 1 ? "1 is" : fmt::format("{} are", u.pairs_left), 1e3 * u.largest_move_m);
+  return fmt::format("of {} that crossed at the start {} left, and no vertex was moved by more than {:.3g} mm",
+                     counted(u.pairs_before, "pair of triangles", "pairs of triangles"),
+                     u.pairs_left == 1 ? "1 is" : fmt::format("{} are", u.pairs_left), 1e3 * u.largest_move_m);
 }
 
 }  // namespace taut::app

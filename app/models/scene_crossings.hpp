@@ -15,16 +15,13 @@ struct SceneCrossings {
 
 /// Returns the crossings of the cloth with itself and then with each body, where it is at this time; of those
 /// without any an entry without pairs.
-std::vector<SceneCrossings> scene_crossings(const Surface& cloth, std::span<const sim::Body> bodies,
-                                            double time_s);
+std::vector<SceneCrossings> scene_crossings(const Surface& cloth, std::span<const sim::Body> bodies, double time_s);
 
 /// The same with one of the bodies.
-SceneCrossings crossings_with(std::span<const sim::Body> bodies, std::size_t body, double time_s,
-                              const Surface& cloth);
+SceneCrossings crossings_with(std::span<const sim::Body> bodies, std::size_t body, double time_s, const Surface& cloth);
 
 /// Returns how many pairs there are, of what, and the first with its place. Requires at least one pair.
-std::string describe(const SceneCrossings& crossings, const Surface& cloth,
-                     std::span<const sim::Body> bodies);
+std::string describe(const SceneCrossings& crossings, const Surface& cloth, std::span<const sim::Body> bodies);
 
 /// Returns "the body 'ball'", or "body 0" if it has no name.
 std::string describe_body(std::span<const sim::Body> bodies, std::size_t body);

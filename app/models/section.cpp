@@ -51,9 +51,7 @@ class Section {
   }
 
  private:
-  double height(sim::Index v) const {
-    return glm::dot(surface_.positions_m[v] - plane_.point_m, plane_.normal);
-  }
+  double height(sim::Index v) const { return glm::dot(surface_.positions_m[v] - plane_.point_m, plane_.normal); }
 
   Vec2 point_on(const EdgeKey& edge) const {
     const double share = height(edge.first) / (height(edge.first) - height(edge.second));
@@ -101,8 +99,7 @@ double length_m(const SectionCurve& curve) {
 
 /// Andrew 1979: the lower and the upper chain of the points in order of x.
 std::vector<Vec2> convex_hull(std::vector<Vec2> points_m) {
-  std::ranges::sort(points_m,
-                    [](const Vec2& a, const Vec2& b) { return a.x != b.x ? a.x < b.x : a.y < b.y; });
+  std::ranges::sort(points_m, [](const Vec2& a, const Vec2& b) { return a.x != b.x ? a.x < b.x : a.y < b.y; });
   std::vector<Vec2> hull;
   for (int side = 0; side < 2; ++side) {
     const std::size_t first = hull.size();

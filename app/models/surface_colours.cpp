@@ -19,7 +19,7 @@ TextureImage take_image(ArrayReader& in) {
   image.height_px = in.take<std::uint32_t>();
   image.rgba = std::make_shared<const std::vector<std::uint8_t>>(in.take_list<std::vector<std::uint8_t>>());
   require_colours(image.width_px > 0 && image.height_px > 0 &&
-          image.rgba->size() == std::uint64_t{4} * image.width_px * image.height_px);
+                  image.rgba->size() == std::uint64_t{4} * image.width_px * image.height_px);
   return image;
 }
 
@@ -70,9 +70,7 @@ SurfaceColours taken_from(SurfaceColours colours, const Sources& sources) {
   return colours;
 }
 
-bool is_plain(const SurfaceColours& colours) {
-  return colours.corner_uv.empty() && colours.material_of_face.empty();
-}
+bool is_plain(const SurfaceColours& colours) { return colours.corner_uv.empty() && colours.material_of_face.empty(); }
 
 namespace fs = std::filesystem;
 
@@ -116,8 +114,7 @@ TextureImage tinted(const TextureImage& image, const glm::vec3& tint, bool is_op
   for (int k = 0; k < 3; ++k) {
     for (std::size_t value = 0; value < 256; ++value) {
       const float light = srgb_to_linear(static_cast<float>(value) / 255.0F) * srgb_to_linear(tint[k]);
-      channels[static_cast<std::size_t>(k)][value] =
-          static_cast<std::uint8_t>(255.0F * linear_to_srgb(light) + 0.5F);
+      channels[static_cast<std::size_t>(k)][value] = static_cast<std::uint8_t>(255.0F * linear_to_srgb(light) + 0.5F);
     }
   }
   std::vector<std::uint8_t> rgba = *image.rgba;
@@ -125,8 +122,7 @@ TextureImage tinted(const TextureImage& image, const glm::vec3& tint, bool is_op
     for (std::size_t k = 0; k < 3; ++k) rgba[i + k] = channels[k][rgba[i + k]];
     rgba[i + 3] = is_opaque ? 255 : rgba[i + 3];
   }
-  return {image.width_px, image.height_px,
-          std::make_shared<const std::vector<std::uint8_t>>(std::move(rgba))};
+  return {image.width_px, image.height_px, std::make_shared<const std::vector<std::uint8_t>>(std::move(rgba))};
 }
 
 /// Where an image may be: as it is named, or else by its last name beside the model. Models often name the
@@ -161,11 +157,10 @@ std::string read_file_of(const std::string& name, const fs::path& folder) {
 TextureImage read_map(const SurfaceMaterial& material, const fs::path& folder, const EmbeddedImage& embedded,
                       std::uint32_t most_px) {
   const std::optional<std::string_view> inside = embedded(material.map_file);
-  const TextureImage image = fitted_to(
-      decode_image(inside ? std::string(*inside) : read_file_of(material.map_file, folder)), most_px);
+  const TextureImage image =
+      fitted_to(decode_image(inside ? std::string(*inside) : read_file_of(material.map_file, folder)), most_px);
   const bool is_tinted = material.map_tint != glm::vec3(1.0F);
-  return is_tinted || material.map_is_opaque ? tinted(image, material.map_tint, material.map_is_opaque)
-                                             : image;
+  return is_tinted || material.map_is_opaque ? tinted(image, material.map_tint, material.map_is_opaque) : image;
 }
 
 }  // namespace
@@ -297,8 +292,7 @@ TextureImage decode_image(std::string_view bytes) {
     throw InputError("it is no image that can be read, such as PNG or JPEG ({})", stbi_failure_reason());
   }
   if (std::size_t(width_px) * std::size_t(height_px) > most_pixels) {
-    throw InputError("it has {} x {} pixels, more than the {} that are read", width_px, height_px,
-                     most_pixels);
+    throw InputError("it has {} x {} pixels, more than the {} that are read", width_px, height_px, most_pixels);
   }
   const std::unique_ptr<stbi_uc, void (*)(void*)> pixels(
       stbi_load_from_memory(data, size, &width_px, &height_px, &channels, 4), stbi_image_free);
@@ -328,9 +322,8 @@ void read_maps(const fs::path& folder, const EmbeddedImage& embedded, SurfaceCol
       }
       material.map = map;
     } catch (const InputError& error) {
-      colours.remarks.push_back(
-          fmt::format("the image '{}' of its material '{}' is not drawn, its base colour is: {}",
-                      material.map_file, material.name, error.what()));
+      colours.remarks.push_back(fmt::format("the image '{}' of its material '{}' is not drawn, its base colour is: {}",
+                                            material.map_file, material.name, error.what()));
     }
   }
 }

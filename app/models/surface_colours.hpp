@@ -36,9 +36,8 @@ struct SurfaceColours {
   std::vector<sim::Index> material_of_face;  ///< indices into `materials`, one per face, or none
   std::vector<SurfaceMaterial> materials;
   std::vector<TextureImage> maps;
-  std::vector<std::string>
-      libraries;                     ///< the files of an OBJ that say more of its materials, as it names them
-  std::vector<std::string> remarks;  ///< which images are missing, one line each
+  std::vector<std::string> libraries;  ///< the files of an OBJ that say more of its materials, as it names them
+  std::vector<std::string> remarks;    ///< which images are missing, one line each
 };
 
 void encode(const SurfaceColours& colours, ArrayWriter& out);

@@ -37,8 +37,7 @@ CsvTable::CsvTable(std::vector<std::string> columns) : width_(columns.size()), t
 
 void CsvTable::add(std::vector<std::string> cells) {
   if (cells.size() != width_) {
-    throw std::invalid_argument(
-        fmt::format("a row of {} cells in a table of {} columns", cells.size(), width_));
+    throw std::invalid_argument(fmt::format("a row of {} cells in a table of {} columns", cells.size(), width_));
   }
   text_ += line_of(cells);
 }
@@ -54,8 +53,7 @@ CsvFile::CsvFile(const std::filesystem::path& path, const std::vector<std::strin
   while (std::getline(lines, line)) {
     rows_.push_back(cells_of(line));
     if (rows_.back().size() != columns_.size()) {
-      fail(rows_.size() - 1,
-           fmt::format("found {} cells, expected {}", rows_.back().size(), columns_.size()));
+      fail(rows_.size() - 1, fmt::format("found {} cells, expected {}", rows_.back().size(), columns_.size()));
     }
   }
   if (rows_.empty()) throw InputError(name_ + ": found no rows, expected at least one");

@@ -62,8 +62,7 @@ std::string describe_stretch(const sim::BoundedSettings& bound, const RunSummary
 
 bool is_within(const sim::BoundedSettings& bound, const FrameRecord& record) {
   const double most = bound.max_stretch + bound_rounding;
-  return record.stretch.max <= most &&
-         (bound.bound == sim::BoundKind::springs || record.surface_stretch.max <= most);
+  return record.stretch.max <= most && (bound.bound == sim::BoundKind::springs || record.surface_stretch.max <= most);
 }
 
 void measure_stretches(const sim::Simulation& simulation, FrameRecord& record) {
@@ -101,8 +100,7 @@ FrameRecord measure_frame(const sim::Simulation& simulation, int frame, Measured
   }
   const sim::ShapeChange change = simulation.change();
   record.rms_speed_m_per_s = sim::rms_speed(change);
-  record.energy =
-      sim::measure_energy(garment, change, sim::gravity_at(simulation.surroundings().forces, state.time_s));
+  record.energy = sim::measure_energy(garment, change, sim::gravity_at(simulation.surroundings().forces, state.time_s));
   record.convergence_m = sim::measure_convergence(change).max_m;
   record.state_hash = sim::hash(state);
   return record;
@@ -154,8 +152,7 @@ double RunSummary::mean_substeps() const { return total_substeps / std::max(simu
 double RunSummary::mean_sim_ms() const { return total_sim_ms / std::max(simulated_frames, 1); }
 
 std::string describe_crossings(const RunSummary& summary) {
-  if (summary.crossings_at_start == 0 && summary.final_crossings == 0 &&
-      !(summary.most_left_out_share > 0.0)) {
+  if (summary.crossings_at_start == 0 && summary.final_crossings == 0 && !(summary.most_left_out_share > 0.0)) {
     return "";
   }
   const std::string counts = fmt::format("{} at the start and {} at the end",
@@ -163,8 +160,10 @@ std::string describe_crossings(const RunSummary& summary) {
                                                  "pair of triangles crosses", "pairs of triangles cross"),
                                          summary.final_crossings);
   return summary.most_left_out_share > 0.0
-             ? fmt::format("{}; around them, and where cloth touches itself at rest, contact leaves out {:.2f} % of the cloth, at the end {:.2f} %",
-                           counts, 100.0 * summary.most_left_out_share, 100.0 * summary.final_left_out_share)
+             ? fmt::format(
+                   "{}; around them, and where cloth touches itself at rest, contact leaves out {:.2f} % of the cloth, "
+                   "at the end {:.2f} %",
+                   counts, 100.0 * summary.most_left_out_share, 100.0 * summary.final_left_out_share)
              : counts;
 }
 

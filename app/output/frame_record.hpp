@@ -14,8 +14,7 @@ struct FrameRecord {
   bool bound_kept = true;        ///< false: the solver has a bound and exceeded it
   bool blocked = false;          ///< something may cross, and the scene accepts it
   int substeps = 0;
-  double followed_compression_n_per_m =
-      std::numeric_limits<double>::infinity();  ///< as sim::FrameReport has it
+  double followed_compression_n_per_m = std::numeric_limits<double>::infinity();  ///< as sim::FrameReport has it
   sim::ContactReport contact = {};
   double rms_speed_m_per_s = 0.0;
   sim::Energy energy;

@@ -24,8 +24,7 @@ Pairs without(const Pairs& pairs, const Pairs& left_out) {
 }
 
 /// The group of every triangle of the cloth, or of a body, that contact leaves out.
-std::map<sim::Index, sim::Index> groups_of(const sim::Simulation& simulation,
-                                           std::optional<std::size_t> body) {
+std::map<sim::Index, sim::Index> groups_of(const sim::Simulation& simulation, std::optional<std::size_t> body) {
   std::map<sim::Index, sim::Index> groups;
   for (const sim::LeftOutTriangle& t : simulation.last_report().left_out) {
     if (t.body == body) groups[t.triangle] = t.group;
@@ -34,8 +33,7 @@ std::map<sim::Index, sim::Index> groups_of(const sim::Simulation& simulation,
 }
 
 /// Pairs that are not within one group of what contact leaves out.
-Pairs outside_patches(const Pairs& pairs, const sim::Simulation& simulation,
-                      std::optional<std::size_t> body) {
+Pairs outside_patches(const Pairs& pairs, const sim::Simulation& simulation, std::optional<std::size_t> body) {
   std::map<sim::Index, sim::Index> first = groups_of(simulation, {}), second = groups_of(simulation, body);
   Pairs outside = pairs;
   std::erase_if(outside, [&](const CrossingPair& pair) {
@@ -55,8 +53,8 @@ std::string describe_excess(const LargestStretch& stretch, const sim::SolverSett
   if (bounded == nullptr || bounded->allow_exceeding) return "";
   const double most = bounded->max_stretch + rounding;
   const auto text = [&](const char* what, double largest) {
-    return fmt::format("{} stretched by {:.7f} %, more than solver.max_stretch = {:g} %", what,
-                       100.0 * largest, 100.0 * bounded->max_stretch);
+    return fmt::format("{} stretched by {:.7f} %, more than solver.max_stretch = {:g} %", what, 100.0 * largest,
+                       100.0 * bounded->max_stretch);
   };
   if (!(stretch.springs <= most)) return text("a spring is", stretch.springs);
   const bool holds_surface = bounded->bound == sim::BoundKind::surface;
@@ -92,8 +90,7 @@ std::string FrameVerifier::check(const sim::Simulation& simulation, FrameRecord&
   left_out_.resize(found.size());
   for (std::size_t k = 0; k < found.size(); ++k) {
     crossing_at_end_ += found[k].pairs.size();
-    const Pairs counting =
-        outside_patches(without(found[k].pairs, left_out_[k].pairs), simulation, found[k].body);
+    const Pairs counting = outside_patches(without(found[k].pairs, left_out_[k].pairs), simulation, found[k].body);
     // Pairs that are apart now count from now on.
     left_out_[k].pairs = without(found[k].pairs, counting);
     found[k].pairs = counting;

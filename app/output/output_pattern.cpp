@@ -8,8 +8,7 @@
 namespace taut::app {
 namespace {
 
-constexpr const char* expected =
-    "expected one field {frame} or {frame:04}, as in frames/frame_{frame:04}.png";
+constexpr const char* expected = "expected one field {frame} or {frame:04}, as in frames/frame_{frame:04}.png";
 
 // Largest number of a frame.
 constexpr int most_frames = 1000000;
@@ -18,9 +17,8 @@ int frame_of(const std::string& word, int last_frame, const std::string& text) {
   if (word == "last") return last_frame;
   const std::optional<int> frame = number_in<int>(word);
   if (!frame || *frame < 0 || *frame > most_frames) {
-    throw UsageError(
-        "--frames {}: found '{}', expected a frame from 0 to {} or last, as in 0:120, 30:, :30 or last", text,
-        word, most_frames);
+    throw UsageError("--frames {}: found '{}', expected a frame from 0 to {} or last, as in 0:120, 30:, :30 or last",
+                     text, word, most_frames);
   }
   return *frame;
 }
@@ -57,9 +55,9 @@ std::filesystem::path OutputPattern::path_of(int frame) const {
 std::string describe_written(const OutputPattern& pattern, std::span<const int> frames) {
   if (frames.empty()) return "wrote nothing";
   const std::string first = pattern.path_of(frames.front()).string();
-  return frames.size() == 1 ? "wrote " + first
-                            : fmt::format("wrote {} files, {} to {}", frames.size(), first,
-                                          pattern.path_of(frames.back()).string());
+  return frames.size() == 1
+             ? "wrote " + first
+             : fmt::format("wrote {} files, {} to {}", frames.size(), first, pattern.path_of(frames.back()).string());
 }
 
 FrameRange frame_range(const std::string& text, int last_frame, NumberMeans number) {
@@ -75,8 +73,7 @@ FrameRange frame_range(const std::string& text, int last_frame, NumberMeans numb
   const FrameRange range = {first_word.empty() ? 0 : frame_of(first_word, last_frame, text),
                             last_word.empty() ? last_frame : frame_of(last_word, last_frame, text)};
   if (range.last < range.first) {
-    throw UsageError("--frames {}: the last frame, {}, comes before the first, {}", text, range.last,
-                     range.first);
+    throw UsageError("--frames {}: the last frame, {}, comes before the first, {}", text, range.last, range.first);
   }
   return range;
 }

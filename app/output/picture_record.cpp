@@ -18,8 +18,7 @@ constexpr const char* surface_stretch_keyword = "Taut Surface Stretch";
 constexpr const char* renderer_keyword = "Taut Renderer";
 
 std::string shell_word(const std::string& word) {
-  constexpr std::string_view plain =
-      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_./:=,+%@";
+  constexpr std::string_view plain = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_./:=,+%@";
   if (!word.empty() && word.find_first_not_of(plain) == std::string::npos) return word;
   std::string text;
   for (const char c : word) {
@@ -33,8 +32,7 @@ std::string shell_word(const std::string& word) {
 // A model of the program's assets, one beside the picture, or the one at the place it was read from.
 std::filesystem::path find_model(const std::filesystem::path& recorded, const std::filesystem::path& folder) {
   std::error_code ignored;
-  for (const std::filesystem::path& candidate :
-       {assets_folder() / recorded, recorded, folder / recorded.filename()}) {
+  for (const std::filesystem::path& candidate : {assets_folder() / recorded, recorded, folder / recorded.filename()}) {
     if (std::filesystem::exists(candidate, ignored)) return candidate;
   }
   return recorded;
@@ -62,8 +60,7 @@ DrawnScene read_scene(const std::string& text, const std::filesystem::path& file
     find_models(settings["bodies"][k], body_files, file.parent_path(), scene.body_sources[k]);
   }
   if (names_image(scene.picture.texture)) {
-    scene.picture.texture =
-        find_model(*settings["picture"]["texture"].value<std::string>(), file.parent_path());
+    scene.picture.texture = find_model(*settings["picture"]["texture"].value<std::string>(), file.parent_path());
   }
   scene.name = file.stem().string();
   return scene;

@@ -14,9 +14,7 @@ namespace {
 constexpr std::string_view magic = "TAUTRUN\n";
 constexpr std::uint32_t version = 5;
 
-int get_number(sim::ByteReader& in, int) {
-  return in.get("a number of frames in the summary", -1, sim::most_counted);
-}
+int get_number(sim::ByteReader& in, int) { return in.get("a number of frames in the summary", -1, sim::most_counted); }
 double get_number(sim::ByteReader& in, double) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   return in.get("a number of the summary", -infinity, infinity);
@@ -118,8 +116,7 @@ void require_same_scene(const std::filesystem::path& file, const RunCheckpoint& 
   }
 }
 
-void restore(const std::filesystem::path& file, const RunCheckpoint& checkpoint,
-             sim::Simulation& simulation) {
+void restore(const std::filesystem::path& file, const RunCheckpoint& checkpoint, sim::Simulation& simulation) {
   try {
     simulation.restore(sim::decode(checkpoint.simulation, simulation.garment()));
   } catch (const sim::BadBytes& error) {
@@ -158,8 +155,7 @@ void dress(const Scene& scene, sim::Simulation& simulation, const StageReport& b
     const sim::BoundedSettings& bounded = scene.simulation.solver.bounded;
     tight_frames = simulation.last_report().bound_kept ? 0 : tight_frames + 1;
     if (tight_frames == most_tight_frames && !bounded.allow_exceeding) {
-      give_up(fmt::format("it would have to stretch by more than solver.max_stretch = {:g}",
-                          bounded.max_stretch));
+      give_up(fmt::format("it would have to stretch by more than solver.max_stretch = {:g}", bounded.max_stretch));
     }
   }
   simulation.set_surroundings(surroundings);

@@ -29,8 +29,7 @@ Json number_json(int number) { return number >= 0 ? Json(number) : Json(); }
 const FrameColumn frame_columns[] = {
     {"frame", "", "its number; 0 is the cloth before the first step", VALUE(r.frame)},
     {"time_s", "s", "simulated", VALUE(r.time_s)},
-    {"max_stretch", "", "length / rest length - 1, the largest of all structural springs",
-     VALUE(r.stretch.max)},
+    {"max_stretch", "", "length / rest length - 1, the largest of all structural springs", VALUE(r.stretch.max)},
     {"p99_stretch", "", "99 of 100 springs are stretched no more", VALUE(r.stretch.p99)},
     {"max_surface_stretch", "",
      "the largest singular value of a triangle's deformation gradient - 1: the same of any direction in it",
@@ -46,21 +45,18 @@ const FrameColumn frame_columns[] = {
     {"rms_speed", "m/s", "root of the mean square of all vertices", VALUE(r.rms_speed_m_per_s)},
     {"kinetic_energy", "J", "of all vertices", VALUE(r.energy.kinetic_j)},
     {"potential_energy", "J", "in gravity", VALUE(r.energy.potential_j)},
-    {"convergence", "m", "the largest |p(t) - p(t - dt)| of any vertex, from frame to frame",
-     VALUE(r.convergence_m)},
+    {"convergence", "m", "the largest |p(t) - p(t - dt)| of any vertex, from frame to frame", VALUE(r.convergence_m)},
     {"sim_ms", "ms", "processor time of the thread that simulates; of several threads, the one that leads",
      VALUE(r.sim_ms)},
     {"draw_ms", "ms", "time on the clock", VALUE(r.draw_ms)},
     {"encode_ms", "ms", "time on the clock: making and writing the picture or the shape", VALUE(r.encode_ms)},
-    {"state_hash", "", "equal where all positions are equal, bit for bit",
-     VALUE(fmt::format("{:016x}", r.state_hash))},
+    {"state_hash", "", "equal where all positions are equal, bit for bit", VALUE(fmt::format("{:016x}", r.state_hash))},
     {"asleep", "", "at rest: nothing is computed until something changes", VALUE(r.asleep)},
     {"detections", "", "how often all was searched for what is near, for solver.contact and for bodies",
      VALUE(r.contact.detections)},
     {"partial_detections", "", "how often that was done around single vertices alone",
      VALUE(r.contact.partial_detections)},
-    {"contact_pairs", "", "near pairs that were kept apart at a time, the most of them",
-     VALUE(r.contact.most_pairs)},
+    {"contact_pairs", "", "near pairs that were kept apart at a time, the most of them", VALUE(r.contact.most_pairs)},
     {"smallest_distance", "m",
      "of the two nearest triangles that share no vertex, or from a body, measured at the frame's end; null: "
      "more than twice cloth.thickness",
@@ -79,9 +75,7 @@ const FrameColumn frame_columns[] = {
 };
 #undef VALUE
 
-bool is_written(const FrameColumn& column, bool is_verified) {
-  return is_verified || !column.of_verified_runs;
-}
+bool is_written(const FrameColumn& column, bool is_verified) { return is_verified || !column.of_verified_runs; }
 
 Json spring_counts(std::size_t structural, std::size_t shear, std::size_t flexural) {
   return {{"structural", structural}, {"shear", shear}, {"flexural", flexural}};
@@ -152,8 +146,7 @@ Json start_json(const std::optional<StretchAtStart>& start) {
 Json crossings_json(const std::vector<CrossingPair>& pairs) {
   Json json = {{"pairs", pairs.size()}};
   if (!pairs.empty()) {
-    json["first"] = {{"triangles", {pairs[0].first, pairs[0].second}},
-                     {"place_m", point_json(pairs[0].place_m)}};
+    json["first"] = {{"triangles", {pairs[0].first, pairs[0].second}}, {"place_m", point_json(pairs[0].place_m)}};
   }
   return json;
 }
@@ -179,8 +172,7 @@ namespace fs = std::filesystem;
 }
 
 // How many bytes there are up to the end of that frame's line.
-std::uintmax_t end_of_frame(const fs::path& path, StatisticsFormat format, const RunDescription& run,
-                            int frame) {
+std::uintmax_t end_of_frame(const fs::path& path, StatisticsFormat format, const RunDescription& run, int frame) {
   if (!fs::exists(path)) {
     throw InputError("cannot go on with '" + path.string() +
                      "': there is no such file; the run goes on in the statistics of its first part, so name "
@@ -189,15 +181,15 @@ std::uintmax_t end_of_frame(const fs::path& path, StatisticsFormat format, const
   const std::string text = read_text_file(path);
   const std::string names = statistics_header(StatisticsFormat::csv, run);
   if (format == StatisticsFormat::csv && !text.starts_with(names)) {
-    throw InputError("cannot go on with '" + path.string() + "': found the columns " +
-                     text.substr(0, text.find('\n')) + ", expected " + names.substr(0, names.size() - 1));
+    throw InputError("cannot go on with '" + path.string() + "': found the columns " + text.substr(0, text.find('\n')) +
+                     ", expected " + names.substr(0, names.size() - 1));
   }
   const std::string start = '\n' + statistics_line_start(format, frame);
   const std::size_t line = text.find(start);
   const std::size_t end = line == std::string::npos ? line : text.find('\n', line + start.size());
   if (end == std::string::npos) {
-    throw InputError("cannot go on with '" + path.string() + "': it has no line of frame " +
-                     std::to_string(frame) + ", after which the run goes on");
+    throw InputError("cannot go on with '" + path.string() + "': it has no line of frame " + std::to_string(frame) +
+                     ", after which the run goes on");
   }
   return end + 1;
 }
@@ -307,8 +299,7 @@ std::string inspection_json(const Inspection& i) {
        {"crossings", crossings_json(i.crossings)},
        {"untangling", untangling_json(i.untangling)},
        {"topology", topology},
-       {"fitted",
-        i.simulated.empty() ? Json() : Json({{"triangles", i.fitted_triangles}, {"said", i.simulated}})},
+       {"fitted", i.simulated.empty() ? Json() : Json({{"triangles", i.fitted_triangles}, {"said", i.simulated}})},
        {"springs", spring_counts(i.structural_springs, i.shear_springs, i.flexural_springs)},
        {"landmarks", landmarks},
        {"vertex_numbers", i.vertex_numbers},
@@ -332,8 +323,7 @@ void StatisticsFile::finish(const RunSummary& summary) { write(statistics_end(fo
 void StatisticsFile::write(const std::string& lines) {
   std::error_code ignored;
   const std::uintmax_t whole = is_plain_ ? fs::file_size(path_, ignored) : 0;
-  if (std::fwrite(lines.data(), 1, lines.size(), file_.get()) == lines.size() &&
-      std::fflush(file_.get()) == 0) {
+  if (std::fwrite(lines.data(), 1, lines.size(), file_.get()) == lines.size() && std::fflush(file_.get()) == 0) {
     return;
   }
   const int reason = errno;

@@ -41,17 +41,11 @@ std::vector<std::string> mp4_arguments(bool is_live) {
 
 std::vector<std::string> ffmpeg_arguments(const fs::path& temporary, const VideoSettings& settings) {
   std::vector<std::string> arguments = {"ffmpeg", "-nostdin", "-hide_banner", "-loglevel", "error", "-y"};
-  const std::vector<std::string> input = {
-      "-f",
-      "rawvideo",
-      "-pix_fmt",
-      "rgb24",
-      "-video_size",
-      fmt::format("{}x{}", settings.width_px, settings.height_px),
-      "-framerate",
-      fmt::format("{}", settings.frame_rate_hz),
-      "-i",
-      "pipe:0"};
+  const std::vector<std::string> input = {"-f",          "rawvideo",
+                                          "-pix_fmt",    "rgb24",
+                                          "-video_size", fmt::format("{}x{}", settings.width_px, settings.height_px),
+                                          "-framerate",  fmt::format("{}", settings.frame_rate_hz),
+                                          "-i",          "pipe:0"};
   const std::vector<std::string> kind = mp4_arguments(settings.is_live);
   // Without the date and the library's version in it, the same pictures are the same file.
   const std::vector<std::string> output = {"-fflags", "+bitexact", "-flags:v", "+bitexact",
@@ -67,17 +61,15 @@ bool is_video(const fs::path& file) { return file.extension() == ".mp4"; }
 void require_video_size(const fs::path& file, const VideoSettings& settings) {
   const bool is_even = settings.width_px % 2 == 0 && settings.height_px % 2 == 0;
   if (!is_even) {
-    throw UsageError(
-        "output '{}': an MP4 needs an even width and height, found {} x {}; choose another --resolution",
-        file.string(), settings.width_px, settings.height_px);
+    throw UsageError("output '{}': an MP4 needs an even width and height, found {} x {}; choose another --resolution",
+                     file.string(), settings.width_px, settings.height_px);
   }
 }
 
 VideoWriter::VideoWriter(fs::path file, const VideoSettings& settings)
     : file_(std::move(file)),
       temporary_(temporary_name(file_)),
-      picture_bytes_(static_cast<std::size_t>(settings.width_px) * 3U *
-                     static_cast<std::size_t>(settings.height_px)),
+      picture_bytes_(static_cast<std::size_t>(settings.width_px) * 3U * static_cast<std::size_t>(settings.height_px)),
       is_live_(settings.is_live) {
   require_video_size(file_, settings);
   // A socket and not a pipe: writing to one can be told not to raise SIGPIPE when ffmpeg is gone.
@@ -96,8 +88,7 @@ VideoWriter::VideoWriter(fs::path file, const VideoSettings& settings)
                                  .own_group = true});
   } catch (const std::system_error& error) {
     throw InputError("cannot make '" + file_.string() + "': the program ffmpeg does not start (" +
-                     error.code().message() +
-                     "); install it, or write pictures such as frame_{frame:04}.png");
+                     error.code().message() + "); install it, or write pictures such as frame_{frame:04}.png");
   }
 }
 
@@ -139,8 +130,8 @@ void VideoWriter::finish() {
   input_ = Descriptor();
   const int status = wait_for_end();
   if (status != 0) {
-    throw InputError("cannot make '{}': ffmpeg failed with {} after {}{}", file_.string(),
-                     describe_end(status), counted(frames_, "frame"), last_words());
+    throw InputError("cannot make '{}': ffmpeg failed with {} after {}{}", file_.string(), describe_end(status),
+                     counted(frames_, "frame"), last_words());
   }
   put_in_place(temporary_, file_);
 }
@@ -148,8 +139,8 @@ void VideoWriter::finish() {
 void VideoWriter::fail_stopped() {
   input_ = Descriptor();
   const int status = wait_for_end();
-  throw InputError("cannot make '{}': ffmpeg stopped with {} after {}{}", file_.string(),
-                   describe_end(status), counted(frames_, "frame"), last_words());
+  throw InputError("cannot make '{}': ffmpeg stopped with {} after {}{}", file_.string(), describe_end(status),
+                   counted(frames_, "frame"), last_words());
 }
 
 int VideoWriter::wait_for_end() {
@@ -166,8 +157,7 @@ std::string VideoWriter::last_words() const {
   constexpr std::size_t enough = 400;
   const off_t size = ::lseek(messages_.number(), 0, SEEK_END);
   std::string text(enough, '\0');
-  const ssize_t count =
-      ::pread(messages_.number(), text.data(), enough, std::max<off_t>(0, size - off_t{enough}));
+  const ssize_t count = ::pread(messages_.number(), text.data(), enough, std::max<off_t>(0, size - off_t{enough}));
   text.resize(count > 0 ? static_cast<std::size_t>(count) : 0);
   while (!text.empty() && text.back() == '\n') text.pop_back();
   return text.empty() ? "" : ": " + text;

@@ -162,15 +162,14 @@ Case case_of(const GarmentTrial& trial) {
   const bool is_mapped = trial.refusal.empty() && mapping.edges > 0 && mapping.structural == mapping.edges &&
                          mapping.loose_vertices == 0 && mapping.flexural > 0;
   if (!trial.refusal.empty()) return {fmt::format("{} was refused: {}", trial.file, trial.refusal), {}};
-  return {
-      fmt::format("{}: {}, {} triangles; {} structural and {} flexural springs{}", trial.file, trial.kind,
-                  mapping.triangles, mapping.structural, mapping.flexural,
-                  is_mapped ? ""
-                            : fmt::format(" for {}, {}", counted(mapping.edges, "edge"),
-                                          counted(mapping.loose_vertices, "loose vertex", "loose vertices"))),
-      {percent("stretched by", trial.strong.largest_stretch)},
-      is_mapped && keeps(trial.strong.largest_stretch),
-      is_mapped && std::isfinite(trial.strong.largest_stretch)};
+  return {fmt::format("{}: {}, {} triangles; {} structural and {} flexural springs{}", trial.file, trial.kind,
+                      mapping.triangles, mapping.structural, mapping.flexural,
+                      is_mapped ? ""
+                                : fmt::format(" for {}, {}", counted(mapping.edges, "edge"),
+                                              counted(mapping.loose_vertices, "loose vertex", "loose vertices"))),
+          {percent("stretched by", trial.strong.largest_stretch)},
+          is_mapped && keeps(trial.strong.largest_stretch),
+          is_mapped && std::isfinite(trial.strong.largest_stretch)};
 }
 
 Tested test_any_garment(const Results& results) {
@@ -178,10 +177,9 @@ Tested test_any_garment(const Results& results) {
   for (const GarmentTrial& trial : results.garments) {
     tested.cases.push_back(case_of(trial));
     if (trial.refusal.empty()) {
-      tested.bounded.push_back(
-          {trial.file,
-           {percent("", trial.bounded.largest_stretch), {"", trial.bounded.median_ms, "ms"}},
-           trial.bounded.largest_stretch <= trial_bound});
+      tested.bounded.push_back({trial.file,
+                                {percent("", trial.bounded.largest_stretch), {"", trial.bounded.median_ms, "ms"}},
+                                trial.bounded.largest_stretch <= trial_bound});
     }
   }
   return tested;
@@ -198,10 +196,9 @@ Tested test_threshold_vibrates(const Results& results) {
       const auto unrest = measure_unrest(method_run(results, rate, kind));
       return unrest ? unrest->speed_m_per_s : INFINITY;
     };
-    tested.cases.push_back(
-        {fmt::format("steps of 1/{:.0f} s", method_rates_hz[rate]),
-         {{"threshold", speed_of(provot), "m/s"}, {"strong constraint", speed_of(strong), "m/s"}},
-         vibrates(speed_of(provot)) && !vibrates(speed_of(strong))});
+    tested.cases.push_back({fmt::format("steps of 1/{:.0f} s", method_rates_hz[rate]),
+                            {{"threshold", speed_of(provot), "m/s"}, {"strong constraint", speed_of(strong), "m/s"}},
+                            vibrates(speed_of(provot)) && !vibrates(speed_of(strong))});
   }
   return tested;
 }
@@ -234,8 +231,7 @@ std::string mesh_name(int triangles) {
 }
 
 // Whether the fastest of the `slower` takes at least `least` times as long as `own`, per mesh.
-Tested test_speed(const Results& results, sim::SolverKind own, std::span<const sim::SolverKind> slower,
-                  double least) {
+Tested test_speed(const Results& results, sim::SolverKind own, std::span<const sim::SolverKind> slower, double least) {
   Tested tested;
   for (const int triangles : trial_meshes) {
     const auto ms_of = [&](sim::SolverKind kind) { return timed(results, kind, triangles).ranked_ms(0.5); };
@@ -257,8 +253,7 @@ Tested test_large_steps(const Results& results) {
 Tested test_execution_speed(const Results& results) {
   Tested tested = test_speed(results, strong, others, 1.0);
   const double stretch = timed(results, strong, trial_meshes.back()).largest_stretch();
-  tested.cases.push_back(
-      {mesh_name(trial_meshes.back()), {percent("stretched by", stretch)}, false, false, false});
+  tested.cases.push_back({mesh_name(trial_meshes.back()), {percent("stretched by", stretch)}, false, false, false});
   return tested;
 }
 
@@ -267,12 +262,11 @@ Tested test_threshold_force(const Results& results) {
     return trial_of(results.trials_of(MethodTest::rest), kind).last_speed_m_per_s();
   };
   const double with = speed_of(vassilev), without = speed_of(ideal);
-  Tested tested = {
-      {{"",
-        {{"with Vassilev's threshold", with, "m/s"}, {"with the same springs and none", without, "m/s"}},
-        vibrates(with) && !vibrates(without),
-        with > 2.0 * without}},
-      {{"", {{"at the end", speed_of(bounded), "m/s"}}}}};
+  Tested tested = {{{"",
+                     {{"with Vassilev's threshold", with, "m/s"}, {"with the same springs and none", without, "m/s"}},
+                     vibrates(with) && !vibrates(without),
+                     with > 2.0 * without}},
+                   {{"", {{"at the end", speed_of(bounded), "m/s"}}}}};
   for (const sim::SolverKind kind : {provot, implicit, fast_projection, strong}) {
     tested.cases.push_back({name_of(kind), {{"at the end", speed_of(kind), "m/s"}}, false, false, false});
   }
@@ -301,9 +295,8 @@ Tested test_others_stretch(const Results& results) {
   };
   Tested tested = {{}, {{"", {percent("", stretch_of(bounded))}}}};
   for (const sim::SolverKind kind : others) {
-    tested.cases.push_back({name_of(kind),
-                            {percent("", stretch_of(kind))},
-                            std::isfinite(stretch_of(kind)) && !keeps(stretch_of(kind))});
+    tested.cases.push_back(
+        {name_of(kind), {percent("", stretch_of(kind))}, std::isfinite(stretch_of(kind)) && !keeps(stretch_of(kind))});
   }
   tested.cases.push_back({"the paper's own method", {percent("", stretch_of(strong))}, false, false, false});
   return tested;
@@ -314,8 +307,7 @@ Tested test_robust(const Results& results) {
   for (const sim::SolverKind kind : trial_methods) {
     for (const int factor : trial_step_factors) {
       const double stretch =
-          trial_of(results.trials_of(MethodTest::steps), kind, trial_shirt_triangles, factor)
-              .largest_stretch();
+          trial_of(results.trials_of(MethodTest::steps), kind, trial_shirt_triangles, factor).largest_stretch();
       Cases& cases = kind == bounded ? tested.bounded : tested.cases;
       cases.push_back({fmt::format("{}, step times {}", name_of(kind), factor),
                        {percent("", stretch)},
@@ -359,8 +351,7 @@ std::string text_of(const Case& one) {
   return one.name + (one.name.empty() || text.empty() ? "" : ": ") + text;
 }
 
-template <class Predicate>
-std::string list_of(std::span<const Case> cases, bool has_numbers, Predicate predicate) {
+template <class Predicate> std::string list_of(std::span<const Case> cases, bool has_numbers, Predicate predicate) {
   std::string text;
   for (const Case& one : cases) {
     if (predicate(one)) text += (text.empty() ? "" : "; ") + (has_numbers ? text_of(one) : one.name);
@@ -424,8 +415,7 @@ void put_cases(std::span<const Case> cases, Texts& texts) {
   texts.push_back(fmt::arg("held", list_of(cases, false, holds)));
   texts.push_back(fmt::arg("others", list_of(cases, false, fails)));
   texts.push_back(fmt::arg("failing", list_of(cases, true, fails)));
-  texts.push_back(
-      fmt::arg("all", list_of(cases, true, [](const Case& one) { return !one.numbers.empty(); })));
+  texts.push_back(fmt::arg("all", list_of(cases, true, [](const Case& one) { return !one.numbers.empty(); })));
   if (!judged.empty()) {
     texts.push_back(fmt::arg("first", text_of(judged.front())));
     texts.push_back(fmt::arg("most", text_of(*std::ranges::max_element(judged, is_less))));
@@ -490,10 +480,9 @@ std::vector<Claim> judge_claims(const Results& results) {
                            {filled(claim, "finding", texts), numbers_of(tested.cases)},
                            {filled(claim, "bounded", of_bounded), numbers_of(tested.bounded)}};
     if (judgement.verdict == Verdict::holds_in_part) judgement.part = filled(claim, "part", texts);
-    claims.push_back(
-        {{id, filled(claim, "section", texts), filled(claim, "claim", texts), filled(claim, "test", texts),
-          filled(claim, "rule", texts), filled(claim, "remark", texts), filled(claim, "figure", texts)},
-         std::move(judgement)});
+    claims.push_back({{id, filled(claim, "section", texts), filled(claim, "claim", texts), filled(claim, "test", texts),
+                       filled(claim, "rule", texts), filled(claim, "remark", texts), filled(claim, "figure", texts)},
+                      std::move(judgement)});
   }
   return claims;
 }

@@ -31,8 +31,7 @@ std::string system_name() {
   return std::string(name.sysname) + ' ' + name.release + ' ' + name.machine;
 }
 
-void add_result(const char* figure, const std::optional<Recording>& recording,
-                std::vector<PromiseResult>& results) {
+void add_result(const char* figure, const std::optional<Recording>& recording, std::vector<PromiseResult>& results) {
   if (!recording || !recording->promises) return;
   const SolverChoice& solver = recording->scene.simulation.solver;
   PromiseResult result = {figure, recording->scene.name, {}, false, *recording->promises};
@@ -119,8 +118,7 @@ Machine this_machine(const std::string& gl_renderer) {
 // Sharp on a high-density screen at the width of the text, and small enough to mail.
 constexpr int picture_width_px = 1600;
 
-constexpr const char* bounded_label =
-    "<i>With the solver bounded instead, which is not the paper&rsquo;s:</i> ";
+constexpr const char* bounded_label = "<i>With the solver bounded instead, which is not the paper&rsquo;s:</i> ";
 
 std::string escaped(const std::string& text) {
   constexpr std::string_view special = "&<>\"";
@@ -143,8 +141,7 @@ std::string summary_html(std::span<const Claim> claims) {
   for (const auto& [text, judgement] : claims) {
     html += fmt::format(
         "<tr class=\"{}\"><td><a href=\"#{}\">{}</a></td><td>{}</td><td><b>{}</b>{}</td></tr>\n",
-        class_of(judgement.verdict), text.id, escaped(text.claim), escaped(text.section),
-        name_of(judgement.verdict),
+        class_of(judgement.verdict), text.id, escaped(text.claim), escaped(text.section), name_of(judgement.verdict),
         judgement.part.empty() ? "" : ":<br><span class=\"small\">" + escaped(judgement.part) + "</span>");
     if (!judgement.bounded.text.empty()) {
       html += fmt::format("<tr class=\"small\"><td colspan=\"3\">{}{}</td></tr>\n", bounded_label,
@@ -157,25 +154,22 @@ std::string summary_html(std::span<const Claim> claims) {
 std::string numbers_html(const std::vector<MeasuredNumber>& numbers) {
   std::string html = "<table>\n";
   for (const MeasuredNumber& number : numbers) {
-    html += fmt::format("<tr><td>{}</td><td class=\"number\">{}</td></tr>\n", escaped(number.name),
-                        number_text(number));
+    html +=
+        fmt::format("<tr><td>{}</td><td class=\"number\">{}</td></tr>\n", escaped(number.name), number_text(number));
   }
   return html + "</table>\n";
 }
 
 std::string claim_html(const Claim& claim) {
   const auto& [text, judgement] = claim;
-  std::string html = fmt::format("<section class=\"claim {}\" id=\"{}\">\n<h3>{}</h3>\n",
-                                 class_of(judgement.verdict), text.id, escaped(text.claim));
-  html +=
-      fmt::format("<p><span class=\"verdict\">{}</span> {} <span class=\"small\">(section {} of the paper",
-                  name_of(judgement.verdict), escaped(judgement.part), escaped(text.section));
+  std::string html = fmt::format("<section class=\"claim {}\" id=\"{}\">\n<h3>{}</h3>\n", class_of(judgement.verdict),
+                                 text.id, escaped(text.claim));
+  html += fmt::format("<p><span class=\"verdict\">{}</span> {} <span class=\"small\">(section {} of the paper",
+                      name_of(judgement.verdict), escaped(judgement.part), escaped(text.section));
   if (!text.figure.empty()) html += fmt::format("; see <a href=\"#{0}\">{0}</a>", text.figure);
-  html += fmt::format(")</span></p>\n<p>{}</p>\n<p class=\"small\">Test: {}</p>\n{}",
-                      escaped(judgement.finding.text), escaped(text.test),
-                      numbers_html(judgement.finding.measured));
-  html +=
-      fmt::format("<p class=\"small\">Rule: {}.</p>\n<p>{}</p>\n", escaped(text.rule), escaped(text.remark));
+  html += fmt::format(")</span></p>\n<p>{}</p>\n<p class=\"small\">Test: {}</p>\n{}", escaped(judgement.finding.text),
+                      escaped(text.test), numbers_html(judgement.finding.measured));
+  html += fmt::format("<p class=\"small\">Rule: {}.</p>\n<p>{}</p>\n", escaped(text.rule), escaped(text.remark));
   if (!judgement.bounded.text.empty()) {
     html += fmt::format("<p>{}{}</p>\n{}", bounded_label, escaped(judgement.bounded.text),
                         numbers_html(judgement.bounded.measured));
@@ -188,15 +182,13 @@ std::string verdict_html(bool is_promised, bool is_kept) {
 }
 
 std::string crossings_text(const PromiseCounts& counts) {
-  return counts.crossing_frames == 0
-             ? "0"
-             : fmt::format("{} in {} of the frames, {} at most", counts.crossing_pairs,
-                           counts.crossing_frames, counts.most_pairs);
+  return counts.crossing_frames == 0 ? "0"
+                                     : fmt::format("{} in {} of the frames, {} at most", counts.crossing_pairs,
+                                                   counts.crossing_frames, counts.most_pairs);
 }
 
 std::string promise_html(const PromiseResult& result) {
-  const bool is_broken =
-      (result.bound && !result.is_bound_kept()) || (result.is_apart && !result.is_kept_apart());
+  const bool is_broken = (result.bound && !result.is_bound_kept()) || (result.is_apart && !result.is_kept_apart());
   const bool is_any = result.bound || result.is_apart;
   return fmt::format(
       "<tr class=\"{}\"><td><a href=\"#{}\">{}</a></td><td class=\"number\">{}</td><td "
@@ -238,8 +230,8 @@ std::string machine_html(const Machine& machine) {
   return fmt::format(
       "<p class=\"small\">Measured on {} ({} threads; {}), load {:.1f}; {}, built with {}; drawn with "
       "{}.</p>\n",
-      escaped(machine.processor), machine.threads, escaped(machine.system), machine.load,
-      escaped(machine.program), escaped(machine.compiler), escaped(machine.gl_renderer));
+      escaped(machine.processor), machine.threads, escaped(machine.system), machine.load, escaped(machine.program),
+      escaped(machine.compiler), escaped(machine.gl_renderer));
 }
 
 std::string cell_html(const std::string& text) { return fmt::format("<td class=\"number\">{}</td>", text); }
@@ -260,14 +252,12 @@ std::string row_html(const Results& results, sim::SolverKind kind) {
          percent(fine.largest_stretch()) + percent(fine.largest_surface_stretch()) +
          cell_html(std::isfinite(speed_m_per_s) ? fmt::format("{:.1f}", 1e3 * speed_m_per_s) : "lost") +
          percent(longest.largest_stretch()) +
-         cell_html(usual.is_lost ? "lost" : fmt::format("{:.1f}", 1e2 * usual.frames.back().sunk_m)) +
-         "</tr>\n";
+         cell_html(usual.is_lost ? "lost" : fmt::format("{:.1f}", 1e2 * usual.frames.back().sunk_m)) + "</tr>\n";
 }
 
 }  // namespace
 
-Report make_report(const Results& results, std::span<const DrawnFigure> figures,
-                   const std::string& gl_renderer) {
+Report make_report(const Results& results, std::span<const DrawnFigure> figures, const std::string& gl_renderer) {
   const std::vector<Claim> claims = judge_claims(results);
   const std::vector<PromiseResult> promises = promise_results(results);
   const Machine machine = this_machine(gl_renderer);
@@ -275,9 +265,7 @@ Report make_report(const Results& results, std::span<const DrawnFigure> figures,
           claims_json(claims, promises, machine)};
 }
 
-bool PromiseResult::is_bound_kept() const {
-  return bound && counts.stretch.springs <= *bound + bound_rounding;
-}
+bool PromiseResult::is_bound_kept() const { return bound && counts.stretch.springs <= *bound + bound_rounding; }
 
 std::vector<PromiseResult> promise_results(const Results& results) {
   std::vector<PromiseResult> all;
@@ -297,30 +285,27 @@ std::string describe(const std::vector<PromiseResult>& results) {
   const std::size_t bounds = count(results, [](const auto& r) { return r.bound.has_value(); });
   const std::size_t kept = count(results, [](const auto& r) { return r.is_bound_kept(); });
   const std::size_t apart = count(results, [](const auto& r) { return r.is_apart; });
-  const std::size_t kept_apart =
-      count(results, [](const auto& r) { return r.is_apart && r.is_kept_apart(); });
+  const std::size_t kept_apart = count(results, [](const auto& r) { return r.is_apart && r.is_kept_apart(); });
   return fmt::format(
       "{} of {} were checked. A bound on stretch is promised in {} of the scenes and kept in every frame of "
       "{}; that nothing crosses is promised in {} and kept in every frame of {}. Where contact is off "
       "nothing is promised about it, and {}.",
       counted(frames, "frame"), counted(results.size(), "scene"), bounds, kept, apart, kept_apart,
-      pairs_elsewhere == 0
-          ? "nothing crosses either"
-          : "triangles do cross: " + counted(pairs_elsewhere, "pair") + " in all frames together");
+      pairs_elsewhere == 0 ? "nothing crosses either"
+                           : "triangles do cross: " + counted(pairs_elsewhere, "pair") + " in all frames together");
 }
 
 std::string claims_json(const std::vector<Claim>& claims, const std::vector<PromiseResult>& promises,
                         const Machine& machine) {
-  Json json = {
-      {"machine",
-       {{"processor", machine.processor},
-        {"threads", machine.threads},
-        {"system", machine.system},
-        {"load_last_minute", machine.load}}},
-      {"versions",
-       {{"program", machine.program}, {"compiler", machine.compiler}, {"gl_renderer", machine.gl_renderer}}},
-      {"claims", Json::array()},
-      {"promises", Json::array()}};
+  Json json = {{"machine",
+                {{"processor", machine.processor},
+                 {"threads", machine.threads},
+                 {"system", machine.system},
+                 {"load_last_minute", machine.load}}},
+               {"versions",
+                {{"program", machine.program}, {"compiler", machine.compiler}, {"gl_renderer", machine.gl_renderer}}},
+               {"claims", Json::array()},
+               {"promises", Json::array()}};
   for (const Claim& claim : claims) json["claims"].push_back(claim_json(claim));
   for (const PromiseResult& result : promises) json["promises"].push_back(promise_json(result));
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
@@ -347,8 +332,8 @@ renderer::Image contact_sheet(std::span<const DrawnFigure> figures, float scale,
     corners.emplace_back(gap_px + column * (cell_px + gap_px), *shortest);
     *shortest += title_height_px + height_in_cell(figure.picture, cell_px) + gap_px;
   }
-  renderer::Canvas canvas = renderer::Canvas::scaled(gap_px + columns * (cell_px + gap_px),
-                                                     *std::ranges::max_element(bottoms_px), scale);
+  renderer::Canvas canvas =
+      renderer::Canvas::scaled(gap_px + columns * (cell_px + gap_px), *std::ranges::max_element(bottoms_px), scale);
   for (std::size_t i = 0; i < figures.size(); ++i) {
     const auto x_px = static_cast<float>(corners[i].first), y_px = static_cast<float>(corners[i].second);
     canvas.text(x_px, y_px + title_px, figures[i].name, text_style(title_px, palette::ink, true));
@@ -359,8 +344,7 @@ renderer::Image contact_sheet(std::span<const DrawnFigure> figures, float scale,
 }
 
 std::string report_html(std::span<const Claim> claims, const std::vector<PromiseResult>& promises,
-                        std::span<const DrawnFigure> figures, const Machine& machine,
-                        const std::string& methods) {
+                        std::span<const DrawnFigure> figures, const Machine& machine, const std::string& methods) {
   std::string html = report_page;
   const auto put = [&html](const std::string& place, const std::string& text) {
     html.replace(html.find(place), place.size(), text);

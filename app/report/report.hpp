@@ -48,8 +48,7 @@ struct Report {
 };
 
 /// All experiments must have been made and all figures drawn.
-Report make_report(const Results& results, std::span<const DrawnFigure> figures,
-                   const std::string& gl_renderer);
+Report make_report(const Results& results, std::span<const DrawnFigure> figures, const std::string& gl_renderer);
 
 /// All claims, and what is promised, as one JSON object.
 std::string claims_json(const std::vector<Claim>& claims, const std::vector<PromiseResult>& promises,
@@ -61,8 +60,7 @@ std::string methods_html(const Results& results);
 /// The report as one HTML file with `methods` below the figures. Pictures are
 /// embedded, so it opens from any folder. The PDFs that it links to are expected beside it.
 std::string report_html(std::span<const Claim> claims, const std::vector<PromiseResult>& promises,
-                        std::span<const DrawnFigure> figures, const Machine& machine,
-                        const std::string& methods = "");
+                        std::span<const DrawnFigure> figures, const Machine& machine, const std::string& methods = "");
 
 /// How pictures lie on a contact sheet.
 struct SheetLayout {
@@ -73,8 +71,7 @@ struct SheetLayout {
 
 /// All figures, small, on one picture, each in the column that is shortest so far. `scale` multiplies its
 /// pixels each way.
-renderer::Image contact_sheet(std::span<const DrawnFigure> figures, float scale = 1.0F,
-                              const SheetLayout& layout = {});
+renderer::Image contact_sheet(std::span<const DrawnFigure> figures, float scale = 1.0F, const SheetLayout& layout = {});
 
 /// The picture scaled to this width; its proportions stay.
 renderer::Image scaled_to_width(const renderer::Image& picture, int width_px);

@@ -44,17 +44,15 @@ std::vector<Key<Fabric>> own_keys() {
     fabric.published_drape_percent = {*lowest, *highest};
     return true;
   };
-  return {
-      text_key<Fabric>("title", MEMBER(title), "what it is"),
-      {"drape", "%", "a list of two numbers from 0 to 100, the first no larger", "published", read_band, {}}};
+  return {text_key<Fabric>("title", MEMBER(title), "what it is"),
+          {"drape", "%", "a list of two numbers from 0 to 100, the first no larger", "published", read_band, {}}};
 }
 
 [[noreturn]] void fail_unknown(const std::string& name, const Source& source, int line) {
   const std::vector<std::string> names = built_in_fabrics();
   fail(source, line,
        "cloth.fabric: there is no " + (is_file_name(name) ? "file '" + name : "fabric '" + name) + '\'' +
-           did_you_mean(name, names) + " (fabrics: " + joined(names) +
-           "; a file that ends in .toml does as well)");
+           did_you_mean(name, names) + " (fabrics: " + joined(names) + "; a file that ends in .toml does as well)");
 }
 
 }  // namespace

@@ -48,15 +48,13 @@ sim::SimulationSettings simulation_settings(const RunSettings& run) {
 
 std::optional<std::string> beyond_promise(const Scene& scene) {
   const SolverChoice& solver = scene.simulation.solver;
-  return solver.kind == sim::SolverKind::bounded
-             ? sim::beyond_promise(solver.bounded, scene.surroundings, keys)
-             : std::nullopt;
+  return solver.kind == sim::SolverKind::bounded ? sim::beyond_promise(solver.bounded, scene.surroundings, keys)
+                                                 : std::nullopt;
 }
 
 std::optional<std::string> beyond_contact(const Scene& scene, const sim::Garment& garment) {
   const SolverChoice& solver = scene.simulation.solver;
-  return solver.kind == sim::SolverKind::bounded ? sim::beyond_contact(solver.bounded, garment, keys)
-                                                 : std::nullopt;
+  return solver.kind == sim::SolverKind::bounded ? sim::beyond_contact(solver.bounded, garment, keys) : std::nullopt;
 }
 
 std::optional<double> stretch_bound(const Scene& scene) {

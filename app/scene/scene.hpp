@@ -76,23 +76,22 @@ enum class MeshChoice {
 
 /// Where the garment comes from: a model file, or a regular grid if no file is named.
 struct GarmentSource {
-  std::filesystem::path file;   ///< empty: the grid
+  std::filesystem::path file;       ///< empty: the grid
   std::filesystem::path sewn = {};  ///< of a sewing pattern, the garment that was made of it (app/sewing); not a key
-  std::optional<double> scale;  ///< metres per unit of the file; empty: the file's own unit, or a guess
-  std::optional<ModelAxis> up;  ///< in the file's coordinates; empty: the file's own, or a guess
+  std::optional<double> scale;      ///< metres per unit of the file; empty: the file's own unit, or a guess
+  std::optional<ModelAxis> up;      ///< in the file's coordinates; empty: the file's own, or a guess
   /// Vertices of borders that are closer than this become one; empty: where parts meet beyond doubt.
   std::optional<double> weld_m;
   MeshChoice mesh = MeshChoice::automatic;
-  int most_triangles = 8000;  ///< of a fitted mesh
+  int most_triangles = 8000;   ///< of a fitted mesh
   bool is_drawn_finer = true;  ///< where its model is coarser than the mesh that is fitted to it; no key
-  int subdivisions = 0;       ///< each makes four triangles of one; only for a file
+  int subdivisions = 0;        ///< each makes four triangles of one; only for a file
   /// Model file with the positions at the start: the garment's vertices, in metres with y up. Empty: the
   /// garment starts as it was modelled.
   std::filesystem::path start;
   bool untangle = false;  ///< what crosses at the start is parted before the run
   sim::GridSettings grid;
-  std::filesystem::path
-      importer;  ///< program that reads the file (import_process.hpp); empty: that of the house
+  std::filesystem::path importer;  ///< program that reads the file (import_process.hpp); empty: that of the house
   /// Instead of a file, in metres with y up; null: none. It keeps its place, and hangs by nothing that the
   /// scene does not name. What is repaired of a file is repaired of it.
   std::shared_ptr<const ImportedModel> given;
@@ -133,7 +132,7 @@ struct BodySource {
   std::optional<double> frame_rate_hz;  ///< empty: what the motion says, or else 60
   double start_s = 0.0;                 ///< the time of the motion with which the run begins
   bool loop = false;                    ///< the motion repeats after its last frame, or else stays there
-  int dress = 0;  ///< frames of the scene before the run, in which the body grows into the clothes
+  int dress = 0;                   ///< frames of the scene before the run, in which the body grows into the clothes
   std::filesystem::path importer;  ///< as GarmentSource has it
 };
 

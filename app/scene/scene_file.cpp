@@ -56,9 +56,7 @@ Assets find_assets() {
                    " (built-in scenes: " + joined(names) + "; a scene file or a garment file does as well)");
 }
 
-bool is_set(const Json& value) {
-  return value.is_object() ? std::ranges::any_of(value, is_set) : !value.is_null();
-}
+bool is_set(const Json& value) { return value.is_object() ? std::ranges::any_of(value, is_set) : !value.is_null(); }
 
 // Keys first, then the sections below: behind a section's header TOML has no way back.
 void append_section(std::string& text, const std::string& section, const Json& table) {

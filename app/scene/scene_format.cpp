@@ -33,13 +33,11 @@ Key<Scene> allow_key() {
     return true;
   };
   auto write = [](const sim::BoundedSettings& bounded) {
-    return bounded.allow_exceeding == bounded.allow_crossing
-               ? Json(bounded.allow_exceeding)
-               : Json(bounded.allow_exceeding ? "bound" : "contact");
+    return bounded.allow_exceeding == bounded.allow_crossing ? Json(bounded.allow_exceeding)
+                                                             : Json(bounded.allow_exceeding ? "bound" : "contact");
   };
   return member_key<Scene>(
-      "solver.allow_exceeding", "", "true or false or \"bound\" or \"contact\"",
-      MEMBER(simulation.solver.bounded),
+      "solver.allow_exceeding", "", "true or false or \"bound\" or \"contact\"", MEMBER(simulation.solver.bounded),
       "bounded: a frame does not fail the run whose bound could not be kept (\"bound\"), or in which pins or "
       "bodies make something cross (\"contact\"); true: neither does",
       read, write);
@@ -54,9 +52,8 @@ std::vector<Key<Scene>> scene_keys() {
                       "a 3D model, relative to the scene file; without it: a grid"),
       number("garment.scale", "m", not_negative, MEMBER(garment.scale),
              "the model's unit of length; 0: what the file says, or else a guess from its size"),
-      up_key<Scene>(
-          "garment.up", MEMBER(garment.up),
-          "the model's direction that is up; auto: what the file says, or else a guess from its size"),
+      up_key<Scene>("garment.up", MEMBER(garment.up),
+                    "the model's direction that is up; auto: what the file says, or else a guess from its size"),
       weld_key(),
       choice_key<Scene, MeshChoice>(
           "garment.mesh",
@@ -73,8 +70,7 @@ std::vector<Key<Scene>> scene_keys() {
       number("garment.grid.width", "m", side, MEMBER(garment.grid.width_m), "of the cloth"),
       number("garment.grid.height", "m", side, MEMBER(garment.grid.height_m), "of the cloth"),
       choice_key<Scene, sim::GridPlane>(
-          "garment.grid.plane",
-          {{"vertical", sim::GridPlane::vertical}, {"horizontal", sim::GridPlane::horizontal}},
+          "garment.grid.plane", {{"vertical", sim::GridPlane::vertical}, {"horizontal", sim::GridPlane::horizontal}},
           MEMBER(garment.grid.plane), "how the grid lies when the clock starts"),
       vector_key<Scene>("garment.grid.top", "m", MEMBER(garment.grid.top_centre_m), "the middle of row 0"),
       file_key<Scene>("garment.start", MEMBER(garment.start),
@@ -89,8 +85,7 @@ std::vector<Key<Scene>> scene_keys() {
                                            {{"angular", sim::FlexuralRule::angular},
                                             {"opposite-vertex", sim::FlexuralRule::opposite_vertex},
                                             {"none", sim::FlexuralRule::none}},
-                                           MEMBER(mapping.flexural_rule),
-                                           "which vertices flexural springs join"),
+                                           MEMBER(mapping.flexural_rule), "which vertices flexural springs join"),
       number("garment.flexural_angle", "degrees", {90.0, 180.0}, MEMBER(mapping.smallest_flexural_angle_rad),
              "angular rule: the smallest angle joined; less means more springs, stiffer cloth", degree),
       pins_key(),
@@ -99,11 +94,10 @@ std::vector<Key<Scene>> scene_keys() {
                         "all pins swing by this much, as on a shaken hanger"),
       number("pins.motion.frequency", "Hz", {0.0, 1e4, true}, MEMBER(surroundings.pin_motion.frequency_hz),
              "how often they swing"),
-      file_key<Scene>(
-          "start.checkpoint", MEMBER(checkpoint),
-          "the run begins with this saved moment, relative to the scene file; without it: as modelled", true),
-      number("time.frame_rate", "Hz", {1.0, 10000.0}, MEMBER(simulation.frame_rate_hz),
-             "frames in a simulated second"),
+      file_key<Scene>("start.checkpoint", MEMBER(checkpoint),
+                      "the run begins with this saved moment, relative to the scene file; without it: as modelled",
+                      true),
+      number("time.frame_rate", "Hz", {1.0, 10000.0}, MEMBER(simulation.frame_rate_hz), "frames in a simulated second"),
       whole("time.frames", 1, 1000000, MEMBER(frames), "length of the run"),
       choice_key<Scene>("solver.kind", named(sim::all_solver_kinds), MEMBER(simulation.solver.kind),
                         "how springs answer"),
@@ -136,10 +130,8 @@ std::vector<Key<Scene>> scene_keys() {
             "bounded: none changes a result; 0: more than one above some 20000 triangles"),
       allow_key(),
       number("solver.stiffness.structural", "N/m", not_negative,
-             MEMBER(simulation.solver.ideal.stiffness.structural_n_per_m),
-             "ideal, provot, vassilev: of mesh edges"),
-      number("solver.stiffness.shear", "N/m", not_negative,
-             MEMBER(simulation.solver.ideal.stiffness.shear_n_per_m),
+             MEMBER(simulation.solver.ideal.stiffness.structural_n_per_m), "ideal, provot, vassilev: of mesh edges"),
+      number("solver.stiffness.shear", "N/m", not_negative, MEMBER(simulation.solver.ideal.stiffness.shear_n_per_m),
              "ideal, provot, vassilev, fast-projection: of grid diagonals"),
       number("solver.stiffness.flexural", "N/m", not_negative,
              MEMBER(simulation.solver.ideal.stiffness.flexural_n_per_m), "the same: of flexural springs"),
@@ -160,8 +152,7 @@ std::vector<Key<Scene>> scene_keys() {
              "cloth that goes no further than by this speed (root mean square) counts as at rest and is put "
              "to sleep"),
       whole("rest.frames", 1, 1000000, MEMBER(simulation.rest.frames), "at rest in so many frames"),
-      vector_key<Scene>("gravity.acceleration", "m/s2", MEMBER(surroundings.forces.gravity_m_per_s2),
-                        "y is up"),
+      vector_key<Scene>("gravity.acceleration", "m/s2", MEMBER(surroundings.forces.gravity_m_per_s2), "y is up"),
       gravity_path_key(),
       number("air.drag", "1/s", not_negative, MEMBER(surroundings.forces.air_drag_per_s),
              "how fast the air slows cloth down; more comes to rest sooner"),
@@ -171,12 +162,10 @@ std::vector<Key<Scene>> scene_keys() {
                         "where the air goes, of any length", {.may_be_zero = false}),
       number("wind.gust_amplitude", "", {0.0, 10.0}, MEMBER(surroundings.forces.wind.gust_amplitude),
              "how much gusts change the speed, as a fraction of it"),
-      number("wind.gust_period", "s", positive, MEMBER(surroundings.forces.wind.gust_period_s),
-             "from gust to gust"),
+      number("wind.gust_period", "s", positive, MEMBER(surroundings.forces.wind.gust_period_s), "from gust to gust"),
       number("wind.gust_turn", "", {0.0, 10.0}, MEMBER(surroundings.forces.wind.gust_turn),
              "how far gusts turn the wind, as the tangent of the angle"),
-      whole("wind.seed", 0, 9e15, MEMBER(surroundings.forces.wind.gust_seed),
-            "the same seed gives the same gusts"),
+      whole("wind.seed", 0, 9e15, MEMBER(surroundings.forces.wind.gust_seed), "the same seed gives the same gusts"),
       number("wind.pressure", "", not_negative, MEMBER(surroundings.forces.wind.pressure_coefficient),
              "force coefficient of cloth met head on"),
       number("wind.friction", "", not_negative, MEMBER(surroundings.forces.wind.friction_coefficient),
@@ -190,16 +179,14 @@ std::vector<Key<Scene>> scene_keys() {
              "Coulomb's coefficient, between layers and of bodies that have none of their own"),
       number("cloth.bending_rigidity", "N m", not_negative, MEMBER(material.bending_rigidity_n_m),
              "bounded, implicit: of the fabric, whatever its mesh; a soft jersey 5e-6, denim 98e-6"),
-      number("cloth.compression_stiffness", "N/m", not_negative,
-             MEMBER(material.compression_stiffness_n_per_m),
+      number("cloth.compression_stiffness", "N/m", not_negative, MEMBER(material.compression_stiffness_n_per_m),
              "bounded: of springs that are too short; less crumples more easily"),
       number("cloth.tensile_warp", "N/m", not_negative, MEMBER(material.tensile_warp_n_per_m),
              "bounded, surface: tension over strain along the warp; 0 in all three: cloth gives as far as "
              "solver.max_stretch lets it"),
       number("cloth.tensile_weft", "N/m", not_negative, MEMBER(material.tensile_weft_n_per_m),
              "the same along the weft"),
-      number("cloth.shear", "N/m", not_negative, MEMBER(material.shear_n_per_m),
-             "the same against shear, per radian"),
+      number("cloth.shear", "N/m", not_negative, MEMBER(material.shear_n_per_m), "the same against shear, per radian"),
       number("cloth.warp_limit", "", positive, MEMBER(material.warp_limit),
              "the strain at which its threads lock along the warp"),
       number("cloth.weft_limit", "", positive, MEMBER(material.weft_limit), "the same along the weft")};
@@ -233,8 +220,7 @@ void require_one_garment(const toml::table& file, const Source& source) {
 }
 
 // Here and not where it is read, which does not know who names it.
-void require_named(const std::string& key, const std::filesystem::path& named, const Source& source,
-                   int line) {
+void require_named(const std::string& key, const std::filesystem::path& named, const Source& source, int line) {
   try {
     require_file(named);
   } catch (const InputError& error) {

@@ -37,8 +37,7 @@ void require_garment_of(const toml::table& file, const Source& source, const Gar
 
 /// Requires that the file of key garment.KEY exists. `line` is where the scene file names it; 0: nowhere.
 /// Throws by `fail`.
-void require_named(const std::string& key, const std::filesystem::path& named, const Source& source,
-                   int line);
+void require_named(const std::string& key, const std::filesystem::path& named, const Source& source, int line);
 
 /// Sets the keys that a fabric sets, where `value` is the text that names it. Throws as find_fabric() does;
 /// InputError if its file has a key or a value that is not valid.
@@ -48,14 +47,12 @@ void apply_fabric(const SceneFormat<S>& format, const toml::node& value, const S
   if (scene.fabric.empty()) return;
   const Fabric fabric = find_fabric(scene.fabric, source, line_of(value));
   std::vector<Key<S>> keys = format.keys;
-  std::erase_if(keys,
-                [](const Key<S>& key) { return !is_fabric_key(key.name) && !is_passed_over(key.name); });
+  std::erase_if(keys, [](const Key<S>& key) { return !is_fabric_key(key.name) && !is_passed_over(key.name); });
   KeyReader(keys, {fabric.file.string(), false}, scene).read(fabric.keys);
 }
 
 /// Sets keys of a scene, a fabric's first. Throws UsageError if a key or a value is not valid.
-template <class S>
-void apply_overrides(const SceneFormat<S>& format, std::span<const Override> overrides, S& scene) {
+template <class S> void apply_overrides(const SceneFormat<S>& format, std::span<const Override> overrides, S& scene) {
   for (const Override& changed : overrides) {
     if (changed.key == "cloth.fabric") {
       const toml::table value = read_toml_value(changed.value);
@@ -122,8 +119,7 @@ template <class S> Json settings_of(const SceneFormat<S>& format, const S& scene
 template <class T> std::string describe_key(const Key<T>& key, const T& defaults) {
   const std::string unit = key.unit.empty() ? "" : " " + key.unit;
   const std::string meaning = key.meaning.empty() ? "" : "; " + key.meaning;
-  return "  " + key.name + " = " + to_text(key.write(defaults)) + unit + "\n      " + key.expected + meaning +
-         '\n';
+  return "  " + key.name + " = " + to_text(key.write(defaults)) + unit + "\n      " + key.expected + meaning + '\n';
 }
 
 /// The keys of [[forces]], [[pins.moving]] and [[bodies]], as describe_key() writes them.

@@ -60,8 +60,7 @@ std::optional<double> number_with_unit(std::string_view text, std::string_view u
   for (const UnitOfKey& known : units_of_keys) {
     const std::string_view name = text.substr(digits + (text.substr(digits).starts_with(' ') ? 1 : 0));
     if (known.of == unit && known.name == name) {
-      const std::optional<double> number =
-          shifted_number_in(std::string(text.substr(0, digits)), known.exponent);
+      const std::optional<double> number = shifted_number_in(std::string(text.substr(0, digits)), known.exponent);
       return number ? std::optional(*number * known.factor) : std::nullopt;
     }
   }
@@ -137,9 +136,7 @@ std::optional<double> finite_number(const toml::node& value, std::string_view un
   return number != nullptr && std::isfinite(number->get()) ? std::optional(number->get()) : std::nullopt;
 }
 
-std::optional<std::int64_t> whole_number(const toml::node& value) {
-  return value.value_exact<std::int64_t>();
-}
+std::optional<std::int64_t> whole_number(const toml::node& value) { return value.value_exact<std::int64_t>(); }
 
 std::optional<std::array<double, 3>> three_numbers(const toml::node& value, std::string_view unit) {
   const toml::array* list = value.as_array();
@@ -209,8 +206,7 @@ toml::table read_toml_text(const std::string& text, const std::string& name) {
   try {
     return toml::parse(text, name);
   } catch (const toml::parse_error& error) {
-    fail({name}, static_cast<int>(error.source().begin.line),
-         "this is not TOML: " + std::string(error.description()));
+    fail({name}, static_cast<int>(error.source().begin.line), "this is not TOML: " + std::string(error.description()));
   }
 }
 
@@ -234,8 +230,8 @@ std::optional<std::string> text_in(const toml::node& value) {
 std::vector<std::pair<std::string, const toml::node*>> entries_of(const toml::table& table) {
   std::vector<std::pair<std::string, const toml::node*>> entries;
   for (const auto& [key, value] : table) entries.emplace_back(key.str(), &value);
-  std::ranges::stable_sort(
-      entries, [](const auto& a, const auto& b) { return line_of(*a.second) < line_of(*b.second); });
+  std::ranges::stable_sort(entries,
+                           [](const auto& a, const auto& b) { return line_of(*a.second) < line_of(*b.second); });
   return entries;
 }
 

@@ -74,9 +74,7 @@ struct Range {
   double highest = std::numeric_limits<double>::infinity();
   bool above_lowest = false;  ///< `lowest` itself is excluded
 
-  bool contains(double value) const {
-    return value <= highest && (above_lowest ? value > lowest : value >= lowest);
-  }
+  bool contains(double value) const { return value <= highest && (above_lowest ? value > lowest : value >= lowest); }
 };
 
 inline constexpr Range not_negative = {.lowest = 0.0};                    ///< 0 and all above
@@ -124,8 +122,8 @@ template <class Found, class Member> bool store(const std::optional<Found>& foun
 /// `read(value, member)` or `read(value, source, member)` stores a value and returns false if it is not as
 /// expected; `write(member)` returns it.
 template <class T, class Access, class Read, class Write>
-Key<T> member_key(std::string name, std::string unit, std::string expected, Access access,
-                  std::string meaning, Read read, Write write) {
+Key<T> member_key(std::string name, std::string unit, std::string expected, Access access, std::string meaning,
+                  Read read, Write write) {
   auto read_member = [=](const toml::node& value, const Source& source, T& target) -> bool {
     if constexpr (std::is_invocable_v<Read, const toml::node&, const Source&, decltype(access(target))>) {
       return read(value, source, access(target));
@@ -134,8 +132,7 @@ Key<T> member_key(std::string name, std::string unit, std::string expected, Acce
     }
   };
   auto write_member = [=](const T& target) -> Json { return write(access(target)); };
-  return {std::move(name),    std::move(unit), std::move(expected),
-          std::move(meaning), read_member,     write_member};
+  return {std::move(name), std::move(unit), std::move(expected), std::move(meaning), read_member, write_member};
 }
 
 /// A number is stored times `factor`: degrees in files, radians in code.
@@ -153,17 +150,15 @@ Key<T> number_key(std::string name, std::string unit, const Range& range, Access
 }
 
 template <class T, class Access>
-Key<T> whole_key(std::string name, const Range& range, Access access, std::string meaning,
-                 std::string unit = "") {
+Key<T> whole_key(std::string name, const Range& range, Access access, std::string meaning, std::string unit = "") {
   auto read = [=](const toml::node& value, auto& member) {
     const std::optional<std::int64_t> number = whole_number(value);
     const bool is_within = number && range.contains(static_cast<double>(*number));
     if (is_within) store(static_cast<double>(*number), member);
     return is_within;
   };
-  return member_key<T>(std::move(name), std::move(unit), describe("a whole number", range), access,
-                       std::move(meaning), read,
-                       [](const auto& member) { return static_cast<std::int64_t>(stored(member)); });
+  return member_key<T>(std::move(name), std::move(unit), describe("a whole number", range), access, std::move(meaning),
+                       read, [](const auto& member) { return static_cast<std::int64_t>(stored(member)); });
 }
 
 template <class T, class Access> Key<T> switch_key(std::string name, Access access, std::string meaning) {
@@ -207,18 +202,16 @@ bool allows(const VectorLimits& limits, const std::array<double, 3>& numbers);
 
 /// Makes a key for a point or a direction: a vector type with members x, y and z.
 template <class T, class Access>
-Key<T> vector_key(std::string name, std::string unit, Access access, std::string meaning,
-                  VectorLimits limits = {}) {
+Key<T> vector_key(std::string name, std::string unit, Access access, std::string meaning, VectorLimits limits = {}) {
   auto read = [=](const toml::node& value, auto& member) {
     const auto numbers = three_numbers(value, unit);
     const bool is_allowed = numbers && allows(limits, *numbers);
     if (is_allowed) member = {(*numbers)[0], (*numbers)[1], (*numbers)[2]};
     return is_allowed;
   };
-  return member_key<T>(std::move(name), unit, describe(limits), access, std::move(meaning), read,
-                       [](const auto& v) {
-                         return Json::array({v.x, v.y, v.z});
-                       });
+  return member_key<T>(std::move(name), unit, describe(limits), access, std::move(meaning), read, [](const auto& v) {
+    return Json::array({v.x, v.y, v.z});
+  });
 }
 
 /// The member is a colour, or an optional one.
@@ -320,9 +313,9 @@ template <class T> class KeyReader {
  private:
   static std::string expected(const Key<T>& key, bool is_text_found) {
     const std::string others = is_text_found ? units_like(key.unit) : "";
-    return key.unit.empty() ? key.expected
-                            : key.expected + " (" + key.unit +
-                                  (others.empty() ? "" : ", or with its unit: " + others) + ')';
+    return key.unit.empty()
+               ? key.expected
+               : key.expected + " (" + key.unit + (others.empty() ? "" : ", or with its unit: " + others) + ')';
   }
 
   bool is_section(const std::string& name) const {
@@ -350,8 +343,7 @@ template <class T> class KeyReader {
     std::vector<std::string> known;
     for (const Key<T>& key : keys_) {
       known.push_back(key.name);
-      for (std::size_t dot = key.name.find('.'); dot != std::string::npos;
-           dot = key.name.find('.', dot + 1)) {
+      for (std::size_t dot = key.name.find('.'); dot != std::string::npos; dot = key.name.find('.', dot + 1)) {
         known.push_back(key.name.substr(0, dot));
       }
     }

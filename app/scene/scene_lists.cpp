@@ -64,9 +64,9 @@ template <class T> Json write_list(const std::vector<Key<T>>& keys, const std::v
 /// The keys of an entry of [[forces]].
 std::vector<Key<sim::PointForce>> force_keys() {
   using F = sim::PointForce;
-  return {whole_key<F>("vertex", {0, 4294967294.0}, MEMBER(vertex),
-                       "the vertex that is pulled, as numbered in pins.at"),
-          vector_key<F>("force", "N", MEMBER(force_n), "the pull")};
+  return {
+      whole_key<F>("vertex", {0, 4294967294.0}, MEMBER(vertex), "the vertex that is pulled, as numbered in pins.at"),
+      vector_key<F>("force", "N", MEMBER(force_n), "the pull")};
 }
 
 std::optional<std::vector<sim::PathPoint>> path_in(const toml::node& value) {
@@ -94,12 +94,11 @@ void normalise(sim::Vec3& direction) {
   if (std::abs(glm::dot(direction, direction) - 1.0) > rounded_off) direction = glm::normalize(direction);
 }
 
-template <class Part>
-void require_order(const char* part_name, const Part& part, const Source& source, int line) {
+template <class Part> void require_order(const char* part_name, const Part& part, const Source& source, int line) {
   if (!(part.until_s > part.from_s)) {
     fail(source, line,
-         fmt::format("{0}.until: found {1:g} s, expected a time after {0}.from, {2:g} s", part_name,
-                     part.until_s, part.from_s));
+         fmt::format("{0}.until: found {1:g} s, expected a time after {0}.from, {2:g} s", part_name, part.until_s,
+                     part.from_s));
   }
 }
 
@@ -138,16 +137,15 @@ template <class T, class Access> void add_motion(std::vector<Key<T>>& keys, Acce
   const auto ends_spin = [=](const T& e) { return std::isfinite(motion(e).spin.until_s); };
   keys.insert(
       keys.end(),
-      {written_if(
-           vector_key<T>("shift.velocity", "m/s", MOTION(shift.velocity_m_per_s), "it moves along a line"),
-           shifts),
+      {written_if(vector_key<T>("shift.velocity", "m/s", MOTION(shift.velocity_m_per_s), "it moves along a line"),
+                  shifts),
        written_if(number_key<T>("shift.from", "s", time, MOTION(shift.from_s), begins), shifts),
        written_if(number_key<T>("shift.until", "s", time, MOTION(shift.until_s), ends), ends_shift),
        written_if(vector_key<T>("spin.about", "m", MOTION(spin.about_m),
                                 "it turns about the line through this point, before it is moved"),
                   spins),
-       written_if(vector_key<T>("spin.axis", "", MOTION(spin.axis),
-                                "the line's direction, of any length; not set: up", {.may_be_zero = false}),
+       written_if(vector_key<T>("spin.axis", "", MOTION(spin.axis), "the line's direction, of any length; not set: up",
+                                {.may_be_zero = false}),
                   spins),
        written_if(number_key<T>("spin.turns_per_second", "", {-1000.0, 1000.0}, MOTION(spin.turns_per_s),
                                 "counter-clockwise seen from where the axis points"),
@@ -169,10 +167,8 @@ std::vector<Key<MovingPinsInScene>> moving_pins_keys() {
 }
 
 /// The shapes as an entry has them before it is read, and their names in files.
-const std::array<std::pair<const char*, sim::Shape>, 4> shapes = {{{"plane", sim::Plane{}},
-                                                                   {"sphere", sim::Sphere{}},
-                                                                   {"capsule", sim::Capsule{}},
-                                                                   {"mesh", sim::BodyMesh{}}}};
+const std::array<std::pair<const char*, sim::Shape>, 4> shapes = {
+    {{"plane", sim::Plane{}}, {"sphere", sim::Sphere{}}, {"capsule", sim::Capsule{}}, {"mesh", sim::BodyMesh{}}}};
 constexpr const char* shape_names = "\"plane\" or \"sphere\" or \"capsule\" or \"mesh\"";
 
 const char* name_of(const sim::Shape& shape) { return shapes[shape.index()].first; }
@@ -183,8 +179,7 @@ struct BodyInScene {
 };
 
 /// Writes the full path of a file that a scene names.
-Key<BodyInScene> body_file_key(std::string name, std::filesystem::path BodySource::*member,
-                               std::string meaning) {
+Key<BodyInScene> body_file_key(std::string name, std::filesystem::path BodySource::*member, std::string meaning) {
   Key<BodyInScene> key = file_key<BodyInScene>(
       std::move(name), [member](auto& entry) -> auto& { return entry.source.*member; }, std::move(meaning));
   key.write = [member](const BodyInScene& entry) {
@@ -196,19 +191,18 @@ Key<BodyInScene> body_file_key(std::string name, std::filesystem::path BodySourc
 
 std::vector<Key<BodyInScene>> common_keys() {
   using B = BodyInScene;
-  std::vector<Key<B>> keys = {
-      {"shape", "", shape_names, "", [](const toml::node&, const Source&, B&) { return true; },
-       [](const B& entry) { return Json(name_of(entry.body.shape)); }},
-      text_key<B>("name", MEMBER(body.name), "for messages"),
-      // Of a body 0 is a friction as good as any other.
-      member_key<B>(
-          "friction", "", describe("a number", friction), MEMBER(body.friction),
-          "Coulomb's coefficient; not set: cloth.friction",
-          [](const toml::node& value, std::optional<double>& member) {
-            member = finite_number(value);
-            return member && friction.contains(*member);
-          },
-          [](const std::optional<double>& member) { return member ? Json(*member) : Json(); })};
+  std::vector<Key<B>> keys = {{"shape", "", shape_names, "", [](const toml::node&, const Source&, B&) { return true; },
+                               [](const B& entry) { return Json(name_of(entry.body.shape)); }},
+                              text_key<B>("name", MEMBER(body.name), "for messages"),
+                              // Of a body 0 is a friction as good as any other.
+                              member_key<B>(
+                                  "friction", "", describe("a number", friction), MEMBER(body.friction),
+                                  "Coulomb's coefficient; not set: cloth.friction",
+                                  [](const toml::node& value, std::optional<double>& member) {
+                                    member = finite_number(value);
+                                    return member && friction.contains(*member);
+                                  },
+                                  [](const std::optional<double>& member) { return member ? Json(*member) : Json(); })};
   add_motion(keys, MEMBER(body.motion));
   return keys;
 }
@@ -233,8 +227,7 @@ std::vector<Key<BodyInScene>> shape_keys(const sim::Shape& shape) {
   return {body_file_key("file", &BodySource::file, "a closed 3D model, relative to the scene file"),
           number_key<B>("scale", "m", not_negative, MEMBER(source.scale),
                         "the model's unit of length; 0: what the file says, or else metres"),
-          up_key<B>("up", MEMBER(source.up),
-                    "the model's direction that is up; auto: what the file says, or else y"),
+          up_key<B>("up", MEMBER(source.up), "the model's direction that is up; auto: what the file says, or else y"),
           body_file_key("motion", &BodySource::motion,
                         "where its vertices or joints are over time: a PC2, MDD or BVH file, or OBJ files, "
                         "as a folder or a pattern such as body-%04d.obj"),
@@ -255,13 +248,12 @@ std::vector<Key<BodyInScene>> shape_keys(const sim::Shape& shape) {
                                    "the motion repeats after its last frame: from the earliest frame that is "
                                    "the same, or else its first; false: it stays in its last"),
                      [](const B& entry) { return entry.source.loop; }),
-          written_if(
-              whole_key<B>("dress", {.lowest = 0.0, .highest = 10000.0}, MEMBER(source.dress),
-                           "so many frames are simulated before frame 0, without gravity and wind, in which "
-                           "the body grows from its bones to its shape, into what it wears; a garment that "
-                           "lies elsewhere is moved to it first; it needs joints, or arms off its trunk",
-                           "frames"),
-              [](const B& entry) { return entry.source.dress != 0; })};
+          written_if(whole_key<B>("dress", {.lowest = 0.0, .highest = 10000.0}, MEMBER(source.dress),
+                                  "so many frames are simulated before frame 0, without gravity and wind, in which "
+                                  "the body grows from its bones to its shape, into what it wears; a garment that "
+                                  "lies elsewhere is moved to it first; it needs joints, or arms off its trunk",
+                                  "frames"),
+                     [](const B& entry) { return entry.source.dress != 0; })};
 }
 
 std::vector<Key<BodyInScene>> body_keys(const sim::Shape& shape) {
@@ -288,8 +280,7 @@ BodyInScene read_body(const toml::table& table, const Source& source) {
   check_motion(source, line_of(table), entry.body.motion);
   if (auto* plane = std::get_if<sim::Plane>(&entry.body.shape)) normalise(plane->normal);
   if (std::holds_alternative<sim::BodyMesh>(entry.body.shape) && entry.source.file.empty()) {
-    fail(source, line_of(table),
-         "a body of shape \"mesh\" has no file; expected file = \"...\", a closed 3D model");
+    fail(source, line_of(table), "a body of shape \"mesh\" has no file; expected file = \"...\", a closed 3D model");
   }
   return entry;
 }
@@ -318,9 +309,7 @@ bool set_body_key(const std::string& name, const toml::node& value, const Source
     bodies.push_back({.shape = sim::BodyMesh{}});
     scene.body_sources.emplace_back();
   }
-  const auto is_model = [](const sim::Body& body) {
-    return std::holds_alternative<sim::BodyMesh>(body.shape);
-  };
+  const auto is_model = [](const sim::Body& body) { return std::holds_alternative<sim::BodyMesh>(body.shape); };
   const auto last = std::find_if(bodies.rbegin(), bodies.rend(), is_model);
   if (last == bodies.rend()) {
     fail(source, 0, name + ": the scene has no body that is a model; expected one, as --body FILE adds");
@@ -376,11 +365,11 @@ Key<Scene> forces_key() {
   auto read = [](const toml::node& value, const Source& source, std::vector<sim::PointForce>& forces) {
     const auto keys = force_keys();
     forces.clear();
-    return read_list(
-        value, [&](const toml::table& table) { KeyReader(keys, source, forces.emplace_back()).read(table); });
+    return read_list(value,
+                     [&](const toml::table& table) { KeyReader(keys, source, forces.emplace_back()).read(table); });
   };
-  return member_key<Scene>("forces", "", "a list of tables [[forces]]",
-                           MEMBER(surroundings.forces.artificial_forces), "pulls on single vertices", read,
+  return member_key<Scene>("forces", "", "a list of tables [[forces]]", MEMBER(surroundings.forces.artificial_forces),
+                           "pulls on single vertices", read,
                            [](const auto& forces) { return write_list(force_keys(), forces); });
 }
 

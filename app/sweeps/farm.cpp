@@ -41,8 +41,7 @@ std::string sbatch_log(const Sweep& sweep, const std::string& name) {
 
 }  // namespace
 
-std::vector<ArrayJob> array_jobs(std::span<const std::size_t> missing, std::size_t chunk,
-                                 std::size_t max_array_size) {
+std::vector<ArrayJob> array_jobs(std::span<const std::size_t> missing, std::size_t chunk, std::size_t max_array_size) {
   std::vector<ArrayJob> jobs;
   std::vector<std::size_t> tasks;  // of the array at hand, from its offset
   std::size_t offset = 0;

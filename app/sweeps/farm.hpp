@@ -19,8 +19,7 @@ struct ArrayJob {
 
 /// The tasks that have to be started so that all `missing` runs are made, in arrays whose numbers stay below
 /// `max_array_size`.
-std::vector<ArrayJob> array_jobs(std::span<const std::size_t> missing, std::size_t chunk,
-                                 std::size_t max_array_size);
+std::vector<ArrayJob> array_jobs(std::span<const std::size_t> missing, std::size_t chunk, std::size_t max_array_size);
 
 /// So few runs for a task that there are at most 10000 tasks, which is as many jobs as Slurm keeps unless it
 /// is told otherwise.

@@ -181,12 +181,11 @@ void require_valid(const Sweep& sweep, const DrawnScene& base) {
 std::string manifest_of(const Sweep& sweep) {
   std::string text;
   for (std::size_t run = 0; run < sweep.runs(); ++run) {
-    text += Json{{"index", run},
-                 {"values", sweep.values(run)},
-                 {"scene", sweep.scene_hash(run)},
-                 {"program", sweep.program}}
-                .dump() +
-            '\n';
+    text +=
+        Json{
+            {"index", run}, {"values", sweep.values(run)}, {"scene", sweep.scene_hash(run)}, {"program", sweep.program}}
+            .dump() +
+        '\n';
   }
   return text;
 }
@@ -258,8 +257,7 @@ fs::path Sweep::file(std::size_t run, const char* ending) const {
 Sweep read_sweep(const fs::path& folder) {
   const fs::path file = folder / "sweep.json";
   if (std::error_code error; !fs::exists(file, error)) {
-    throw InputError("'" + folder.string() +
-                     "' is no sweep: there is no sweep.json; taut sweep plan makes one");
+    throw InputError("'" + folder.string() + "' is no sweep: there is no sweep.json; taut sweep plan makes one");
   }
   Sweep sweep;
   sweep.folder = folder;
@@ -297,9 +295,7 @@ std::string value_label(const Json& value) {
   return is_input(text) ? fs::path(text).stem().string() : text;
 }
 
-std::string program_hash() {
-  return hash_text(sim::fnv1a(sim::fnv1a_of_nothing, read_text_file("/proc/self/exe")));
-}
+std::string program_hash() { return hash_text(sim::fnv1a(sim::fnv1a_of_nothing, read_text_file("/proc/self/exe"))); }
 
 std::string hash_text(std::uint64_t hash) { return fmt::format("{:016x}", hash); }
 

@@ -83,8 +83,7 @@ std::size_t columns_of(const Sweep& sweep) {
 }
 
 /// Hands out every run with its result, or null, in order.
-void for_each_result(const Sweep& sweep,
-                     const std::function<void(std::size_t run, const Json* result)>& use) {
+void for_each_result(const Sweep& sweep, const std::function<void(std::size_t run, const Json* result)>& use) {
   for (std::size_t run = 0; run < sweep.runs(); ++run) {
     throw_if_interrupted();
     const std::optional<Json> result = result_of(sweep, run);
@@ -100,9 +99,7 @@ std::optional<Json> result_of(const Sweep& sweep, std::size_t run) {
   return is_as_planned(sweep, run, result) ? std::optional(std::move(result)) : std::nullopt;
 }
 
-bool is_final(const Json& result) {
-  return result.value("end", "") == "done" || result.value("end", "") == "broken";
-}
+bool is_final(const Json& result) { return result.value("end", "") == "done" || result.value("end", "") == "broken"; }
 
 SweepStatus status_of(const Sweep& sweep) {
   SweepStatus status;
@@ -129,8 +126,8 @@ std::string ranges_text(std::span<const std::size_t> numbers) {
   for (std::size_t i = 0; i < numbers.size();) {
     std::size_t last = i;
     while (last + 1 < numbers.size() && numbers[last + 1] == numbers[last] + 1) ++last;
-    text += (text.empty() ? "" : ",") + std::to_string(numbers[i]) +
-            (last > i ? '-' + std::to_string(numbers[last]) : "");
+    text +=
+        (text.empty() ? "" : ",") + std::to_string(numbers[i]) + (last > i ? '-' + std::to_string(numbers[last]) : "");
     i = last + 1;
   }
   return text;
@@ -165,8 +162,7 @@ renderer::Image sweep_sheet(const Sweep& sweep) {
   if (pictures.empty()) return {};
   // Where some are missing, what is there fills up.
   const std::size_t columns = step == 1 ? columns_of(sweep) : 10;
-  return contact_sheet(pictures, 1.0F,
-                       {.columns = static_cast<int>(columns), .cell_px = 400, .title_px = 16.0F});
+  return contact_sheet(pictures, 1.0F, {.columns = static_cast<int>(columns), .cell_px = 400, .title_px = 16.0F});
 }
 
 }  // namespace taut::app

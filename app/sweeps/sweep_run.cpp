@@ -59,8 +59,8 @@ renderer::Image draw(Loaded& run) {
     fitted.place_camera(run.scene);
   }
   OffscreenRenderer offscreen("auto");
-  GarmentPainter painter(offscreen.renderer(), run.scene, run.simulation.garment(),
-                         run.simulation.pins().vertices, drawn_colours(run.scene, run.garment));
+  GarmentPainter painter(offscreen.renderer(), run.scene, run.simulation.garment(), run.simulation.pins().vertices,
+                         drawn_colours(run.scene, run.garment));
   return painter.draw(positions, time_s);
 }
 
@@ -157,8 +157,7 @@ class SweepRun {
       result.update(Json::parse(statistics_end(StatisticsFormat::json_lines, saved_.summary))["summary"]);
     }
     result["host"] = host_name();
-    write_text_file(sweep_.file(run_, ".json"),
-                    result.dump(-1, ' ', false, Json::error_handler_t::replace) + '\n');
+    write_text_file(sweep_.file(run_, ".json"), result.dump(-1, ' ', false, Json::error_handler_t::replace) + '\n');
     std::error_code ignored;
     std::filesystem::remove(checkpoint_, ignored);
   }
@@ -188,8 +187,7 @@ void remove_unfinished(const Sweep& sweep, std::size_t run) {
   std::error_code ignored;
   for (const fs::directory_entry& entry : fs::directory_iterator(any.parent_path(), ignored)) {
     const std::string name = entry.path().filename().string();
-    const bool is_of_run =
-        name.starts_with(any.filename().string()) && name.find(".lock") == std::string::npos;
+    const bool is_of_run = name.starts_with(any.filename().string()) && name.find(".lock") == std::string::npos;
     if (is_of_run && name.find(".part-") != std::string::npos) unfinished.push_back(entry.path());
   }
   for (const fs::path& file : unfinished) fs::remove(file, ignored);
@@ -244,8 +242,8 @@ bool take_over(const fs::path& own, const fs::path& lock) {
   if (::flock(left.number(), LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) return false;
   struct stat opened {
   }, named{};
-  if (::fstat(left.number(), &opened) != 0 || ::stat(lock.c_str(), &named) != 0 ||
-      opened.st_ino != named.st_ino || !(has_ended(owner_in(lock)) || is_stale(lock, own))) {
+  if (::fstat(left.number(), &opened) != 0 || ::stat(lock.c_str(), &named) != 0 || opened.st_ino != named.st_ino ||
+      !(has_ended(owner_in(lock)) || is_stale(lock, own))) {
     return false;
   }
   return ::rename(own.c_str(), lock.c_str()) == 0;

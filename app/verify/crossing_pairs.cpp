@@ -26,16 +26,15 @@ void add_boxes(const Surface& surface, bool is_of_body, std::vector<TriangleBox>
 }
 
 bool meet(const sim::Extent& a, const sim::Extent& b) {
-  return a.lower.x <= b.upper.x && b.lower.x <= a.upper.x && a.lower.y <= b.upper.y &&
-         b.lower.y <= a.upper.y && a.lower.z <= b.upper.z && b.lower.z <= a.upper.z;
+  return a.lower.x <= b.upper.x && b.lower.x <= a.upper.x && a.lower.y <= b.upper.y && b.lower.y <= a.upper.y &&
+         a.lower.z <= b.upper.z && b.lower.z <= a.upper.z;
 }
 
 /// Equal parts of an axis. A box is in each that it reaches into.
 class Strips {
  public:
   /// As many as boxes fit beside each other four times over, on average.
-  Strips(std::span<const TriangleBox> boxes, double from, double length, int axis)
-      : from_(from), axis_(axis) {
+  Strips(std::span<const TriangleBox> boxes, double from, double length, int axis) : from_(from), axis_(axis) {
     double sum = 0.0;
     for (const TriangleBox& box : boxes) sum += box.extent.upper[axis] - box.extent.lower[axis];
     const double count = std::floor(length * static_cast<double>(boxes.size()) / (boxes_across * sum));
@@ -53,9 +52,7 @@ class Strips {
   static constexpr std::size_t most = 1024;
 
   std::size_t at(double place) const {
-    return count_ == 1
-               ? 0
-               : std::min(static_cast<std::size_t>(std::max((place - from_) / width_, 0.0)), count_ - 1);
+    return count_ == 1 ? 0 : std::min(static_cast<std::size_t>(std::max((place - from_) / width_, 0.0)), count_ - 1);
   }
 
   double from_, width_ = 0.0;
@@ -149,8 +146,8 @@ std::vector<CrossingPair> crossing_pairs(const Surface& cloth, const Surface& bo
     if (a.is_of_body == b.is_of_body) return;
     const sim::Index first = a.is_of_body ? b.triangle : a.triangle;
     const sim::Index second = a.is_of_body ? a.triangle : b.triangle;
-    if (const auto place = crossing_place(corners_of(cloth, cloth.triangles[first]),
-                                          corners_of(body, body.triangles[second]))) {
+    if (const auto place =
+            crossing_place(corners_of(cloth, cloth.triangles[first]), corners_of(body, body.triangles[second]))) {
       pairs.push_back({first, second, *place});
     }
   });
@@ -168,11 +165,10 @@ std::string describe_place(const sim::Vec3& place_m) {
 
 std::string describe(const Surface& cloth, std::span<const CrossingPair> pairs) {
   const CrossingPair& first = pairs.front();
-  return fmt::format("{}, the first: {} and {} at {}",
-                     pairs.size() == 1 ? "1 pair of triangles crosses"
-                                       : fmt::format("{} pairs of triangles cross", pairs.size()),
-                     describe_triangle(cloth, first.first), describe_triangle(cloth, first.second),
-                     describe_place(first.place_m));
+  return fmt::format(
+      "{}, the first: {} and {} at {}",
+      pairs.size() == 1 ? "1 pair of triangles crosses" : fmt::format("{} pairs of triangles cross", pairs.size()),
+      describe_triangle(cloth, first.first), describe_triangle(cloth, first.second), describe_place(first.place_m));
 }
 
 std::string describe_point(const sim::Vec3& point) {

@@ -30,8 +30,7 @@ Depth outside_cone(const Vec3& p, const Limb& limb) {
   if (at_m > length_m) return {at_m - length_m, along};
   const double slope = (limb.end_radius_m - limb.start_radius_m) / length_m;
   const Vec3 across = p - limb.start_m - at_m * along;
-  const Depth side = {glm::length(across) - limb.start_radius_m - slope * at_m,
-                      direction_of(across) - slope * along};
+  const Depth side = {glm::length(across) - limb.start_radius_m - slope * at_m, direction_of(across) - slope * along};
   const Depth end = at_m > 0.5 * length_m ? Depth{at_m - length_m, along} : Depth{-at_m, -along};
   return side.outside_m > end.outside_m ? side : end;
 }
@@ -46,9 +45,7 @@ template <class Outside> bool enters(const Corners& t, const Outside& outside) {
   for (const Vec3& corner : t) rises_m = std::min(rises_m, glm::dot(here.gradient, corner - middle));
   if (here.outside_m + rises_m >= -most_depth_m || rises_m > -1e-3 * most_depth_m) return false;
   const auto length = [&](std::size_t k) { return glm::distance(t[k], t[(k + 1) % 3]); };
-  const std::size_t longest = length(0) >= length(1) && length(0) >= length(2) ? 0
-                              : length(1) >= length(2)                         ? 1
-                                                                               : 2;
+  const std::size_t longest = length(0) >= length(1) && length(0) >= length(2) ? 0 : length(1) >= length(2) ? 1 : 2;
   const Vec3 &from = t[longest], &to = t[(longest + 1) % 3], &tip = t[(longest + 2) % 3];
   const Vec3 half = 0.5 * (from + to);
   return enters(Corners{from, half, tip}, outside) || enters(Corners{half, to, tip}, outside);
@@ -57,8 +54,8 @@ template <class Outside> bool enters(const Corners& t, const Outside& outside) {
 }  // namespace
 
 bool enters_half_space(const Corners& triangle, const Vec3& point_m, const Vec3& normal) {
-  return std::ranges::any_of(
-      triangle, [&](const Vec3& corner) { return glm::dot(corner - point_m, normal) < -most_depth_m; });
+  return std::ranges::any_of(triangle,
+                             [&](const Vec3& corner) { return glm::dot(corner - point_m, normal) < -most_depth_m; });
 }
 
 bool enters_limb(const Corners& triangle, const Limb& limb) {

@@ -50,7 +50,8 @@ LargestStretch largest_stretch(const sim::Mesh& rest, std::span<const sim::Vec3>
   };
   for (std::size_t k = 0; k < rest.triangles.size(); ++k) {
     const auto& [a, b, c] = rest.triangles[k];
-    const Sides before = sides_of(sim::corners_at_rest(rest, k)), now = sides_of({positions_m[a], positions_m[b], positions_m[c]});
+    const Sides before = sides_of(sim::corners_at_rest(rest, k)),
+                now = sides_of({positions_m[a], positions_m[b], positions_m[c]});
     add_spring(before.first_m, now.first_m);
     add_spring(before.second_m, now.second_m);
     add_spring(before.across_m, now.across_m);
@@ -60,8 +61,7 @@ LargestStretch largest_stretch(const sim::Mesh& rest, std::span<const sim::Vec3>
   }
   for (const sim::Quad& q : rest.quads) {
     for (const auto& [a, b] : {sim::Edge{q[0], q[2]}, sim::Edge{q[1], q[3]}}) {
-      add_spring(glm::distance(rest.positions[a], rest.positions[b]),
-                 glm::distance(positions_m[a], positions_m[b]));
+      add_spring(glm::distance(rest.positions[a], rest.positions[b]), glm::distance(positions_m[a], positions_m[b]));
     }
   }
   return largest;

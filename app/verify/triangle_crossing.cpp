@@ -40,16 +40,15 @@ bool boxes_meet(const Segment& s, const Segment& t) {
 
 /// Of segments whose bounding boxes meet: on one line, that is enough.
 bool projections_meet(int axis, const Segment& s, const Segment& t) {
-  return orientation_without(axis, s.from, s.to, t.from) * orientation_without(axis, s.from, s.to, t.to) <=
-             0 &&
+  return orientation_without(axis, s.from, s.to, t.from) * orientation_without(axis, s.from, s.to, t.to) <= 0 &&
          orientation_without(axis, t.from, t.to, s.from) * orientation_without(axis, t.from, t.to, s.to) <= 0;
 }
 
 /// Segments in one plane meet if and only if they do in all three projections: at least one of these maps
 /// points of the plane to points of their own.
 bool segments_meet(const Segment& s, const Segment& t) {
-  return boxes_meet(s, t) && projections_meet(0, s, t) && projections_meet(1, s, t) &&
-         projections_meet(2, s, t) && orientation(s.from, s.to, t.from, t.to) == 0;
+  return boxes_meet(s, t) && projections_meet(0, s, t) && projections_meet(1, s, t) && projections_meet(2, s, t) &&
+         orientation(s.from, s.to, t.from, t.to) == 0;
 }
 
 /// Where two segments that meet do so; on one line, the middle of what they share.
@@ -153,8 +152,7 @@ std::optional<Vec3> place_opposite(const Corners& a, const SidesOfEnds& sides, c
 /// Whether a plane at right angles to the axis certainly has these points in front of it and those behind: by
 /// far more than rounding, which is some 1e-15 of their distances from the plane's origin. Most neighbours
 /// part in this way, which is cheap, also where they lie in one plane, which exact signs are slow to tell.
-bool are_far_apart(const Vec3& origin, const Vec3& axis, std::span<const Vec3> before,
-                   std::span<const Vec3> behind) {
+bool are_far_apart(const Vec3& origin, const Vec3& axis, std::span<const Vec3> before, std::span<const Vec3> behind) {
   constexpr double far = 1e-6;
   // Below it products lose digits.
   constexpr double smallest = 1e-200;
@@ -209,8 +207,7 @@ class WholeNumbers {
   mpz_class operator()(double x) const {
     int exponent = 0;
     const double mantissa = std::frexp(x, &exponent);
-    return x != 0.0 ? mpz_class(std::ldexp(mantissa, digits)) << (exponent - digits - exponent_)
-                    : mpz_class(0);
+    return x != 0.0 ? mpz_class(std::ldexp(mantissa, digits)) << (exponent - digits - exponent_) : mpz_class(0);
   }
 
  private:
@@ -228,8 +225,7 @@ int exact_orientation(const sim::Vec3& a, const sim::Vec3& b, const sim::Vec3& c
     v[k] = whole(b[k]) - origin;
     w[k] = whole(c[k]) - origin;
   }
-  const mpz_class determinant = u[0] * minor_of(v[1], v[2], w[1], w[2]) +
-                                u[1] * minor_of(v[2], v[0], w[2], w[0]) +
+  const mpz_class determinant = u[0] * minor_of(v[1], v[2], w[1], w[2]) + u[1] * minor_of(v[2], v[0], w[2], w[0]) +
                                 u[2] * minor_of(v[0], v[1], w[0], w[1]);
   return sgn(determinant);
 }
@@ -274,8 +270,8 @@ std::optional<Vec3> crossing_place_beside_edge(const Corners& a, const Corners& 
   if (orientation(a[0], a[1], a[2], b[2]) != 0) return std::nullopt;
   bool is_folded = false;
   for (int axis = 0; axis < 3; ++axis) {
-    is_folded = is_folded ||
-                orientation_without(axis, a[0], a[1], a[2]) * orientation_without(axis, b[0], b[1], b[2]) > 0;
+    is_folded =
+        is_folded || orientation_without(axis, a[0], a[1], a[2]) * orientation_without(axis, b[0], b[1], b[2]) > 0;
   }
   // Without area both are segments along the line of the edge.
   if (is_folded || reaches_beyond_edge(a, b) || reaches_beyond_edge(b, a)) return 0.5 * (a[0] + a[1]);
@@ -293,8 +289,7 @@ int orientation(const sim::Vec3& a, const sim::Vec3& b, const sim::Vec3& c, cons
     determinant += u[k] * (plus - minus);
     sum_of_sizes += std::abs(u[k]) * (std::abs(plus) + std::abs(minus));
   }
-  return is_certain(determinant, error_of_3, sum_of_sizes) ? sign_of(determinant)
-                                                           : exact_orientation(a, b, c, d);
+  return is_certain(determinant, error_of_3, sum_of_sizes) ? sign_of(determinant) : exact_orientation(a, b, c, d);
 }
 
 int orientation(const sim::Vec2& a, const sim::Vec2& b, const sim::Vec2& c) {

@@ -13,8 +13,8 @@ HeadlessViewer::HeadlessViewer(const DrawnScene& scene, const SessionStart& star
 
 SessionFrame HeadlessViewer::play(const SessionFrame& frame) {
   throw_if_interrupted();
-  const bool loses_context = std::ranges::any_of(
-      frame.events, [](const auto& event) { return std::holds_alternative<ContextLost>(event); });
+  const bool loses_context =
+      std::ranges::any_of(frame.events, [](const auto& event) { return std::holds_alternative<ContextLost>(event); });
   if (loses_context) {
     target_.reset();
     context_.renew();
@@ -40,8 +40,7 @@ renderer::Image HeadlessViewer::draw_scene() {
 renderer::Image HeadlessViewer::draw() {
   const WindowLayout layout = viewer_.layout();
   const unsigned framebuffer = target_->framebuffer(layout.width_px, layout.height_px);
-  context_.picture().draw(framebuffer, viewer_.state(), layout, 0, viewer_.letters(), viewer_.overlay(),
-                          true);
+  context_.picture().draw(framebuffer, viewer_.state(), layout, 0, viewer_.letters(), viewer_.overlay(), true);
   return renderer::read_framebuffer(context_.context(), framebuffer, layout.width_px, layout.height_px);
 }
 

@@ -83,21 +83,18 @@ bool is_pristine(const ViewerState& state) {
 RunCheckpoint kept_moment(const ViewerState& state, const DrawnScene& kept) {
   const sim::Simulation simulation = gone_on_from(*state.shown, simulation_settings(state.scene.simulation),
                                                   state.scene.material, surroundings_of(state));
-  return {kept.name,
-          scene_text(kept),
-          state.shown->record.frame,
-          {},
-          sim::encode(simulation.save(), simulation.garment())};
+  return {
+      kept.name, scene_text(kept), state.shown->record.frame, {}, sim::encode(simulation.save(), simulation.garment())};
 }
 
 std::string camera_text(const renderer::Camera& camera) {
   const auto point = [](const glm::vec3& p) { return fmt::format("[{}, {}, {}]", p.x, p.y, p.z); };
-  return fmt::format("[camera]\neye = {}\ntarget = {}\nfield_of_view = {}\n", point(camera.eye),
-                     point(camera.target), glm::degrees(static_cast<double>(camera.vertical_fov_rad)));
+  return fmt::format("[camera]\neye = {}\ntarget = {}\nfield_of_view = {}\n", point(camera.eye), point(camera.target),
+                     glm::degrees(static_cast<double>(camera.vertical_fov_rad)));
 }
 
-WindowRecorder::WindowRecorder(const fs::path& folder, const std::string& stem, RecordingKind kind,
-                               int width_px, int height_px)
+WindowRecorder::WindowRecorder(const fs::path& folder, const std::string& stem, RecordingKind kind, int width_px,
+                               int height_px)
     : width_px_(even(width_px)), height_px_(even(height_px)) {
   const bool is_video = kind == RecordingKind::video;
   target_ = free_name(folder, stem, is_video ? ".mp4" : "-frames");
@@ -149,9 +146,7 @@ ClipRecorder::~ClipRecorder() {
   if (thread_.joinable()) thread_.join();
 }
 
-fs::path ClipRecorder::file() const {
-  return OutputPattern(file_, file_.extension()).path_of(newest_->record.frame);
-}
+fs::path ClipRecorder::file() const { return OutputPattern(file_, file_.extension()).path_of(newest_->record.frame); }
 
 bool ClipRecorder::leads_on(const Snapshot& newest) const {
   return newest.loaded == first_->loaded && frames_not_advanced(newest) == frames_not_advanced(*first_);

@@ -27,8 +27,8 @@ std::string camera_text(const renderer::Camera& camera);
 class WindowRecorder {
  public:
   /// The target's name is that of free_name(). Throws InputError if it cannot be written.
-  WindowRecorder(const std::filesystem::path& folder, const std::string& stem, RecordingKind kind,
-                 int width_px, int height_px);
+  WindowRecorder(const std::filesystem::path& folder, const std::string& stem, RecordingKind kind, int width_px,
+                 int height_px);
 
   /// Adds the picture as often as `elapsed_s` at rate_hz requires; that may be never. Throws InputError;
   /// std::invalid_argument if the picture has another size.

@@ -7,16 +7,14 @@ namespace taut::app {
 
 using renderer::PointerButton;
 
-std::optional<PickedPoint> cloth_under(const glm::vec2& place_px, const ViewArea& area,
-                                       const ViewerState& state) {
+std::optional<PickedPoint> cloth_under(const glm::vec2& place_px, const ViewArea& area, const ViewerState& state) {
   if (!area.contains(place_px)) return std::nullopt;
   return pick(state.camera.ray_through(place_px, area), pointed_at(state).positions(),
               state.shown->loaded->garment->mesh.triangles);
 }
 
 std::optional<HeldCloth> Hands::held() const {
-  return hold_ ? std::optional(HeldCloth{hold_->grip.vertices.front().vertex, hold_->grip.target_m})
-               : std::nullopt;
+  return hold_ ? std::optional(HeldCloth{hold_->grip.vertices.front().vertex, hold_->grip.target_m}) : std::nullopt;
 }
 
 void Hands::press(const Pointer& pointer, const ViewArea& area, const ViewerState& state,
@@ -50,8 +48,7 @@ void Hands::update(const Pointer& pointer, bool is_free, const ViewArea& area, V
                    std::vector<SimulationCommand>& commands) {
   if (is_free && area.contains(pointer.place_px)) {
     if (pointer.was_pressed(PointerButton::left)) press(pointer, area, state, commands);
-    is_moving_ =
-        is_moving_ || pointer.was_pressed(PointerButton::right) || pointer.was_pressed(PointerButton::middle);
+    is_moving_ = is_moving_ || pointer.was_pressed(PointerButton::right) || pointer.was_pressed(PointerButton::middle);
     if (pointer.notches != 0.0F) state.camera.zoom(pointer.notches, pointer.place_px, area);
   }
   if (!pointer.is_down(PointerButton::left)) {
@@ -59,8 +56,7 @@ void Hands::update(const Pointer& pointer, bool is_free, const ViewArea& area, V
     hold_.reset();
     is_turning_ = false;
   }
-  is_moving_ =
-      is_moving_ && (pointer.is_down(PointerButton::right) || pointer.is_down(PointerButton::middle));
+  is_moving_ = is_moving_ && (pointer.is_down(PointerButton::right) || pointer.is_down(PointerButton::middle));
   if (is_turning_) state.camera.orbit(pointer.way_px, area);
   if (is_moving_) state.camera.pan(pointer.way_px, area);
   if (hold_) pull(pointer, area, state, commands);
@@ -73,9 +69,7 @@ namespace keys = renderer::keys;
 // Free border around the garment as it begins, share of the picture: wind and hands move it.
 constexpr float window_margin = 0.16F;
 
-bool is_down(const std::set<int>& down, int one, int other) {
-  return down.contains(one) || down.contains(other);
-}
+bool is_down(const std::set<int>& down, int one, int other) { return down.contains(one) || down.contains(other); }
 
 }  // namespace
 
@@ -94,8 +88,7 @@ Viewer::Viewer(SimulationHost& simulation, const ViewerSettings& settings)
 }
 
 WindowLayout Viewer::layout() const {
-  return {std::max(size_.width_px, 1), std::max(size_.height_px, 1), static_cast<float>(scale_),
-          state_.show_panel};
+  return {std::max(size_.width_px, 1), std::max(size_.height_px, 1), static_cast<float>(scale_), state_.show_panel};
 }
 
 SessionFrame Viewer::update(SessionFrame frame) {
@@ -182,10 +175,8 @@ void Viewer::take_key(const renderer::KeyChanged& event) {
 }
 
 void Viewer::note_snapshot(SnapshotPtr newest) {
-  const bool is_new_garment =
-      !state_.newest || newest->loaded->generation != state_.newest->loaded->generation;
-  const bool has_other_area =
-      state_.newest && (newest->compared != nullptr) != (state_.newest->compared != nullptr);
+  const bool is_new_garment = !state_.newest || newest->loaded->generation != state_.newest->loaded->generation;
+  const bool has_other_area = state_.newest && (newest->compared != nullptr) != (state_.newest->compared != nullptr);
   state_.newest = std::move(newest);
   if (is_new_garment) adopt_scene();
   for (const Notice& notice : *state_.newest->notices) {
@@ -257,8 +248,8 @@ SnapshotPtr Viewer::within_present_bound(const SnapshotPtr& past) {
   past_ = past_within_bound_ = past;
   past_bound_ = solver;
   if (solver != past->settings.solver) {
-    const sim::Simulation simulation = gone_on_from(*past, simulation_settings(state_.scene.simulation),
-                                                    past->garment->material, past->surroundings);
+    const sim::Simulation simulation =
+        gone_on_from(*past, simulation_settings(state_.scene.simulation), past->garment->material, past->surroundings);
     Snapshot snapshot = *past;
     measure_stretches(simulation, snapshot.record);
     snapshot.checkpoint = std::make_shared<const sim::Checkpoint>(simulation.save());
@@ -311,11 +302,9 @@ void Viewer::collect_settings() {
 // The panel shows the effect of input one frame later, so it has to settle before it is still.
 void Viewer::note_changes(const SessionFrame& frame) {
   for (Message& message : state_.messages) message.left_s -= frame.elapsed_s;
-  const std::size_t gone =
-      std::erase_if(state_.messages, [](const Message& message) { return message.left_s <= 0.0; });
+  const std::size_t gone = std::erase_if(state_.messages, [](const Message& message) { return message.left_s <= 0.0; });
   const bool is_changing = (!state_.paused && moves(*state_.newest)) || !frame.events.empty() || gone > 0 ||
-                           hands_.is_busy() || recorder_ || clip_ || !key_actions_.empty() ||
-                           is_hint_due(state_);
+                           hands_.is_busy() || recorder_ || clip_ || !key_actions_.empty() || is_hint_due(state_);
   frames_since_input_ = !frame.events.empty() || hands_.is_busy() ? 0 : frames_since_input_ + 1;
   still_frames_ = is_changing ? 0 : still_frames_ + 1;
 }

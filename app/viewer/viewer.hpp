@@ -8,9 +8,9 @@ namespace taut::app {
 
 /// The pointer in one frame of the window.
 struct Pointer {
-  glm::vec2 place_px{-1.0F};   ///< position, from the upper left corner of the garment's area
-  glm::vec2 way_px{0.0F};      ///< movement since the frame before, or since a button went down in this frame
-  std::array<bool, 3> down{};  ///< whether a button is down, indexed by renderer::PointerButton
+  glm::vec2 place_px{-1.0F};      ///< position, from the upper left corner of the garment's area
+  glm::vec2 way_px{0.0F};         ///< movement since the frame before, or since a button went down in this frame
+  std::array<bool, 3> down{};     ///< whether a button is down, indexed by renderer::PointerButton
   std::array<bool, 3> pressed{};  ///< whether it went down in this frame
   float notches = 0.0F;           ///< of the wheel, positive away from the user
 
@@ -52,8 +52,7 @@ class Hands {
 };
 
 /// The point of the cloth that is pointed at under a pixel of its area; empty if there is none.
-std::optional<PickedPoint> cloth_under(const glm::vec2& place_px, const ViewArea& area,
-                                       const ViewerState& state);
+std::optional<PickedPoint> cloth_under(const glm::vec2& place_px, const ViewArea& area, const ViewerState& state);
 
 /// The material of a scene's garment.
 struct ClothOfScene {
@@ -192,7 +191,7 @@ class Viewer {
 /// Opens a window and returns when the user closes it. All input is recorded to `record_to` unless that is
 /// empty. Throws renderer::ContextError without a display or OpenGL, InputError if a file cannot be written,
 /// Interrupted.
-void view_in_window(const DrawnScene& scene, const SessionStart& start,
-                    const std::filesystem::path& keep_folder, const std::filesystem::path& record_to);
+void view_in_window(const DrawnScene& scene, const SessionStart& start, const std::filesystem::path& keep_folder,
+                    const std::filesystem::path& record_to);
 
 }  // namespace taut::app

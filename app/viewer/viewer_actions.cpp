@@ -110,9 +110,7 @@ void Viewer::turn_wind(double by_rad) {
 // Both halves show the same place. A drag stays in the half that it began in.
 Pointer Viewer::pointer_over_one() {
   const auto width_px = static_cast<float>(area_of_one().width_px);
-  const auto drags = [&](PointerButton button) {
-    return pointer_.is_down(button) && !pointer_.was_pressed(button);
-  };
+  const auto drags = [&](PointerButton button) { return pointer_.is_down(button) && !pointer_.was_pressed(button); };
   if (!drags(PointerButton::left) && !drags(PointerButton::right) && !drags(PointerButton::middle)) {
     state_.at_compared = compared(state_) != nullptr && pointer_.place_px.x >= width_px;
   }

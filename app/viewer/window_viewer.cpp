@@ -26,8 +26,8 @@ class WindowViewer {
       : simulation_(scene, SimulationHost::Runs::by_itself),
         title_(title_of(scene)),
         context_([this, size = start.size] { return open(title_, size); }),
-        viewer_(simulation_, {window_->framebuffer_size(), window_->content_scale(), keep_folder,
-                              start.compared_with, true}) {
+        viewer_(simulation_,
+                {window_->framebuffer_size(), window_->content_scale(), keep_folder, start.compared_with, true}) {
     if (!record_to.empty()) {
       SessionStart actual = start;
       actual.size = window_->framebuffer_size();
@@ -58,8 +58,7 @@ class WindowViewer {
       throw_if_interrupted();
       gather_input();
       const Stopwatch laying_out;
-      SessionFrame frame =
-          viewer_.update({queue_.take_frame(), next_elapsed_s(), std::nullopt, std::nullopt});
+      SessionFrame frame = viewer_.update({queue_.take_frame(), next_elapsed_s(), std::nullopt, std::nullopt});
       panel_ms_ = laying_out.elapsed_ms();
       if (recorder_) recorder_->add(frame);
       if (const auto text = viewer_.take_clipboard()) window_->set_clipboard(*text);
@@ -86,8 +85,7 @@ class WindowViewer {
 
   // Until the next frame is due; as long as nothing moves, until something happens.
   void gather_input() {
-    const double until_due_s =
-        std::max(frame_time_s - since_frame_.elapsed_ms() / 1000.0, quality_.rest_ms() / 1000.0);
+    const double until_due_s = std::max(frame_time_s - since_frame_.elapsed_ms() / 1000.0, quality_.rest_ms() / 1000.0);
     const bool rests = viewer_.is_still();
     double left_s = rests ? rest_time_s : until_due_s;
     const Stopwatch waiting;
@@ -118,11 +116,9 @@ class WindowViewer {
     if (!viewer_.is_still()) since_change_ = Stopwatch();
     const renderer::Resized size = window_->framebuffer_size();
     const bool is_minimised = size.width_px < 1 || size.height_px < 1;
-    const bool is_best_wanted =
-        viewer_.wants_screenshot() || since_change_.elapsed_ms() > 1000.0 * until_best_s;
+    const bool is_best_wanted = viewer_.wants_screenshot() || since_change_.elapsed_ms() > 1000.0 * until_best_s;
     const std::size_t level = is_best_wanted ? 0 : quality_.level();
-    const bool is_shown =
-        context_.picture().is_drawn(viewer_.state(), viewer_.layout(), level, viewer_.overlay());
+    const bool is_shown = context_.picture().is_drawn(viewer_.state(), viewer_.layout(), level, viewer_.overlay());
     if (is_minimised || (!window_->take_damage() && is_shown && !viewer_.wants_picture())) return;
     try {
       draw(level);
@@ -136,8 +132,8 @@ class WindowViewer {
     const Stopwatch drawing;
     const bool is_urgent = viewer_.has_input() || viewer_.is_still() || viewer_.wants_screenshot();
     if (viewer_.wants_picture()) {
-      viewer_.take_picture(context_.picture().picture(0, viewer_.state(), viewer_.layout(), level,
-                                                      viewer_.letters(), viewer_.picture_overlay()));
+      viewer_.take_picture(context_.picture().picture(0, viewer_.state(), viewer_.layout(), level, viewer_.letters(),
+                                                      viewer_.picture_overlay()));
     }
     context_.picture().draw(0, viewer_.state(), viewer_.layout(), level, viewer_.letters(), viewer_.overlay(),
                             is_urgent);
@@ -190,8 +186,8 @@ class WindowViewer {
 
 }  // namespace
 
-void view_in_window(const DrawnScene& scene, const SessionStart& start,
-                    const std::filesystem::path& keep_folder, const std::filesystem::path& record_to) {
+void view_in_window(const DrawnScene& scene, const SessionStart& start, const std::filesystem::path& keep_folder,
+                    const std::filesystem::path& record_to) {
   WindowViewer session(scene, start, keep_folder, record_to);
   session.run();
 }

@@ -44,10 +44,9 @@ struct EglLibrary {
   unsigned (*initialize)(Handle display, std::int32_t* major, std::int32_t* minor) = nullptr;
   unsigned (*terminate)(Handle display) = nullptr;
   unsigned (*bind_api)(unsigned api) = nullptr;
-  unsigned (*choose_config)(Handle display, const std::int32_t* attributes, Handle* configs,
-                            std::int32_t capacity, std::int32_t* count) = nullptr;
-  Handle (*create_context)(Handle display, Handle config, Handle share,
-                           const std::int32_t* attributes) = nullptr;
+  unsigned (*choose_config)(Handle display, const std::int32_t* attributes, Handle* configs, std::int32_t capacity,
+                            std::int32_t* count) = nullptr;
+  Handle (*create_context)(Handle display, Handle config, Handle share, const std::int32_t* attributes) = nullptr;
   unsigned (*destroy_context)(Handle display, Handle context) = nullptr;
   unsigned (*make_current)(Handle display, Handle draw, Handle read, Handle context) = nullptr;
   Procedure (*lookup)(const char* name) = nullptr;
@@ -90,8 +89,7 @@ class EglContext final : public Context {
 
   void make_current() override {
     // The API is a setting of the thread, not of the context.
-    if (library_.bind_api(egl_opengl_api) == 0 ||
-        library_.make_current(display_, nullptr, nullptr, handle_) == 0) {
+    if (library_.bind_api(egl_opengl_api) == 0 || library_.make_current(display_, nullptr, nullptr, handle_) == 0) {
       throw ContextError("eglMakeCurrent failed");
     }
   }
@@ -100,8 +98,8 @@ class EglContext final : public Context {
 
  private:
   void create() {
-    const std::array<std::int32_t, 5> config_attributes{egl_surface_type, 0, egl_renderable_type,
-                                                        egl_opengl_bit, egl_none};
+    const std::array<std::int32_t, 5> config_attributes{egl_surface_type, 0, egl_renderable_type, egl_opengl_bit,
+                                                        egl_none};
     const std::array<std::int32_t, 7> context_attributes{
         egl_context_major_version,    3,       egl_context_minor_version, 3, egl_context_profile_mask,
         egl_context_core_profile_bit, egl_none};
@@ -218,8 +216,7 @@ Context::Context() : table_(new GladGLContext{}, [](GladGLContext* gl) { delete 
 void Context::load(Lookup lookup) {
   const int version = gladLoadGLContext(table_.get(), lookup);
   if (version < GLAD_MAKE_VERSION(3, 3)) {
-    throw ContextError("OpenGL 3.3 is needed, this context has " +
-                       std::to_string(GLAD_VERSION_MAJOR(version)) + "." +
+    throw ContextError("OpenGL 3.3 is needed, this context has " + std::to_string(GLAD_VERSION_MAJOR(version)) + "." +
                        std::to_string(GLAD_VERSION_MINOR(version)));
   }
   renderer_ = gl_string(*table_, GL_RENDERER);

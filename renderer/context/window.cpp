@@ -106,18 +106,15 @@ class GlfwWindow final : public Window {
       const int named = is_keypad_digit ? key - GLFW_KEY_KP_0 + '0' : key;
       if (key != GLFW_KEY_UNKNOWN) note(window, KeyChanged{named, action != GLFW_RELEASE});
     });
-    glfwSetCharCallback(handle_,
-                        [](GLFWwindow* window, unsigned character) { note(window, TextTyped{character}); });
-    glfwSetCursorPosCallback(
-        handle_, [](GLFWwindow* window, double x, double y) { note(window, moved(window, x, y)); });
+    glfwSetCharCallback(handle_, [](GLFWwindow* window, unsigned character) { note(window, TextTyped{character}); });
+    glfwSetCursorPosCallback(handle_,
+                             [](GLFWwindow* window, double x, double y) { note(window, moved(window, x, y)); });
     glfwSetMouseButtonCallback(handle_, [](GLFWwindow* window, int button, int action, int) {
       if (button <= GLFW_MOUSE_BUTTON_MIDDLE) {
         note(window, ButtonChanged{static_cast<PointerButton>(button), action == GLFW_PRESS});
       }
     });
-    glfwSetScrollCallback(handle_, [](GLFWwindow* window, double x, double y) {
-      note(window, WheelTurned{x, y});
-    });
+    glfwSetScrollCallback(handle_, [](GLFWwindow* window, double x, double y) { note(window, WheelTurned{x, y}); });
     glfwSetDropCallback(handle_, [](GLFWwindow* window, int count, const char** paths) {
       for (int i = 0; i < count; ++i) note(window, FileDropped{paths[i]});
     });
@@ -140,8 +137,6 @@ class GlfwWindow final : public Window {
 
 }  // namespace
 
-std::unique_ptr<Window> open_window(const WindowSettings& settings) {
-  return std::make_unique<GlfwWindow>(settings);
-}
+std::unique_ptr<Window> open_window(const WindowSettings& settings) { return std::make_unique<GlfwWindow>(settings); }
 
 }  // namespace taut::renderer

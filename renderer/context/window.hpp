@@ -100,8 +100,8 @@ struct ScaleChanged {
 };
 
 /// One event of a window.
-using WindowEvent = std::variant<KeyChanged, TextTyped, PointerMoved, ButtonChanged, WheelTurned, FileDropped,
-                                 Resized, ScaleChanged>;
+using WindowEvent =
+    std::variant<KeyChanged, TextTyped, PointerMoved, ButtonChanged, WheelTurned, FileDropped, Resized, ScaleChanged>;
 
 /// Title and first size of a window.
 struct WindowSettings {

@@ -85,8 +85,7 @@ void set_rays(FrameBlock& block, const Camera& camera, const PictureSettings& se
   const float half_height = std::tan(0.5F * camera.vertical_fov_rad);
   const float pixel = 2.0F * half_height / static_cast<float>(settings.height_px);
   const auto left = static_cast<float>(tile.x_px) - 0.5F * static_cast<float>(settings.width_px);
-  const auto bottom =
-      0.5F * static_cast<float>(settings.height_px) - static_cast<float>(tile.y_px + tile.height_px);
+  const auto bottom = 0.5F * static_cast<float>(settings.height_px) - static_cast<float>(tile.y_px + tile.height_px);
   const float drawn_pixel = pixel / static_cast<float>(settings.supersampling);
   block.ray_corner = glm::vec4{axes * glm::vec3{pixel * left, pixel * bottom, -1.0F}, 0.0F};
   block.ray_across = glm::vec4{drawn_pixel * axes[0], 0.0F};
@@ -112,10 +111,9 @@ FrameBlock make_frame_block(const FrameView& frame, const PictureSettings& setti
   block.towards_rim = light(lighting.towards_rim, lighting.rim);
   const Backdrop& backdrop = frame.backdrop;
   const Colour white{1.0F};
-  block.upper_colour =
-      glm::vec4{linear_light(backdrop.transparent ? white : backdrop.upper_colour), lighting.ambient};
-  block.lower_colour = glm::vec4{linear_light(backdrop.transparent ? white : backdrop.lower_colour),
-                                 backdrop.plain ? 1.0F : 0.0F};
+  block.upper_colour = glm::vec4{linear_light(backdrop.transparent ? white : backdrop.upper_colour), lighting.ambient};
+  block.lower_colour =
+      glm::vec4{linear_light(backdrop.transparent ? white : backdrop.lower_colour), backdrop.plain ? 1.0F : 0.0F};
   float most_bulge_m = 0.0F;
   for (const SurfaceView& surface : frame.surfaces) {
     if (surface.refinement) most_bulge_m = std::max(most_bulge_m, surface.refinement->most_bulge_m);
@@ -125,9 +123,9 @@ FrameBlock make_frame_block(const FrameView& frame, const PictureSettings& setti
   // The backdrop's gradient starts at the middle of the picture, wherever the camera points.
   const glm::vec3 forward = glm::normalize(frame.camera.target - frame.camera.eye);
   const float pitch = std::asin(std::clamp(forward.y, -1.0F, 1.0F));
-  block.backdrop_horizon = {
-      std::sin(pitch), std::sin(std::min(pitch + gradient_extent * frame.camera.vertical_fov_rad, 1.57F)),
-      backdrop.transparent ? 1.0F : 0.0F, 0.0F};
+  block.backdrop_horizon = {std::sin(pitch),
+                            std::sin(std::min(pitch + gradient_extent * frame.camera.vertical_fov_rad, 1.57F)),
+                            backdrop.transparent ? 1.0F : 0.0F, 0.0F};
   return block;
 }
 
@@ -147,16 +145,14 @@ void set_shadow_bounds(FrameBlock& block, std::span<const SurfaceView* const> ca
 void set_tile(FrameBlock& block, const Camera& camera, const PictureSettings& settings, const Tile& tile) {
   block.world_to_clip = tile_of_clip(settings, tile) * camera.projection(aspect_of(settings)) * camera.view();
   const auto scale = static_cast<float>(settings.supersampling);
-  block.viewport = {static_cast<float>(tile.width_px) * scale, static_cast<float>(tile.height_px) * scale,
-                    scale, 0.0F};
+  block.viewport = {static_cast<float>(tile.width_px) * scale, static_cast<float>(tile.height_px) * scale, scale, 0.0F};
   set_rays(block, camera, settings, tile);
 }
 
 glm::mat4 world_to_unit_cube(const Box& box, const glm::vec3& towards) {
   const float radius = radius_of(box) * 1.001F;
   const glm::vec3 middle = middle_of(box);
-  const glm::vec3 up =
-      std::abs(towards.y) < 0.99F ? glm::vec3{0.0F, 1.0F, 0.0F} : glm::vec3{0.0F, 0.0F, 1.0F};
+  const glm::vec3 up = std::abs(towards.y) < 0.99F ? glm::vec3{0.0F, 1.0F, 0.0F} : glm::vec3{0.0F, 0.0F, 1.0F};
   const glm::mat4 view = glm::lookAt(middle + towards * radius, middle, up);
   const glm::mat4 clip = glm::ortho(-radius, radius, -radius, radius, 0.0F, 2.0F * radius);
   const glm::mat4 halved = glm::translate(glm::mat4{1.0F}, glm::vec3{0.5F});

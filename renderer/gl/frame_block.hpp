@@ -49,8 +49,7 @@ int shadow_map_side(const PictureSettings& settings);
 
 /// Returns the block but for shadow_bounds and what depends on the tile. `casters`: the box around all shadow
 /// casters, metres; none when there are none.
-FrameBlock make_frame_block(const FrameView& frame, const PictureSettings& settings,
-                            const std::optional<Box>& casters);
+FrameBlock make_frame_block(const FrameView& frame, const PictureSettings& settings, const std::optional<Box>& casters);
 
 /// Sets shadow_bounds to the bounds of the casters in the shadow map.
 void set_shadow_bounds(FrameBlock& block, std::span<const SurfaceView* const> casters);

@@ -42,8 +42,7 @@ std::string with_file_name(const std::string& log, std::string_view name) {
   return out;
 }
 
-template <typename GetValue, typename GetLog>
-std::string info_log(GLuint object, GetValue get_value, GetLog get_log) {
+template <typename GetValue, typename GetLog> std::string info_log(GLuint object, GetValue get_value, GetLog get_log) {
   GLint length = 0;
   get_value(object, GL_INFO_LOG_LENGTH, &length);
   std::string log(static_cast<std::size_t>(std::max(length, 1)), '\0');
@@ -86,13 +85,12 @@ struct Stage {
 
 }  // namespace
 
-void set_attribute(const GladGLContext& gl, GLuint location, const Buffer& buffer, int components,
-                   int stride_floats, int offset_floats, GLuint divisor) {
+void set_attribute(const GladGLContext& gl, GLuint location, const Buffer& buffer, int components, int stride_floats,
+                   int offset_floats, GLuint divisor) {
   gl.BindBuffer(GL_ARRAY_BUFFER, buffer.name());
   gl.EnableVertexAttribArray(location);
   const auto offset = static_cast<std::uintptr_t>(offset_floats) * sizeof(float);
-  gl.VertexAttribPointer(location, components, GL_FLOAT, GL_FALSE,
-                         stride_floats * static_cast<GLsizei>(sizeof(float)),
+  gl.VertexAttribPointer(location, components, GL_FLOAT, GL_FALSE, stride_floats * static_cast<GLsizei>(sizeof(float)),
                          reinterpret_cast<const void*>(offset));
   gl.VertexAttribDivisor(location, divisor);
 }
@@ -136,9 +134,8 @@ void check_framebuffer(const GladGLContext& gl, const char* stage) {
   }
 }
 
-Program::Program(const GladGLContext& context, std::span<const ShaderFile> files,
-                 std::string_view vertex_file, std::string_view fragment_file,
-                 std::span<const std::string_view> defines)
+Program::Program(const GladGLContext& context, std::span<const ShaderFile> files, std::string_view vertex_file,
+                 std::string_view fragment_file, std::span<const std::string_view> defines)
     : gl_(&context) {
   std::string define_lines;
   for (const std::string_view define : defines) define_lines += "#define " + std::string(define) + "\n";

@@ -47,8 +47,8 @@ void upload(const GladGLContext& gl, GLenum target, const Buffer& buffer, std::s
 
 /// Sets a float attribute of the bound vertex array. Stride and offset are in floats. divisor 1: one value
 /// per instance instead of per vertex.
-void set_attribute(const GladGLContext& gl, GLuint location, const Buffer& buffer, int components,
-                   int stride_floats, int offset_floats, GLuint divisor = 0);
+void set_attribute(const GladGLContext& gl, GLuint location, const Buffer& buffer, int components, int stride_floats,
+                   int offset_floats, GLuint divisor = 0);
 
 /// Binds a texture to a texture unit, which becomes the active one.
 void bind_texture(const GladGLContext& gl, unsigned unit, GLenum target, const Texture& texture);

@@ -9,8 +9,8 @@ Image read_pixels(const GladGLContext& gl, GLuint framebuffer, const Image& size
   Image image = make_image(size.width_px, size.height_px, size.channels);
   gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer);
   gl.PixelStorei(GL_PACK_ALIGNMENT, 1);
-  gl.ReadPixels(0, 0, image.width_px, image.height_px, image.channels == 4 ? GL_RGBA : GL_RGB,
-                GL_UNSIGNED_BYTE, image.pixels.data());
+  gl.ReadPixels(0, 0, image.width_px, image.height_px, image.channels == 4 ? GL_RGBA : GL_RGB, GL_UNSIGNED_BYTE,
+                image.pixels.data());
   check_errors(gl, "reading the picture");
   // OpenGL's first row is the lowest.
   const std::ptrdiff_t row_bytes = static_cast<std::ptrdiff_t>(image.width_px) * image.channels;
@@ -29,8 +29,7 @@ std::array<float, 256> linear_of_bytes() {
 // Only pixels at outlines are between.
 void divide_by_alpha(Image& image) {
   const std::array<float, 256> linear = linear_of_bytes();
-  for (std::uint8_t* pixel = image.pixels.data(); pixel != image.pixels.data() + image.pixels.size();
-       pixel += 4) {
+  for (std::uint8_t* pixel = image.pixels.data(); pixel != image.pixels.data() + image.pixels.size(); pixel += 4) {
     if (pixel[3] == 0 || pixel[3] == 255) continue;
     for (int i = 0; i < 3; ++i) {
       const float colour = linear[pixel[i]] * 255.0F / static_cast<float>(pixel[3]);
@@ -77,8 +76,8 @@ void VisibilityBuffer::allocate_texture(const Texture& texture, GLenum format) c
   const bool whole_numbers = format == GL_R32UI;
   gl_->BindTexture(GL_TEXTURE_2D, texture.name());
   gl_->TexImage2D(GL_TEXTURE_2D, 0, static_cast<GLint>(format), width_px_, height_px_, 0,
-                  whole_numbers ? GL_RED_INTEGER : GL_RGBA,
-                  whole_numbers ? GL_UNSIGNED_INT : GL_UNSIGNED_BYTE, nullptr);
+                  whole_numbers ? GL_RED_INTEGER : GL_RGBA, whole_numbers ? GL_UNSIGNED_INT : GL_UNSIGNED_BYTE,
+                  nullptr);
   set_sampling(*gl_, GL_TEXTURE_2D, GL_NEAREST);
 }
 
@@ -91,8 +90,8 @@ void VisibilityBuffer::allocate(int width_px, int height_px, int samples) {
   depth_.emplace(*gl_);
   allocate_texture(*triangle_ids_, GL_R32UI);
   gl_->BindRenderbuffer(GL_RENDERBUFFER, depth_->name());
-  gl_->RenderbufferStorageMultisample(GL_RENDERBUFFER, samples > 1 ? samples : 0, GL_DEPTH_COMPONENT24,
-                                      width_px, height_px);
+  gl_->RenderbufferStorageMultisample(GL_RENDERBUFFER, samples > 1 ? samples : 0, GL_DEPTH_COMPONENT24, width_px,
+                                      height_px);
   const GLenum target = samples > 1 ? GL_TEXTURE_2D_MULTISAMPLE : GL_TEXTURE_2D;
   gl_->BindFramebuffer(GL_FRAMEBUFFER, triangle_framebuffer_.name());
   gl_->FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, target, triangle_ids_->name(), 0);
@@ -112,8 +111,7 @@ void VisibilityBuffer::ask_sample_places() {
 }
 
 void VisibilityBuffer::bind() const {
-  bind_texture(*gl_, visibility_unit, samples_ > 1 ? GL_TEXTURE_2D_MULTISAMPLE : GL_TEXTURE_2D,
-               *triangle_ids_);
+  bind_texture(*gl_, visibility_unit, samples_ > 1 ? GL_TEXTURE_2D_MULTISAMPLE : GL_TEXTURE_2D, *triangle_ids_);
 }
 
 void VisibilityBuffer::begin_marks() {
@@ -149,8 +147,8 @@ void PictureTarget::allocate(int width_px, int height_px) {
   width_px_ = height_px_ = 0;
   colour_.emplace(*gl_);
   bind_texture(*gl_, drawn_unit, GL_TEXTURE_2D, *colour_);
-  gl_->TexImage2D(GL_TEXTURE_2D, 0, static_cast<GLint>(format_), width_px, height_px, 0, GL_RGBA,
-                  GL_UNSIGNED_BYTE, nullptr);
+  gl_->TexImage2D(GL_TEXTURE_2D, 0, static_cast<GLint>(format_), width_px, height_px, 0, GL_RGBA, GL_UNSIGNED_BYTE,
+                  nullptr);
   gl_->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
   gl_->BindFramebuffer(GL_FRAMEBUFFER, finished_.name());
   gl_->FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, colour_->name(), 0);
@@ -178,8 +176,8 @@ void PictureTarget::show(GLuint target, int width_px, int height_px, int left_px
   const bool is_same_size = width_px == width_px_ && height_px == height_px_;
   gl_->BindFramebuffer(GL_READ_FRAMEBUFFER, finished_.name());
   gl_->BindFramebuffer(GL_DRAW_FRAMEBUFFER, target);
-  gl_->BlitFramebuffer(0, 0, width_px_, height_px_, left_px, 0, left_px + width_px, height_px,
-                       GL_COLOR_BUFFER_BIT, is_same_size ? GL_NEAREST : GL_LINEAR);
+  gl_->BlitFramebuffer(0, 0, width_px_, height_px_, left_px, 0, left_px + width_px, height_px, GL_COLOR_BUFFER_BIT,
+                       is_same_size ? GL_NEAREST : GL_LINEAR);
   gl_->BindFramebuffer(GL_FRAMEBUFFER, target);
 }
 
@@ -225,8 +223,8 @@ void ColourTarget::copy_part_to(unsigned framebuffer, int x_px, int y_px, int wi
   gl.Disable(GL_SCISSOR_TEST);
   gl.BindFramebuffer(GL_READ_FRAMEBUFFER, parts_->picture.framebuffer());
   gl.BindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer);
-  gl.BlitFramebuffer(x_px, y_px, x_px + width_px, y_px + height_px, x_px, y_px, x_px + width_px,
-                     y_px + height_px, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+  gl.BlitFramebuffer(x_px, y_px, x_px + width_px, y_px + height_px, x_px, y_px, x_px + width_px, y_px + height_px,
+                     GL_COLOR_BUFFER_BIT, GL_NEAREST);
   gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer);
   check_errors(gl, "copying a picture");
 }

@@ -159,9 +159,7 @@ void ShadowClassifier::find_shadow_edges(std::span<const std::uint32_t> triangle
   std::ranges::fill(touched_, std::uint8_t{0});
   for (std::size_t i = 0; i < triangles.size(); ++i) {
     const KeyVisibility own = visibility[i / 3];
-    touched_[triangles[i]] |= own == KeyVisibility::shadowed ? by_shadow
-                              : own == KeyVisibility::lit    ? by_light
-                                                             : 3;
+    touched_[triangles[i]] |= own == KeyVisibility::shadowed ? by_shadow : own == KeyVisibility::lit ? by_light : 3;
   }
   std::ranges::fill(reaches_m_, 0.0F);
   for (std::size_t i = 0; i < triangles.size(); ++i) {

@@ -76,8 +76,7 @@ class ShadowClassifier {
 
   Sight sight_of(Corners corners) const;
   void compare(const SurfaceView& surface, std::vector<KeyVisibility>& visibility);
-  void find_shadow_edges(std::span<const std::uint32_t> triangles,
-                         const std::vector<KeyVisibility>& visibility);
+  void find_shadow_edges(std::span<const std::uint32_t> triangles, const std::vector<KeyVisibility>& visibility);
   void spread(const SurfaceView& surface);
   float penumbra_m(float gap) const;
 

@@ -121,8 +121,7 @@ MapArea united(const MapArea& a, const MapArea& b) {
 
 }  // namespace
 
-void SkyLight::draw_maps(std::span<const SurfaceView* const> casters, const std::optional<Box>& box,
-                         int directions) {
+void SkyLight::draw_maps(std::span<const SurfaceView* const> casters, const std::optional<Box>& box, int directions) {
   pairs_.resize(box ? static_cast<std::size_t>((directions + 1) / 2) : 0);
   if (pairs_.empty()) return;
   const auto count = static_cast<int>(pairs_.size());
@@ -150,8 +149,7 @@ void SkyLight::draw(Pair& pair, std::span<const SurfaceView* const> casters) {
       rasterise_triangle(a, b, c, map_px, [&](const TriangleSpan& span) {
         const int row = span.row * map_px;
         for (int column = span.first; column <= span.last; ++column) {
-          const float depth =
-              std::clamp(span.depth + span.depth_step * static_cast<float>(column), least, greatest);
+          const float depth = std::clamp(span.depth + span.depth_step * static_cast<float>(column), least, greatest);
           const auto texel = static_cast<std::size_t>(row + column);
           pair.nearest[texel] = std::min(pair.nearest[texel], depth);
           pair.farthest[texel] = std::max(pair.farthest[texel], depth);
@@ -174,8 +172,7 @@ void SkyLight::gather(const SurfaceView& surface, std::vector<glm::vec2>& light)
 }
 
 // Each direction lights one side, and starts from that side.
-void SkyLight::gather_pair(const Pair& pair, const SurfaceView& surface,
-                           std::vector<glm::vec2>& light) const {
+void SkyLight::gather_pair(const Pair& pair, const SurfaceView& surface, std::vector<glm::vec2>& light) const {
   const glm::mat4 to_map = pair.world_to_map;
   for (std::size_t i = 0; i < light.size(); ++i) {
     const glm::vec3& normal = surface.normals[i];
@@ -222,8 +219,8 @@ float SkyLight::floor_blocked(const glm::vec2& middle_px, float radius_px) const
     const float far = glm::mix(corner[map_px + 1], corner[map_px + 2], part.x);
     return glm::mix(near, far, part.y);
   };
-  const float sum = sum_to(upper.x, upper.y) - sum_to(lower.x, upper.y) - sum_to(upper.x, lower.y) +
-                    sum_to(lower.x, lower.y);
+  const float sum =
+      sum_to(upper.x, upper.y) - sum_to(lower.x, upper.y) - sum_to(upper.x, lower.y) + sum_to(lower.x, lower.y);
   return sum / (4.0F * radius_px * radius_px);
 }
 
@@ -243,8 +240,8 @@ void SkyLight::gather_floor(const glm::vec4& area, float height_m, std::vector<f
       const glm::vec2 spot = glm::vec2{area} + place / glm::vec2{area.z, area.w};
       const glm::vec3 seen{pair.world_to_map * glm::vec4{spot.x, height_m + 0.5F * lift_m_, spot.y, 1.0F}};
       const float texel = 1.0F / static_cast<float>(map_px);
-      const float radius = std::clamp(floor_blur * cone_tangent_ * (seen.z - 0.5F),
-                                      narrowest_blur_texels * texel, widest_blur);
+      const float radius =
+          std::clamp(floor_blur * cone_tangent_ * (seen.z - 0.5F), narrowest_blur_texels * texel, widest_blur);
       const float blocked = floor_blocked(glm::vec2{seen} / texel, radius / texel);
       light[i] += weight * (1.0F - blocked);
     }
@@ -311,8 +308,8 @@ void StudioLight::upload_shadow_map() {
   const int side_px = shadow_map_.side_px();
   bind_texture(*gl_, shadow_depth_unit, GL_TEXTURE_2D, shadow_texture_);
   if (allocated_px_ != side_px) {
-    gl_->TexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT32F, side_px, side_px, 0, GL_DEPTH_COMPONENT,
-                    GL_FLOAT, nullptr);
+    gl_->TexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT32F, side_px, side_px, 0, GL_DEPTH_COMPONENT, GL_FLOAT,
+                    nullptr);
     gl_->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
     allocated_px_ = side_px;
     uploaded_ = {glm::ivec2{0}, glm::ivec2{side_px}};
@@ -321,9 +318,8 @@ void StudioLight::upload_shadow_map() {
   const glm::ivec2 size_px = changed.upper - changed.lower;
   gl_->PixelStorei(GL_UNPACK_ALIGNMENT, 4);
   gl_->PixelStorei(GL_UNPACK_ROW_LENGTH, side_px);
-  gl_->TexSubImage2D(GL_TEXTURE_2D, 0, changed.lower.x, changed.lower.y, size_px.x, size_px.y,
-                     GL_DEPTH_COMPONENT, GL_FLOAT,
-                     shadow_map_.depths().data() + changed.lower.y * side_px + changed.lower.x);
+  gl_->TexSubImage2D(GL_TEXTURE_2D, 0, changed.lower.x, changed.lower.y, size_px.x, size_px.y, GL_DEPTH_COMPONENT,
+                     GL_FLOAT, shadow_map_.depths().data() + changed.lower.y * side_px + changed.lower.x);
   gl_->PixelStorei(GL_UNPACK_ROW_LENGTH, 0);
   uploaded_ = shadow_map_.drawn();
 }

@@ -39,8 +39,7 @@ struct Between {
 
 // Between the last and the first pixel too: maps are repeated.
 Between between(int place, int places, int pixels) {
-  const float at =
-      (static_cast<float>(place) + 0.5F) * static_cast<float>(pixels) / static_cast<float>(places) - 0.5F;
+  const float at = (static_cast<float>(place) + 0.5F) * static_cast<float>(pixels) / static_cast<float>(places) - 0.5F;
   const int below = static_cast<int>(std::floor(at));
   return {static_cast<std::size_t>((below + pixels) % pixels), static_cast<std::size_t>((below + 1) % pixels),
           at - static_cast<float>(below)};
@@ -57,10 +56,8 @@ Bytes enlarged(const Bytes& from, const BaseColourMap& map, int width_px, int he
         const auto at = [&](std::size_t row, std::size_t column) {
           return static_cast<float>(from[4 * (row * static_cast<std::size_t>(map.width_px) + column) + k]);
         };
-        const float upper =
-            std::lerp(at(rows.first, columns.first), at(rows.first, columns.second), columns.share);
-        const float lower =
-            std::lerp(at(rows.second, columns.first), at(rows.second, columns.second), columns.share);
+        const float upper = std::lerp(at(rows.first, columns.first), at(rows.first, columns.second), columns.share);
+        const float lower = std::lerp(at(rows.second, columns.first), at(rows.second, columns.second), columns.share);
         bytes.push_back(static_cast<std::uint8_t>(std::lerp(upper, lower, rows.share) + 0.5F));
       }
     }
@@ -75,8 +72,7 @@ constexpr std::array rows{ColourMap::viridis, ColourMap::blue_orange};
 std::vector<std::uint8_t> texels() {
   std::vector<std::uint8_t> bytes(3 * texels_of_map * rows.size());
   for (const ColourMap map : rows) {
-    auto byte =
-        bytes.begin() + static_cast<std::ptrdiff_t>(3 * texels_of_map * ColourMapTexture::row_of(map));
+    auto byte = bytes.begin() + static_cast<std::ptrdiff_t>(3 * texels_of_map * ColourMapTexture::row_of(map));
     for (int i = 0; i < texels_of_map; ++i) {
       const Colour colour = colour_at(map, static_cast<float>(i) / static_cast<float>(texels_of_map - 1));
       for (int k = 0; k < 3; ++k) *byte++ = static_cast<std::uint8_t>(colour[k] * 255.0F + 0.5F);
@@ -123,16 +119,15 @@ void BaseColourMapTexture::upload() {
     height_px = std::max(height_px, map.height_px);
   }
   gl_->PixelStorei(GL_UNPACK_ALIGNMENT, 1);
-  gl_->TexImage3D(GL_TEXTURE_2D_ARRAY, 0, GL_SRGB8_ALPHA8, width_px, height_px,
-                  static_cast<GLsizei>(maps_.size()), 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
+  gl_->TexImage3D(GL_TEXTURE_2D_ARRAY, 0, GL_SRGB8_ALPHA8, width_px, height_px, static_cast<GLsizei>(maps_.size()), 0,
+                  GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
   const Products products = make_products();
   for (std::size_t layer = 0; layer < maps_.size(); ++layer) {
     const BaseColourMap& map = maps_[layer];
     Bytes bytes = premultiplied(map, products);
-    if (map.width_px != width_px || map.height_px != height_px)
-      bytes = enlarged(bytes, map, width_px, height_px);
-    gl_->TexSubImage3D(GL_TEXTURE_2D_ARRAY, 0, 0, 0, static_cast<GLint>(layer), width_px, height_px, 1,
-                       GL_RGBA, GL_UNSIGNED_BYTE, bytes.data());
+    if (map.width_px != width_px || map.height_px != height_px) bytes = enlarged(bytes, map, width_px, height_px);
+    gl_->TexSubImage3D(GL_TEXTURE_2D_ARRAY, 0, 0, 0, static_cast<GLint>(layer), width_px, height_px, 1, GL_RGBA,
+                       GL_UNSIGNED_BYTE, bytes.data());
   }
   // Between levels too, which repeat as a new texture does.
   gl_->GenerateMipmap(GL_TEXTURE_2D_ARRAY);
@@ -188,8 +183,7 @@ void SurfaceBuffers::add_materials(const SurfaceView& surface, float row, BaseCo
   const SurfaceStyle& style = surface.style;
   const float weave = surface.material_coordinates.empty() ? 0.0F : style.weave;
   const auto add_one = [&](const BaseColour& colour) {
-    const float layer =
-        surface.scalars || !colour.map.rgba ? -1.0F : static_cast<float>(maps.layer_of(colour.map));
+    const float layer = surface.scalars || !colour.map.rgba ? -1.0F : static_cast<float>(maps.layer_of(colour.map));
     materials_.push_back({{linear_light(colour.outside_colour), std::clamp(style.roughness, 0.05F, 1.0F)},
                           {linear_light(colour.inside_colour), style.sheen},
                           {style.translucency, weave, row, layer},
@@ -224,8 +218,7 @@ void SurfaceBuffers::add(const SurfaceView& surface, const SurfaceLight& light, 
   }
   const std::size_t first_triangle = triangles_.size();
   for (std::size_t i = 0; i + 2 < surface.triangles.size(); i += 3) {
-    const std::uint32_t colour =
-        surface.base_colour_of_triangle.empty() ? 0 : surface.base_colour_of_triangle[i / 3];
+    const std::uint32_t colour = surface.base_colour_of_triangle.empty() ? 0 : surface.base_colour_of_triangle[i / 3];
     triangles_.emplace_back(first + surface.triangles[i], first + surface.triangles[i + 1],
                             first + surface.triangles[i + 2],
                             (own + colour) * surface_unit + static_cast<std::uint32_t>(light.key[i / 3]));
@@ -233,8 +226,7 @@ void SurfaceBuffers::add(const SurfaceView& surface, const SurfaceLight& light, 
   for (const TrimmedTriangle& trim : surface.trims) {
     if (trims_.size() >= most_trims) break;
     triangles_[first_triangle + trim.triangle].w += static_cast<std::uint32_t>(trims_.size()) * trim_unit;
-    trims_.push_back(
-        {trim.corners, {trim.band_m, trim.ribbed ? 1.0F : 0.0F, trim.thickness_m, trim.stitch_m}});
+    trims_.push_back({trim.corners, {trim.band_m, trim.ribbed ? 1.0F : 0.0F, trim.thickness_m, trim.stitch_m}});
   }
   add_materials(surface, surface.scalars ? static_cast<float>(colour_map_row) : -1.0F, maps);
 }

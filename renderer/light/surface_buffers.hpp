@@ -72,8 +72,7 @@ class SurfaceBuffers {
   void clear();
   /// Adds a surface with its light. `colour_map_row`: row of its colour map in ColourMapTexture; ignored
   /// without scalars. `maps` is asked for the layers of its base colour maps.
-  void add(const SurfaceView& surface, const SurfaceLight& light, int colour_map_row,
-           BaseColourMapTexture& maps);
+  void add(const SurfaceView& surface, const SurfaceLight& light, int colour_map_row, BaseColourMapTexture& maps);
   /// Uploads all surfaces. Throws ContextError when they exceed the context's largest buffer texture.
   void upload();
 
@@ -159,14 +158,11 @@ inline RowCut row_cut(const glm::vec3& from, const glm::vec3& to, bool counter_c
 /// depth. The winding does not matter. Neighbours may share pixels on their edge, but never leave a gap.
 /// Spans are clipped to the square, also for corners that are not finite.
 template <typename Fill>
-void rasterise_triangle(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c, int side_px,
-                        Fill&& fill) {
+void rasterise_triangle(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c, int side_px, Fill&& fill) {
   // A hair to spare on every side, px.
   constexpr float spare = 1e-3F;
   const auto first_centre = [side_px](float edge) { return whole_within(edge + 0.5F - spare, 0, side_px); };
-  const auto last_centre = [side_px](float edge) {
-    return whole_within(edge + 0.5F + spare, 0, side_px) - 1;
-  };
+  const auto last_centre = [side_px](float edge) { return whole_within(edge + 0.5F + spare, 0, side_px) - 1; };
   const int first_row = first_centre(std::min({a.y, b.y, c.y}));
   const int last_row = last_centre(std::max({a.y, b.y, c.y}));
   const float leftmost = std::min({a.x, b.x, c.x});

@@ -27,8 +27,8 @@ SurfaceHandle checked(cairo_surface_t* made) {
 // Cairo keeps pixels as native 32-bit words, alpha highest.
 SurfaceHandle to_cairo(const Image& image) {
   const bool has_alpha = image.channels == 4;
-  SurfaceHandle surface = checked(cairo_image_surface_create(
-      has_alpha ? CAIRO_FORMAT_ARGB32 : CAIRO_FORMAT_RGB24, image.width_px, image.height_px));
+  SurfaceHandle surface = checked(cairo_image_surface_create(has_alpha ? CAIRO_FORMAT_ARGB32 : CAIRO_FORMAT_RGB24,
+                                                             image.width_px, image.height_px));
   cairo_surface_flush(surface.get());
   unsigned char* data = cairo_image_surface_get_data(surface.get());
   const int stride = cairo_image_surface_get_stride(surface.get());
@@ -47,8 +47,8 @@ Image from_cairo(cairo_surface_t* surface) {
   const unsigned char* data = cairo_image_surface_get_data(surface);
   const int stride = cairo_image_surface_get_stride(surface);
   const bool has_alpha = cairo_image_surface_get_format(surface) == CAIRO_FORMAT_ARGB32;
-  Image image = make_image(cairo_image_surface_get_width(surface), cairo_image_surface_get_height(surface),
-                           has_alpha ? 4 : 3);
+  Image image =
+      make_image(cairo_image_surface_get_width(surface), cairo_image_surface_get_height(surface), has_alpha ? 4 : 3);
   for (int y = 0; y < image.height_px; ++y) {
     for (int x = 0; x < image.width_px; ++x) {
       std::uint32_t word = 0;
@@ -182,8 +182,8 @@ Canvas Canvas::pdf(int width_px, int height_px, float pixels_per_inch, const std
   made->height_px = height_px;
   const double points_per_px = 72.0 / static_cast<double>(pixels_per_inch);
   made->scale = static_cast<float>(points_per_px);
-  made->surface = checked(cairo_pdf_surface_create_for_stream(
-      append_bytes, &made->pdf_bytes, width_px * points_per_px, height_px * points_per_px));
+  made->surface = checked(cairo_pdf_surface_create_for_stream(append_bytes, &made->pdf_bytes, width_px * points_per_px,
+                                                              height_px * points_per_px));
   cairo_pdf_surface_set_metadata(made->surface.get(), CAIRO_PDF_METADATA_TITLE, title.c_str());
   // Otherwise the time of day gets into the file, and no two are alike.
   cairo_pdf_surface_set_metadata(made->surface.get(), CAIRO_PDF_METADATA_CREATE_DATE, "2000-01-01T00:00:00Z");
@@ -202,8 +202,7 @@ TextSize Canvas::measure(std::string_view text, const TextStyle& style) const {
   cairo_text_extents(pen, std::string(text).c_str(), &extents);
   cairo_font_extents_t font;
   cairo_font_extents(pen, &font);
-  return {static_cast<float>(extents.x_advance), static_cast<float>(font.ascent),
-          static_cast<float>(font.descent)};
+  return {static_cast<float>(extents.x_advance), static_cast<float>(font.ascent), static_cast<float>(font.descent)};
 }
 
 void Canvas::text(float x_px, float y_px, std::string_view text, const TextStyle& style) {
@@ -227,8 +226,7 @@ void Canvas::line(float x0_px, float y0_px, float x1_px, float y1_px, Colour col
   cairo_stroke(pen);
 }
 
-void Canvas::rectangle(float x_px, float y_px, float width_px, float height_px, Colour colour,
-                       float thickness_px) {
+void Canvas::rectangle(float x_px, float y_px, float width_px, float height_px, Colour colour, float thickness_px) {
   cairo_t* pen = surface_->pen.get();
   set_colour(pen, colour);
   cairo_set_line_width(pen, thickness_px);
@@ -236,8 +234,7 @@ void Canvas::rectangle(float x_px, float y_px, float width_px, float height_px, 
   cairo_stroke(pen);
 }
 
-void Canvas::fill_rectangle(float x_px, float y_px, float width_px, float height_px, Colour colour,
-                            float opacity) {
+void Canvas::fill_rectangle(float x_px, float y_px, float width_px, float height_px, Colour colour, float opacity) {
   cairo_t* pen = surface_->pen.get();
   set_colour(pen, colour, opacity);
   cairo_rectangle(pen, x_px, y_px, width_px, height_px);
@@ -262,8 +259,7 @@ void Canvas::image(float x_px, float y_px, float width_px, float height_px, cons
   cairo_translate(pen, x_px, y_px);
   const bool as_is = surface_->has_as_many_pixels(width_px, image.width_px) &&
                      surface_->has_as_many_pixels(height_px, image.height_px);
-  cairo_scale(pen, static_cast<double>(width_px) / image.width_px,
-              static_cast<double>(height_px) / image.height_px);
+  cairo_scale(pen, static_cast<double>(width_px) / image.width_px, static_cast<double>(height_px) / image.height_px);
   cairo_set_source_surface(pen, source.get(), 0.0, 0.0);
   cairo_pattern_set_filter(cairo_get_source(pen), as_is ? CAIRO_FILTER_NEAREST : CAIRO_FILTER_BEST);
   cairo_rectangle(pen, 0.0, 0.0, image.width_px, image.height_px);

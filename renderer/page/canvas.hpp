@@ -39,8 +39,7 @@ class Canvas {
   static Canvas scaled(int width_px, int height_px, float scale);
   /// One page of a document with this title; text stays text. Throws std::runtime_error where Cairo cannot
   /// make it.
-  static Canvas pdf(int width_px, int height_px, float pixels_per_inch = 300.0F,
-                    const std::string& title = "");
+  static Canvas pdf(int width_px, int height_px, float pixels_per_inch = 300.0F, const std::string& title = "");
   ~Canvas();
   Canvas(Canvas&&) noexcept;
   Canvas& operator=(Canvas&&) noexcept;
@@ -59,11 +58,9 @@ class Canvas {
   /// Draws a line between two points; its middle runs through them.
   void line(float x0_px, float y0_px, float x1_px, float y1_px, Colour colour, float thickness_px = 1.0F);
   /// Draws the outline of a rectangle with this upper left corner, the line's middle on its border.
-  void rectangle(float x_px, float y_px, float width_px, float height_px, Colour colour,
-                 float thickness_px = 1.0F);
+  void rectangle(float x_px, float y_px, float width_px, float height_px, Colour colour, float thickness_px = 1.0F);
   /// Fills a rectangle with this upper left corner.
-  void fill_rectangle(float x_px, float y_px, float width_px, float height_px, Colour colour,
-                      float opacity = 1.0F);
+  void fill_rectangle(float x_px, float y_px, float width_px, float height_px, Colour colour, float opacity = 1.0F);
   /// Fills a circle around (x_px, y_px).
   void circle(float x_px, float y_px, float radius_px, Colour colour, float opacity = 1.0F);
   /// Draws an image at its own size, its upper left corner at (x_px, y_px).

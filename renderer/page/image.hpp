@@ -18,8 +18,7 @@ struct Image {
 
  private:
   std::size_t offset(int x_px, int y_px) const {
-    return (static_cast<std::size_t>(y_px) * static_cast<std::size_t>(width_px) +
-            static_cast<std::size_t>(x_px)) *
+    return (static_cast<std::size_t>(y_px) * static_cast<std::size_t>(width_px) + static_cast<std::size_t>(x_px)) *
            static_cast<std::size_t>(channels);
   }
 };

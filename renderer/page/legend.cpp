@@ -15,12 +15,11 @@ void draw_bar(Canvas& canvas, const Legend& legend, const LegendPlace& place) {
     const float y = static_cast<float>(row);
     const float t = 1.0F - (y + 0.5F) / place.bar_height_px;
     const float top = row == 0 ? -under_border : y;
-    canvas.fill_rectangle(place.x_px - under_border, place.y_px + top,
-                          place.bar_width_px + 2.0F * under_border, place.bar_height_px - top + under_border,
-                          colour_at(legend.map, t));
+    canvas.fill_rectangle(place.x_px - under_border, place.y_px + top, place.bar_width_px + 2.0F * under_border,
+                          place.bar_height_px - top + under_border, colour_at(legend.map, t));
   }
-  canvas.rectangle(place.x_px - 0.5F, place.y_px - 0.5F, place.bar_width_px + 1.0F,
-                   place.bar_height_px + 1.0F, place.text.colour);
+  canvas.rectangle(place.x_px - 0.5F, place.y_px - 0.5F, place.bar_width_px + 1.0F, place.bar_height_px + 1.0F,
+                   place.text.colour);
 }
 
 // A small triangle on the bar says that larger values exist and take the last colour.
@@ -30,8 +29,8 @@ void draw_arrow(Canvas& canvas, const Legend& legend, const LegendPlace& place) 
     const float half = 0.5F * place.bar_width_px * (1.0F - (y + 0.5F) / height);
     // Into the row below, which is wider, so that no seam shows between the two.
     const float depth = y > 0.0F ? 2.0F : 1.0F;
-    canvas.fill_rectangle(place.x_px + 0.5F * place.bar_width_px - half, place.y_px - 2.0F - y, 2.0F * half,
-                          depth, colour_at(legend.map, 1.0F));
+    canvas.fill_rectangle(place.x_px + 0.5F * place.bar_width_px - half, place.y_px - 2.0F - y, 2.0F * half, depth,
+                          colour_at(legend.map, 1.0F));
   }
 }
 
@@ -73,8 +72,7 @@ void draw_bound(Canvas& canvas, const Legend& legend, const Scale& scale, TextSt
   const bool on_tick = std::abs(shown / step - std::round(shown / step)) < 0.01F;
   text.bold = true;
   canvas.text(right + 9.0F, y,
-              tick_text(shown, on_tick ? step : 0.1F * step) + legend.suffix + " " + legend.bound_label,
-              text);
+              tick_text(shown, on_tick ? step : 0.1F * step) + legend.suffix + " " + legend.bound_label, text);
 }
 
 }  // namespace

@@ -10,9 +10,9 @@ struct Legend {
   float minimum = 0.0F;  ///< value at the lower end of the bar
   float maximum = 1.0F;  ///< value at the upper end; above minimum
   ColourMap map = ColourMap::viridis;
-  float factor = 1.0F;         ///< values are printed times this, e.g. 100 with suffix " %" for fractions
-  std::string suffix;          ///< printed behind every value
-  std::optional<float> bound;  ///< a value to mark on the bar, in the unit of minimum and maximum
+  float factor = 1.0F;                ///< values are printed times this, e.g. 100 with suffix " %" for fractions
+  std::string suffix;                 ///< printed behind every value
+  std::optional<float> bound;         ///< a value to mark on the bar, in the unit of minimum and maximum
   std::string bound_label = "bound";  ///< printed next to the mark
   bool more_above = false;            ///< draws an arrow head: some values are above maximum
 };

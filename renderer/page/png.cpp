@@ -18,8 +18,7 @@ unsigned char* compress(const unsigned char* bytes, int count, int* compressed_c
   const std::size_t most = libdeflate_zlib_compress_bound(compressor.get(), size);
   auto* compressed = static_cast<unsigned char*>(std::malloc(most));
   if (compressed == nullptr) return nullptr;
-  *compressed_count =
-      static_cast<int>(libdeflate_zlib_compress(compressor.get(), bytes, size, compressed, most));
+  *compressed_count = static_cast<int>(libdeflate_zlib_compress(compressor.get(), bytes, size, compressed, most));
   return compressed;
 }
 
@@ -49,8 +48,8 @@ void append_u32(Bytes& bytes, std::uint32_t value) {
 }
 
 std::uint32_t u32_at(BytesView bytes) {
-  return (std::uint32_t{bytes[0]} << 24U) | (std::uint32_t{bytes[1]} << 16U) |
-         (std::uint32_t{bytes[2]} << 8U) | std::uint32_t{bytes[3]};
+  return (std::uint32_t{bytes[0]} << 24U) | (std::uint32_t{bytes[1]} << 16U) | (std::uint32_t{bytes[2]} << 8U) |
+         std::uint32_t{bytes[3]};
 }
 
 void append_chunk(Bytes& png, std::string_view type, BytesView data) {
@@ -66,8 +65,7 @@ void check(const Image& image) {
   if (!sized || (image.channels != 3 && image.channels != 4)) {
     throw std::invalid_argument("PNG: the image needs a positive size and 3 or 4 channels");
   }
-  const std::size_t expected = static_cast<std::size_t>(image.width_px) *
-                               static_cast<std::size_t>(image.height_px) *
+  const std::size_t expected = static_cast<std::size_t>(image.width_px) * static_cast<std::size_t>(image.height_px) *
                                static_cast<std::size_t>(image.channels);
   if (image.pixels.size() != expected) {
     throw std::invalid_argument("PNG: the image has " + std::to_string(image.pixels.size()) +

@@ -82,8 +82,7 @@ BackdropPass::BackdropPass(const GladGLContext& context)
       floor_shadow_map_(context, GL_R8, floor_shadow_unit),
       no_arrays_(context) {}
 
-void BackdropPass::draw_grid(const Program& program, const FrameBlock& block, bool floor,
-                             BackdropGrid fineness) const {
+void BackdropPass::draw_grid(const Program& program, const FrameBlock& block, bool floor, BackdropGrid fineness) const {
   const glm::ivec2 size_px{block.viewport};
   const int cell = cell_px(size_px.y, fineness);
   const glm::ivec2 cells = (size_px + cell - 1) / cell;

@@ -61,8 +61,8 @@ int square_of(float coordinate_px, int count) {
 
 }  // namespace
 
-Tile screen_bounds(const FrameView& frame, std::span<const SurfaceView> surfaces,
-                   const glm::mat4& world_to_clip, const PictureSettings& settings) {
+Tile screen_bounds(const FrameView& frame, std::span<const SurfaceView> surfaces, const glm::mat4& world_to_clip,
+                   const PictureSettings& settings) {
   Bounds bounds(world_to_clip, settings);
   for (const SurfaceView& surface : surfaces) {
     bounds.add(surface.positions, soft_px + (surface.wireframe ? surface.wireframe->width_px : 0.0F));
@@ -82,8 +82,7 @@ bool reaches_below(float height_m, const FrameView& frame, std::span<const Surfa
          any(frame.points, [&](const PointView& points) { return below(points.centres); });
 }
 
-void CoveredSquares::find(const SurfaceBuffers& surfaces, const glm::mat4& world_to_clip,
-                          const glm::ivec2& size_px) {
+void CoveredSquares::find(const SurfaceBuffers& surfaces, const glm::mat4& world_to_clip, const glm::ivec2& size_px) {
   tile_px_ = size_px;
   squares_ = (size_px + side_px - 1) / side_px;
   kinds_.assign(static_cast<std::size_t>(squares_.x) * static_cast<std::size_t>(squares_.y), no_surface);
@@ -91,8 +90,7 @@ void CoveredSquares::find(const SurfaceBuffers& surfaces, const glm::mat4& world
   for (const SurfaceBuffers::Vertex& vertex : surfaces.all_vertices()) {
     const glm::vec4 clip = world_to_clip * glm::vec4{glm::vec3{vertex.place}, 1.0F};
     const bool seen = clip.w > 1e-6F;
-    const glm::vec2 place =
-        seen ? (0.5F + 0.5F * glm::vec2{clip} / clip.w) * glm::vec2{size_px} : glm::vec2{0};
+    const glm::vec2 place = seen ? (0.5F + 0.5F * glm::vec2{clip} / clip.w) * glm::vec2{size_px} : glm::vec2{0};
     projected_.emplace_back(place, seen ? 1.0F : 0.0F);
   }
   for (const glm::uvec4& triangle : surfaces.all_triangles()) {
@@ -132,8 +130,7 @@ void CoveredSquares::add_run(int first, int end, int row) {
   const glm::vec2 lower_right = clip(end, row);
   const glm::vec2 upper_left = clip(first, row + 1);
   const glm::vec2 upper_right = clip(end, row + 1);
-  triangles_.insert(triangles_.end(),
-                    {lower_left, lower_right, upper_right, lower_left, upper_right, upper_left});
+  triangles_.insert(triangles_.end(), {lower_left, lower_right, upper_right, lower_left, upper_right, upper_left});
 }
 
 const std::vector<glm::vec2>& CoveredSquares::corners(bool partial) {

@@ -33,8 +33,7 @@ constexpr std::array<std::string_view, 1> multisampled{"MULTISAMPLED"};
 }  // namespace
 
 TriangleMesh merged_spheres(const SphereView& spheres) {
-  const TriangleMesh one =
-      make_sphere(glm::vec3{0.0F}, spheres.radius_m, segments_of_each(spheres.centres.size()));
+  const TriangleMesh one = make_sphere(glm::vec3{0.0F}, spheres.radius_m, segments_of_each(spheres.centres.size()));
   TriangleMesh all;
   for (const glm::vec3& centre : spheres.centres) {
     const auto first = static_cast<std::uint32_t>(all.positions.size());
@@ -83,8 +82,8 @@ MarkPass::MarkPass(const GladGLContext& context)
 void MarkPass::draw_wireframe(std::span<const glm::vec3> positions, const Wireframe& wireframe) {
   segments_.clear();
   for (std::size_t i = 0; i + 1 < wireframe.edges.size(); i += 2) {
-    segments_.push_back({positions[wireframe.edges[i]], positions[wireframe.edges[i + 1]], wireframe.colour,
-                         wireframe.colour});
+    segments_.push_back(
+        {positions[wireframe.edges[i]], positions[wireframe.edges[i + 1]], wireframe.colour, wireframe.colour});
   }
   set_depth_test(*gl_, true);
   draw_segments(wireframe.width_px, wireframe.opacity);
@@ -93,8 +92,7 @@ void MarkPass::draw_wireframe(std::span<const glm::vec3> positions, const Wirefr
 void MarkPass::draw_lines(const LineView& lines) {
   segments_.clear();
   for (std::size_t i = 0; i + 1 < lines.points.size(); i += 2) {
-    segments_.push_back(
-        {lines.points[i], lines.points[i + 1], pick(lines.colours, i), pick(lines.colours, i + 1)});
+    segments_.push_back({lines.points[i], lines.points[i + 1], pick(lines.colours, i), pick(lines.colours, i + 1)});
   }
   set_depth_test(*gl_, lines.hidden_by_surfaces);
   draw_segments(lines.width_px, lines.opacity);

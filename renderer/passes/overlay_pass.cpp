@@ -33,15 +33,13 @@ OverlayPass::Parts::Parts(Context& made)
   gl.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices.name());
   gl.VertexAttribPointer(0, 2, GL_FLOAT, GL_FALSE, stride, offset(offsetof(OverlayVertex, position_px)));
   gl.VertexAttribPointer(1, 2, GL_FLOAT, GL_FALSE, stride, offset(offsetof(OverlayVertex, coverage_place)));
-  gl.VertexAttribPointer(2, 4, GL_UNSIGNED_BYTE, GL_TRUE, stride,
-                         offset(offsetof(OverlayVertex, colour_rgba8)));
+  gl.VertexAttribPointer(2, 4, GL_UNSIGNED_BYTE, GL_TRUE, stride, offset(offsetof(OverlayVertex, colour_rgba8)));
   for (GLuint location = 0; location < 3; ++location) gl.EnableVertexAttribArray(location);
   gl.BindVertexArray(0);
 }
 
 void OverlayPass::Parts::set_state() const {
-  for (const GLenum off : {GL_CULL_FACE, GL_DEPTH_TEST, GL_STENCIL_TEST, GL_FRAMEBUFFER_SRGB})
-    gl.Disable(off);
+  for (const GLenum off : {GL_CULL_FACE, GL_DEPTH_TEST, GL_STENCIL_TEST, GL_FRAMEBUFFER_SRGB}) gl.Disable(off);
   gl.Enable(GL_BLEND);
   gl.Enable(GL_SCISSOR_TEST);
   gl.BlendEquation(GL_FUNC_ADD);

@@ -57,11 +57,9 @@ SurfacePass::SurfacePass(const GladGLContext& context)
 void SurfacePass::upload_positions(std::span<const SurfaceView> surfaces) {
   corner_positions_.clear();
   for (const SurfaceView& surface : surfaces) {
-    for (const std::uint32_t corner : surface.triangles)
-      corner_positions_.push_back(surface.positions[corner]);
+    for (const std::uint32_t corner : surface.triangles) corner_positions_.push_back(surface.positions[corner]);
   }
-  taut::renderer::upload(*gl_, GL_ARRAY_BUFFER, corner_buffer_,
-                         std::span<const glm::vec3>(corner_positions_));
+  taut::renderer::upload(*gl_, GL_ARRAY_BUFFER, corner_buffer_, std::span<const glm::vec3>(corner_positions_));
 }
 
 void SurfacePass::gather(std::span<const SurfaceView> surfaces, StudioLight& light) {
@@ -71,8 +69,8 @@ void SurfacePass::gather(std::span<const SurfaceView> surfaces, StudioLight& lig
   for (const SurfaceView& surface : surfaces) {
     light.gather(coarse_of(surface), surface_light_);
     if (surface.refinement) spread(surface, surface_light_);
-    surface_buffers_.add(surface, surface_light_,
-                         surface.scalars ? colour_maps_.row_of(surface.scalars->map) : -1, base_colour_maps_);
+    surface_buffers_.add(surface, surface_light_, surface.scalars ? colour_maps_.row_of(surface.scalars->map) : -1,
+                         base_colour_maps_);
     any_scalars_ = any_scalars_ || surface.scalars;
   }
 }
@@ -100,8 +98,7 @@ void SurfacePass::draw_squares(bool partial) {
   gl_->DrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(covered.size()));
 }
 
-void SurfacePass::shade_squares(std::size_t kind, const VisibilityBuffer& visibility,
-                                const glm::ivec2& corner_px) {
+void SurfacePass::shade_squares(std::size_t kind, const VisibilityBuffer& visibility, const glm::ivec2& corner_px) {
   for (const bool partial : {false, true}) {
     if (squares_.corners(partial).empty()) continue;
     const Program& program = shading_[kind + (any_scalars_ ? scalars : 0) + (partial ? partial_shadow : 0) +
@@ -114,8 +111,7 @@ void SurfacePass::shade_squares(std::size_t kind, const VisibilityBuffer& visibi
   }
 }
 
-void SurfacePass::shade_halved(const VisibilityBuffer& visibility, GLuint framebuffer,
-                               const PixelRect& place) {
+void SurfacePass::shade_halved(const VisibilityBuffer& visibility, GLuint framebuffer, const PixelRect& place) {
   halved_.begin({place.width_px / 2, place.height_px / 2});
   gl_->ClearColor(0.0F, 0.0F, 0.0F, 0.0F);
   gl_->Clear(GL_COLOR_BUFFER_BIT);

@@ -25,8 +25,8 @@ class SurfacePass {
   /// Shades what the visibility buffer holds and blends it over a framebuffer, which is bound. `place`: the
   /// tile's rectangle there, which becomes the viewport. `block`: the tile's. `halve`: squares of 2 by 2
   /// pixels are shaded as one, if there is one sample and the tile's sides are even.
-  void shade(const VisibilityBuffer& visibility, GLuint framebuffer, const FrameBlock& block,
-             const PixelRect& place, bool halve);
+  void shade(const VisibilityBuffer& visibility, GLuint framebuffer, const FrameBlock& block, const PixelRect& place,
+             bool halve);
 
  private:
   void draw_squares(bool partial);

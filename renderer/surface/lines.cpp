@@ -24,10 +24,7 @@ struct Rows {
 class ChainMaker {
  public:
   ChainMaker(std::span<const VertexPair> edges, std::span<const glm::vec3> positions)
-      : edges_(edges),
-        positions_(positions),
-        done_(edges.size()),
-        at_vertex_(positions.size(), [&](auto add) {
+      : edges_(edges), positions_(positions), done_(edges.size()), at_vertex_(positions.size(), [&](auto add) {
           for (std::uint32_t e = 0; e < edges.size(); ++e) {
             for (const std::uint32_t end : edges[e]) add(end, e);
           }
@@ -52,8 +49,7 @@ class ChainMaker {
     while (!done_[edge]) {
       done_[edge] = true;
       const std::uint32_t end = edges_[edge][edges_[edge][0] == vertex ? 1 : 0];
-      lines_.segments.push_back(
-          {{vertex, end}, chain.length, static_cast<std::uint32_t>(lines_.chains.size())});
+      lines_.segments.push_back({{vertex, end}, chain.length, static_cast<std::uint32_t>(lines_.chains.size())});
       chain.length += glm::distance(positions_[vertex], positions_[end]);
       ++chain.segment_count;
       vertex = end;
@@ -74,8 +70,7 @@ class ChainMaker {
 // Spreads from the lines as a front, nearest first (Dijkstra 1959).
 class Front {
  public:
-  Front(const Lines& lines, std::span<const glm::vec3> positions, std::span<const std::uint32_t> triangles,
-        float reach)
+  Front(const Lines& lines, std::span<const glm::vec3> positions, std::span<const std::uint32_t> triangles, float reach)
       : lines_(lines),
         positions_(positions),
         reach_(reach),
@@ -163,8 +158,8 @@ struct Trimming {
   Trimming(std::span<const VertexPair> edges, std::span<const glm::vec3> positions, const RefinedMesh& mesh,
            float reach, float stitch_m)
       : lines(lines_of(edges, positions)),
-        nearest(nearest_on_lines(lines, positions, mesh.triangles(),
-                                 reach + longest_side(positions, mesh.triangles()))),
+        nearest(
+            nearest_on_lines(lines, positions, mesh.triangles(), reach + longest_side(positions, mesh.triangles()))),
         rest_positions(positions),
         reach_m(reach) {
     for (const Lines::Chain& chain : lines.chains) {
@@ -201,8 +196,7 @@ struct Trimming {
 
   // On which side of its line a triangle is.
   float side_of(const std::array<std::uint32_t, 3>& corners, const NearestOnLine& main) const {
-    const glm::vec3 &a = rest_positions[corners[0]], &b = rest_positions[corners[1]],
-                    &c = rest_positions[corners[2]];
+    const glm::vec3 &a = rest_positions[corners[0]], &b = rest_positions[corners[1]], &c = rest_positions[corners[2]];
     const VertexPair& ends = lines.segments[main.segment].ends;
     const glm::vec3 start = rest_positions[ends[0]];
     const glm::vec3 left = glm::cross(glm::cross(b - a, c - a), rest_positions[ends[1]] - start);
@@ -252,13 +246,11 @@ std::vector<NearestOnLine> nearest_on_lines(const Lines& lines, std::span<const 
   return Front(lines, rest_positions, triangles, reach).spread();
 }
 
-std::vector<TrimmedTriangle> trimmed_triangles(const SmoothSurface& surface,
-                                               std::span<const glm::vec3> rest_positions,
+std::vector<TrimmedTriangle> trimmed_triangles(const SmoothSurface& surface, std::span<const glm::vec3> rest_positions,
                                                const SewingPlan& plan) {
   const RefinedMesh& mesh = surface.mesh();
   const Trimming border(border_of(mesh), rest_positions, mesh, reach_of(plan.bands), plan.stitch_m);
-  const Trimming seam(fine_seams(mesh, plan.seams), rest_positions, mesh, reach_of_seam * plan.stitch_m,
-                      plan.stitch_m);
+  const Trimming seam(fine_seams(mesh, plan.seams), rest_positions, mesh, reach_of_seam * plan.stitch_m, plan.stitch_m);
   const std::vector<BorderBand> bands = bands_of_chains(border.lines, plan.bands);
   std::vector<TrimmedTriangle> trimmed;
   for (std::uint32_t t = 0; t < surface.triangles().size() / 3; ++t) {
@@ -282,8 +274,7 @@ std::vector<TrimmedTriangle> trimmed_triangles(const SmoothSurface& surface,
     own.stitch_m = plan.stitch_m;
     const float side = at_seam == nullptr ? 1.0F : seam.side_of(corners, *at_seam);
     for (std::size_t i = 0; i < 3; ++i) {
-      const glm::vec2 hem =
-          band.width_m == 0.0F ? glm::vec2{far_m, 0} : border.place_of(corners[i], *at_border);
+      const glm::vec2 hem = band.width_m == 0.0F ? glm::vec2{far_m, 0} : border.place_of(corners[i], *at_border);
       const glm::vec2 sewn = at_seam == nullptr ? glm::vec2{far_m, 0} : seam.place_of(corners[i], *at_seam);
       own.corners[i] = {on_rim[i] ? -plan.thickness_m : hem.x, hem.y, side * sewn.x, sewn.y};
     }

@@ -55,8 +55,7 @@ struct SewingPlan {
 
 /// Returns the triangles of the surface near its borders and seams, ascending. rest_positions: one per vertex
 /// of the surface, in metres.
-std::vector<TrimmedTriangle> trimmed_triangles(const SmoothSurface& surface,
-                                               std::span<const glm::vec3> rest_positions,
+std::vector<TrimmedTriangle> trimmed_triangles(const SmoothSurface& surface, std::span<const glm::vec3> rest_positions,
                                                const SewingPlan& plan);
 
 }  // namespace taut::renderer

@@ -27,9 +27,7 @@ std::vector<std::uint32_t> only_edges(const std::vector<BorderEdge>& border, std
 void connect(std::vector<BorderEdge>& border, std::span<const glm::vec3> rest_positions) {
   const std::vector<std::uint32_t> starting = only_edges(border, 0, rest_positions.size());
   const std::vector<std::uint32_t> ending = only_edges(border, 1, rest_positions.size());
-  const auto way = [&](const BorderEdge& edge) {
-    return rest_positions[edge.ends[1]] - rest_positions[edge.ends[0]];
-  };
+  const auto way = [&](const BorderEdge& edge) { return rest_positions[edge.ends[1]] - rest_positions[edge.ends[0]]; };
   for (std::uint32_t e = 0; e < border.size(); ++e) {
     const std::uint32_t vertex = border[e].ends[1];
     const std::uint32_t after = starting[vertex];
@@ -177,8 +175,7 @@ std::vector<std::uint32_t> RefinedMesh::refined_edges(std::span<const std::uint3
       const VertexPair pair = sorted(pairs[i], pairs[i + 1]);
       const auto found = std::ranges::lower_bound(level.edges, pair);
       if (found != level.edges.end() && *found == pair) {
-        const std::uint32_t middle =
-            level.first_vertex + static_cast<std::uint32_t>(found - level.edges.begin());
+        const std::uint32_t middle = level.first_vertex + static_cast<std::uint32_t>(found - level.edges.begin());
         finer.insert(finer.end(), {pairs[i], middle, middle, pairs[i + 1]});
       } else {
         finer.insert(finer.end(), {pairs[i], pairs[i + 1]});
@@ -199,8 +196,7 @@ int refinement_levels(float edge_px, std::size_t triangles, float shortest_px) {
   return levels;
 }
 
-std::vector<VertexPair> seam_edges(std::span<const glm::vec3> rest_positions,
-                                   std::span<const std::uint32_t> triangles,
+std::vector<VertexPair> seam_edges(std::span<const glm::vec3> rest_positions, std::span<const std::uint32_t> triangles,
                                    std::span<const glm::vec2> corner_coordinates) {
   assert(corner_coordinates.empty() || corner_coordinates.size() == triangles.size());
   const auto normal = [&](std::uint32_t side) {
@@ -224,8 +220,7 @@ std::vector<VertexPair> seam_edges(std::span<const glm::vec3> rest_positions,
   for (std::size_t i = 0; i + 1 < sides.size(); ++i) {
     const std::uint32_t one = sides[i].number, other = sides[i + 1].number;
     if (sides[i].ends != sides[i + 1].ends || (!seams.empty() && seams.back() == sides[i].ends)) continue;
-    if (corner_coordinates.empty() ? is_sharp(one, other) : is_cut(one, other))
-      seams.push_back(sides[i].ends);
+    if (corner_coordinates.empty() ? is_sharp(one, other) : is_cut(one, other)) seams.push_back(sides[i].ends);
   }
   return seams;
 }

@@ -43,8 +43,7 @@ std::vector<BorderEdge> border_edges(std::span<const glm::vec3> rest_positions,
 class RefinedMesh {
  public:
   /// Requires vertices below the number of positions (asserted). `levels`: 0 to 4.
-  RefinedMesh(std::span<const glm::vec3> rest_positions, std::span<const std::uint32_t> triangles,
-              int levels);
+  RefinedMesh(std::span<const glm::vec3> rest_positions, std::span<const std::uint32_t> triangles, int levels);
 
   /// A border edge that is split, with the border vertices around it. At a corner its own end stands for the
   /// one beyond.
@@ -122,8 +121,7 @@ int refinement_levels(float edge_px, std::size_t triangles, float shortest_px = 
 /// Returns the edges along which a mesh is sewn. With texture coordinates, three for each triangle: those at
 /// which they differ between two triangles. Without: those at which two triangles meet at more than 50
 /// degrees at rest.
-std::vector<VertexPair> seam_edges(std::span<const glm::vec3> rest_positions,
-                                   std::span<const std::uint32_t> triangles,
+std::vector<VertexPair> seam_edges(std::span<const glm::vec3> rest_positions, std::span<const std::uint32_t> triangles,
                                    std::span<const glm::vec2> corner_coordinates = {});
 
 /// A rounded lip along the border of a mesh, which makes it look as thick as cloth. It turns from the outside

@@ -45,9 +45,8 @@ glm::vec3 border_shift(const RefinedMesh::BorderCurve& curve, std::span<const gl
 
 }  // namespace
 
-SmoothSurface::SmoothSurface(std::span<const glm::vec3> rest_positions,
-                             std::span<const std::uint32_t> triangles, int levels,
-                             const SurfaceFreedom& freedom, float rim_radius)
+SmoothSurface::SmoothSurface(std::span<const glm::vec3> rest_positions, std::span<const std::uint32_t> triangles,
+                             int levels, const SurfaceFreedom& freedom, float rim_radius)
     : coarse_triangles_(triangles.begin(), triangles.end()),
       mesh_(rest_positions, triangles, levels),
       freedom_(freedom),
@@ -127,8 +126,7 @@ void SmoothSurface::fair(std::span<const glm::vec3> coarse_positions) {
     for (std::size_t v = 0; v < faired_.size(); ++v) faired_[v] += share * neighbour_shares_[v] * means_[v];
   }
   for (std::size_t v = 0; v < faired_.size(); ++v) {
-    const glm::vec3 shift =
-        shortened(faired_[v] - coarse_positions[v], std::min(freedom_.most_fairing, rooms_[v]));
+    const glm::vec3 shift = shortened(faired_[v] - coarse_positions[v], std::min(freedom_.most_fairing, rooms_[v]));
     positions_[v] = coarse_positions[v] + shift;
     rooms_[v] -= glm::length(shift);
   }
@@ -165,8 +163,7 @@ void SmoothSurface::place(const RefinedMesh::Level& level) {
     const glm::vec3& from = normals_[edge[0]];
     const glm::vec3& to = normals_[edge[1]];
     const glm::vec3 bulge = (glm::dot(way, to) * to - glm::dot(way, from) * from) / 8.0F;
-    positions_[middle] =
-        0.5F * positions_[edge[0]] + 0.5F * positions_[edge[1]] + shortened(bulge, most_bulge);
+    positions_[middle] = 0.5F * positions_[edge[0]] + 0.5F * positions_[edge[1]] + shortened(bulge, most_bulge);
     // Linear, because normals that follow the curve show every unevenness of simulated cloth as a wrinkle.
     normals_[middle] = normalised(from + to, from);
     ++middle;

@@ -23,8 +23,8 @@ struct SurfaceFreedom {
 class SmoothSurface {
  public:
   /// rim_radius: of the lip along the border; 0: none.
-  SmoothSurface(std::span<const glm::vec3> rest_positions, std::span<const std::uint32_t> triangles,
-                int levels, const SurfaceFreedom& freedom, float rim_radius = 0.0F);
+  SmoothSurface(std::span<const glm::vec3> rest_positions, std::span<const std::uint32_t> triangles, int levels,
+                const SurfaceFreedom& freedom, float rim_radius = 0.0F);
 
   /// Gives corners with another value than the first of their vertex a vertex of their own at the same place,
   /// once. `corners`: one for each of triangles(). Returns the value of each vertex.

@@ -24,9 +24,8 @@ SurfacePoint nearest(const Sphere& sphere, const Vec3& point) {
 SurfacePoint nearest(const Capsule& capsule, const Vec3& point) {
   const Vec3 axis = capsule.end_m - capsule.start_m;
   const double squared_length = glm::dot(axis, axis);
-  const double along = squared_length > 0.0
-                           ? std::clamp(glm::dot(point - capsule.start_m, axis) / squared_length, 0.0, 1.0)
-                           : 0.0;
+  const double along =
+      squared_length > 0.0 ? std::clamp(glm::dot(point - capsule.start_m, axis) / squared_length, 0.0, 1.0) : 0.0;
   const double radius_m = capsule.start_radius_m + along * (capsule.end_radius_m - capsule.start_radius_m);
   return from_centre(capsule.start_m + along * axis, radius_m, point);
 }
@@ -38,9 +37,7 @@ SurfacePoint nearest(const BodyMesh&, const Vec3&) {
 struct Mover {
   const Pose& pose;
 
-  Shape operator()(const Plane& plane) const {
-    return Plane{pose(plane.point_m), pose.rotation * plane.normal};
-  }
+  Shape operator()(const Plane& plane) const { return Plane{pose(plane.point_m), pose.rotation * plane.normal}; }
   Shape operator()(const Sphere& ball) const { return Sphere{pose(ball.centre_m), ball.radius_m}; }
   Shape operator()(const Capsule& limb) const {
     return Capsule{pose(limb.start_m), pose(limb.end_m), limb.start_radius_m, limb.end_radius_m};
@@ -92,8 +89,7 @@ FrameWays ways_in_frames(const BodyMesh& mesh, const Spin& spin, const TimeSpan&
     for (std::size_t v = 0; v < at_m.size(); ++v) {
       jump_m = std::max(jump_m, glm::length(after_m[v] - 2.0 * at_m[v] + before_m[v]));
       ways.radius_m = std::max(ways.radius_m, distance_from_axis_m(spin, at_m[v]));
-      ways.speed_m_per_s =
-          std::max(ways.speed_m_per_s, frames.rate_hz() * glm::distance(at_m[v], before_m[v]));
+      ways.speed_m_per_s = std::max(ways.speed_m_per_s, frames.rate_hz() * glm::distance(at_m[v], before_m[v]));
     }
     ways.off_chord_m += per_jump * frames.rate_hz() * jump_m;
   }
@@ -135,9 +131,7 @@ SurfacePoint nearest_surface(const Shape& shape, const Vec3& point) {
   return std::visit([&](const auto& s) { return nearest(s, point); }, shape);
 }
 
-Shape shape_at(const Body& body, double time_s) {
-  return std::visit(Mover{pose_at(body.motion, time_s)}, body.shape);
-}
+Shape shape_at(const Body& body, double time_s) { return std::visit(Mover{pose_at(body.motion, time_s)}, body.shape); }
 
 void positions_at(const Body& body, double time_s, std::span<Vec3> positions_m) {
   const auto& mesh = std::get<BodyMesh>(body.shape);
@@ -157,9 +151,9 @@ Vec3 point_moved(const Body& body, const Vec3& point_m, const TimeSpan& time) {
 
 bool is_moving_after(const Body& body, double time_s) {
   const auto* mesh = std::get_if<BodyMesh>(&body.shape);
-  const bool changes = mesh != nullptr && mesh->frames &&
-                       static_cast<double>(mesh->frames->count() - 1) >
-                           (time_s - mesh->frames->first_s()) * mesh->frames->rate_hz();
+  const bool changes =
+      mesh != nullptr && mesh->frames &&
+      static_cast<double>(mesh->frames->count() - 1) > (time_s - mesh->frames->first_s()) * mesh->frames->rate_hz();
   return changes || is_moving_after(body.motion, time_s);
 }
 

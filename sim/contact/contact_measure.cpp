@@ -54,8 +54,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr int most_cuts = 40;
 
 /// The least value of a convex function between 0 and 1, by golden sections.
-template <typename Function>
-double least_of(const Function& f) {
+template <typename Function> double least_of(const Function& f) {
   constexpr double part = 1.0 / std::numbers::phi;
   double from = 0.0, to = 1.0;
   double low = 1.0 - part, high = part;
@@ -100,9 +99,7 @@ struct Distance {
     const auto height_m = [&](const Vec3& corner) { return glm::dot(corner - plane.point_m, plane.normal); };
     return std::min({height_m(t[0]), height_m(t[1]), height_m(t[2])});
   }
-  double operator()(const Sphere& ball) const {
-    return point_triangle_distance_m(ball.centre_m, t) - ball.radius_m;
-  }
+  double operator()(const Sphere& ball) const { return point_triangle_distance_m(ball.centre_m, t) - ball.radius_m; }
   double operator()(const Capsule& limb) const { return limb_distance_m(t, limb, reach_m); }
   double operator()(const BodyMesh&) const { return infinity; }
 };
@@ -166,9 +163,8 @@ std::size_t ContactMeasure::crossings_around(Index vertex, std::span<const Vec3>
     for (std::size_t l = k + 1; l < around.size(); ++l) {
       const Triangle& s = triangles_[around[k]];
       const Triangle& t = triangles_[around[l]];
-      const bool is_of_lower = std::any_of(s.begin(), s.end(), [&](Index v) {
-        return v < vertex && std::find(t.begin(), t.end(), v) != t.end();
-      });
+      const bool is_of_lower = std::any_of(
+          s.begin(), s.end(), [&](Index v) { return v < vertex && std::find(t.begin(), t.end(), v) != t.end(); });
       if (!is_of_lower && neighbours_cross(s, t, positions_m)) ++crossings;
     }
   }
@@ -197,8 +193,8 @@ MeasuredContact ContactMeasure::measure(std::span<const Vec3> positions_m, doubl
   near_.clear();
   tree_.find_near(near_);
   for (const auto& [s, t] : near_) {
-    const TrianglePairMeasure pair = measure_pair(triangles_[s], triangles_[t], positions_m, positions_m,
-                                                  wanted_m(reach_m, measured));
+    const TrianglePairMeasure pair =
+        measure_pair(triangles_[s], triangles_[t], positions_m, positions_m, wanted_m(reach_m, measured));
     note(pair.distance_m(), pair.is_crossing(), reach_m, measured);
   }
   for (std::size_t t = 0; t < triangles_.size(); ++t) {

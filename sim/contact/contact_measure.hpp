@@ -40,8 +40,8 @@ class ContactMeasure {
   std::vector<Body> bodies_;
   TriangleTree tree_;
   std::vector<TriangleTree> body_trees_;  ///< of bodies that are meshes, in their order
-  std::vector<Vec3> areas_m2_;   ///< by triangle: its area vector, doubled
-  CompressedRows triangles_of_;  ///< by vertex, in turn where they are a fan
+  std::vector<Vec3> areas_m2_;            ///< by triangle: its area vector, doubled
+  CompressedRows triangles_of_;           ///< by vertex, in turn where they are a fan
   /// By vertex: the vertices around its fan, of which the last is the first again where it closes. None where its
   /// triangles are no fan.
   CompressedRows around_;

@@ -12,8 +12,7 @@ inline double friction_against(const Body& body, double cloth_friction) {
 /// Returns the share of a slip that friction stops, from 0 to 1, where contact parts two surfaces by `parted` along
 /// their normal in the step in which they slip by `slid` along each other, both in m (Coulomb's law on displacements:
 /// Mueller and others 2007, section 4.2). Requires a slip of at least 0.
-template <typename Real>
-[[nodiscard]] Real stopped_share(Real friction, Real parted, Real slid) {
+template <typename Real> [[nodiscard]] Real stopped_share(Real friction, Real parted, Real slid) {
   return slid > Real(0) ? std::min(Real(1), friction * parted / slid) : Real(0);
 }
 

@@ -6,9 +6,7 @@ namespace {
 /// A triangle that is lower above an edge, in m, does not fold onto what is on the other side of it.
 constexpr double least_height_m = 1e-9;
 
-double part_of(double part, double whole) {
-  return whole > 0.0 ? std::clamp(part / whole, 0.0, 1.0) : 0.0;
-}
+double part_of(double part, double whole) { return whole > 0.0 ? std::clamp(part / whole, 0.0, 1.0) : 0.0; }
 
 double point_segment_distance_m(const Vec3& p, const Vec3& from, const Vec3& to) {
   const Vec3 edge = to - from;

@@ -18,8 +18,8 @@ struct TrianglePairMeasure {
   double distance_m() const { return is_crossing() ? 0.0 : parts_m; }
 };
 
-/// Nearer than this, in m, things touch, and what touches crosses: far more than rounding moves a nearest point, so that
-/// no crossing is missed for it.
+/// Nearer than this, in m, things touch, and what touches crosses: far more than rounding moves a nearest point, so
+/// that no crossing is missed for it.
 inline constexpr double touching_m = 1e-12;
 
 inline bool TrianglePairMeasure::is_crossing() const { return is_pierced || parts_m <= touching_m; }

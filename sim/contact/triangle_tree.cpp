@@ -9,8 +9,7 @@ constexpr float no_bound = std::numeric_limits<float>::infinity();
 /// How far rounding to single precision moves anything, at most, in parts of the largest coordinate.
 constexpr double rounding = 1e-6;
 
-template <std::size_t count>
-bool any_of(const std::array<int, count>& flags) {
+template <std::size_t count> bool any_of(const std::array<int, count>& flags) {
   int any = 0;
   for (const int flag : flags) any |= flag;
   return any != 0;
@@ -172,8 +171,8 @@ void TriangleTree::compare(const Node& node, const TriangleTree& other, const No
   if (!any_of(meets) || !any_of(which_meet(b, both))) return;
   for (std::size_t i = 0; i < lanes; ++i) {
     if (meets[i] == 0) continue;
-    const std::array<int, lanes> is_near = which_meet(
-        b, {{a.lower[0][i], a.lower[1][i], a.lower[2][i]}, {a.upper[0][i], a.upper[1][i], a.upper[2][i]}});
+    const std::array<int, lanes> is_near =
+        which_meet(b, {{a.lower[0][i], a.lower[1][i], a.lower[2][i]}, {a.upper[0][i], a.upper[1][i], a.upper[2][i]}});
     if (!any_of(is_near)) continue;
     const std::size_t s = leaf * lanes + i;
     for (std::size_t j = is_within && leaf == others.begin ? i + 1 : 0; j < lanes; ++j) {

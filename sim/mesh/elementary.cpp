@@ -24,9 +24,7 @@ double sine_of_turns(double turns) {
 }
 
 // The part of a turn is taken first: a quarter added to many turns would round them off.
-double cosine_of_turns(double turns) {
-  return sine_of_turns(0.25 - std::abs(turns - std::floor(turns + 0.5)));
-}
+double cosine_of_turns(double turns) { return sine_of_turns(0.25 - std::abs(turns - std::floor(turns + 0.5))); }
 
 // A rough guess within the first quarter, right to 0.005 radians; the arc sine's series for what is left of
 // it.

@@ -6,8 +6,7 @@ namespace {
 /// Returns the distance of corner c of a triangle from a source at the distances `from_a` and `from_b` from
 /// the other two corners. The distance is a straight line in the unfolded triangle. Returns nothing if that
 /// line does not cross the edge a-b.
-std::optional<double> unfolded_distance(const Vec3& a, const Vec3& b, const Vec3& c, double from_a,
-                                        double from_b) {
+std::optional<double> unfolded_distance(const Vec3& a, const Vec3& b, const Vec3& c, double from_a, double from_b) {
   const double base = glm::length(b - a);
   if (!(base > 0.0)) return std::nullopt;
   // In the plane of the triangle: a at the origin, b on the x axis, c above it and the source below.
@@ -80,14 +79,12 @@ class Front {
   const Adjacency& adjacency_;
   GeodesicDistances reached_;
   std::vector<bool> is_passed_;
-  std::priority_queue<std::pair<double, Index>, std::vector<std::pair<double, Index>>, std::greater<>>
-      waiting_;
+  std::priority_queue<std::pair<double, Index>, std::vector<std::pair<double, Index>>, std::greater<>> waiting_;
 };
 
 }  // namespace
 
-GeodesicDistances geodesic_distances(const Mesh& mesh, const Adjacency& adjacency,
-                                     std::span<const Index> sources) {
+GeodesicDistances geodesic_distances(const Mesh& mesh, const Adjacency& adjacency, std::span<const Index> sources) {
   Front front(mesh, adjacency);
   for (const Index source : sources) {
     assert(source < mesh.positions.size());

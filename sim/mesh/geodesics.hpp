@@ -19,7 +19,6 @@ struct GeodesicDistances {
 /// a triangle and their distances give the place of the source in the unfolded plane. The third corner's
 /// distance is measured from that place. The result is exact on flat cloth in sight of one source, and
 /// slightly too long elsewhere.
-GeodesicDistances geodesic_distances(const Mesh& mesh, const Adjacency& adjacency,
-                                     std::span<const Index> sources);
+GeodesicDistances geodesic_distances(const Mesh& mesh, const Adjacency& adjacency, std::span<const Index> sources);
 
 }  // namespace taut::sim

@@ -14,8 +14,7 @@ Mesh make_grid(const GridSettings& s) {
   mesh.positions.reserve(std::size_t{s.columns} * s.rows);
   for (Index r = 0; r < s.rows; ++r) {
     for (Index c = 0; c < s.columns; ++c) {
-      mesh.positions.push_back(s.top_centre_m + across * (c / (s.columns - 1.0) - 0.5) +
-                               down * (r / (s.rows - 1.0)));
+      mesh.positions.push_back(s.top_centre_m + across * (c / (s.columns - 1.0) - 0.5) + down * (r / (s.rows - 1.0)));
     }
   }
   for (Index r = 0; r + 1 < s.rows; ++r) {

@@ -22,8 +22,7 @@ void require_well_formed(const Mesh& mesh) {
     for (const Index v : mesh.triangles[t]) {
       if (v >= mesh.positions.size()) {
         throw std::invalid_argument("triangle " + std::to_string(t) + " uses vertex " + std::to_string(v) +
-                                    ", but there are only " + std::to_string(mesh.positions.size()) +
-                                    " vertices");
+                                    ", but there are only " + std::to_string(mesh.positions.size()) + " vertices");
       }
     }
   }
@@ -73,8 +72,7 @@ void drop_unsound(const std::vector<Index>& vertices, Mesh& mesh, MeshReport& re
 }
 
 /// Returns by how many the vertices that triangles use exceed the places that they use.
-std::size_t count_parted(const Mesh& mesh, const std::vector<Index>& places,
-                         const std::vector<Index>& welded) {
+std::size_t count_parted(const Mesh& mesh, const std::vector<Index>& places, const std::vector<Index>& welded) {
   std::vector<char> used_place(places.size(), 0), used_vertex(places.size(), 0);
   for (const Triangle& t : mesh.triangles) {
     for (const Index v : t) {
@@ -154,8 +152,8 @@ ValidatedMesh weld_and_validate(const Mesh& input, const RepairSettings& setting
     drop_unsound(welded, mesh, report);
   }
   if (mesh.triangles.empty()) {
-    throw std::invalid_argument("no triangle with an area remains of " +
-                                std::to_string(input.triangles.size()) + " triangles");
+    throw std::invalid_argument("no triangle with an area remains of " + std::to_string(input.triangles.size()) +
+                                " triangles");
   }
   renumber(welded, mesh);
   report.turned_triangles = orient_consistently(mesh);

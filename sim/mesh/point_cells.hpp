@@ -31,8 +31,7 @@ class PointCells {
 
   /// Calls `visit` with the index of every point within a cell's width of the place, and of some that are
   /// farther.
-  template <class Visit>
-  void visit_near(const Vec3& place, const Visit& visit) const {
+  template <class Visit> void visit_near(const Vec3& place, const Visit& visit) const {
     for (int k = 0; k < 27; ++k) {
       const auto [begin, end] = cells_.equal_range(
           hash_of(number(place.x) + k % 3 - 1, number(place.y) + k / 3 % 3 - 1, number(place.z) + k / 9 - 1));

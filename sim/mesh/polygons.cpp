@@ -12,14 +12,10 @@ constexpr std::size_t ratings_per_corner = 50;
 /// second's. A larger value cuts fewer quads of one cloth the same way.
 constexpr double least_relative_fullness = 0.5;
 
-double cross(const Vec2& a, const Vec2& b) {
-  return a.x * b.y - a.y * b.x;
-}
+double cross(const Vec2& a, const Vec2& b) { return a.x * b.y - a.y * b.x; }
 
 /// Positive where a, b, c turn left; twice the triangle's area.
-double turn(const Vec2& a, const Vec2& b, const Vec2& c) {
-  return cross(b - a, c - a);
-}
+double turn(const Vec2& a, const Vec2& b, const Vec2& c) { return cross(b - a, c - a); }
 
 /// Area over squared edge lengths: largest for an equilateral triangle, 0 for a line, negative if clockwise.
 double fullness(const Vec2& a, const Vec2& b, const Vec2& c) {
@@ -95,8 +91,7 @@ class Ring {
     const Vec2 &a = corners_[before_[k]], &b = corners_[k], &c = corners_[after_[k]];
     for (std::size_t n = 3, m = after_[after_[k]]; n < left_; ++n, m = after_[m]) {
       const Vec2& p = corners_[m];
-      if (p != a && p != b && p != c && turn(a, b, p) >= 0.0 && turn(b, c, p) >= 0.0 &&
-          turn(c, a, p) >= 0.0) {
+      if (p != a && p != b && p != c && turn(a, b, p) >= 0.0 && turn(b, c, p) >= 0.0 && turn(c, a, p) >= 0.0) {
         return m;
       }
     }
@@ -142,8 +137,7 @@ void cut_quad(std::span<const Vec3> positions, std::span<const Index> q, std::ve
   }
 }
 
-void cut_ears(std::span<const Vec3> positions, std::span<const Index> face,
-              std::vector<Triangle>& triangles) {
+void cut_ears(std::span<const Vec3> positions, std::span<const Index> face, std::vector<Triangle>& triangles) {
   Ring ring(flattened(positions, face));
   while (ring.left() >= 3) {
     const std::size_t k = ring.best();

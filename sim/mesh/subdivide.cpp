@@ -42,8 +42,7 @@ PinnedMesh subdivide(const PinnedMesh& coarse) {
     const Index ab = midpoint_of(adjacency, corners, a, b);
     const Index bc = midpoint_of(adjacency, corners, b, c);
     const Index ca = midpoint_of(adjacency, corners, c, a);
-    fine.mesh.triangles.insert(fine.mesh.triangles.end(),
-                               {{a, ab, ca}, {ab, b, bc}, {ca, bc, c}, {ab, bc, ca}});
+    fine.mesh.triangles.insert(fine.mesh.triangles.end(), {{a, ab, ca}, {ab, b, bc}, {ca, bc, c}, {ab, bc, ca}});
   }
   fine.pins = pins_with_midpoints(coarse, adjacency);
   return fine;

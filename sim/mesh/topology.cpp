@@ -94,11 +94,10 @@ Topology measure_topology(const Mesh& mesh, const Adjacency& adjacency) {
                                      runs_along(mesh.triangles[triangles[1]], adjacency.edges[e]);
   }
   topology.components = count_groups(vertex_count, adjacency, [](std::size_t) { return true; });
-  topology.boundary_loops = count_groups(
-      vertex_count, adjacency, [&](std::size_t e) { return adjacency.edge_triangles[e].size() == 1; });
+  topology.boundary_loops =
+      count_groups(vertex_count, adjacency, [&](std::size_t e) { return adjacency.edge_triangles[e].size() == 1; });
   topology.non_manifold_vertices = count_split_fans(mesh, adjacency);
-  topology.euler_characteristic = static_cast<long>(vertex_count) -
-                                  static_cast<long>(adjacency.edges.size()) +
+  topology.euler_characteristic = static_cast<long>(vertex_count) - static_cast<long>(adjacency.edges.size()) +
                                   static_cast<long>(mesh.triangles.size());
   return topology;
 }

@@ -19,8 +19,8 @@ constexpr double share_of_limit = 0.7;
 
 }  // namespace
 
-void compensate_springs(const Springs& springs, std::span<const double> inverse_masses_per_kg,
-                        const Rigidity& rigidity, std::span<Vec3> predicted) {
+void compensate_springs(const Springs& springs, std::span<const double> inverse_masses_per_kg, const Rigidity& rigidity,
+                        std::span<Vec3> predicted) {
   assert(inverse_masses_per_kg.size() == predicted.size());
   for (const SpringKind kind : all_spring_kinds) {
     const Share share = share_of(kind, rigidity);
@@ -30,8 +30,7 @@ void compensate_springs(const Springs& springs, std::span<const double> inverse_
       const double length_m = glm::length(spring);
       const double error_m = length_m - springs.rest_lengths_m[s];
       const double fraction = error_m > 0.0 ? share.when_long : share.when_short;
-      compensate_spring(springs.ends[s], spring, length_m, fraction * error_m, inverse_masses_per_kg,
-                        predicted);
+      compensate_spring(springs.ends[s], spring, length_m, fraction * error_m, inverse_masses_per_kg, predicted);
     }
   }
 }
@@ -41,8 +40,7 @@ double stiffness_of(SpringKind kind, const SpringStiffness& stiffness) {
                     stiffness.flexural_n_per_m}[static_cast<std::size_t>(kind)];
 }
 
-void IdealSprings::add_spring_forces(const Garment& garment, const State& state,
-                                     std::span<Vec3> forces_n) const {
+void IdealSprings::add_spring_forces(const Garment& garment, const State& state, std::span<Vec3> forces_n) const {
   const Springs& springs = garment.springs;
   for (const SpringKind kind : all_spring_kinds) {
     const double stiffness = stiffness_of(kind, stiffness_);
@@ -53,8 +51,8 @@ void IdealSprings::add_spring_forces(const Garment& garment, const State& state,
       if (!(length > 0.0)) continue;
       const Vec3 direction = spring / length;
       const double closing_speed = glm::dot(velocity(state, i) - velocity(state, j), direction);
-      const Vec3 pull = direction * (stiffness * (length - springs.rest_lengths_m[s]) +
-                                     stiffness_.damping_n_s_per_m * closing_speed);
+      const Vec3 pull =
+          direction * (stiffness * (length - springs.rest_lengths_m[s]) + stiffness_.damping_n_s_per_m * closing_speed);
       forces_n[i] -= pull;
       forces_n[j] += pull;
     }
@@ -75,8 +73,7 @@ void ProvotThreshold::compensate(const Garment& garment, const Pins& pins, State
     const double length_m = glm::length(spring);
     const double error_m = length_m - (1.0 + max_stretch_) * springs.rest_lengths_m[s];
     if (error_m > 0.0) {
-      compensate_spring(springs.ends[s], spring, length_m, error_m, pins.inverse_masses_per_kg,
-                        state.predicted);
+      compensate_spring(springs.ends[s], spring, length_m, error_m, pins.inverse_masses_per_kg, state.predicted);
     }
   }
 }
@@ -93,8 +90,7 @@ void VelocityModification::compensate(const Garment& garment, const Pins& pins, 
     const Vec3 moved_j = state.predicted[j] - state.current[j];
     const double parting_m = glm::dot(moved_i - moved_j, spring) / length_m;
     if (parting_m > 0.0) {
-      compensate_spring(springs.ends[s], spring, length_m, parting_m, pins.inverse_masses_per_kg,
-                        state.predicted);
+      compensate_spring(springs.ends[s], spring, length_m, parting_m, pins.inverse_masses_per_kg, state.predicted);
     }
   }
 }

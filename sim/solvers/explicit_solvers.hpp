@@ -37,8 +37,8 @@ inline void compensate_spring(const Edge& ends, const Vec3& spring, double lengt
 ///   dp_i = -w_i / (w_i + w_j) (|L'| - |L|) L' / |L'|,   dp_j = +w_j / (w_i + w_j) (|L'| - |L|) L' / |L'|.
 /// For equal masses the factor is the paper's one half. Each correction is seen by the springs that follow.
 /// The spans have one entry per vertex; positions are in metres.
-void compensate_springs(const Springs& springs, std::span<const double> inverse_masses_per_kg,
-                        const Rigidity& rigidity, std::span<Vec3> predicted);
+void compensate_springs(const Springs& springs, std::span<const double> inverse_masses_per_kg, const Rigidity& rigidity,
+                        std::span<Vec3> predicted);
 
 /// The stiffness of springs per kind, and the damping of every spring.
 struct SpringStiffness {

@@ -41,8 +41,8 @@ class SteppedSolver : public Solver {
     report.substeps = std::max(equal_substeps(settings_), least_substeps(settings_, frame));
     for (int substep = 0; substep < report.substeps; ++substep) {
       frame.ask();
-      step(frame.garment, frame.pins, frame.surroundings, *springs_, frame.duration_s / report.substeps,
-           state, forces_n_);
+      step(frame.garment, frame.pins, frame.surroundings, *springs_, frame.duration_s / report.substeps, state,
+           forces_n_);
     }
     return report;
   }
@@ -109,24 +109,20 @@ std::unique_ptr<Solver> solver_of(const SolverSettings& settings, const BoundedS
   return std::make_unique<BoundedSolver>(bounded, settings.substeps, settings.max_substeps);
 }
 
-template <class Settings>
-std::unique_ptr<Solver> solver_of(const SolverSettings& settings, const Settings& springs) {
+template <class Settings> std::unique_ptr<Solver> solver_of(const SolverSettings& settings, const Settings& springs) {
   return std::make_unique<SteppedSolver>(settings, spring_response(springs));
 }
 
 }  // namespace
 
 const char* name_of(SolverKind kind) {
-  constexpr std::array names = {"ideal",    "provot",          "strong",  "bounded",
-                                "vassilev", "fast-projection", "implicit"};
+  constexpr std::array names = {"ideal", "provot", "strong", "bounded", "vassilev", "fast-projection", "implicit"};
   return names[static_cast<std::size_t>(kind)];
 }
 
 SolverKind kind_of(const SolverMethod& method) { return static_cast<SolverKind>(method.index()); }
 
-int equal_substeps(const SolverSettings& settings) {
-  return settings.substeps.value_or(enough_for_small_sheets);
-}
+int equal_substeps(const SolverSettings& settings) { return settings.substeps.value_or(enough_for_small_sheets); }
 
 std::unique_ptr<Solver> make_solver(const SolverSettings& settings) {
   if (settings.substeps.value_or(1) < 1 || settings.max_substeps < 1) {

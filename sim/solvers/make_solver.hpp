@@ -8,15 +8,15 @@ namespace taut::sim {
 
 enum class SolverKind { ideal, provot, strong, bounded, vassilev, fast_projection, implicit };
 
-inline constexpr std::array all_solver_kinds = {
-    SolverKind::ideal,    SolverKind::provot,          SolverKind::strong,  SolverKind::bounded,
-    SolverKind::vassilev, SolverKind::fast_projection, SolverKind::implicit};
+inline constexpr std::array all_solver_kinds = {SolverKind::ideal,   SolverKind::provot,   SolverKind::strong,
+                                                SolverKind::bounded, SolverKind::vassilev, SolverKind::fast_projection,
+                                                SolverKind::implicit};
 
 const char* name_of(SolverKind kind);
 
 /// The settings of one solver. The alternatives are in the order of SolverKind.
-using SolverMethod = std::variant<IdealSettings, ProvotSettings, StrongSettings, BoundedSettings,
-                                  VassilevSettings, FastProjectionSettings, ImplicitSettings>;
+using SolverMethod = std::variant<IdealSettings, ProvotSettings, StrongSettings, BoundedSettings, VassilevSettings,
+                                  FastProjectionSettings, ImplicitSettings>;
 
 struct SolverSettings {
   /// Time steps in a frame; none leaves the choice to the solver. More steps stretch less and cost in

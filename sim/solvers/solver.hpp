@@ -13,7 +13,8 @@ struct ContactReport {
   int partial_detections = 0;  ///< how often that was done around single vertices alone
   int most_pairs = 0;          ///< near pairs that were kept apart at a time, the most of them
   /// Distance of the two nearest things in the shape that the frame ended with, in m, as ContactMeasure measures it
-  /// whatever the solver does: 0 where they cross, below 0 in a plane, sphere or capsule, infinite where nothing is near.
+  /// whatever the solver does: 0 where they cross, below 0 in a plane, sphere or capsule, infinite where nothing is
+  /// near.
   double smallest_distance_m = std::numeric_limits<double>::infinity();
   std::size_t crossing_pairs = 0;  ///< in that shape, measured likewise
   /// `bounded`: the part of the cloth's area at rest that was not kept apart from all else, as it crossed something

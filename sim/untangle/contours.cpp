@@ -171,16 +171,14 @@ void join_contours(std::size_t pairs, std::vector<Piercing>& all) {
   }
   all.erase(std::unique(all.begin(), all.end(), are_same), all.end());
   for (Piercing& p : all) p.contour = contours.find(p.contour);
-  std::stable_sort(all.begin(), all.end(),
-                   [](const Piercing& a, const Piercing& b) { return a.contour < b.contour; });
+  std::stable_sort(all.begin(), all.end(), [](const Piercing& a, const Piercing& b) { return a.contour < b.contour; });
 }
 
 using namespace bounded;
 
 bool are_joined(const Adjacency& adjacency, Index v, Index w) {
   const std::span<const Index> edges = adjacency.vertex_edges[v];
-  return std::any_of(edges.begin(), edges.end(),
-                     [&](Index e) { return other_end(adjacency.edges[e], v) == w; });
+  return std::any_of(edges.begin(), edges.end(), [&](Index e) { return other_end(adjacency.edges[e], v) == w; });
 }
 
 bool are_joined(const Adjacency& adjacency, const NearPair& pair) {
@@ -209,8 +207,7 @@ Gap gap_of(const NearPair& pair, const Vec3& middle, std::span<const Vec3> posit
 
 }  // namespace
 
-Contours find_contours(const Garment& garment, std::span<const TrianglePair> pairs,
-                       std::span<const Vec3> positions_m) {
+Contours find_contours(const Garment& garment, std::span<const TrianglePair> pairs, std::span<const Vec3> positions_m) {
   Contours found;
   std::vector<Piercing>& all = found.piercings;
   for (std::size_t p = 0; p < pairs.size(); ++p) {

@@ -21,7 +21,7 @@ struct Piercing {
   Vec3 weights{0.0};               ///< where in the triangle, in parts of its corners
   Vec3 normal{0.0};                ///< of the triangle, of length 1, to the side of the edge's first end
   bool first_is_in_front = false;  ///< the edge's first end is on the side of the triangle's front
-  bool is_opposed = false;  ///< the surface of the edge runs along the triangle and faces the other way
+  bool is_opposed = false;         ///< the surface of the edge runs along the triangle and faces the other way
   /// A contour that parts the cloth cuts off the smaller part, as in the flood fill of Baraff, Witkin and
   /// Kass (2003), "Untangling cloth", but only if its triangles agree on the way out: where a tube goes
   /// through a sheet they do around the tube's end, and not around the round piece of the sheet within the
@@ -36,8 +36,7 @@ struct Contours {
 };
 
 /// `positions_m` has one entry per vertex.
-Contours find_contours(const Garment& garment, std::span<const TrianglePair> pairs,
-                       std::span<const Vec3> positions_m);
+Contours find_contours(const Garment& garment, std::span<const TrianglePair> pairs, std::span<const Vec3> positions_m);
 
 /// Returns whether what contours cut off is more often in front of surfaces that face the other way than
 /// behind them: then these are walls whose backs belong together.
@@ -49,9 +48,8 @@ void take_sides_of_walls(std::span<Piercing> piercings);
 /// A vertex and a triangle, or two edges, that are near each other.
 struct Gap {
   std::array<Index, 4> vertices{};
-  std::array<double, 4>
-      weights{};    ///< of the vertices where the two are nearest, below 0 for the second thing
-  Vec3 apart{0.0};  ///< from the second thing to the first, of length 1
+  std::array<double, 4> weights{};  ///< of the vertices where the two are nearest, below 0 for the second thing
+  Vec3 apart{0.0};                  ///< from the second thing to the first, of length 1
   double width_m = 0.0;
 };
 

@@ -68,8 +68,7 @@ std::vector<Vec3> spread(const Adjacency& adjacency, const Moves& asked) {
 
 /// A near shape that keeps the bound, with contact left out. Springs that pull against each other settle
 /// slowly by sweeps.
-std::vector<Vec3> within_bound(const Garment& garment, const BoundedSettings& settings,
-                               std::vector<Vec3> positions_m) {
+std::vector<Vec3> within_bound(const Garment& garment, const BoundedSettings& settings, std::vector<Vec3> positions_m) {
   const Pins none = make_pins(garment, {});
   State state = make_state(garment);
   state.current = state.previous = std::move(positions_m);
@@ -101,8 +100,7 @@ class Attempt {
       const std::vector<Gap> gaps = pairs.empty() ? narrow_gaps() : std::vector<Gap>{};
       const std::vector<Index> uneven =
           pairs.empty() && settings_.is_cut_anew ? uneven_vertices() : std::vector<Index>{};
-      const double excess_m =
-          settings_.is_cut_anew ? 0.0 : largest_excess_m(garment_, settings_.bounded, positions_m_);
+      const double excess_m = settings_.is_cut_anew ? 0.0 : largest_excess_m(garment_, settings_.bounded, positions_m_);
       in_vain = keep_least({pairs.size(), excess_m, gaps.size(), uneven.size()}) ? 0 : in_vain + 1;
       if (!pairs.empty()) {
         move_apart(pairs, by_walls);
@@ -260,8 +258,7 @@ class Attempt {
     const Triangle& s = garment_.mesh.triangles[pair[0]];
     const Triangle& t = garment_.mesh.triangles[pair[1]];
     const Vec3 front_of_s = front(s), front_of_t = front(t);
-    const Vec3 apart =
-        glm::dot(front_of_s, front_of_t) < 0.0 ? front_of_s - front_of_t : front_of_s + front_of_t;
+    const Vec3 apart = glm::dot(front_of_s, front_of_t) < 0.0 ? front_of_s - front_of_t : front_of_s + front_of_t;
     const Vec3 half_m = 0.25 * settings_.distance_m * apart;
     asked.add(s, half_m, Vec3(1.0));
     asked.add(t, -half_m, Vec3(1.0));
@@ -278,8 +275,7 @@ class Attempt {
     for (std::size_t v = 0; v < positions_m_.size(); ++v) {
       const Vec3 moved_m = positions_m_[v] + moves_m[v] - start_m_[v];
       const double length_m = glm::length(moved_m);
-      positions_m_[v] =
-          length_m > most_m ? start_m_[v] + most_m / length_m * moved_m : positions_m_[v] + moves_m[v];
+      positions_m_[v] = length_m > most_m ? start_m_[v] + most_m / length_m * moved_m : positions_m_[v] + moves_m[v];
     }
     for (int sweep = 0; sweep < shortening_sweeps; ++sweep) {
       shorten_once(garment_, free_, settings_.bounded, positions_m_);

@@ -10,8 +10,7 @@ namespace {
 
 void draw_solid(renderer::Canvas& canvas, std::span<const glm::vec2> points, const Stroke& stroke) {
   for (std::size_t i = 1; i < points.size(); ++i) {
-    canvas.line(points[i - 1].x, points[i - 1].y, points[i].x, points[i].y, stroke.colour,
-                stroke.thickness_px);
+    canvas.line(points[i - 1].x, points[i - 1].y, points[i].x, points[i].y, stroke.colour, stroke.thickness_px);
   }
   // Segments are stroked one by one: a disc closes the wedge at every corner.
   for (std::size_t i = 1; i + 1 < points.size(); ++i) {
@@ -97,12 +96,11 @@ std::vector<Tick> logarithmic_ticks(const Axis& axis) {
     for (int multiple = 1; multiple <= 9; ++multiple) {
       const double value = multiple * std::pow(10.0, exponent);
       if (value < axis.minimum * (1.0 - 1e-9) || value > axis.maximum * (1.0 + 1e-9)) continue;
-      const bool is_labelled = decades < 2.0 ? multiple == 1 || multiple == 2 || multiple == 5
-                                             : multiple == 1 && exponent % every == 0;
+      const bool is_labelled =
+          decades < 2.0 ? multiple == 1 || multiple == 2 || multiple == 5 : multiple == 1 && exponent % every == 0;
       std::string label;
       if (is_labelled) {
-        label =
-            (in_full || decades < 2.0 ? fmt::format("{:g}", value) : power_of_ten(exponent)) + axis.suffix;
+        label = (in_full || decades < 2.0 ? fmt::format("{:g}", value) : power_of_ten(exponent)) + axis.suffix;
       }
       ticks.push_back({value, std::move(label)});
     }
@@ -175,8 +173,8 @@ Axis decades_around(std::string label, const std::vector<double>& values) {
     }
   }
   if (high <= 0.0) low = high = 1.0;
-  Axis axis{std::move(label), std::pow(10.0, std::floor(std::log10(low))),
-            std::pow(10.0, std::ceil(std::log10(high))), true};
+  Axis axis{std::move(label), std::pow(10.0, std::floor(std::log10(low))), std::pow(10.0, std::ceil(std::log10(high))),
+            true};
   if (!(axis.maximum > axis.minimum)) axis.maximum = 10.0 * axis.minimum;
   return axis;
 }

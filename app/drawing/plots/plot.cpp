@@ -12,9 +12,7 @@ struct Axes {
   const Plot& plot;
   Area area;
 
-  float x_of(double value) const {
-    return area.x_px + area.width_px * static_cast<float>(position_on(plot.x, value));
-  }
+  float x_of(double value) const { return area.x_px + area.width_px * static_cast<float>(position_on(plot.x, value)); }
   float y_of(double value) const {
     return area.y_px + area.height_px * (1.0F - static_cast<float>(position_on(plot.y, value)));
   }
@@ -67,8 +65,7 @@ void draw_y_ticks(Canvas& canvas, const Axes& axes, const PlotStyle& style) {
 
 // Above the axis and level: read without turning the head.
 void draw_y_label(Canvas& canvas, const Axes& axes, const Area& area, const PlotStyle& style) {
-  canvas.text(area.x_px, axes.area.y_px - 0.75F * style.text_px, axes.plot.y.label,
-              text_style(style.text_px));
+  canvas.text(area.x_px, axes.area.y_px - 0.75F * style.text_px, axes.plot.y.label, text_style(style.text_px));
 }
 
 void draw_run(Canvas& canvas, std::span<const glm::vec2> points, const Axes& axes, const Stroke& stroke) {
@@ -112,8 +109,8 @@ void draw_marker(Canvas& canvas, float x_px, float y_px, const Curve& curve, flo
       canvas.circle(x_px, y_px, 0.55F * radius_px, renderer::Colour{1.0F});
       return;
     case Marker::square:
-      canvas.fill_rectangle(x_px - 0.9F * radius_px, y_px - 0.9F * radius_px, 1.8F * radius_px,
-                            1.8F * radius_px, curve.stroke.colour);
+      canvas.fill_rectangle(x_px - 0.9F * radius_px, y_px - 0.9F * radius_px, 1.8F * radius_px, 1.8F * radius_px,
+                            curve.stroke.colour);
       return;
     case Marker::cross:
       for (const float rise_px : {radius_px, -radius_px}) {
@@ -188,12 +185,10 @@ constexpr float caption_at = 636.0F / 1160.0F;
 
 }  // namespace
 
-void draw_legend_entry(Canvas& canvas, const Curve& curve, float left_px, float middle_px,
-                       const PlotStyle& style) {
+void draw_legend_entry(Canvas& canvas, const Curve& curve, float left_px, float middle_px, const PlotStyle& style) {
   const float sample_px = sample_width(curve, style);
   if (curve.stroke.thickness_px > 0.0F) {
-    draw_polyline(canvas, std::vector<glm::vec2>{{left_px, middle_px}, {left_px + sample_px, middle_px}},
-                  curve.stroke);
+    draw_polyline(canvas, std::vector<glm::vec2>{{left_px, middle_px}, {left_px + sample_px, middle_px}}, curve.stroke);
   }
   draw_marker(canvas, left_px + 0.5F * sample_px, middle_px, curve, style.marker_px);
   renderer::TextStyle name = text_style(style.text_px);
@@ -249,8 +244,8 @@ Area plot_area(const PlotSheet& sheet, std::size_t number) {
   const auto column = static_cast<float>(number % sheet.columns);
   const auto row = static_cast<float>(number / sheet.columns);
   return {sheet.left_px + column * (sheet.width_px + sheet.gap_px),
-          sheet.top_px + row * (sheet.height_px + sheet.caption.height_px() + sheet.row_gap_px),
-          sheet.width_px, sheet.height_px};
+          sheet.top_px + row * (sheet.height_px + sheet.caption.height_px() + sheet.row_gap_px), sheet.width_px,
+          sheet.height_px};
 }
 
 Drawing draw_plot_sheet(std::vector<PlotPanel> panels, const PlotSheet& sheet) {
@@ -264,8 +259,8 @@ Drawing draw_plot_sheet(std::vector<PlotPanel> panels, const PlotSheet& sheet) {
     for (std::size_t i = 0; i < panels.size(); ++i) {
       const Area area = plot_area(sheet, i);
       draw_plot(canvas, panels[i].plot, area, sheet.plot);
-      draw_caption(canvas, panels[i].caption, area.x_px + caption_at * area.width_px,
-                   area.y_px + area.height_px, sheet.caption);
+      draw_caption(canvas, panels[i].caption, area.x_px + caption_at * area.width_px, area.y_px + area.height_px,
+                   sheet.caption);
     }
   };
   return drawing;

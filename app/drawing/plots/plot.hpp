@@ -63,8 +63,7 @@ void draw_legend_entry(renderer::Canvas& canvas, const Curve& curve, float left_
                        const PlotStyle& style = {});
 
 /// The rectangle within `area` that holds the curves, for the same arguments as draw_plot.
-Area data_area_of(const renderer::Canvas& canvas, const Plot& plot, const Area& area,
-                  const PlotStyle& style = {});
+Area data_area_of(const renderer::Canvas& canvas, const Plot& plot, const Area& area, const PlotStyle& style = {});
 
 /// The part of the segment a-b within the rectangle, or nothing (Liang and Barsky 1984).
 std::optional<std::array<glm::vec2, 2>> clipped(const glm::vec2& a, const glm::vec2& b, const Area& area);

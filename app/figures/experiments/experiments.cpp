@@ -33,9 +33,8 @@ SpringPatch patch_of(const sim::Garment& garment, const std::vector<sim::Index>&
 sim::Vec3 normal_around(const sim::Garment& garment, const std::vector<sim::Index>& vertices) {
   sim::Vec3 normal(0.0);
   for (const sim::Triangle& triangle : garment.mesh.triangles) {
-    if (std::ranges::all_of(triangle, [&](sim::Index corner) {
-          return std::ranges::find(vertices, corner) != vertices.end();
-        })) {
+    if (std::ranges::all_of(triangle,
+                            [&](sim::Index corner) { return std::ranges::find(vertices, corner) != vertices.end(); })) {
       normal += sim::doubled_area_vector(garment.mesh.positions, triangle);
     }
   }
@@ -118,8 +117,7 @@ void run_strong_shirts(Results& results, const ProgressCallback& report_progress
 void record(const std::string& scene_name, std::optional<int> frames, std::optional<Recording>& place,
             const ProgressCallback& report_progress) {
   const DrawnScene scene = find_scene(scene_name, {});
-  place =
-      record_frames(scene, std::array{frames.value_or(scene.frames)}, report_progress, Checking::promises);
+  place = record_frames(scene, std::array{frames.value_or(scene.frames)}, report_progress, Checking::promises);
 }
 
 template <MethodTest test> void run_trials(Results& results, const ProgressCallback& report_progress) {
@@ -150,9 +148,7 @@ constexpr PlannedJob planned_jobs[] = {
     {"shirts by the paper's method", 14.0, run_strong_shirts},
     {"garments of many kinds", 14.0, [](auto& r, auto& report) { r.garments = try_garments(report); }},
     {"restart", 0.05,
-     [](Results& r, const ProgressCallback&) {
-       r.restart = run_restart(find_scene("pinned-9x9-5", {}), 30, 60);
-     }},
+     [](Results& r, const ProgressCallback&) { r.restart = run_restart(find_scene("pinned-9x9-5", {}), 30, 60); }},
 };
 
 }  // namespace
@@ -185,9 +181,8 @@ SpringPatch patch_around(const sim::Garment& garment, sim::Index vertex, int rin
 
 Job job_of(Experiment experiment, Results& results) {
   const PlannedJob& planned = planned_jobs[static_cast<std::size_t>(experiment)];
-  return {planned.name, planned.cost, [&results, &planned](const ProgressCallback& report_progress) {
-            planned.work(results, report_progress);
-          }};
+  return {planned.name, planned.cost,
+          [&results, &planned](const ProgressCallback& report_progress) { planned.work(results, report_progress); }};
 }
 
 sim::Index followed_vertex(const DrawnScene& scene) {
@@ -241,8 +236,8 @@ std::optional<Unrest> measure_unrest(const MethodRun& run) {
   for (std::size_t i = begin; i < run.moved_rms_m.size(); ++i) {
     squares += run.moved_rms_m[i] * run.moved_rms_m[i];
   }
-  const auto [low, high] = std::minmax_element(run.max_stretch.begin() + static_cast<std::ptrdiff_t>(begin),
-                                               run.max_stretch.end());
+  const auto [low, high] =
+      std::minmax_element(run.max_stretch.begin() + static_cast<std::ptrdiff_t>(begin), run.max_stretch.end());
   const auto count = static_cast<double>(run.moved_rms_m.size() - begin);
   return Unrest{std::sqrt(squares / count) / run.time_step_s, *low, *high};
 }
@@ -257,8 +252,7 @@ RestartRun run_restart(const DrawnScene& scene, int steps_before, int steps_afte
   const auto go_on = [&](sim::State& state, int steps) {
     const auto solver = sim::make_solver(solver_settings(stepped.simulation.solver));
     for (int step = 0; step < steps; ++step) {
-      std::ignore =
-          solver->advance_frame({garment, pins, surroundings, time_step_s, throw_if_interrupted}, state);
+      std::ignore = solver->advance_frame({garment, pins, surroundings, time_step_s, throw_if_interrupted}, state);
       solver->keep_frame();
     }
   };

@@ -52,10 +52,9 @@ struct MethodTrial {
 using MethodTrials = std::vector<MethodTrial>;
 
 /// In the order of their years, the paper's and this program's own last.
-inline constexpr std::array trial_methods = {sim::SolverKind::ideal,           sim::SolverKind::provot,
-                                             sim::SolverKind::implicit,        sim::SolverKind::vassilev,
-                                             sim::SolverKind::fast_projection, sim::SolverKind::strong,
-                                             sim::SolverKind::bounded};
+inline constexpr std::array trial_methods = {
+    sim::SolverKind::ideal,           sim::SolverKind::provot, sim::SolverKind::implicit, sim::SolverKind::vassilev,
+    sim::SolverKind::fast_projection, sim::SolverKind::strong, sim::SolverKind::bounded};
 
 /// Triangles of the 9x9 cloth, and those of the coarse shirt.
 inline constexpr int trial_grid_triangles = 128, trial_shirt_triangles = 1028;
@@ -78,12 +77,12 @@ struct TrialLengths {
 
 /// Makes the trials of one test. Those of time take turns of a few frames, so that other load on the machine
 /// meets all methods alike; nothing else of the program should run meanwhile. `meshes` are theirs alone.
-MethodTrials make_trials(MethodTest test, const ProgressCallback& report_progress,
-                         const TrialLengths& lengths = {}, std::span<const int> meshes = trial_meshes);
+MethodTrials make_trials(MethodTest test, const ProgressCallback& report_progress, const TrialLengths& lengths = {},
+                         std::span<const int> meshes = trial_meshes);
 
 /// The trial of this method among others, with this factor or mesh. Throws std::out_of_range without one.
-const MethodTrial& trial_of(const MethodTrials& trials, sim::SolverKind kind,
-                            int triangles = trial_shirt_triangles, int step_factor = 1);
+const MethodTrial& trial_of(const MethodTrials& trials, sim::SolverKind kind, int triangles = trial_shirt_triangles,
+                            int step_factor = 1);
 
 /// y = offset + slope * x.
 struct StraightLine {
@@ -163,8 +162,7 @@ inline constexpr int trial_sweeps = 4;
 inline constexpr double trial_bound = 0.05;
 
 /// Reads a model file as every command does, hangs it by its top and simulates it with both solvers.
-GarmentTrial try_garment(const std::string& file, const std::string& kind,
-                         const ProgressCallback& report_progress);
+GarmentTrial try_garment(const std::string& file, const std::string& kind, const ProgressCallback& report_progress);
 
 /// Tries the sample garments (assets/garments/samples) and the three shirts.
 std::vector<GarmentTrial> try_garments(const ProgressCallback& report_progress);
@@ -238,7 +236,7 @@ struct Results {
   std::optional<StepRecording> fall;
   std::array<std::optional<Recording>, 2> pinned;  ///< of pinned_scenes
   std::array<std::optional<Recording>, 3> shirts;  ///< of shirt_scenes
-  std::vector<MethodRun> methods;  ///< compared_methods with the short step, then with the long step
+  std::vector<MethodRun> methods;                  ///< compared_methods with the short step, then with the long step
   /// Ideal springs with the short step, one run for each of stiffness_factors.
   std::vector<MethodRun> ideal_stiffnesses;
   std::vector<StrongRun> strong_runs;
@@ -290,8 +288,7 @@ inline constexpr double methods_duration_s = 10.0;
 inline constexpr std::array compared_methods = {sim::SolverKind::ideal, sim::SolverKind::provot,
                                                 sim::SolverKind::strong};
 /// Runs a method on the cloth of figure 7. `stiffness_factor` multiplies the stiffness of its springs.
-MethodRun run_method(sim::SolverKind kind, double steps_per_s, double duration_s,
-                     double stiffness_factor = 1.0);
+MethodRun run_method(sim::SolverKind kind, double steps_per_s, double duration_s, double stiffness_factor = 1.0);
 /// Multiples of the stiffness of figure 7. The last one is near the most that the short step allows.
 inline constexpr std::array stiffness_factors = {1.0, 2.0, 4.0};
 

@@ -40,8 +40,7 @@ Mapping mapping_of(const sim::Garment& garment) {
   return mapping;
 }
 
-TrialRun run_trial(const LoadedGarment& loaded, const DrawnScene& scene,
-                   const ProgressCallback& report_progress) {
+TrialRun run_trial(const LoadedGarment& loaded, const DrawnScene& scene, const ProgressCallback& report_progress) {
   sim::Simulation simulation = make_simulation(scene, loaded);
   FrameOutputs outputs;
   outputs.report = [&](const FrameRecord& record) {
@@ -106,15 +105,13 @@ void time_frame(TimedRun& run) {
   const ProcessorStopwatch stopwatch;
   run.simulation.advance_frame(throw_if_interrupted);
   run.times.frame_ms.push_back(stopwatch.elapsed_ms());
-  const double stretch =
-      sim::measure_stretch(run.simulation.garment().springs, run.simulation.state().current).max;
+  const double stretch = sim::measure_stretch(run.simulation.garment().springs, run.simulation.state().current).max;
   run.times.largest_stretch = std::max(run.times.largest_stretch, stretch);
 }
 
 }  // namespace
 
-GarmentTrial try_garment(const std::string& file, const std::string& kind,
-                         const ProgressCallback& report_progress) {
+GarmentTrial try_garment(const std::string& file, const std::string& kind, const ProgressCallback& report_progress) {
   GarmentTrial trial;
   trial.file = std::filesystem::path(file).filename().string();
   trial.kind = kind;

@@ -72,8 +72,8 @@ int frames_in(double time_s, int step_factor = 1) {
 /// The scene of a trial: the method with its own settings, a threshold or bound of `trial_max_stretch`, one
 /// thread and no contact.
 DrawnScene trial_scene(sim::SolverKind kind, int triangles) {
-  DrawnScene scene = triangles == trial_grid_triangles ? find_scene(pinned_scenes[0], {})
-                                                       : shirt_scene(shirt_scenes[0], triangles);
+  DrawnScene scene =
+      triangles == trial_grid_triangles ? find_scene(pinned_scenes[0], {}) : shirt_scene(shirt_scenes[0], triangles);
   scene.simulation = {};
   scene.simulation.frame_rate_hz = frame_rate_hz;
   // Never put to sleep: whether cloth comes to rest is what is asked.
@@ -97,8 +97,7 @@ MethodTrials time_meshes(std::span<const int> meshes, int frames, const Progress
     for (int done = 0; done < frames; done += frames_in_a_turn) {
       for (RunningTrial& run : runs) {
         run.advance(std::min(frames_in_a_turn, frames - done));
-        report_progress(static_cast<double>(trials.size()) /
-                        static_cast<double>(meshes.size() * trial_methods.size()));
+        report_progress(static_cast<double>(trials.size()) / static_cast<double>(meshes.size() * trial_methods.size()));
       }
     }
     for (RunningTrial& run : runs) trials.push_back(std::move(run).finish());
@@ -171,9 +170,7 @@ const char* name_of(MethodTest test) {
 
 double MethodTrial::largest_stretch() const { return largest_of(*this, &TrialFrame::stretch); }
 
-double MethodTrial::largest_surface_stretch() const {
-  return largest_of(*this, &TrialFrame::surface_stretch);
-}
+double MethodTrial::largest_surface_stretch() const { return largest_of(*this, &TrialFrame::surface_stretch); }
 
 double MethodTrial::ranked_ms(double fraction) const {
   std::vector<double> all_ms;
@@ -193,8 +190,8 @@ double MethodTrial::last_speed_m_per_s() const {
   return std::sqrt(squares / count);
 }
 
-MethodTrials make_trials(MethodTest test, const ProgressCallback& report_progress,
-                         const TrialLengths& lengths, std::span<const int> meshes) {
+MethodTrials make_trials(MethodTest test, const ProgressCallback& report_progress, const TrialLengths& lengths,
+                         std::span<const int> meshes) {
   if (test == MethodTest::time) return time_meshes(meshes, lengths.timed_frames, report_progress);
   const LoadedGarment cloth = load_garment(trial_scene(sim::SolverKind::bounded, trial_shirt_triangles));
   const std::size_t factors = test == MethodTest::steps ? trial_step_factors.size() : 1;
@@ -211,8 +208,7 @@ MethodTrials make_trials(MethodTest test, const ProgressCallback& report_progres
   return trials;
 }
 
-const MethodTrial& trial_of(const MethodTrials& trials, sim::SolverKind kind, int triangles,
-                            int step_factor) {
+const MethodTrial& trial_of(const MethodTrials& trials, sim::SolverKind kind, int triangles, int step_factor) {
   for (const MethodTrial& trial : trials) {
     if (trial.kind == kind && trial.triangles == triangles && trial.step_factor == step_factor) return trial;
   }

@@ -48,8 +48,8 @@ void note_stretch(const FrameRecord& record, Recording& recording) {
   largest.p99 = std::max(largest.p99, record.surface_stretch.p99);
 }
 
-Recording record_frames(const DrawnScene& scene, std::span<const int> frames,
-                        const ProgressCallback& report_progress, Checking checking) {
+Recording record_frames(const DrawnScene& scene, std::span<const int> frames, const ProgressCallback& report_progress,
+                        Checking checking) {
   sim::Simulation simulation = make_simulation(scene, load_garment(scene));
   Recording recording = begin_recording(scene, simulation);
   std::optional<PromiseCounter> counter;

@@ -43,8 +43,8 @@ void note_stretch(const FrameRecord& record, Recording& recording);
 enum class Checking { none, promises };
 
 /// Simulates the scene up to the last of `frames`, which must be ascending, and keeps these frames.
-Recording record_frames(const DrawnScene& scene, std::span<const int> frames,
-                        const ProgressCallback& report_progress, Checking checking = Checking::none);
+Recording record_frames(const DrawnScene& scene, std::span<const int> frames, const ProgressCallback& report_progress,
+                        Checking checking = Checking::none);
 
 /// A run that was looked at after every time step. The paper calls a step an iteration.
 struct StepRecording {

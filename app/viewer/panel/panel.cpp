@@ -64,9 +64,8 @@ std::string measured_of(const Snapshot& garment, const ViewerState& state) {
 }
 
 std::string lost_of(const Snapshot& garment, const ViewerState& state, const ViewArea& area) {
-  return garment.stopped
-             ? fmt::format("stopped at {:.2f} s: R starts both again", garment.record.time_s)
-             : lost_cloth(garment.positions(), garment.loaded->garment->mesh.triangles, state.camera, area);
+  return garment.stopped ? fmt::format("stopped at {:.2f} s: R starts both again", garment.record.time_s)
+                         : lost_cloth(garment.positions(), garment.loaded->garment->mesh.triangles, state.camera, area);
 }
 
 void lay_out_label(const char* name, const Snapshot& garment, const ViewerState& state, const ViewArea& area,
@@ -135,8 +134,7 @@ constexpr std::array hints = {
     Hint{"look.stretch", "Show the stretch as colours, in percent of the length at rest."},
     Hint{"look.stretch_of", "What the colours show the stretch of."},
     Hint{"look.stretch_of.springs", "At each vertex the largest stretch of the springs there."},
-    Hint{"look.stretch_of.surface",
-         "At each vertex the largest stretch of the triangles there, in any direction."},
+    Hint{"look.stretch_of.surface", "At each vertex the largest stretch of the triangles there, in any direction."},
     Hint{"look.wireframe", "Show the edges of the mesh, as far as cloth does not hide them."},
     Hint{"look.shadows", "Shadows of the key light on cloth and floor. Without, drawing is faster."},
     Hint{"look.springs", "Show springs, coloured by their kind."},
@@ -146,15 +144,12 @@ constexpr std::array hints = {
     Hint{"look.springs.flexural", "Those that skip a vertex, and resist bending."},
     Hint{"look.springs.all", "All kinds, the flexural ones under the others."},
     Hint{"look.normals", "Show which way the vertices' outsides face."},
-    Hint{"scene",
-         "Load a scene that comes with the program. Drop a scene's file on the window to load another."},
-    Hint{"garment",
-         "Put another garment into this scene. Drop a model's file on the window to load another."},
+    Hint{"scene", "Load a scene that comes with the program. Drop a scene's file on the window to load another."},
+    Hint{"garment", "Put another garment into this scene. Drop a model's file on the window to load another."},
     Hint{"fabric",
          "Make the garment of another fabric: its weight, stiffness and look, from now on; the first is that "
          "of the scene as it was opened."},
-    Hint{"motion",
-         "Choose how the body moves, over and over. The scene begins anew, and the body is dressed again."},
+    Hint{"motion", "Choose how the body moves, over and over. The scene begins anew, and the body is dressed again."},
     Hint{"solver",
          "How springs answer. bounded: ours, keeps its bound on stretch. strong: the paper's. ideal: Hooke's "
          "springs. provot, vassilev: those, held at a threshold. fast-projection: keeps lengths. implicit: "
@@ -167,8 +162,7 @@ constexpr std::array hints = {
     Hint{"solver.ideal", "Hooke's springs alone: cloth stretches under its weight, and vibrates."},
     Hint{"solver.provot", "Hooke's springs, pulled back where they exceed the threshold (Provot 1995)."},
     Hint{"solver.strong", "The paper's strong constraint: sweeps over all springs in their order."},
-    Hint{"solver.bounded",
-         "The paper's equations, organised so that the bound on stretch is kept in every frame."},
+    Hint{"solver.bounded", "The paper's equations, organised so that the bound on stretch is kept in every frame."},
     Hint{"solver.vassilev",
          "Hooke's springs, whose ends part no further beyond the threshold (Vassilev and others 2001)."},
     Hint{"solver.fast-projection",
@@ -176,18 +170,15 @@ constexpr std::array hints = {
     Hint{"solver.implicit", "Stiff cloth in large steps by backward Euler (Baraff and Witkin 1998)."},
     Hint{"solver.bound.springs", "Every spring along itself, as the paper has it."},
     Hint{"solver.bound.surface", "Every triangle along any direction, and with it the springs."},
-    Hint{"fabric.bending",
-         "Bending rigidity of the cloth, in millionths of a newton metre. Jersey 5, denim 98."},
-    Hint{"fabric.compression",
-         "Stiffness of springs that are shorter than at rest, in N/m. Less crumples sooner."},
+    Hint{"fabric.bending", "Bending rigidity of the cloth, in millionths of a newton metre. Jersey 5, denim 98."},
+    Hint{"fabric.compression", "Stiffness of springs that are shorter than at rest, in N/m. Less crumples sooner."},
     Hint{"solver.stiffness.flexural", "Stiffness of flexural springs, in N/m. Less bends more easily."},
     Hint{"solver.stiffness.damping",
          "Damping of every spring, in N s/m. More vibrates less, and needs shorter time steps."},
     Hint{"keep.screenshot", "Write what the scene shows as a PNG picture, without this panel."},
     Hint{"keep.scene", "Write all settings as a scene file, which taut render draws as the window does."},
     Hint{"keep.camera", "Copy the camera as lines of a scene file to the clipboard."},
-    Hint{"keep.record",
-         "Record what the scene shows, 30 pictures a second, without this panel; once more ends it."},
+    Hint{"keep.record", "Record what the scene shows, 30 pictures a second, without this panel; once more ends it."},
     Hint{"keep.video", "Record to a video, an MP4 file. Needs ffmpeg."},
     Hint{"keep.pictures", "Record to a folder of PNG pictures."},
     Hint{"keep.shape", "Write the cloth as it is now as an OBJ file, with the faces of its model."},
@@ -196,13 +187,10 @@ constexpr std::array hints = {
          "is drawn; once more ends it. Going back, starting again or another scene ends it too."},
     Hint{"keep.clip_frames", "Frames of the clip so far, and the file that they go to."},
     Hint{"keep.clip_format", "What the clip is written as."},
-    Hint{"keep.clip_format.PC2",
-         "A point cache, and the rest shape that it moves as an OBJ file. For Blender."},
+    Hint{"keep.clip_format.PC2", "A point cache, and the rest shape that it moves as an OBJ file. For Blender."},
     Hint{"keep.clip_format.MDD", "LightWave's point cache, and the rest shape that it moves as an OBJ file."},
-    Hint{"keep.clip_format.glTF",
-         "One GLB file with all shapes and an animation, which plays in any viewer."},
-    Hint{"keep.clip_format.VTK",
-         "A PVD file and one VTP file a frame, with the triangles' stretch. For ParaView."},
+    Hint{"keep.clip_format.glTF", "One GLB file with all shapes and an animation, which plays in any viewer."},
+    Hint{"keep.clip_format.VTK", "A PVD file and one VTP file a frame, with the triangles' stretch. For ParaView."},
     Hint{"keep.clip_format.OBJ", "One OBJ file a frame."},
     Hint{"time.pause", "Stop and go on. Key: space."},
     Hint{"time.step", "One frame, 1/60 s as scenes have it. Key: full stop."},
@@ -234,8 +222,7 @@ void lay_out(ViewerState& state, const WindowLayout& layout) {
   lay_out_messages(state, area, layout.scale);
   lay_out_key_sheet(state, area);
   // Nothing has been under the pointer in this frame.
-  if (before && state.hovered && before->name == state.hovered->name &&
-      before->for_s == state.hovered->for_s) {
+  if (before && state.hovered && before->name == state.hovered->name && before->for_s == state.hovered->for_s) {
     state.hovered.reset();
   }
 }
@@ -273,14 +260,13 @@ bool number_slider(ViewerState& state, const char* label, const char* name, doub
                    double highest, const char* format, bool logarithmic) {
   const ImGuiSliderFlags flags =
       ImGuiSliderFlags_AlwaysClamp | (logarithmic ? ImGuiSliderFlags_Logarithmic : ImGuiSliderFlags_None);
-  const bool changed =
-      ImGui::SliderScalar(label, ImGuiDataType_Double, &value, &lowest, &highest, format, flags);
+  const bool changed = ImGui::SliderScalar(label, ImGuiDataType_Double, &value, &lowest, &highest, format, flags);
   note_place(state, name);
   return changed;
 }
 
-bool whole_slider(ViewerState& state, const char* label, const char* name, int& value, int lowest,
-                  int highest, const char* format) {
+bool whole_slider(ViewerState& state, const char* label, const char* name, int& value, int lowest, int highest,
+                  const char* format) {
   const bool changed = ImGui::SliderInt(label, &value, lowest, highest, format,
                                         ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_Logarithmic);
   note_place(state, name);
@@ -293,8 +279,7 @@ void lay_out_comparison(ViewerState& state) {
   for (const sim::SolverKind kind : sim::all_solver_kinds) {
     entries.push_back({sim::name_of(kind), sim::name_of(kind), with == kind});
   }
-  if (const auto clicked =
-          list_of(state, "compare with", "compare", with ? sim::name_of(*with) : "none", entries)) {
+  if (const auto clicked = list_of(state, "compare with", "compare", with ? sim::name_of(*with) : "none", entries)) {
     with = *clicked == 0 ? std::nullopt : std::optional(sim::all_solver_kinds[*clicked - 1]);
   }
 }

@@ -153,9 +153,8 @@ void lay_out_stiffness(ViewerState& state) {
   sim::Material& fabric = state.scene.material;
   const double before_un_m = 1e6 * fabric.bending_rigidity_n_m;
   double bending_un_m = before_un_m;
-  slider_pair(
-      state, {"##flexural", "fabric.bending", bending_un_m, 0.0, 200.0, "%.1f µN m", true},
-      {"stiffness", "fabric.compression", fabric.compression_stiffness_n_per_m, 0.0, 500.0, "%.0f N/m"});
+  slider_pair(state, {"##flexural", "fabric.bending", bending_un_m, 0.0, 200.0, "%.1f µN m", true},
+              {"stiffness", "fabric.compression", fabric.compression_stiffness_n_per_m, 0.0, 500.0, "%.0f N/m"});
   if (bending_un_m != before_un_m) fabric.bending_rigidity_n_m = 1e-6 * bending_un_m;
 }
 
@@ -169,8 +168,7 @@ void lay_out_solver(ViewerState& state) {
   solver.substeps = substeps > 0 ? std::optional(substeps) : std::nullopt;
   const bool sweeps = solver.kind == sim::SolverKind::strong;
   const bool hooke = solver.kind == sim::SolverKind::ideal || solver.kind == sim::SolverKind::provot ||
-                     solver.kind == sim::SolverKind::vassilev ||
-                     solver.kind == sim::SolverKind::fast_projection;
+                     solver.kind == sim::SolverKind::vassilev || solver.kind == sim::SolverKind::fast_projection;
   if (sweeps) {
     whole_slider(state, "iterations", "solver.iterations", solver.strong.iterations, 1, 200);
     number_slider(state, "flexural", "solver.flexural", solver.strong.rigidity.flexural, 0.0, 1.0, "%.3f");
@@ -179,19 +177,17 @@ void lay_out_solver(ViewerState& state) {
   if (solver.kind == sim::SolverKind::bounded) lay_out_stiffness(state);
   if (hooke) {
     sim::SpringStiffness& springs = solver.ideal.stiffness;
-    slider_pair(
-        state,
-        {"##flexural", "solver.stiffness.flexural", springs.flexural_n_per_m, 0.0, 100.0, "%.1f N/m", true},
-        {"bend, damp", "solver.stiffness.damping", springs.damping_n_s_per_m, 0.0, 0.2, "%.3f N s/m"});
+    slider_pair(state,
+                {"##flexural", "solver.stiffness.flexural", springs.flexural_n_per_m, 0.0, 100.0, "%.1f N/m", true},
+                {"bend, damp", "solver.stiffness.damping", springs.damping_n_s_per_m, 0.0, 0.2, "%.3f N s/m"});
   }
   if (solver.kind == sim::SolverKind::implicit) {
     slider_pair(state,
-                {"##stretch stiffness", "solver.implicit.stretch", solver.implicit.stretch_n_per_m, 1.0,
-                 10000.0, "%.0f N/m", true},
+                {"##stretch stiffness", "solver.implicit.stretch", solver.implicit.stretch_n_per_m, 1.0, 10000.0,
+                 "%.0f N/m", true},
                 {"stretch, damp", "solver.implicit.damping", solver.implicit.damping_s, 0.0, 0.05, "%.4f s"});
   }
-  number_slider(state, "air drag", "air.drag", state.scene.surroundings.forces.air_drag_per_s, 0.0, 10.0,
-                "%.2f /s");
+  number_slider(state, "air drag", "air.drag", state.scene.surroundings.forces.air_drag_per_s, 0.0, 10.0, "%.2f /s");
 }
 
 // The two wind values of the paper's figure 5. The slider snaps to them.
@@ -216,16 +212,13 @@ double snapped(double speed) {
 }
 
 void draw_scale(ImDrawList& list, const Colours& colours, const ImVec2& left, float width, float scale) {
-  const auto x_of = [&](double speed) {
-    return left.x + width * static_cast<float>(speed / strongest_wind_m_per_s);
-  };
+  const auto x_of = [&](double speed) { return left.x + width * static_cast<float>(speed / strongest_wind_m_per_s); };
   for (int speed = 5; speed <= 20; speed += 5) {
     if (speed == 10) continue;
     const std::string text = std::to_string(speed);
     const float x = x_of(speed);
     list.AddLine({x, left.y}, {x, left.y + 4.0F * scale}, colours.faint, scale);
-    list.AddText({x - 0.5F * ImGui::CalcTextSize(text.c_str()).x, left.y + 5.0F * scale}, colours.faint,
-                 text.c_str());
+    list.AddText({x - 0.5F * ImGui::CalcTextSize(text.c_str()).x, left.y + 5.0F * scale}, colours.faint, text.c_str());
   }
   for (const double speed : paper_values) {
     std::array<char, 8> text{};
@@ -233,8 +226,7 @@ void draw_scale(ImDrawList& list, const Colours& colours, const ImVec2& left, fl
     const float x = x_of(speed);
     list.AddTriangleFilled({x, left.y}, {x + 4.0F * scale, left.y + 7.0F * scale},
                            {x - 4.0F * scale, left.y + 7.0F * scale}, colours.mark);
-    list.AddText({x - 0.5F * ImGui::CalcTextSize(text.data()).x, left.y + 7.0F * scale}, colours.mark,
-                 text.data());
+    list.AddText({x - 0.5F * ImGui::CalcTextSize(text.data()).x, left.y + 7.0F * scale}, colours.mark, text.data());
   }
 }
 
@@ -247,8 +239,7 @@ void speed_slider(ViewerState& state, float scale) {
   ImGui::InvisibleButton("speed", {width, 2.0F * knob});
   note_place(state, "wind.speed");
   // Named so that 0 and 1 across are the slider's ends.
-  state.places["wind.speed"] = {{corner.x + knob, corner.y},
-                                {corner.x + width - knob, corner.y + 2.0F * knob}};
+  state.places["wind.speed"] = {{corner.x + knob, corner.y}, {corner.x + width - knob, corner.y + 2.0F * knob}};
   const ImVec2 left = {corner.x + knob, corner.y + knob};
   const float length = width - 2.0F * knob;
   if (ImGui::IsItemActive()) {

@@ -55,8 +55,7 @@ float height_of(float value, const ItemPlace& place, float highest) {
   return place.upper_px.y - 1.0F - part * (place.upper_px.y - place.lower_px.y - 2.0F);
 }
 
-void draw_curve(std::span<const float> values, const ItemPlace& place, float highest, ImU32 colour,
-                float scale) {
+void draw_curve(std::span<const float> values, const ItemPlace& place, float highest, ImU32 colour, float scale) {
   if (values.size() < 2) return;
   const float step = (place.upper_px.x - place.lower_px.x) / static_cast<float>(RecentValues::most - 1);
   std::vector<ImVec2> points;
@@ -66,13 +65,11 @@ void draw_curve(std::span<const float> values, const ItemPlace& place, float hig
     points.emplace_back(place.upper_px.x - step * from_end, height_of(values[i], place, highest));
   }
   // Of a whole number of pixels: two triangles for each point instead of six.
-  ImGui::GetWindowDrawList()->AddPolyline(points.data(), static_cast<int>(points.size()), colour,
-                                          ImDrawFlags_None, std::round(1.5F * scale));
+  ImGui::GetWindowDrawList()->AddPolyline(points.data(), static_cast<int>(points.size()), colour, ImDrawFlags_None,
+                                          std::round(1.5F * scale));
 }
 
-float largest(std::span<const float> values) {
-  return values.empty() ? 0.0F : *std::ranges::max_element(values);
-}
+float largest(std::span<const float> values) { return values.empty() ? 0.0F : *std::ranges::max_element(values); }
 
 // Scales in steps, or they would breathe with every value.
 float rounded_up(float value, float least) {
@@ -95,20 +92,17 @@ void reading_line(ViewerState& state, const char* name, const std::string& text)
 void plot_stretch(ViewerState& state, float scale) {
   const sim::BoundKind held = bound_kind(state.scene);
   const bool holds_springs = held == sim::BoundKind::springs;
-  const RecentValues& stretch =
-      holds_springs ? state.measurements.max_stretch : state.measurements.max_surface_stretch;
+  const RecentValues& stretch = holds_springs ? state.measurements.max_stretch : state.measurements.max_surface_stretch;
   const std::optional<double> bound = stretch_bound(state.scene);
   const auto limit = static_cast<float>(bound.value_or(0.0));
   const std::string now = in_little_room(100.0F * stretch.last(), 2);
   const std::string reading =
-      bound ? fmt::format("{} %, {} {:.4g} %", now, bound_word(state.scene), 100.0 * *bound)
-            : now + " %, no bound";
+      bound ? fmt::format("{} %, {} {:.4g} %", now, bound_word(state.scene), 100.0 * *bound) : now + " %, no bound";
   const float highest = rounded_up(largest(stretch.values()), std::max(1.25F * limit, 0.001F));
   const bool is_exceeded = bound && !state.newest->record.bound_kept;
   const Words words = is_exceeded ? Words{reading, bound_colour} : Words{reading};
-  const ItemPlace place =
-      plot_frame(state, "measured.stretch",
-                 {holds_springs ? "Stretch of springs" : "Stretch of the surface", {words}}, scale);
+  const ItemPlace place = plot_frame(state, "measured.stretch",
+                                     {holds_springs ? "Stretch of springs" : "Stretch of the surface", {words}}, scale);
   if (bound) {
     const float y = height_of(limit, place, highest);
     ImGui::GetWindowDrawList()->AddLine({place.lower_px.x, y}, {place.upper_px.x, y}, bound_colour, scale);
@@ -121,9 +115,8 @@ void plot_stretch(ViewerState& state, float scale) {
 void plot_convergence(ViewerState& state, float scale) {
   const RecentValues& moved = state.measurements.convergence_mm;
   const float highest = rounded_up(largest(moved.values()), 0.01F);
-  const ItemPlace place =
-      plot_frame(state, "measured.convergence",
-                 {"Convergence", {{in_little_room(moved.last(), 3) + " mm a frame"}}}, scale);
+  const ItemPlace place = plot_frame(state, "measured.convergence",
+                                     {"Convergence", {{in_little_room(moved.last(), 3) + " mm a frame"}}}, scale);
   draw_curve(moved.values(), place, highest, curve_colour, scale);
 }
 
@@ -133,8 +126,7 @@ void plot_times(ViewerState& state, float scale) {
     plot_frame(state, "measured.times", {"Milliseconds", {{"not shown here"}}}, scale);
     return;
   }
-  const float highest =
-      rounded_up(std::max(largest(m.simulate_ms.values()), largest(m.draw_ms.values())), 10.0F);
+  const float highest = rounded_up(std::max(largest(m.simulate_ms.values()), largest(m.draw_ms.values())), 10.0F);
   const std::vector<Words> reading = {{"simulate " + few_digits(m.simulate_ms.last()), curve_colour},
                                       {"draw " + few_digits(m.draw_ms.last()), second_colour},
                                       {"panel " + few_digits(m.panel_ms.last())}};
@@ -144,13 +136,11 @@ void plot_times(ViewerState& state, float scale) {
 }
 
 std::string size_text(const sim::Garment& garment) {
-  return fmt::format("{} triangles, {} vertices", garment.mesh.triangles.size(),
-                     garment.mesh.positions.size());
+  return fmt::format("{} triangles, {} vertices", garment.mesh.triangles.size(), garment.mesh.positions.size());
 }
 
 std::string reason_text(SlowedBy reason, const Snapshot& newest) {
-  constexpr std::array texts = {"", ", slowed by the simulation", ", slowed by drawing",
-                                ", slowed by other programs"};
+  constexpr std::array texts = {"", ", slowed by the simulation", ", slowed by drawing", ", slowed by other programs"};
   if (reason == SlowedBy::simulation && newest.compared) {
     return std::string(", slowed by ") + slower_solver(newest);
   }
@@ -178,8 +168,7 @@ std::string speed_text(const ViewerState& state) {
 /// Where the simulation falls behind, a button that takes a garment of fewer triangles.
 void offer_coarser(ViewerState& state) {
   const auto speed = speed_of(state);
-  const Choice* const coarser =
-      coarser_than(state.newest->loaded->scene.garment.file.stem().string(), state.garments);
+  const Choice* const coarser = coarser_than(state.newest->loaded->scene.garment.file.stem().string(), state.garments);
   if (stands_still(state) || !speed || speed->second != SlowedBy::simulation || coarser == nullptr) return;
   if (ImGui::SmallButton(("Take " + coarser->name).c_str())) state.garment_asked = coarser->file;
   note_place(state, "measured.coarser");
@@ -216,9 +205,8 @@ void lay_out_timeline(ViewerState& state, float width) {
   const double behind_s = (last - place) / newest.loaded->scene.simulation.frame_rate_hz;
   const std::string text = behind_s > 0.0 ? fmt::format("{:.2f} s ago", behind_s) : std::string("now");
   ImGui::SetNextItemWidth(width);
-  if (ImGui::SliderScalar(
-          "##timeline", ImGuiDataType_Double, &place, &first, &last, text.c_str(),
-          ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_NoInput | ImGuiSliderFlags_NoRoundToFormat)) {
+  if (ImGui::SliderScalar("##timeline", ImGuiDataType_Double, &place, &first, &last, text.c_str(),
+                          ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_NoInput | ImGuiSliderFlags_NoRoundToFormat)) {
     const int frame = std::max(0, static_cast<int>(std::lround(place)));
     state.past_frame = frame < newest.record.frame ? std::optional(frame) : std::nullopt;
     if (state.past_frame && !state.paused) state.asked.push_back(Action::pause);
@@ -254,8 +242,7 @@ void legend_of_stretch(const ViewerState& state, float scale) {
     if (!is_hidden) mark(value, fmt::format("{:.4g} %{}", 100.0 * value, i == 4 ? " and more" : ""), ink);
   }
   if (bound && *bound >= low && *bound <= high) {
-    mark(*bound, fmt::format("{:.4g} % {}", 100.0 * *bound, bound_word(state.scene)),
-         IM_COL32(192, 57, 43, 255));
+    mark(*bound, fmt::format("{:.4g} % {}", 100.0 * *bound, bound_word(state.scene)), IM_COL32(192, 57, 43, 255));
   }
   ImGui::Dummy({size.x + ImGui::CalcTextSize("00.00 % and more").x + 12.0F * scale, size.y + 6.0F * scale});
 }
@@ -266,8 +253,8 @@ void legend_of_springs(const ViewerState& state, float scale) {
     const std::size_t count = state.newest->loaded->garment->springs.count(kind);
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     const float y = corner.y + 0.5F * ImGui::GetTextLineHeight();
-    ImGui::GetWindowDrawList()->AddLine({corner.x, y}, {corner.x + 16.0F * scale, y},
-                                        packed(spring_colour(kind)), 3.0F * scale);
+    ImGui::GetWindowDrawList()->AddLine({corner.x, y}, {corner.x + 16.0F * scale, y}, packed(spring_colour(kind)),
+                                        3.0F * scale);
     ImGui::Dummy({18.0F * scale, ImGui::GetTextLineHeight()});
     ImGui::SameLine();
     ImGui::Text("%s, %zu", sim::name_of(kind), count);
@@ -306,8 +293,8 @@ void lay_out_time_bar(ViewerState& state, const ViewArea& area, float scale) {
     lay_out_speed(state);
     ImGui::SameLine();
     const std::string time = fmt::format("{:7.2f} s", state.shown->record.time_s);
-    const float room = ImGui::GetContentRegionAvail().x - ImGui::CalcTextSize("0000.00 s").x -
-                       ImGui::GetStyle().ItemSpacing.x;
+    const float room =
+        ImGui::GetContentRegionAvail().x - ImGui::CalcTextSize("0000.00 s").x - ImGui::GetStyle().ItemSpacing.x;
     lay_out_timeline(state, std::max(room, 40.0F * scale));
     ImGui::SameLine();
     ImGui::TextUnformatted(time.c_str());
@@ -319,16 +306,14 @@ void lay_out_messages(const ViewerState& state, const ViewArea& area, float scal
   if (state.messages.empty() && state.warning.empty()) return;
   const auto width = static_cast<float>(area.width_px);
   const float bar = 2.0F * ImGui::GetFrameHeightWithSpacing();
-  ImGui::SetNextWindowPos({0.5F * width, static_cast<float>(area.height_px) - bar}, ImGuiCond_Always,
-                          {0.5F, 1.0F});
+  ImGui::SetNextWindowPos({0.5F * width, static_cast<float>(area.height_px) - bar}, ImGuiCond_Always, {0.5F, 1.0F});
   ImGui::SetNextWindowSizeConstraints({0.0F, 0.0F}, {std::max(width - 16.0F * scale, 32.0F), 1e6F});
   ImGui::SetNextWindowBgAlpha(background);
   if (ImGui::Begin("messages", nullptr, untouchable)) {
     ImGui::PushTextWrapPos(std::max(std::min(640.0F * scale, width - 48.0F * scale), 16.0F));
     if (!state.warning.empty()) ImGui::TextUnformatted(state.warning.c_str());
     for (const Message& message : state.messages) {
-      const ImVec4 ink =
-          message.is_error ? ImVec4(0.70F, 0.12F, 0.10F, 1.0F) : ImGui::GetStyleColorVec4(ImGuiCol_Text);
+      const ImVec4 ink = message.is_error ? ImVec4(0.70F, 0.12F, 0.10F, 1.0F) : ImGui::GetStyleColorVec4(ImGuiCol_Text);
       ImGui::PushStyleColor(ImGuiCol_Text, ink);
       ImGui::TextUnformatted(message.text.c_str());
       ImGui::PopStyleColor();
@@ -340,9 +325,8 @@ void lay_out_messages(const ViewerState& state, const ViewArea& area, float scal
 
 void lay_out_key_sheet(ViewerState& state, const ViewArea& area) {
   if (!state.show_keys) return;
-  ImGui::SetNextWindowPos(
-      {0.5F * static_cast<float>(area.width_px), 0.45F * static_cast<float>(area.height_px)},
-      ImGuiCond_Always, {0.5F, 0.5F});
+  ImGui::SetNextWindowPos({0.5F * static_cast<float>(area.width_px), 0.45F * static_cast<float>(area.height_px)},
+                          ImGuiCond_Always, {0.5F, 0.5F});
   ImGui::SetNextWindowBgAlpha(0.96F);
   if (ImGui::Begin("keys", nullptr, untouchable) && ImGui::BeginTable("sheet", 2)) {
     for (const KeyBinding& binding : key_bindings()) {

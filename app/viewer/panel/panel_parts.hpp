@@ -49,19 +49,17 @@ void kind_list(ViewerState& state, const char* label, const char* name, const Ki
                const char* closed = nullptr) {
   std::vector<ListEntry> entries;
   for (const Kind kind : kinds) entries.push_back({name_of(kind), name_of(kind), kind == chosen});
-  if (const auto clicked =
-          list_of(state, label, name, closed != nullptr ? closed : name_of(chosen), entries)) {
+  if (const auto clicked = list_of(state, label, name, closed != nullptr ? closed : name_of(chosen), entries)) {
     chosen = kinds[*clicked];
   }
 }
 /// A button that asks for an action.
-void action_button(ViewerState& state, const char* label, Action action, const char* name,
-                   float width_px = 0.0F);
+void action_button(ViewerState& state, const char* label, Action action, const char* name, float width_px = 0.0F);
 /// A slider for a number of the scene; `name` is its key. Returns whether the user changed it.
 bool number_slider(ViewerState& state, const char* label, const char* name, double& value, double lowest,
                    double highest, const char* format, bool logarithmic = false);
 /// As number_slider, for whole numbers.
-bool whole_slider(ViewerState& state, const char* label, const char* name, int& value, int lowest,
-                  int highest, const char* format = "%d");
+bool whole_slider(ViewerState& state, const char* label, const char* name, int& value, int lowest, int highest,
+                  const char* format = "%d");
 
 }  // namespace taut::app

@@ -114,8 +114,7 @@ struct Feeder {
 
 }  // namespace
 
-UserInterface::UserInterface(double scale)
-    : context_(ImGui::CreateContext()), scale_(scale), font_(font_file()) {
+UserInterface::UserInterface(double scale) : context_(ImGui::CreateContext()), scale_(scale), font_(font_file()) {
   ImGui::SetCurrentContext(context_);
   ImGuiIO& io = ImGui::GetIO();
   io.IniFilename = nullptr;
@@ -152,8 +151,7 @@ void UserInterface::make_letters() {
   ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
   atlas.Clear();
   // Latin, the signs of dashes and arrows, and simple shapes.
-  static constexpr std::array<ImWchar, 9> ranges = {0x20,   0xFF,   0x2010, 0x2027, 0x2190,
-                                                    0x2199, 0x2212, 0x2212, 0};
+  static constexpr std::array<ImWchar, 9> ranges = {0x20, 0xFF, 0x2010, 0x2027, 0x2190, 0x2199, 0x2212, 0x2212, 0};
   const float height_px = static_cast<float>(letter_height_px) * scale;
   const bool has_font = !font_.empty() && std::filesystem::exists(font_) &&
                         atlas.AddFontFromFileTTF(font_.c_str(), height_px, nullptr, ranges.data()) != nullptr;
@@ -170,8 +168,7 @@ UserInterface::Letters UserInterface::letters() const {
   Letters letters;
   unsigned char* pixels = nullptr;
   ImGui::GetIO().Fonts->GetTexDataAsAlpha8(&pixels, &letters.width_px, &letters.height_px);
-  letters.coverage = {
-      pixels, static_cast<std::size_t>(letters.width_px) * static_cast<std::size_t>(letters.height_px)};
+  letters.coverage = {pixels, static_cast<std::size_t>(letters.width_px) * static_cast<std::size_t>(letters.height_px)};
   letters.number = letters_number_;
   return letters;
 }

@@ -76,14 +76,13 @@ constexpr double less_rest_ms = 0.2;
 
 }  // namespace
 
-std::optional<HandThread> hand_thread(const ViewerState& state, const Snapshot& garment,
-                                      const ViewArea& area) {
+std::optional<HandThread> hand_thread(const ViewerState& state, const Snapshot& garment, const ViewArea& area) {
   if (!state.held) return std::nullopt;
   const std::vector<glm::vec3> ends = to_float({garment.positions()[state.held->vertex], state.held->hand_m});
   const auto from_px = state.camera.pixel_of(ends[0], area);
   const auto to_px = state.camera.pixel_of(ends[1], area);
-  const bool is_apart = glm::distance(ends[0], ends[1]) > least_m &&
-                        (!from_px || !to_px || glm::distance(*from_px, *to_px) > least_px);
+  const bool is_apart =
+      glm::distance(ends[0], ends[1]) > least_m && (!from_px || !to_px || glm::distance(*from_px, *to_px) > least_px);
   return is_apart ? std::optional(HandThread{ends[0], ends[1]}) : std::nullopt;
 }
 
@@ -104,9 +103,8 @@ bool ScenePicture::draw(unsigned framebuffer, const GarmentSight& sight, std::si
 ScenePicture::PaintedAs ScenePicture::painted_as(const GarmentSight& sight) {
   const DrawnScene& scene = sight.state.scene;
   const PictureStyle& picture = scene.picture;
-  return {sight.garment.loaded,       sight.garment.pins, picture.surface,   picture.stretch_of,
-          shown_stretch_range(scene), scene.fabric,       picture.wireframe, picture.springs,
-          sight.area.height_px};
+  return {sight.garment.loaded, sight.garment.pins, picture.surface, picture.stretch_of,  shown_stretch_range(scene),
+          scene.fabric,         picture.wireframe,  picture.springs, sight.area.height_px};
 }
 
 GarmentPainter& ScenePicture::painter_for(const GarmentSight& sight) {
@@ -131,8 +129,7 @@ void ScenePicture::add_normals(const Snapshot& garment, renderer::FrameView& fra
     normal_points_.push_back(surface.positions[v]);
     normal_points_.push_back(surface.positions[v] + length_m * surface.normals[v]);
   }
-  frame.lines.push_back(
-      {.points = normal_points_, .colours = std::span(&normal_colour, 1), .width_px = 1.0F});
+  frame.lines.push_back({.points = normal_points_, .colours = std::span(&normal_colour, 1), .width_px = 1.0F});
 }
 
 ScenePicture::SceneLook ScenePicture::look_of(const GarmentSight& sight) {

@@ -71,8 +71,7 @@ using HandThread = std::array<glm::vec3, 2>;
 /// The thread between cloth and a hand that it cannot follow, because it is held elsewhere or would have to
 /// cross something. Empty if nothing is held, or if the two are so near to each other that the cloth is in
 /// the hand. `garment` is one of those that the hand holds.
-std::optional<HandThread> hand_thread(const ViewerState& state, const Snapshot& garment,
-                                      const ViewArea& area);
+std::optional<HandThread> hand_thread(const ViewerState& state, const Snapshot& garment, const ViewArea& area);
 
 /// One garment in its surroundings, and where in the window it is drawn. Refers to what it was made of.
 struct GarmentSight {
@@ -94,24 +93,19 @@ class ScenePicture {
   bool draw(unsigned framebuffer, const GarmentSight& sight, std::size_t level, bool anew);
 
   /// Whether `draw` would give the same result as the last one.
-  bool is_drawn(const GarmentSight& sight, std::size_t level) const {
-    return is_drawn(look_of(sight), level);
-  }
+  bool is_drawn(const GarmentSight& sight, std::size_t level) const { return is_drawn(look_of(sight), level); }
 
  private:
   // Inputs that a painter was made for, as painted_as() lists them.
-  using PaintedAs =
-      std::tuple<std::shared_ptr<const LoadedScene>, std::shared_ptr<const std::vector<sim::Index>>,
-                 SurfaceLook, StretchOf, std::array<double, 2>, std::string, bool, ShownSprings, int>;
+  using PaintedAs = std::tuple<std::shared_ptr<const LoadedScene>, std::shared_ptr<const std::vector<sim::Index>>,
+                               SurfaceLook, StretchOf, std::array<double, 2>, std::string, bool, ShownSprings, int>;
   // Inputs of the scene's picture, as look_of() lists them.
   using SceneLook = std::tuple<PaintedAs, std::shared_ptr<const sim::Checkpoint>, OrbitCamera, bool, bool,
                                std::optional<HandThread>, int, int>;
 
   static PaintedAs painted_as(const GarmentSight& sight);
   static SceneLook look_of(const GarmentSight& sight);
-  bool is_drawn(const SceneLook& look, std::size_t level) const {
-    return drawn_level_ <= level && look == drawn_look_;
-  }
+  bool is_drawn(const SceneLook& look, std::size_t level) const { return drawn_level_ <= level && look == drawn_look_; }
   void draw_anew(unsigned framebuffer, const GarmentSight& sight, const PictureQuality& quality, bool keep);
   GarmentPainter& painter_for(const GarmentSight& sight);
   void add_normals(const Snapshot& garment, renderer::FrameView& frame);

@@ -6,8 +6,7 @@ namespace {
 std::uint64_t hash_of(const renderer::OverlayView& overlay) {
   std::uint64_t hash = 0;
   const auto add = [&hash](const auto& values) {
-    const std::string_view bytes(reinterpret_cast<const char*>(values.data()),
-                                 values.size() * sizeof(values[0]));
+    const std::string_view bytes(reinterpret_cast<const char*>(values.data()), values.size() * sizeof(values[0]));
     hash = hash * 0x9E3779B97F4A7C15ULL + std::hash<std::string_view>{}(bytes);
   };
   add(overlay.vertices);
@@ -31,18 +30,15 @@ bool is_beside(const renderer::OverlayView& overlay, const renderer::OverlayPart
 // Panels beside the scene, or over it.
 renderer::OverlayView parts_of(const renderer::OverlayView& overlay, int scene_width_px, bool beside) {
   renderer::OverlayView part = overlay;
-  std::erase_if(part.parts, [&](const renderer::OverlayPart& each) {
-    return is_beside(overlay, each, scene_width_px) != beside;
-  });
+  std::erase_if(part.parts,
+                [&](const renderer::OverlayPart& each) { return is_beside(overlay, each, scene_width_px) != beside; });
   return part;
 }
 
 // A smaller target is a window being closed, and nothing is drawn.
 constexpr int smallest_side_px = 8;
 
-bool has_room(const ViewArea& area) {
-  return area.width_px >= smallest_side_px && area.height_px >= smallest_side_px;
-}
+bool has_room(const ViewArea& area) { return area.width_px >= smallest_side_px && area.height_px >= smallest_side_px; }
 
 GarmentSight first_sight(const ViewerState& state, const WindowLayout& layout) {
   return {state, *state.shown, garment_area(state, layout)};
@@ -62,9 +58,7 @@ std::optional<GarmentSight> second_sight(const ViewerState& state, const WindowL
 InterfacePicture::InterfacePicture(renderer::Context& context)
     : context_(context), pass_(context), panel_target_(context) {}
 
-bool InterfacePicture::is_drawn(const renderer::OverlayView& overlay) const {
-  return hash_of(overlay) == drawn_;
-}
+bool InterfacePicture::is_drawn(const renderer::OverlayView& overlay) const { return hash_of(overlay) == drawn_; }
 
 void InterfacePicture::draw_panel(const WindowLayout& layout, const renderer::OverlayView& panel) {
   const unsigned framebuffer = panel_target_.framebuffer(layout.width_px, layout.height_px);
@@ -83,17 +77,15 @@ bool InterfacePicture::take_letters(const UserInterface::Letters& letters) {
 }
 
 void InterfacePicture::draw_over(unsigned framebuffer, const WindowLayout& layout,
-                                 const UserInterface::Letters& letters,
-                                 const renderer::OverlayView& overlay) {
+                                 const UserInterface::Letters& letters, const renderer::OverlayView& overlay) {
   if (take_letters(letters)) {
     panel_size_ = {};  // the panel has the old ones
   }
   pass_.draw(framebuffer, layout.width_px, layout.height_px, overlay);
 }
 
-void InterfacePicture::draw(unsigned framebuffer, const WindowLayout& layout,
-                            const UserInterface::Letters& letters, const renderer::OverlayView& overlay,
-                            bool is_urgent) {
+void InterfacePicture::draw(unsigned framebuffer, const WindowLayout& layout, const UserInterface::Letters& letters,
+                            const renderer::OverlayView& overlay, bool is_urgent) {
   const bool has_new_letters = take_letters(letters);
   const int scene_width_px = scene_area(layout).width_px;
   const std::uint64_t look = hash_of(overlay);
@@ -104,8 +96,7 @@ void InterfacePicture::draw(unsigned framebuffer, const WindowLayout& layout,
       draw_panel(layout, parts_of(overlay, scene_width_px, true));
       panel_look_ = look;
     }
-    panel_target_.copy_part_to(framebuffer, scene_width_px, 0, layout.width_px - scene_width_px,
-                               layout.height_px);
+    panel_target_.copy_part_to(framebuffer, scene_width_px, 0, layout.width_px - scene_width_px, layout.height_px);
   } else {
     panel_look_ = look;
   }
@@ -113,8 +104,7 @@ void InterfacePicture::draw(unsigned framebuffer, const WindowLayout& layout,
   drawn_ = panel_look_;
 }
 
-ViewerPicture::ViewerPicture(renderer::Context& context)
-    : context_(context), first_(context), interface_(context) {}
+ViewerPicture::ViewerPicture(renderer::Context& context) : context_(context), first_(context), interface_(context) {}
 
 bool ViewerPicture::is_drawn(const ViewerState& state, const WindowLayout& layout, std::size_t level,
                              const renderer::OverlayView& overlay) const {
@@ -137,9 +127,8 @@ bool ViewerPicture::draw_scenes(unsigned framebuffer, const ViewerState& state, 
 }
 
 // Kept, so that `draw` can show it without the legends, which it lays over itself.
-renderer::Image ViewerPicture::picture(unsigned framebuffer, const ViewerState& state,
-                                       const WindowLayout& layout, std::size_t level,
-                                       const UserInterface::Letters& letters,
+renderer::Image ViewerPicture::picture(unsigned framebuffer, const ViewerState& state, const WindowLayout& layout,
+                                       std::size_t level, const UserInterface::Letters& letters,
                                        const renderer::OverlayView& legends) {
   context_.make_current();
   const ViewArea area = scene_area(layout);
@@ -153,9 +142,8 @@ renderer::Image ViewerPicture::picture(unsigned framebuffer, const ViewerState& 
   return renderer::read_framebuffer(context_, framebuffer, area.width_px, area.height_px);
 }
 
-void ViewerPicture::draw(unsigned framebuffer, const ViewerState& state, const WindowLayout& layout,
-                         std::size_t level, const UserInterface::Letters& letters,
-                         const renderer::OverlayView& overlay, bool is_urgent) {
+void ViewerPicture::draw(unsigned framebuffer, const ViewerState& state, const WindowLayout& layout, std::size_t level,
+                         const UserInterface::Letters& letters, const renderer::OverlayView& overlay, bool is_urgent) {
   context_.make_current();
   const ViewArea area = scene_area(layout);
   drew_scene_ = false;

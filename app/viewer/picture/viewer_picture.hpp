@@ -59,9 +59,8 @@ class ViewerPicture {
 
   /// Returns the scene as `draw` shows it, with its legends and without the rest of the user interface. It
   /// uses the same framebuffer, so call it before `draw`. Throws renderer::ContextError.
-  renderer::Image picture(unsigned framebuffer, const ViewerState& state, const WindowLayout& layout,
-                          std::size_t level, const UserInterface::Letters& letters,
-                          const renderer::OverlayView& legends);
+  renderer::Image picture(unsigned framebuffer, const ViewerState& state, const WindowLayout& layout, std::size_t level,
+                          const UserInterface::Letters& letters, const renderer::OverlayView& legends);
 
   /// Whether `draw` would give the same result as the last one.
   bool is_drawn(const ViewerState& state, const WindowLayout& layout, std::size_t level,
@@ -72,8 +71,8 @@ class ViewerPicture {
   bool drew_scene() const { return drew_scene_; }
 
  private:
-  bool draw_scenes(unsigned framebuffer, const ViewerState& state, const WindowLayout& layout,
-                   std::size_t level, bool anew);
+  bool draw_scenes(unsigned framebuffer, const ViewerState& state, const WindowLayout& layout, std::size_t level,
+                   bool anew);
 
   renderer::Context& context_;
   ScenePicture first_;

@@ -51,9 +51,7 @@ struct EventWriter {
   Json operator()(const ButtonChanged& event) const {
     return Json::array({"button", button_names[static_cast<std::size_t>(event.button)], event.down});
   }
-  Json operator()(const renderer::WheelTurned& event) const {
-    return Json::array({"wheel", event.x, event.y});
-  }
+  Json operator()(const renderer::WheelTurned& event) const { return Json::array({"wheel", event.x, event.y}); }
   Json operator()(const renderer::FileDropped& event) const { return Json::array({"drop", event.path}); }
   Json operator()(const renderer::Resized& event) const {
     return Json::array({"resize", event.width_px, event.height_px});
@@ -64,9 +62,7 @@ struct EventWriter {
   Json operator()(const ContextLost&) const { return Json::array({"lose-context"}); }
 };
 
-std::string json_line(const Json& values) {
-  return values.dump(-1, ' ', false, Json::error_handler_t::replace) + '\n';
-}
+std::string json_line(const Json& values) { return values.dump(-1, ' ', false, Json::error_handler_t::replace) + '\n'; }
 
 /// One line, whose values are taken one after the other.
 class Line {
@@ -103,8 +99,7 @@ class Line {
   }
   std::string text() {
     const Json& value = next();
-    return value.is_string() && !value.get_ref<const std::string&>().empty() ? value.get<std::string>()
-                                                                             : (fail(), "");
+    return value.is_string() && !value.get_ref<const std::string&>().empty() ? value.get<std::string>() : (fail(), "");
   }
   bool has_more() const { return taken_ < values_.size(); }
 
@@ -171,8 +166,7 @@ void read_line(Line& line, Session& session, SessionFrame& frame) {
   const std::string verb = line.verb();
   const auto finish_frame = [&] { session.frames.push_back(std::exchange(frame, {})); };
   if (verb == "frame") {
-    const int count =
-        line.has_more() ? line.number(1, most_frames - static_cast<int>(session.frames.size())) : 1;
+    const int count = line.has_more() ? line.number(1, most_frames - static_cast<int>(session.frames.size())) : 1;
     for (int i = 0; i < count; ++i) finish_frame();
   } else if (verb == "paced") {
     frame.elapsed_s = line.number(0.0, 1e6);
@@ -207,13 +201,11 @@ bool has_to_wait(const SessionEvent& next, const std::vector<SessionEvent>& take
     const auto* next_button = as<ButtonChanged>(next);
     const auto* next_key = as<KeyChanged>(next);
     // Files are loaded one after the other, and what is wrong with each is said.
-    const bool drops_two =
-        as<renderer::FileDropped>(before) != nullptr && as<renderer::FileDropped>(next) != nullptr;
+    const bool drops_two = as<renderer::FileDropped>(before) != nullptr && as<renderer::FileDropped>(next) != nullptr;
     const bool lets_go = next_button != nullptr && !next_button->down;
     return drops_two || (lets_go && moves_pointer(before)) ||
            (button != nullptr && (moves_pointer(next) || next_button != nullptr)) ||
-           (key != nullptr && next_key != nullptr && key->key == next_key->key &&
-            key->down != next_key->down);
+           (key != nullptr && next_key != nullptr && key->key == next_key->key && key->down != next_key->down);
   });
 }
 
@@ -236,9 +228,7 @@ std::string session_lines(const SessionFrame& frame) {
   return frame.expected_state ? text + json_line({"state", *frame.expected_state}) : text;
 }
 
-Session read_session(const std::filesystem::path& file) {
-  return parse_session(read_text_file(file), file.string());
-}
+Session read_session(const std::filesystem::path& file) { return parse_session(read_text_file(file), file.string()); }
 
 Session parse_session(const std::string& text, const std::string& name) {
   if (text.empty()) throw InputError(name + ": is empty, expected " + forms[0].second);

@@ -46,16 +46,14 @@ bool keeps_apart(const sim::SimulationSettings& settings) {
 }
 
 std::string describe_now(const Untangling& u) {
-  return fmt::format(
-      "{} crossed: {}", counted(u.pairs_before, "pair of triangles", "pairs of triangles"),
-      u.pairs_left == 0
-          ? fmt::format("parted, no vertex was moved by more than {:.3g} mm", 1e3 * u.largest_move_m)
-          : fmt::format("{} left, around which contact is off until they are apart", u.pairs_left));
+  return fmt::format("{} crossed: {}", counted(u.pairs_before, "pair of triangles", "pairs of triangles"),
+                     u.pairs_left == 0
+                         ? fmt::format("parted, no vertex was moved by more than {:.3g} mm", 1e3 * u.largest_move_m)
+                         : fmt::format("{} left, around which contact is off until they are apart", u.pairs_left));
 }
 
 // The outer third on one side of what the pins extend over, across.
-std::vector<sim::Index> without_side(const sim::Garment& garment, std::span<const sim::Index> pins,
-                                     bool right) {
+std::vector<sim::Index> without_side(const sim::Garment& garment, std::span<const sim::Index> pins, bool right) {
   double lowest = INFINITY, highest = -INFINITY;
   for (const sim::Index pin : pins) {
     lowest = std::min(lowest, garment.mesh.positions[pin].x);
@@ -88,8 +86,7 @@ Grip take_grip(const sim::Garment& garment, std::span<const sim::Vec3> positions
     total += weight;
     for (const sim::Index e : garment.adjacency.vertex_edges[at]) {
       const sim::Index next = sim::other_end(garment.adjacency.edges[e], at);
-      if (!seen[next] &&
-          glm::distance(garment.mesh.positions[next], garment.mesh.positions[vertex]) < reach) {
+      if (!seen[next] && glm::distance(garment.mesh.positions[next], garment.mesh.positions[vertex]) < reach) {
         seen[next] = true;
         found.push_back(next);
       }
@@ -99,16 +96,14 @@ Grip take_grip(const sim::Garment& garment, std::span<const sim::Vec3> positions
   return grip;
 }
 
-std::vector<sim::HeldVertex> held_vertices(const Grip& grip, const sim::Vec3& hand_m,
-                                           const sim::Garment& garment) {
+std::vector<sim::HeldVertex> held_vertices(const Grip& grip, const sim::Vec3& hand_m, const sim::Garment& garment) {
   const double mass_kg = std::accumulate(garment.masses_kg.begin(), garment.masses_kg.end(), 0.0);
   const double stiffness_n_per_m = mass_kg * swing_rad_per_s * swing_rad_per_s;
   const double force_n = strength * mass_kg * earth_m_per_s2;
   std::vector<sim::HeldVertex> held;
   held.reserve(grip.vertices.size());
   for (const GripVertex& part : grip.vertices) {
-    held.push_back(
-        {part.vertex, hand_m + part.offset_m, stiffness_n_per_m * part.share, force_n * part.share});
+    held.push_back({part.vertex, hand_m + part.offset_m, stiffness_n_per_m * part.share, force_n * part.share});
   }
   return held;
 }
@@ -146,9 +141,7 @@ void LiveSimulation::start(std::shared_ptr<const LoadedScene> loaded) {
   now_.pristine = true;
 }
 
-void LiveSimulation::note_shape() {
-  now_.checkpoint = std::make_shared<const sim::Checkpoint>(simulation_->save());
-}
+void LiveSimulation::note_shape() { now_.checkpoint = std::make_shared<const sim::Checkpoint>(simulation_->save()); }
 
 void LiveSimulation::apply(const SimulationCommand& command) {
   try {
@@ -267,8 +260,7 @@ void LiveSimulation::perform(const GoBack& back) {
     return;  // of a garment that has been replaced since
   }
   grip_.reset();
-  simulation_.emplace(
-      gone_on_from(past, simulation_->settings(), simulation_->garment().material, surroundings_));
+  simulation_.emplace(gone_on_from(past, simulation_->settings(), simulation_->garment().material, surroundings_));
   now_.pins = past.pins;
   now_.record = past.record;
   frame_ = past.record.frame;

@@ -24,8 +24,7 @@ Grip take_grip(const sim::Garment& garment, std::span<const sim::Vec3> positions
 
 /// The hand at a point, as springs to vertices. They hold the whole garment's weight with a stretch of
 /// millimetres and give up at some times that weight.
-std::vector<sim::HeldVertex> held_vertices(const Grip& grip, const sim::Vec3& hand_m,
-                                           const sim::Garment& garment);
+std::vector<sim::HeldVertex> held_vertices(const Grip& grip, const sim::Vec3& hand_m, const sim::Garment& garment);
 
 /// Position of the hand after `time_s`, on its way to the target. It is no faster than an arm.
 sim::Vec3 moved_hand(const sim::Vec3& hand_m, const sim::Vec3& target_m, double time_s);
@@ -84,8 +83,8 @@ struct Compare {
   std::optional<sim::SolverKind> with;
 };
 
-using SimulationCommand = std::variant<LoadScene, ChangeSettings, TogglePin, ReleasePins, TakeHold, LetGo,
-                                       Reset, GoBack, SetPaused, StepOnce, SetSpeed, Compare>;
+using SimulationCommand = std::variant<LoadScene, ChangeSettings, TogglePin, ReleasePins, TakeHold, LetGo, Reset,
+                                       GoBack, SetPaused, StepOnce, SetSpeed, Compare>;
 
 /// A simulation that takes commands between its frames and goes on whatever comes: what a command or a frame
 /// cannot do becomes a notice. Its states depend on the order of commands and advances alone, never on a

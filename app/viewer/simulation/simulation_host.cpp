@@ -259,8 +259,7 @@ void SimulationHost::follow_clock(double elapsed_s) {
 void SimulationHost::follow(const Pace& pace) {
   constexpr std::uint64_t most_at_once = 100000;
   if (pace.advances < simulation_.advances() || pace.advances > simulation_.advances() + most_at_once) {
-    throw InputError("the session says {} simulated frames after {} of them", pace.advances,
-                     simulation_.advances());
+    throw InputError("the session says {} simulated frames after {} of them", pace.advances, simulation_.advances());
   }
   while (simulation_.advances() < pace.advances) advance_as_asked();
 }

@@ -21,9 +21,7 @@ class SimulationPair {
 
   void apply(const SimulationCommand& command);
 
-  bool wants_to_advance() const {
-    return first_.wants_to_advance() || (second_ && second_->wants_to_advance());
-  }
+  bool wants_to_advance() const { return first_.wants_to_advance() || (second_ && second_->wants_to_advance()); }
   // Both simulations have the speed and the frame time of the first.
   double speed() const { return first_.speed(); }
   double frame_time_s() const { return first_.frame_time_s(); }

@@ -15,8 +15,7 @@ int reach_frames(const Snapshot& newest) {
   const double rate_hz = newest.loaded->scene.simulation.frame_rate_hz;
   const auto by_time = static_cast<int>(std::min(Timeline::span_s * rate_hz, 1e6));
   const std::size_t garments = newest.compared ? 2 : 1;
-  const std::size_t frame_bytes =
-      std::max<std::size_t>(1, garments * newest.positions().size() * vertex_bytes);
+  const std::size_t frame_bytes = std::max<std::size_t>(1, garments * newest.positions().size() * vertex_bytes);
   const auto by_memory = static_cast<int>(std::min<std::size_t>(most_bytes / frame_bytes, 1000000));
   return std::max(fewest_frames, std::min(by_time, by_memory));
 }
@@ -58,9 +57,7 @@ sim::Simulation gone_on_from(const Snapshot& past, const sim::SimulationSettings
   return simulation;
 }
 
-int first_frame_in_reach(const Snapshot& newest) {
-  return std::max(0, newest.record.frame - reach_frames(newest));
-}
+int first_frame_in_reach(const Snapshot& newest) { return std::max(0, newest.record.frame - reach_frames(newest)); }
 
 void Timeline::add(SnapshotPtr snapshot) {
   kept_.push_back(std::move(snapshot));
@@ -92,8 +89,7 @@ SnapshotPtr Timeline::of_frame(const SnapshotPtr& now, int frame) const {
   SnapshotPtr nearest = now;
   PastWalk walk(*now);
   const auto end = std::ranges::upper_bound(kept_, now->serial, {}, &Snapshot::serial);
-  for (auto older = std::make_reverse_iterator(end); older != kept_.rend() && nearest->record.frame > frame;
-       ++older) {
+  for (auto older = std::make_reverse_iterator(end); older != kept_.rend() && nearest->record.frame > frame; ++older) {
     if (walk.takes(**older)) nearest = *older;
   }
   return nearest;

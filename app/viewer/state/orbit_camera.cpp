@@ -18,8 +18,8 @@ struct Hit {
 };
 
 // Moeller and Trumbore 1997.
-std::optional<Hit> meet(const glm::dvec3& origin, const glm::dvec3& direction, const sim::Vec3& a,
-                        const sim::Vec3& b, const sim::Vec3& c) {
+std::optional<Hit> meet(const glm::dvec3& origin, const glm::dvec3& direction, const sim::Vec3& a, const sim::Vec3& b,
+                        const sim::Vec3& c) {
   const glm::dvec3 ab = b - a;
   const glm::dvec3 ac = c - a;
   const glm::dvec3 p = glm::cross(direction, ac);
@@ -53,8 +53,7 @@ OrbitCamera::OrbitCamera(const renderer::Camera& camera)
   const glm::vec3 back = camera.eye - camera.target;
   const float distance_m = glm::length(back);
   distance_m_ = std::clamp(distance_m, nearest_m, farthest_m);
-  elevation_rad_ =
-      std::clamp(std::asin(std::clamp(back.y / distance_m, -1.0F, 1.0F)), -steepest_rad, steepest_rad);
+  elevation_rad_ = std::clamp(std::asin(std::clamp(back.y / distance_m, -1.0F, 1.0F)), -steepest_rad, steepest_rad);
   azimuth_rad_ = std::atan2(back.x, back.z);
 }
 
@@ -74,8 +73,8 @@ void OrbitCamera::pan(const glm::vec2& way_px, const ViewArea& area) {
   const glm::vec3 forward = glm::normalize(seen.target - seen.eye);
   const glm::vec3 right = glm::normalize(glm::cross(forward, seen.up));
   const glm::vec3 up = glm::cross(right, forward);
-  const float m_per_px = 2.0F * distance_m_ * std::tan(0.5F * vertical_fov_rad_) /
-                         static_cast<float>(std::max(area.height_px, 1));
+  const float m_per_px =
+      2.0F * distance_m_ * std::tan(0.5F * vertical_fov_rad_) / static_cast<float>(std::max(area.height_px, 1));
   move_target(target_ + m_per_px * (up * way_px.y - right * way_px.x));
 }
 
@@ -87,24 +86,23 @@ void OrbitCamera::move_target(const glm::vec3& target) {
 void OrbitCamera::zoom(float notches, const glm::vec2& point_px, const ViewArea& area) {
   const float before_m = distance_m_;
   const Ray ray = ray_through(point_px, area);
-  distance_m_ = std::clamp(distance_m_ * std::pow(closer_by_notch, std::clamp(notches, -50.0F, 50.0F)),
-                           nearest_m, farthest_m);
+  distance_m_ =
+      std::clamp(distance_m_ * std::pow(closer_by_notch, std::clamp(notches, -50.0F, 50.0F)), nearest_m, farthest_m);
   const glm::vec3 forward = glm::normalize(target_ - ray.origin);
   const glm::vec3 under = ray.origin + ray.direction * (before_m / glm::dot(ray.direction, forward));
   move_target(under + (distance_m_ / before_m) * (target_ - under));
 }
 
 void OrbitCamera::fit(const renderer::Box& box, const ViewArea& area) {
-  const renderer::Camera framed = renderer::fit_camera_to_box(
-      box, {azimuth_rad_, elevation_rad_, vertical_fov_rad_, fit_margin}, area.aspect());
+  const renderer::Camera framed =
+      renderer::fit_camera_to_box(box, {azimuth_rad_, elevation_rad_, vertical_fov_rad_, fit_margin}, area.aspect());
   move_target(framed.target);
   distance_m_ = std::clamp(glm::distance(framed.eye, framed.target), nearest_m, farthest_m);
 }
 
 renderer::Camera OrbitCamera::camera() const {
   const float flat = std::cos(elevation_rad_);
-  const glm::vec3 back{flat * std::sin(azimuth_rad_), std::sin(elevation_rad_),
-                       flat * std::cos(azimuth_rad_)};
+  const glm::vec3 back{flat * std::sin(azimuth_rad_), std::sin(elevation_rad_), flat * std::cos(azimuth_rad_)};
   renderer::Camera camera;
   camera.target = target_;
   camera.eye = target_ + distance_m_ * back;
@@ -151,8 +149,7 @@ std::optional<PickedPoint> pick(const Ray& ray, std::span<const sim::Vec3> posit
   return nearest;
 }
 
-std::optional<glm::dvec3> drag_point(const Ray& ray, const glm::dvec3& through,
-                                     const renderer::Camera& camera) {
+std::optional<glm::dvec3> drag_point(const Ray& ray, const glm::dvec3& through, const renderer::Camera& camera) {
   const glm::dvec3 facing(glm::normalize(camera.target - camera.eye));
   const glm::dvec3 origin(ray.origin);
   const glm::dvec3 direction(ray.direction);

@@ -79,8 +79,7 @@ std::optional<PickedPoint> pick(const Ray& ray, std::span<const sim::Vec3> posit
 
 /// Where the ray meets the plane through the point `through` that faces the camera. Empty if it does not meet
 /// it.
-std::optional<glm::dvec3> drag_point(const Ray& ray, const glm::dvec3& through,
-                                     const renderer::Camera& camera);
+std::optional<glm::dvec3> drag_point(const Ray& ray, const glm::dvec3& through, const renderer::Camera& camera);
 
 /// Tells a user who sees no cloth that it left the picture, or the range of the camera, and what to do. Empty
 /// if some triangle may be visible. `positions` are in metres, per vertex.

@@ -30,9 +30,8 @@ namespace fs = std::filesystem;
 std::string figure_label(const std::string& title) {
   const std::string figure = "Figure ";
   const std::size_t colon = title.find(':');
-  return title.starts_with(figure) && colon != std::string::npos
-             ? title.substr(figure.size(), colon - figure.size())
-             : "";
+  return title.starts_with(figure) && colon != std::string::npos ? title.substr(figure.size(), colon - figure.size())
+                                                                 : "";
 }
 
 BodySource moved_by(BodySource source, const Choice& motion) {
@@ -130,8 +129,7 @@ const Choice* coarser_than(const std::string& name, std::span<const Choice> garm
   // Of "tshirt_10600": "tshirt_" and 10600; 0 without a number.
   const auto split = [](const std::string& text) {
     const std::size_t digits = text.find_last_not_of("0123456789") + 1;
-    const bool has_number =
-        digits > 0 && digits < text.size() && text.size() - digits < 9 && text[digits - 1] == '_';
+    const bool has_number = digits > 0 && digits < text.size() && text.size() - digits < 9 && text[digits - 1] == '_';
     return std::pair(text.substr(0, digits), has_number ? std::stoi(text.substr(digits)) : 0);
   };
   const auto [kind, triangles] = split(name);
@@ -156,15 +154,14 @@ std::string other_stretches(const FrameRecord& record, sim::BoundKind plotted) {
   const double p99 = plots_springs ? record.stretch.p99 : record.surface_stretch.p99;
   const double other = plots_springs ? record.surface_stretch.max : record.stretch.max;
   const double other_p99 = plots_springs ? record.surface_stretch.p99 : record.stretch.p99;
-  return fmt::format("p99 {} %, {} {} %, p99 {} %", percent(p99), plots_springs ? "surface" : "springs",
-                     percent(other), percent(other_p99));
+  return fmt::format("p99 {} %, {} {} %, p99 {} %", percent(p99), plots_springs ? "surface" : "springs", percent(other),
+                     percent(other_p99));
 }
 
 std::string contact_text(const sim::ContactReport& contact) {
-  const std::string nearest =
-      std::isfinite(contact.smallest_distance_m)
-          ? "nearest " + in_little_room(1000.0 * contact.smallest_distance_m, 2) + " mm"
-          : std::string("nothing near");
+  const std::string nearest = std::isfinite(contact.smallest_distance_m)
+                                  ? "nearest " + in_little_room(1000.0 * contact.smallest_distance_m, 2) + " mm"
+                                  : std::string("nothing near");
   return contact.left_out_share > 0.0
              ? fmt::format("{}, {} pairs cross, {:.1f} % left out", nearest, contact.crossing_pairs,
                            100.0 * contact.left_out_share)
@@ -194,9 +191,7 @@ const Snapshot* compared(const ViewerState& state) {
   return state.newest->compared ? state.shown->compared.get() : nullptr;
 }
 
-const char* solver_of(const Snapshot& garment) {
-  return sim::name_of(sim::kind_of(garment.settings.solver.method));
-}
+const char* solver_of(const Snapshot& garment) { return sim::name_of(sim::kind_of(garment.settings.solver.method)); }
 
 const char* slower_solver(const Snapshot& newest) {
   const bool is_second = newest.compared && newest.compared->record.sim_ms > newest.record.sim_ms;

@@ -151,8 +151,8 @@ enum class RecordingKind { video, pictures };
 
 /// The format of the shapes of a clip.
 enum class ClipFormat { pc2, mdd, gltf, vtk, obj };
-inline constexpr std::array all_clip_formats = {ClipFormat::pc2, ClipFormat::mdd, ClipFormat::gltf,
-                                                ClipFormat::vtk, ClipFormat::obj};
+inline constexpr std::array all_clip_formats = {ClipFormat::pc2, ClipFormat::mdd, ClipFormat::gltf, ClipFormat::vtk,
+                                                ClipFormat::obj};
 const char* name_of(ClipFormat format);
 
 /// A clip that is being recorded.

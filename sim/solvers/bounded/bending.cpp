@@ -33,9 +33,8 @@ struct Entry {
 
 /// Sums the entries of the same row and column. The result is sorted by row, then column.
 std::vector<Entry> summed(std::vector<Entry> entries) {
-  std::stable_sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) {
-    return a.row != b.row ? a.row < b.row : a.column < b.column;
-  });
+  std::stable_sort(entries.begin(), entries.end(),
+                   [](const Entry& a, const Entry& b) { return a.row != b.row ? a.row < b.row : a.column < b.column; });
   std::vector<Entry> sums;
   for (const Entry& e : entries) {
     if (!sums.empty() && sums.back().row == e.row && sums.back().column == e.column) {
@@ -134,8 +133,7 @@ Bending::Bending(const Garment& garment, const Pins& pins, const Layout& layout,
   };
 
   std::vector<Index> order = layout.vertex_of_row;
-  std::vector<double> left =
-      take(garment, pins, layout.row_of_vertex, order, std::vector<double>(row_count_, 1.0));
+  std::vector<double> left = take(garment, pins, layout.row_of_vertex, order, std::vector<double>(row_count_, 1.0));
   CoarseCloth coarse;
   while (*std::max_element(left.begin(), left.end()) > 0.0) {
     coarse = coarsen(levels_.size() == 1 ? garment : coarse.garment, order);
@@ -191,8 +189,7 @@ double Bending::find_largest_rate_per_s() const {
   return std::sqrt(eigenvalue);
 }
 
-void Bending::add_accelerations(const Float4Array& positions, ParallelKernels& kernels,
-                                Float4Array& accelerations) {
+void Bending::add_accelerations(const Float4Array& positions, ParallelKernels& kernels, Float4Array& accelerations) {
   const Float4* finer = positions.data();
   for (std::size_t l = 1; l < levels_.size(); ++l) {
     Level& level = levels_[l];

@@ -33,8 +33,7 @@ bool is_led(const Searched& searched, Side rows) {
 
 bool share_free_row(const Searched& searched, Side one, Side other) {
   return std::any_of(one.begin(), one.end(), [&](Index row) {
-    return searched.rows.inverse_masses_per_kg[row] > 0.0F &&
-           std::find(other.begin(), other.end(), row) != other.end();
+    return searched.rows.inverse_masses_per_kg[row] > 0.0F && std::find(other.begin(), other.end(), row) != other.end();
   });
 }
 

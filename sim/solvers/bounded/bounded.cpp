@@ -49,8 +49,7 @@ std::vector<Triangle> by_row(std::span<const Triangle> triangles, const Layout& 
 /// Cloth made of springs gives a little across them; tethers of the exact length would lift it.
 double tether_slack(const Material& material, const BoundedSettings& settings) {
   if (has_law(material) && settings.bound == BoundKind::surface) return settings.max_stretch;
-  return settings.bound == BoundKind::springs ? std::min(tuning::most_tether_slack, settings.max_stretch)
-                                              : 0.0;
+  return settings.bound == BoundKind::springs ? std::min(tuning::most_tether_slack, settings.max_stretch) : 0.0;
 }
 
 }  // namespace
@@ -175,15 +174,13 @@ void BoundedSolver::move_within_bound(const Garment& garment, const Pins& pins, 
 void BoundedSolver::lay_out(const Frame& frame) {
   const std::size_t count = frame.garment.mesh.positions.size();
   if (cloth_ && cloth_->pins == frame.pins.vertices && cloth_->layout.vertex_count() == count) return;
-  kernels_ =
-      std::make_unique<ParallelKernels>(kernels_for(settings_.vector_unit),
-                                        thread_count(settings_.threads, frame.garment.mesh.triangles.size()));
+  kernels_ = std::make_unique<ParallelKernels>(kernels_for(settings_.vector_unit),
+                                               thread_count(settings_.threads, frame.garment.mesh.triangles.size()));
   cloth_ = std::make_unique<Cloth>(frame.garment, frame.pins, settings_, frame.duration_s);
 }
 
 int BoundedSolver::substeps_for_load(const Frame& frame) const {
-  return first_substeps(frame.garment, cloth_->layout, frame.surroundings, frame.duration_s,
-                        settings_.max_stretch);
+  return first_substeps(frame.garment, cloth_->layout, frame.surroundings, frame.duration_s, settings_.max_stretch);
 }
 
 // How far pins go from where they would be if they went on as they did.
@@ -196,8 +193,7 @@ double BoundedSolver::pins_turn_m(const Frame& frame, const State& state) const 
   double furthest_m = 0.0;
   for (std::size_t i = 0; i < moved_m.size(); ++i) {
     const Index pin = frame.pins.vertices[i];
-    furthest_m =
-        std::max(furthest_m, glm::length(moved_m[i] - steps * (state.current[pin] - state.previous[pin])));
+    furthest_m = std::max(furthest_m, glm::length(moved_m[i] - steps * (state.current[pin] - state.previous[pin])));
   }
   return furthest_m;
 }
@@ -207,8 +203,7 @@ double BoundedSolver::pins_turn_m(const Frame& frame, const State& state) const 
 double BoundedSolver::usual_work(const Frame& frame, const State& state, const Memory& memory) const {
   const double load_work = work_for(substeps_for_load(frame), frame.duration_s);
   if (memory.median_work == 0.0) return most_work * load_work;
-  const double cloth_turns_m =
-      frame.duration_s * memory.contact.rows.relative_speed_m_per_s(cloth_->triangles);
+  const double cloth_turns_m = frame.duration_s * memory.contact.rows.relative_speed_m_per_s(cloth_->triangles);
   const double turns =
       (cloth_turns_m + pins_turn_m(frame, state)) / (tuning::turned_part_of_edge * cloth_->mean_edge_m);
   const double turns_work = 2.0 * tuning::work_of_search * std::min<double>(turns, max_substeps_);
@@ -283,8 +278,7 @@ bool BoundedSolver::run_substeps(const Frame& frame, double time_s, int substeps
   const int updates = cloth.forces.updates_per_frame(frame.duration_s);
   const int substeps_per_update = std::max(1, substeps / updates);
   const int wind_updates = SlowForces::wind_updates_per_frame(frame.duration_s);
-  const int substeps_per_wind =
-      std::max(1, substeps / wind_updates / substeps_per_update) * substeps_per_update;
+  const int substeps_per_wind = std::max(1, substeps / wind_updates / substeps_per_update) * substeps_per_update;
   begin_substeps(dt);
   for (int substep = 0; substep < substeps; ++substep) {
     TimeStep time;
@@ -340,14 +334,13 @@ ProjectionResult BoundedSolver::project(const Frame& frame, double end_s, int su
                                         Float4Array& corrections) {
   Cloth& cloth = *cloth_;
   BoundProjection::Limits limits;
-  limits.cost =
-      how.is_last ? tuning::last_resort_sweeps : tuning::costliest * std::max<double>(substeps, round_sweeps);
+  limits.cost = how.is_last ? tuning::last_resort_sweeps : tuning::costliest * std::max<double>(substeps, round_sweeps);
   if (how.can_halve && cloth.contacts.is_near()) {
     limits.raw_max_stretch = overstretched * std::max(settings_.max_stretch, smallest_promised_bound);
   }
   const auto project_within = [&](Confinement* confinement, Float4Array& from) {
-    return cloth.projection.project(cloth.layout, cloth.motion.current, settings_.max_stretch, limits,
-                                    confinement, *kernels_, from);
+    return cloth.projection.project(cloth.layout, cloth.motion.current, settings_.max_stretch, limits, confinement,
+                                    *kernels_, from);
   };
   if (!cloth.contacts.is_on()) return project_within(nullptr, corrections);
   const Float4Array before = corrections;
@@ -373,19 +366,17 @@ int BoundedSolver::substeps_in(double time_s, const SubstepControl& control) con
 }
 
 // The time steps, and the projection of where they end onto the bound.
-BoundedSolver::Attempt BoundedSolver::attempt(const Frame& frame, const State& state, Memory memory,
-                                              const Try& how) {
+BoundedSolver::Attempt BoundedSolver::attempt(const Frame& frame, const State& state, Memory memory, const Try& how) {
   Cloth& cloth = *cloth_;
   const double end_s = state.time_s + frame.duration_s;
   const int substeps = substeps_in(frame.duration_s, memory.control);
   begin_frame(state);
   if (cloth.elasticity.has_law()) {
     cloth.elasticity.begin_attempt(cloth.layout, cloth.motion.start, memory.elastic,
-                                   aimed_stretch(settings_.max_stretch), frame.duration_s / substeps,
-                                   *kernels_);
+                                   aimed_stretch(settings_.max_stretch), frame.duration_s / substeps, *kernels_);
   }
-  cloth.contacts.begin_attempt(frame, cloth.layout, cloth.motion, memory.contact, {state.time_s, end_s},
-                               how.caution, how.allowed_work - substeps);
+  cloth.contacts.begin_attempt(frame, cloth.layout, cloth.motion, memory.contact, {state.time_s, end_s}, how.caution,
+                               how.allowed_work - substeps);
   if (!run_substeps(frame, state.time_s, substeps, how.is_last)) {
     cloth.contacts.give_up(cloth.layout, cloth.motion);
     Attempt unfinished;
@@ -406,8 +397,7 @@ BoundedSolver::Attempt BoundedSolver::attempt(const Frame& frame, const State& s
       const Index row = cloth.layout.row_of_vertex[vertex];
       return cloth.contacts.allow(row, position_m - cloth.motion.start_m[row]);
     };
-    attempt.projected.kept =
-        keeps_bound_in_double(frame.garment, frame.pins, settings_, attempt.state.current, allow);
+    attempt.projected.kept = keeps_bound_in_double(frame.garment, frame.pins, settings_, attempt.state.current, allow);
   }
   set_previous(attempt.state);
   const double allowed_m = allowed_shift_m(cloth.layout);
@@ -425,8 +415,7 @@ BoundedSolver::Attempt BoundedSolver::attempt(const Frame& frame, const State& s
   return attempt;
 }
 
-BoundedSolver::Try BoundedSolver::next_try(const FramePart& part, const SubstepControl& control,
-                                           const Effort& effort) {
+BoundedSolver::Try BoundedSolver::next_try(const FramePart& part, const SubstepControl& control, const Effort& effort) {
   const double due = effort.due(part.done);
   Try how;
   how.caution = part.attempts;
@@ -446,8 +435,7 @@ BoundedSolver::Try BoundedSolver::next_try(const FramePart& part, const SubstepC
 void BoundedSolver::go_on(FramePart& part, double raw_bounds) {
   part.done += part.length;
   part.attempts = 0;
-  if (part.length < most_parts && part.done % (2 * part.length) == 0 &&
-      raw_bounds < 0.5 * tuning::coped_stretch) {
+  if (part.length < most_parts && part.done % (2 * part.length) == 0 && raw_bounds < 0.5 * tuning::coped_stretch) {
     part.length *= 2;
   }
 }
@@ -463,8 +451,7 @@ void BoundedSolver::try_otherwise(FramePart& part, const Attempt& failed, double
       raw_bounds < tuning::coped_stretch) {
     return;
   }
-  const bool needs_more =
-      part.length == most_parts && failed.is_finished && raw_bounds < somewhat_overstretched;
+  const bool needs_more = part.length == most_parts && failed.is_finished && raw_bounds < somewhat_overstretched;
   if (!effort.is_near() || !how.can_halve || needs_more) {
     control.try_more(raw_bounds);
     return;
@@ -491,15 +478,14 @@ BoundedSolver::FramePart BoundedSolver::first_part(const Frame& frame, const Sta
   return part;
 }
 
-BoundedSolver::Attempt BoundedSolver::advance(const Frame& frame, const State& begin, Memory memory,
-                                              Effort& effort) {
+BoundedSolver::Attempt BoundedSolver::advance(const Frame& frame, const State& begin, Memory memory, Effort& effort) {
   FramePart part = first_part(frame, begin, memory, effort);
   Attempt made;
   made.state = begin;
   made.memory = std::move(memory);
   while (part.done < most_parts) {
-    const Frame this_part = {frame.garment, frame.pins, frame.surroundings,
-                             frame.duration_s * part.length / most_parts, frame.poll};
+    const Frame this_part = {frame.garment, frame.pins, frame.surroundings, frame.duration_s * part.length / most_parts,
+                             frame.poll};
     const Try how = next_try(part, made.memory.control, effort);
     Attempt tried = attempt(this_part, made.state, made.memory, how);
     effort.add(tried, cloth_->contacts);
@@ -526,10 +512,8 @@ BoundedSolver::Attempt BoundedSolver::advance(const Frame& frame, const State& b
 // Where the cloth is lost, contact is not what went wrong.
 void BoundedSolver::require_a_way_on(const Frame& frame, const State& begin, const Attempt& last,
                                      const Effort& effort) const {
-  if (last.blocked && !settings_.allow_crossing &&
-      first_lost(last.state.current) == last.state.current.size()) {
-    throw ContactBlocked(*effort.first_blocked, frame.pins, frame.surroundings.bodies,
-                         begin.time_s + frame.duration_s);
+  if (last.blocked && !settings_.allow_crossing && first_lost(last.state.current) == last.state.current.size()) {
+    throw ContactBlocked(*effort.first_blocked, frame.pins, frame.surroundings.bodies, begin.time_s + frame.duration_s);
   }
 }
 
@@ -567,9 +551,7 @@ FrameReport BoundedSolver::advance_frame(const Frame& frame, State& state) {
           next_.contact.left_out};
 }
 
-void BoundedSolver::keep_frame() {
-  std::swap(memory_.emplace(), next_);
-}
+void BoundedSolver::keep_frame() { std::swap(memory_.emplace(), next_); }
 
 // With other pins than the last frame's the next one begins anew.
 void BoundedSolver::save(const Garment& garment, const Pins& pins, ByteWriter& bytes) const {

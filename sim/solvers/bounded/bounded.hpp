@@ -54,13 +54,12 @@ class BoundedSolver : public Solver {
                        const Effort& effort) const;
   static void halve(FramePart& part, double raw_bounds, double limit);
   static void go_on(FramePart& part, double raw_bounds);
-  void try_otherwise(FramePart& part, const Attempt& failed, double raw_bounds, const Try& how,
-                     const Effort& effort, bounded::SubstepControl& control) const;
+  void try_otherwise(FramePart& part, const Attempt& failed, double raw_bounds, const Try& how, const Effort& effort,
+                     bounded::SubstepControl& control) const;
   Attempt advance(const Frame& frame, const State& begin, bounded::Memory memory, Effort& effort);
   State shape_of(const Frame& frame, const State& begin, int substeps) const;
   void set_previous(State& state) const;
-  void require_a_way_on(const Frame& frame, const State& begin, const Attempt& last,
-                        const Effort& effort) const;
+  void require_a_way_on(const Frame& frame, const State& begin, const Attempt& last, const Effort& effort) const;
 
   BoundedSettings settings_;
   std::optional<int> substeps_;  ///< per frame; the solver chooses if there is none

@@ -18,8 +18,7 @@ std::vector<std::vector<std::size_t>> coloured(const std::vector<std::array<Inde
   for (std::size_t e = 0; e < elements.size(); ++e) {
     const std::array<Index, corners>& rows = elements[e];
     std::size_t c = 0;
-    while (c < colours.size() &&
-           std::any_of(rows.begin(), rows.end(), [&](Index row) { return taken[c][row]; })) {
+    while (c < colours.size() && std::any_of(rows.begin(), rows.end(), [&](Index row) { return taken[c][row]; })) {
       ++c;
     }
     if (c == colours.size()) {

@@ -18,13 +18,11 @@ void set_short_shares(double stiffness_n_per_m, double time_step_s, Layout& layo
   const auto stiffness = static_cast<float>(stiffness_n_per_m * time_step_s * time_step_s);
   SpringLanes& springs = layout.springs;
   for (std::size_t k = 0; k < springs.lane_count(); ++k) {
-    const float w =
-        layout.inverse_masses_per_kg[springs.row_i(k)] + layout.inverse_masses_per_kg[springs.row_j(k)];
+    const float w = layout.inverse_masses_per_kg[springs.row_i(k)] + layout.inverse_masses_per_kg[springs.row_j(k)];
     springs.blocks[k / block_size].short_share[k % block_size] = short_share(stiffness, w);
   }
   for (std::size_t k = 0; k < surface.lane_count(); ++k) {
-    surface.blocks[k / block_size].short_share[k % block_size] =
-        short_share(stiffness, surface.mobility_per_kg[k]);
+    surface.blocks[k / block_size].short_share[k % block_size] = short_share(stiffness, surface.mobility_per_kg[k]);
   }
 }
 

@@ -59,13 +59,11 @@ void Contacts::begin_attempt(const Frame& frame, const Layout& layout, const Mot
 }
 
 // Crossings are looked for when the cloth begins, when bodies come, and after a crossing was accepted.
-void Contacts::leave_out(const ContactMemory& memory, const Layout& layout, const Motion& motion,
-                         double time_s) {
+void Contacts::leave_out(const ContactMemory& memory, const Layout& layout, const Motion& motion, double time_s) {
   const bool goes_on = memory.bodies == bodies_of_frame_;
   std::vector<Index> group_of(triangle_of_.size(), 0);
   for (const LeftOutTriangle& t : goes_on ? memory.left_out : std::vector<LeftOutTriangle>{}) {
-    const auto found =
-        std::lower_bound(triangle_of_.begin(), triangle_of_.end(), LeftOutTriangle{t.body, t.triangle});
+    const auto found = std::lower_bound(triangle_of_.begin(), triangle_of_.end(), LeftOutTriangle{t.body, t.triangle});
     if (found != triangle_of_.end() && found->body == t.body && found->triangle == t.triangle) {
       group_of[static_cast<std::size_t>(found - triangle_of_.begin())] = t.group;
     }
@@ -117,8 +115,7 @@ void Contacts::lay_out(const Garment& garment, const Layout& layout, const std::
     if (!within_cloth_ || garment.triangles_at_rest[t].has_surface()) {
       triangles_.push_back({layout.row_of_vertex[a], layout.row_of_vertex[b], layout.row_of_vertex[c]});
       triangle_of_.push_back({{}, static_cast<Index>(t)});
-      areas_.push_back(0.5 *
-                       glm::length(doubled_area_vector(garment.mesh.positions, garment.mesh.triangles[t])));
+      areas_.push_back(0.5 * glm::length(doubled_area_vector(garment.mesh.positions, garment.mesh.triangles[t])));
     }
   }
   add_loose_vertices(layout);
@@ -176,13 +173,11 @@ void Contacts::measure_edges(const Mesh& mesh, const Layout& layout) {
 }
 
 float Contacts::room_of(std::size_t row) const {
-  return std::min(tuning::room_per_edge * static_cast<float>(mean_edge_m_),
-                  tuning::room_per_edge_here * edges_m_[row]);
+  return std::min(tuning::room_per_edge * static_cast<float>(mean_edge_m_), tuning::room_per_edge_here * edges_m_[row]);
 }
 
 ContactMemory Contacts::memory() const {
-  return is_on_ ? ContactMemory{memory_, blocked_.has_value(), bodies_of_frame_, left_out()}
-                : ContactMemory{};
+  return is_on_ ? ContactMemory{memory_, blocked_.has_value(), bodies_of_frame_, left_out()} : ContactMemory{};
 }
 
 double Contacts::work() const {
@@ -204,15 +199,13 @@ ContactReport Contacts::report() {
 
 void Contacts::observe(const Layout& layout, const Motion& motion, double time_s) {
   if (!since_.empty()) {
-    memory_.observe(layout.vertex_count(), since_, motion.current, time_s - from_s_,
-                    largest_gravity_m_per_s2_);
+    memory_.observe(layout.vertex_count(), since_, motion.current, time_s - from_s_, largest_gravity_m_per_s2_);
   }
 }
 
 double Contacts::suitable_end_s(double time_s, double time_step_s, double frame_end_s) const {
-  double longest_s =
-      std::min(frame_end_s - time_s, tuning::turned_part_of_edge / caution_ * mean_edge_m_ /
-                                         std::max(memory_.relative_speed_m_per_s(triangles_), 1e-9));
+  double longest_s = std::min(frame_end_s - time_s, tuning::turned_part_of_edge / caution_ * mean_edge_m_ /
+                                                        std::max(memory_.relative_speed_m_per_s(triangles_), 1e-9));
   if (memory_.is_touching) longest_s = std::min(longest_s, 1.0 / tuning::touching_regions_per_s);
   const double steps_left = std::max(std::round((frame_end_s - time_s) / time_step_s), 1.0);
   const double times_left = std::ceil((frame_end_s - time_s) / std::max(longest_s, time_step_s) - 1e-3);
@@ -250,10 +243,9 @@ void Contacts::expect_within_bound(const Layout& layout, ParallelKernels& kernel
   }
 }
 
-bool Contacts::make_regions(const Frame& frame, const Layout& layout, const Motion& motion,
-                            const Float4* accelerations, std::span<const Vec3> pins_moved_m,
-                            double off_chord_m, const TimeSpan& time, bool may_be_shorter,
-                            ParallelKernels& kernels) {
+bool Contacts::make_regions(const Frame& frame, const Layout& layout, const Motion& motion, const Float4* accelerations,
+                            std::span<const Vec3> pins_moved_m, double off_chord_m, const TimeSpan& time,
+                            bool may_be_shorter, ParallelKernels& kernels) {
   begin_rows(layout, motion, motion.current);
   const auto lasts_s = static_cast<float>(time.to_s - time.from_s);
   const auto before_s = static_cast<float>(std::min(memory_.elapsed_s, time.to_s - time.from_s));
@@ -271,8 +263,7 @@ bool Contacts::make_regions(const Frame& frame, const Layout& layout, const Moti
   }
   expect_within_bound(layout, kernels);
   for (std::size_t row = layout.pin_count; row < layout.vertex_count(); ++row) {
-    rows_.radii[row] =
-        std::min(room_of(row) + tuning::room_per_move * length_of(rows_.moves[row]), most_room_m());
+    rows_.radii[row] = std::min(room_of(row) + tuning::room_per_move * length_of(rows_.moves[row]), most_room_m());
   }
   from_s_ = time.from_s;
   until_s_ = time.to_s;
@@ -296,8 +287,7 @@ void Contacts::renew_regions(const Frame& frame, const Layout& layout, const Mot
                              ParallelKernels& kernels) {
   begin_rows(layout, motion, displacements);
   for (std::size_t row = layout.pin_count; row < layout.vertex_count(); ++row) {
-    rows_.radii[row] =
-        std::clamp(tuning::larger * length_of(moved[row]), correction_room_of(row), most_room_m());
+    rows_.radii[row] = std::clamp(tuning::larger * length_of(moved[row]), correction_room_of(row), most_room_m());
   }
   find_regions(frame, layout, motion, {time_s, time_s}, false, kernels);
 }
@@ -310,15 +300,13 @@ float Contacts::thickness_of(const NearPair& near, float thickness_m) const {
   return std::min(thickness_m, rest_part * distance_between(near, p));
 }
 
-std::span<const NearPair> Contacts::find_near(const TimeSpan& time, float thickness_m,
-                                              ParallelKernels& kernels) {
+std::span<const NearPair> Contacts::find_near(const TimeSpan& time, float thickness_m, ParallelKernels& kernels) {
   reaches_.resize(rows_.radii.size());
   std::transform(rows_.radii.begin(), rows_.radii.end(), reaches_.begin(),
                  [&](float radius) { return radius + 0.5F * thickness_m; });
   const std::clock_t began = std::clock();
-  const std::span<const NearPair> found =
-      near_->find({rows_.positions, rows_.moves, reaches_, time}, frame_ends_s_,
-                  static_cast<float>(mean_edge_m_), kernels);
+  const std::span<const NearPair> found = near_->find({rows_.positions, rows_.moves, reaches_, time}, frame_ends_s_,
+                                                      static_cast<float>(mean_edge_m_), kernels);
   search_ms_ += 1e3 * static_cast<double>(std::clock() - began) / CLOCKS_PER_SEC;
   return found;
 }
@@ -347,8 +335,8 @@ void Contacts::collect_pairs(const Material& material, float thickness_m, std::s
   bodies_.add_near(solid_, thickness_m, time, origin_m, rows_, pairs_);
 }
 
-bool Contacts::find_regions(const Frame& frame, const Layout& layout, const Motion& motion,
-                            const TimeSpan& time, bool may_be_shorter, ParallelKernels& kernels) {
+bool Contacts::find_regions(const Frame& frame, const Layout& layout, const Motion& motion, const TimeSpan& time,
+                            bool may_be_shorter, ParallelKernels& kernels) {
   if (lets_cross_) {
     confine_nothing(kernels);
     return true;
@@ -374,8 +362,7 @@ bool Contacts::find_regions(const Frame& frame, const Layout& layout, const Moti
     rows_.moves.resize(lasting_rows);
     rows_.radii.resize(lasting_rows);
     rows_.inverse_masses_per_kg.resize(lasting_rows);
-    collect_pairs(frame.garment.material, thickness_m, find_near(time, thickness_m, kernels), time, origin_m,
-                  kernels);
+    collect_pairs(frame.garment.material, thickness_m, find_near(time, thickness_m, kernels), time, origin_m, kernels);
     fits = regions_.make(pairs_, rows_, kernels, search > 0);
     pairs_made_ += static_cast<double>(pairs_.size());
     if (!fits && may_be_shorter && (search + 1 == most_searches || are_many_large())) return false;
@@ -391,8 +378,8 @@ bool Contacts::find_regions(const Frame& frame, const Layout& layout, const Moti
 
 // Balls much larger than those that they begin with find pairs by the hundred thousand.
 bool Contacts::are_many_large() const {
-  const auto count = std::count_if(rows_.radii.begin(), rows_.radii.end(),
-                                   [&](float radius_m) { return radius_m > most_room_m(); });
+  const auto count =
+      std::count_if(rows_.radii.begin(), rows_.radii.end(), [&](float radius_m) { return radius_m > most_room_m(); });
   return static_cast<double>(count) > tuning::few / 3.0 * static_cast<double>(rows_.cloth_count);
 }
 

@@ -30,9 +30,8 @@ class Contacts {
   /// cross when the first one begins are left out until they are apart. It goes the slower the more attempts at
   /// the frame there were.
   /// It should do no more than `most_work`, see work().
-  void begin_attempt(const Frame& frame, const Layout& layout, const Motion& motion,
-                     const ContactMemory& memory, const TimeSpan& time, int earlier_attempts,
-                     double most_work);
+  void begin_attempt(const Frame& frame, const Layout& layout, const Motion& motion, const ContactMemory& memory,
+                     const TimeSpan& time, int earlier_attempts, double most_work);
   /// Returns what an attempt leaves to the next frame.
   [[nodiscard]] ContactMemory memory() const;
   /// Returns the work of the attempt.
@@ -43,9 +42,7 @@ class Contacts {
   bool is_near() const { return report_.most_pairs > 0; }
   /// Returns whether something is near and the attempt has cost more than it should, with so many sweeps
   /// besides.
-  bool is_spent(double sweeps = 0.0) const {
-    return is_near() && !lets_cross_ && work() + sweeps > most_work_;
-  }
+  bool is_spent(double sweeps = 0.0) const { return is_near() && !lets_cross_ && work() + sweeps > most_work_; }
   /// Returns the processor time that the attempt's searches took, in ms.
   double search_ms() const { return search_ms_; }
 
@@ -67,23 +64,19 @@ class Contacts {
   /// call it with that. `pins_moved_m` is how far pins are from the start of the frame at its end; pins and
   /// bodies are up to `off_chord_m` off their chords until then.
   [[nodiscard]] bool make_regions(const Frame& frame, const Layout& layout, const Motion& motion,
-                                  const Float4* accelerations, std::span<const Vec3> pins_moved_m,
-                                  double off_chord_m, const TimeSpan& time, bool may_be_shorter,
-                                  ParallelKernels& kernels);
+                                  const Float4* accelerations, std::span<const Vec3> pins_moved_m, double off_chord_m,
+                                  const TimeSpan& time, bool may_be_shorter, ParallelKernels& kernels);
 
   /// Makes regions for a correction of displacements at the end of a frame, which is expected to be about
   /// `expected`.
-  void make_regions(const Frame& frame, const Layout& layout, const Motion& motion,
-                    const Float4Array& displacements, const Float4Array& expected, double time_s,
-                    ParallelKernels& kernels);
+  void make_regions(const Frame& frame, const Layout& layout, const Motion& motion, const Float4Array& displacements,
+                    const Float4Array& expected, double time_s, ParallelKernels& kernels);
   /// The same for going on with a correction, where `moved` is how far it came.
-  void renew_regions(const Frame& frame, const Layout& layout, const Motion& motion,
-                     const Float4Array& displacements, const Float4Array& moved, double time_s,
-                     ParallelKernels& kernels);
+  void renew_regions(const Frame& frame, const Layout& layout, const Motion& motion, const Float4Array& displacements,
+                     const Float4Array& moved, double time_s, ParallelKernels& kernels);
 
   /// Keeps things apart at the end of a time step, with friction.
-  void keep_apart(const Layout& layout, double time_s, double time_step_s, ParallelKernels& kernels,
-                  Motion& motion);
+  void keep_apart(const Layout& layout, double time_s, double time_step_s, ParallelKernels& kernels, Motion& motion);
 
   /// Keeps things apart in a correction. Returns whether regions should be made anew.
   bool keep_apart(ParallelKernels& kernels, Float4Array& displacements);
@@ -117,8 +110,8 @@ class Contacts {
                     bool may_be_shorter, ParallelKernels& kernels);
   bool are_many_large() const;
   std::span<const NearPair> find_near(const TimeSpan& time, float thickness_m, ParallelKernels& kernels);
-  void collect_pairs(const Material& material, float thickness_m, std::span<const NearPair> found,
-                     const TimeSpan& time, const Vec3& origin_m, ParallelKernels& kernels);
+  void collect_pairs(const Material& material, float thickness_m, std::span<const NearPair> found, const TimeSpan& time,
+                     const Vec3& origin_m, ParallelKernels& kernels);
   ContactPair contact_of(const NearPair& near, const Material& material, float thickness_m) const;
   static void let_go(std::span<const HeldBack> held_back, Motion& motion);
   void confine_nothing(ParallelKernels& kernels);
@@ -138,14 +131,13 @@ class Contacts {
   BodyContacts bodies_;
   std::optional<LastingPairs> near_;
   Crossings left_out_;
-  std::vector<LeftOutTriangle>
-      triangle_of_;            ///< by triangle, of the cloth and then of bodies: which one it is
-  std::vector<double> areas_;  ///< of those of the cloth, at rest, in m^2
+  std::vector<LeftOutTriangle> triangle_of_;  ///< by triangle, of the cloth and then of bodies: which one it is
+  std::vector<double> areas_;                 ///< of those of the cloth, at rest, in m^2
   std::vector<Body> bodies_of_frame_;
   std::vector<ContactPair> pairs_;
   RowMoves rows_;
   std::vector<float> reaches_;  ///< by row: radius and half the thickness, in m
-  Float4Array expected_ends_;  ///< by row, displacements since the start of the frame
+  Float4Array expected_ends_;   ///< by row, displacements since the start of the frame
   Regions regions_;
   std::optional<BlockedContact> blocked_;
   ContactReport report_;

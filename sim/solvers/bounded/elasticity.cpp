@@ -23,9 +23,12 @@ struct Law {
 };
 
 Law law_of(const Material& m, double most) {
-  return {static_cast<float>(1.0 / m.tensile_warp_n_per_m), static_cast<float>(1.0 / m.tensile_weft_n_per_m),
-          static_cast<float>(0.5 / m.shear_n_per_m),        static_cast<float>(m.warp_limit),
-          static_cast<float>(m.weft_limit),                 static_cast<float>(most)};
+  return {static_cast<float>(1.0 / m.tensile_warp_n_per_m),
+          static_cast<float>(1.0 / m.tensile_weft_n_per_m),
+          static_cast<float>(0.5 / m.shear_n_per_m),
+          static_cast<float>(m.warp_limit),
+          static_cast<float>(m.weft_limit),
+          static_cast<float>(most)};
 }
 
 /// In axes turned by the angle with this cosine and sine.
@@ -33,8 +36,7 @@ inline InPlane turned(const InPlane& m, float c, float s) {
   const float cc = c * c;
   const float ss = s * s;
   const float cs = c * s;
-  return {cc * m.first + 2.0F * cs * m.mixed + ss * m.second,
-          ss * m.first - 2.0F * cs * m.mixed + cc * m.second,
+  return {cc * m.first + 2.0F * cs * m.mixed + ss * m.second, ss * m.first - 2.0F * cs * m.mixed + cc * m.second,
           cs * (m.second - m.first) + (cc - ss) * m.mixed};
 }
 
@@ -50,9 +52,7 @@ inline InPlane limited(const InPlane& m, float most) {
   return {middle + turn * half, middle - turn * half, turn * m.mixed};
 }
 
-InPlane in_plane(const SurfaceSums& sums, std::size_t k) {
-  return {sums.along[k], sums.across[k], sums.mixed[k]};
-}
+InPlane in_plane(const SurfaceSums& sums, std::size_t k) { return {sums.along[k], sums.across[k], sums.mixed[k]}; }
 
 void set(SurfaceSums& sums, std::size_t k, const InPlane& value) {
   sums.along[k] = value.first;
@@ -114,16 +114,13 @@ inline void stretch(const SurfaceBlock& rest, std::size_t k, const InPlane& stra
 }
 
 Vec2 warp_of(const Garment& garment, Index triangle) {
-  return garment.warps.empty()
-             ? upright_in(corners_of(garment.mesh.triangles[triangle], garment.mesh.positions))
-             : garment.warps[triangle];
+  return garment.warps.empty() ? upright_in(corners_of(garment.mesh.triangles[triangle], garment.mesh.positions))
+                               : garment.warps[triangle];
 }
 
 }  // namespace
 
-int follows_in(double frame_time_s) {
-  return std::max(1, static_cast<int>(std::lround(follows_per_s * frame_time_s)));
-}
+int follows_in(double frame_time_s) { return std::max(1, static_cast<int>(std::lround(follows_per_s * frame_time_s))); }
 
 Elasticity::Elasticity(const Garment& garment, const Layout& layout) : material_(garment.material) {
   if (!sim::has_law(material_) || layout.surface.block_count() == 0) return;
@@ -144,8 +141,8 @@ Elasticity::Elasticity(const Garment& garment, const Layout& layout) : material_
   }
 }
 
-void Elasticity::begin_attempt(const Layout& layout, const StartRows& start, const ElasticMemory& memory,
-                               double most, double time_step_s, ParallelKernels& kernels) {
+void Elasticity::begin_attempt(const Layout& layout, const StartRows& start, const ElasticMemory& memory, double most,
+                               double time_step_s, ParallelKernels& kernels) {
   std::fill(sums_.begin(), sums_.end(), SurfaceSums{});
   steps_ = 0;
   memory_ = memory;
@@ -177,7 +174,8 @@ void Elasticity::hold_back(const Layout& layout, const Float4Array& moved, doubl
     const std::size_t k = lane % block_size;
     if (areas_m2_[lane] == 0.0F) continue;
     const InPlane tension = in_plane(memory_.tension_n_per_m[b], k);
-    const InPlane strain = turned(strain_of(layout.surface.blocks[b], k, moved), warps_[b].cosine[k], warps_[b].sine[k]);
+    const InPlane strain =
+        turned(strain_of(layout.surface.blocks[b], k, moved), warps_[b].cosine[k], warps_[b].sine[k]);
     const auto [cosine, sine] = principal_axes(tension);
     const InPlane error = turned(sum(strain, strain_by(law, tension), -1.0F), cosine, sine);
     const InPlane held = turned(in_plane(memory_.held_n_per_m[b], k), cosine, sine);
@@ -242,8 +240,7 @@ double Elasticity::steps_needed_per_s() const {
   return load > 0.0 ? std::sqrt(strain_per_s2 / load / tuning::largest_strain_per_step) : 0.0;
 }
 
-void Elasticity::follow(const Layout& layout, const Motion& motion, double time_step_s,
-                        ParallelKernels& kernels) {
+void Elasticity::follow(const Layout& layout, const Motion& motion, double time_step_s, ParallelKernels& kernels) {
   const double time_s = time_step_s * steps_;
   const auto taken = static_cast<float>(time_s / (time_s + tuning::remembered_s));
   std::vector<InPlane> found = mean_tension(time_step_s, time_s);

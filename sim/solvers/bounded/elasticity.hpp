@@ -64,13 +64,13 @@ class Elasticity {
   Material material_;
   float squared_step_s2_ = 0.0F;
   SurfaceLanes lanes_;
-  std::vector<Warps> warps_;           ///< by block
-  std::vector<float> areas_m2_;        ///< per lane, at rest; 0 in padding
-  std::vector<SurfaceSums> sums_;      ///< by block
-  Float4Array areas_at_rows_m2_;       ///< of the triangles at a row, in x
-  int steps_ = 0;                      ///< that sums_ are of
+  std::vector<Warps> warps_;       ///< by block
+  std::vector<float> areas_m2_;    ///< per lane, at rest; 0 in padding
+  std::vector<SurfaceSums> sums_;  ///< by block
+  Float4Array areas_at_rows_m2_;   ///< of the triangles at a row, in x
+  int steps_ = 0;                  ///< that sums_ are of
   ElasticMemory memory_;
-  double most_ = 0.0;                  ///< strain of a rest shape
+  double most_ = 0.0;  ///< strain of a rest shape
 };
 
 /// Returns how often rest shapes follow tension in a frame.

@@ -36,8 +36,7 @@ std::optional<Crossing> crossing_of(const Vec3& a, const Vec3& b, const Vec3& v,
   if (!(determinant > least_squared_sine * ab2 * vc2)) return std::nullopt;
   const double from_a = glm::dot(ab, va);
   const double from_v = glm::dot(vc, va);
-  return Crossing{(mixed * from_v - vc2 * from_a) / determinant,
-                  (ab2 * from_v - mixed * from_a) / determinant};
+  return Crossing{(mixed * from_v - vc2 * from_a) / determinant, (ab2 * from_v - mixed * from_a) / determinant};
 }
 
 class Neighbours {
@@ -84,9 +83,7 @@ std::optional<FlexuralElement> element_of(const Edge& spring, const std::vector<
         best_offset = offset;
         const double length_m = glm::length(positions[a] - positions[b]);
         const double deflection_per_curvature = s * (1.0 - s) * length_m * length_m / 2.0;
-        best = {{a, b, v, c},
-                {1.0 - s, s, t - 1.0, -t},
-                1.0 / (deflection_per_curvature * deflection_per_curvature)};
+        best = {{a, b, v, c}, {1.0 - s, s, t - 1.0, -t}, 1.0 / (deflection_per_curvature * deflection_per_curvature)};
       }
     }
   }

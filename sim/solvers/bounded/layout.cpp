@@ -11,9 +11,7 @@
 namespace taut::sim::bounded {
 namespace {
 
-std::size_t bound_spring_count(const Springs& springs) {
-  return springs.begin_of(SpringKind::flexural);
-}
+std::size_t bound_spring_count(const Springs& springs) { return springs.begin_of(SpringKind::flexural); }
 
 struct SpringInRows {
   Index row_i;

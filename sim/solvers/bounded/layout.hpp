@@ -11,7 +11,8 @@ namespace taut::sim::bounded {
 
 /// A garment as the solver works on it.
 struct Layout : Rows {
-  /// The springs and triangles that keep the bound: all springs, or all triangles and the springs that no triangle holds.
+  /// The springs and triangles that keep the bound: all springs, or all triangles and the springs that no triangle
+  /// holds.
   SpringLanes springs;
   SurfaceLanes surface;
   TriangleLanes triangles;  ///< for the wind

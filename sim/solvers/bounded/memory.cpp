@@ -26,7 +26,8 @@ void restore(const Frame& frame, ByteReader& bytes, ContactMemory& memory) {
   memory.left_out.clear();
   for (std::uint64_t k = 0; k < count; ++k) {
     LeftOutTriangle t;
-    if (const auto body = bytes.get<std::uint64_t>("a body of a triangle that is left out", 0, bodies.size()); body > 0) {
+    if (const auto body = bytes.get<std::uint64_t>("a body of a triangle that is left out", 0, bodies.size());
+        body > 0) {
       t.body = body - 1;
     }
     t.triangle = bytes.get<Index>("a triangle that is left out");
@@ -49,8 +50,8 @@ void save(const ElasticMemory& memory, ByteWriter& bytes) {
 // Cloth that had another law, or none, when it was saved begins without tension.
 void restore(const Frame& frame, ByteReader& bytes, ElasticMemory& memory) {
   ElasticMemory saved;
-  const auto count = bytes.get<std::uint64_t>("the number of blocks under tension", 0,
-                                              frame.garment.mesh.triangles.size());
+  const auto count =
+      bytes.get<std::uint64_t>("the number of blocks under tension", 0, frame.garment.mesh.triangles.size());
   for (auto* blocks : {&saved.tension_n_per_m, &saved.held_n_per_m}) {
     blocks->resize(count);
     for (SurfaceSums& block : *blocks) {

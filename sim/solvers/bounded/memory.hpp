@@ -38,7 +38,7 @@ struct Memory {
   Float4Array corrections;  ///< of the last frame's projection; by row, in m
   ContactMemory contact;
   ElasticMemory elastic;
-  double shift = 0.0;  ///< the largest correction of the last frame, as a fraction of the largest allowed
+  double shift = 0.0;        ///< the largest correction of the last frame, as a fraction of the largest allowed
   double median_work = 0.0;  ///< of frames, in sweeps; 0 before the first
 };
 

@@ -29,8 +29,8 @@ std::vector<std::uint32_t> long_blocks(const std::vector<float>& squared_ratios,
 
 /// Sweeps over the blocks once, those near the pins again. Returns how many it swept.
 template <typename AnyLanes>
-double shorten(const AnyLanes& lanes, const std::vector<std::uint32_t>& blocks, float squared_bound,
-               float factor, ParallelKernels& kernels, Float4Array& rows) {
+double shorten(const AnyLanes& lanes, const std::vector<std::uint32_t>& blocks, float squared_bound, float factor,
+               ParallelKernels& kernels, Float4Array& rows) {
   std::size_t shortened = 0;
   for (const auto [begin, end, again] : lanes.sweep) {
     const auto first = std::lower_bound(blocks.begin(), blocks.end(), begin);
@@ -50,8 +50,7 @@ bool shorten_long_ones(const AnyLanes& lanes, float squared_bound, ParallelKerne
 }
 
 /// Calls each(block, corners) for all triangles, with the rows of their corners.
-template <typename Each>
-void for_triangles(const SurfaceLanes& surface, const Each& each) {
+template <typename Each> void for_triangles(const SurfaceLanes& surface, const Each& each) {
   for (std::size_t block = 0; block < surface.block_count(); ++block) {
     for (std::size_t lane = 0; lane < block_size; ++lane) {
       std::array<Index, 3> corners{};
@@ -76,9 +75,7 @@ float relaxation_of(const Layout& layout) {
   return static_cast<float>(2.0 / (1.0 + 2.0 / std::max(layout.reach_springs, tuning::shortest_chain)));
 }
 
-double aimed_stretch(double max_stretch) {
-  return tuning::aimed_part * max_stretch;
-}
+double aimed_stretch(double max_stretch) { return tuning::aimed_part * max_stretch; }
 
 BoundProjection::BoundProjection(const Layout& layout, double frame_time_s)
     : relaxation_(relaxation_of(layout)),
@@ -188,8 +185,8 @@ void BoundProjection::expect_evened(const Layout& layout, float squared_bound, C
 }
 
 ProjectionResult BoundProjection::project(const Layout& layout, const Float4Array& raw, double max_stretch,
-                                          const Limits& limits, Confinement* confinement,
-                                          ParallelKernels& kernels, Float4Array& corrections) {
+                                          const Limits& limits, Confinement* confinement, ParallelKernels& kernels,
+                                          Float4Array& corrections) {
   const double allowed = (1.0 + max_stretch) * (1.0 - rounding);
   const double squared_bound = allowed * allowed;
   const float squared_aim = squared_aim_of(max_stretch);
@@ -200,8 +197,7 @@ ProjectionResult BoundProjection::project(const Layout& layout, const Float4Arra
   if (!(result.raw_max_stretch < limits.raw_max_stretch)) return result;
   if (!(ratio <= squared_bound)) ratio = start(layout, raw, corrections, ratio, confinement, kernels);
   // A larger stretch is for more time steps to mend.
-  const bool evens_out =
-      confinement != nullptr && result.raw_max_stretch < tuning::coped_stretch * max_stretch;
+  const bool evens_out = confinement != nullptr && result.raw_max_stretch < tuning::coped_stretch * max_stretch;
   double earlier_ratio = ratio;
   const auto may_go_on = [&] {
     return result.cost < limits.cost && std::isfinite(ratio) &&

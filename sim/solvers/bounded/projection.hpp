@@ -62,9 +62,8 @@ class BoundProjection {
 
   /// Starts from the corrections of the last frame, by row, in m, and replaces them by those of this one.
   /// `confinement` may be null.
-  ProjectionResult project(const Layout& layout, const Float4Array& raw, double max_stretch,
-                           const Limits& limits, Confinement* confinement, ParallelKernels& kernels,
-                           Float4Array& corrections);
+  ProjectionResult project(const Layout& layout, const Float4Array& raw, double max_stretch, const Limits& limits,
+                           Confinement* confinement, ParallelKernels& kernels, Float4Array& corrections);
 
   /// The result by row: displacements since the start of the frame, in m.
   const Float4Array& corrected() const { return corrected_; }

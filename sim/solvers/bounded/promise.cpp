@@ -41,8 +41,7 @@ struct Load {
   double power;      ///< of the bound, for wider ones
 };
 
-std::array<Load, 3> loads_of(const Surroundings& surroundings, const Limits& limits,
-                             const PromiseNames& names) {
+std::array<Load, 3> loads_of(const Surroundings& surroundings, const Limits& limits, const PromiseNames& names) {
   const ExternalForces& forces = surroundings.forces;
   const PinMotion& motion = surroundings.pin_motion;
   const double rate = tau * motion.frequency_hz;
@@ -51,8 +50,7 @@ std::array<Load, 3> loads_of(const Surroundings& surroundings, const Limits& lim
     pull_n = std::max(pull_n, glm::length(force.force_n));
   }
   return {{{std::string("in ") + names.gusts + " of", "m/s",
-            forces.wind.speed_m_per_s * (1.0 + forces.wind.gust_amplitude), limits.wind_m_per_s,
-            limits.wind_power},
+            forces.wind.speed_m_per_s * (1.0 + forces.wind.gust_amplitude), limits.wind_m_per_s, limits.wind_power},
            {"where gravity and the pins' motion amount to", "m/s2",
             largest_gravity_m_per_s2(forces) + rate * rate * glm::length(motion.amplitude_m),
             limits.acceleration_m_per_s2, 2.0},
@@ -102,9 +100,8 @@ std::optional<std::string> beyond_promise(const BoundedSettings& settings, const
     const double most = most_for(load, limits, bound);
     if (!(load.amount <= most)) {
       return std::string(names.bound) + " = " + digits(bound) + " of the " + name_of(settings.bound) +
-             " is not promised " + load.what + ' ' + digits(load.amount, 4) + ' ' + load.unit +
-             "; expected at most " + digits(most, 3) + ' ' + load.unit + wider_bound(load, limits) +
-             all_the_same;
+             " is not promised " + load.what + ' ' + digits(load.amount, 4) + ' ' + load.unit + "; expected at most " +
+             digits(most, 3) + ' ' + load.unit + wider_bound(load, limits) + all_the_same;
     }
   }
   return std::nullopt;

@@ -15,8 +15,8 @@ void RowMemory::resize(std::size_t rows) {
   deviations.resize(rows, 0.0F);
 }
 
-void RowMemory::observe(std::size_t rows, const Float4Array& before, const Float4Array& after,
-                        double observed_s, float most_acceleration) {
+void RowMemory::observe(std::size_t rows, const Float4Array& before, const Float4Array& after, double observed_s,
+                        float most_acceleration) {
   const auto per_s = static_cast<float>(1.0 / observed_s);
   for (std::size_t row = 0; row < rows; ++row) {
     const Float4 moved = scaled_sum(after[row], before[row], -1.0F);

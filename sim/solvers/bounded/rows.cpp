@@ -18,8 +18,7 @@ void number_rows(const Garment& garment, const Pins& pins, Rows& rows) {
   std::vector<Index>& order = rows.vertex_of_row;
   order.resize(distances_m.size());
   std::iota(order.begin(), order.end(), Index{0});
-  std::stable_sort(order.begin(), order.end(),
-                   [&](Index a, Index b) { return distances_m[a] < distances_m[b]; });
+  std::stable_sort(order.begin(), order.end(), [&](Index a, Index b) { return distances_m[a] < distances_m[b]; });
   rows.row_of_vertex.resize(order.size());
   for (Index row = 0; row < order.size(); ++row) {
     rows.row_of_vertex[order[row]] = row;
@@ -46,9 +45,7 @@ void measure_reach(const Garment& garment, Rows& rows) {
 
 }  // namespace
 
-std::size_t Rows::row_count() const {
-  return (vertex_count() + 3 * block_size - 1) / block_size * block_size;
-}
+std::size_t Rows::row_count() const { return (vertex_count() + 3 * block_size - 1) / block_size * block_size; }
 
 Rows make_rows(const Garment& garment, const Pins& pins) {
   Rows rows;

@@ -15,9 +15,8 @@ struct Rows {
   std::vector<Index> row_of_vertex;
   /// By row, spare rows included, where it is 0.
   std::vector<float> inverse_masses_per_kg;
-  std::vector<double>
-      distance_from_pins_m;            ///< by row, along the cloth; infinite where no pin can be reached
-  std::vector<Index> nearest_pin_row;  ///< by row; 0 where no pin can be reached
+  std::vector<double> distance_from_pins_m;  ///< by row, along the cloth; infinite where no pin can be reached
+  std::vector<Index> nearest_pin_row;        ///< by row; 0 where no pin can be reached
   std::size_t pin_count = 0;
   /// The largest finite distance from the pins.
   double reach_m = 0.0;

@@ -21,8 +21,8 @@ double cubed_bending_length_m3(double rigidity_n_m, double areal_density_kg_per_
 
 double fastest_element_per_s(const Garment& garment, double rigidity_n_m) {
   const double edge_m = mean_edge_m(garment.springs);
-  const double cubed_edges = cubed_bending_length_m3(rigidity_n_m, garment.material.areal_density_kg_per_m2) /
-                             (edge_m * edge_m * edge_m);
+  const double cubed_edges =
+      cubed_bending_length_m3(rigidity_n_m, garment.material.areal_density_kg_per_m2) / (edge_m * edge_m * edge_m);
   const double edges = std::cbrt(cubed_edges);
   const double ratio = cubed_edges / std::pow(tuning::edges_in_bending_length, 3);
   const double rise = std::clamp(ratio * ratio, 1.0, std::max(tuning::rise_per_edge * edges, 1.0));
@@ -33,8 +33,7 @@ int whole_updates(double wanted) {
   return std::max(1, static_cast<int>(std::min(most_updates_per_frame, std::ceil(wanted))));
 }
 
-AirFlow air_flow(const Garment& garment, const Wind& wind, double time_s, double time_step_s,
-                 double interval_s) {
+AirFlow air_flow(const Garment& garment, const Wind& wind, double time_s, double time_step_s, double interval_s) {
   const Vec3 velocity = wind_velocity(wind, time_s);
   AirFlow air;
   air.velocity_m_per_s = {static_cast<float>(velocity.x), static_cast<float>(velocity.y),
@@ -49,11 +48,9 @@ AirFlow air_flow(const Garment& garment, const Wind& wind, double time_s, double
 
 }  // namespace
 
-SlowForces::SlowForces(const Garment& garment, const Pins& pins, const Layout& layout,
-                       double bending_rigidity_n_m)
+SlowForces::SlowForces(const Garment& garment, const Pins& pins, const Layout& layout, double bending_rigidity_n_m)
     : layout_(layout),
-      bending_(garment, pins, layout, bending_rigidity_n_m,
-               fastest_element_per_s(garment, bending_rigidity_n_m)),
+      bending_(garment, pins, layout, bending_rigidity_n_m, fastest_element_per_s(garment, bending_rigidity_n_m)),
       accelerations_(layout.row_count()),
       corner_forces_n_(layout.triangles.lane_count()),
       wind_accelerations_(layout.row_count()),
@@ -64,15 +61,14 @@ int SlowForces::wind_updates_per_frame(double frame_time_s) {
 }
 
 int SlowForces::updates_per_frame(double frame_time_s) const {
-  const double for_bending =
-      bending_.largest_rate_per_s() * frame_time_s / tuning::largest_rate_times_interval;
+  const double for_bending = bending_.largest_rate_per_s() * frame_time_s / tuning::largest_rate_times_interval;
   return std::max(wind_updates_per_frame(frame_time_s), whole_updates(for_bending));
 }
 
 void SlowForces::add_gravity_and_artificial(const ExternalForces& external, double time_s) {
   const Float4 gravity = float4_of(gravity_at(external, time_s));
-  std::fill(accelerations_.begin(),
-            accelerations_.begin() + static_cast<std::ptrdiff_t>(layout_.vertex_count()), gravity);
+  std::fill(accelerations_.begin(), accelerations_.begin() + static_cast<std::ptrdiff_t>(layout_.vertex_count()),
+            gravity);
   for (const PointForce& f : external.artificial_forces) {
     assert(f.vertex < layout_.vertex_count());
     const Index row = layout_.row_of_vertex[f.vertex];
@@ -90,10 +86,9 @@ void SlowForces::add_hand(const Garment& garment, const ExternalForces& external
     const Vec3 moved = vector_of(motion.current[row]);
     const Vec3 velocity_m_per_s = (moved - vector_of(motion.previous[row])) / time_step_s;
     if (mass_kg > 0.0) {
-      add_scaled(
-          accelerations_[row],
-          float4_of(hand_force(held, mass_kg, motion.start_m[row] + moved, velocity_m_per_s, interval_s)),
-          layout_.inverse_masses_per_kg[row]);
+      add_scaled(accelerations_[row],
+                 float4_of(hand_force(held, mass_kg, motion.start_m[row] + moved, velocity_m_per_s, interval_s)),
+                 layout_.inverse_masses_per_kg[row]);
     }
   }
 }
@@ -139,8 +134,8 @@ void SlowForces::add_bending(const Motion& motion, double ahead, ParallelKernels
   bending_.add_accelerations(positions_, kernels, accelerations_);
 }
 
-void SlowForces::update(const Garment& garment, const ExternalForces& external, const Motion& motion,
-                        double time_s, double time_step_s, double interval_s, ParallelKernels& kernels) {
+void SlowForces::update(const Garment& garment, const ExternalForces& external, const Motion& motion, double time_s,
+                        double time_step_s, double interval_s, ParallelKernels& kernels) {
   add_gravity_and_artificial(external, time_s);
   add_hand(garment, external, motion, time_step_s, interval_s);
   add_wind(kernels);

@@ -24,8 +24,8 @@ class SlowForces {
 
   /// Evaluates the wind at the current motion, for the updates of the next `interval_s`. `time_step_s` is the
   /// time between the two displacements of `motion`.
-  void update_wind(const Garment& garment, const Wind& wind, const Motion& motion, double time_s,
-                   double time_step_s, double interval_s, ParallelKernels& kernels);
+  void update_wind(const Garment& garment, const Wind& wind, const Motion& motion, double time_s, double time_step_s,
+                   double interval_s, ParallelKernels& kernels);
 
   /// Evaluates all other forces at the current motion and adds the wind. The result, accelerations(), is used
   /// for the next `interval_s`. Requires that the vertices of artificial forces and hands exist.
@@ -37,8 +37,8 @@ class SlowForces {
 
  private:
   void add_gravity_and_artificial(const ExternalForces& external, double time_s);
-  void add_hand(const Garment& garment, const ExternalForces& external, const Motion& motion,
-                double time_step_s, double interval_s);
+  void add_hand(const Garment& garment, const ExternalForces& external, const Motion& motion, double time_step_s,
+                double interval_s);
   void add_wind(ParallelKernels& kernels);
   void add_bending(const Motion& motion, double ahead, ParallelKernels& kernels);
 

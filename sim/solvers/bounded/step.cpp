@@ -11,20 +11,16 @@ namespace {
 void impose_forces(const Garment& garment, const ExternalForces& external, const TimeStep& time,
                    ParallelKernels& kernels, SteppedCloth& cloth) {
   if (time.updates_wind) {
-    cloth.forces.update_wind(garment, external.wind, cloth.motion, time.time_s, time.time_step_s,
-                             time.wind_interval_s, kernels);
+    cloth.forces.update_wind(garment, external.wind, cloth.motion, time.time_s, time.time_step_s, time.wind_interval_s,
+                             kernels);
   }
-  cloth.forces.update(garment, external, cloth.motion, time.time_s, time.time_step_s, time.update_interval_s,
-                      kernels);
+  cloth.forces.update(garment, external, cloth.motion, time.time_s, time.time_step_s, time.update_interval_s, kernels);
 }
 
 /// From the start of the frame to the end of the step.
-TimeSpan since_frame_began(const TimeStep& time) {
-  return {time.frame_began_s, time.time_s + time.time_step_s};
-}
+TimeSpan since_frame_began(const TimeStep& time) { return {time.frame_began_s, time.time_s + time.time_step_s}; }
 
-void predict(const Surroundings& surroundings, const TimeStep& time, ParallelKernels& kernels,
-             SteppedCloth& cloth) {
+void predict(const Surroundings& surroundings, const TimeStep& time, ParallelKernels& kernels, SteppedCloth& cloth) {
   Prediction prediction;
   prediction.decay = static_cast<float>(1.0 / (1.0 + surroundings.forces.air_drag_per_s * time.time_step_s));
   prediction.dt_squared = static_cast<float>(time.time_step_s * time.time_step_s);
@@ -32,8 +28,7 @@ void predict(const Surroundings& surroundings, const TimeStep& time, ParallelKer
   // The kernel takes one motion for all pins.
   const bool is_tethered = !cloth.tethers.lanes.empty() && !has_pins_of_their_own(surroundings);
   const Tether* tethers = is_tethered ? cloth.tethers.lanes.data() : nullptr;
-  kernels.predict(prediction, tethers, cloth.forces.accelerations(), cloth.motion.current,
-                  cloth.motion.previous);
+  kernels.predict(prediction, tethers, cloth.forces.accelerations(), cloth.motion.current, cloth.motion.previous);
   cloth.motion.previous.swap(cloth.motion.current);
 }
 
@@ -57,17 +52,16 @@ struct StraightSpan {
 
 /// Returns an earlier end where they are further off than planes leave room for, but not before the time step
 /// ends: at both ends of a chord they are on it.
-StraightSpan straight_span(const Garment& garment, const Surroundings& surroundings,
-                           const SteppedCloth& cloth, const TimeStep& time, double end_s) {
+StraightSpan straight_span(const Garment& garment, const Surroundings& surroundings, const SteppedCloth& cloth,
+                           const TimeStep& time, double end_s) {
   const std::size_t count = cloth.layout.pin_count;
   const auto pins = std::span(cloth.layout.vertex_of_row).first(count);
   const auto pins_m = std::span(cloth.motion.start_m).first(count);
   double steps = std::round((end_s - time.time_s) / time.time_step_s);
   while (true) {
     const TimeSpan span = {time.time_s, end_s};
-    const double off_chord_m =
-        std::max(pins_off_chord_m(surroundings, pins, pins_m, time.frame_began_s, span),
-                 cloth.contacts.bodies_off_chord_m(span));
+    const double off_chord_m = std::max(pins_off_chord_m(surroundings, pins, pins_m, time.frame_began_s, span),
+                                        cloth.contacts.bodies_off_chord_m(span));
     if (steps <= 1.0 || off_chord_m <= off_chord_part * garment.material.thickness_m) {
       return {span, off_chord_m};
     }
@@ -88,16 +82,15 @@ void renew_regions(const Frame& frame, const TimeStep& time, ParallelKernels& ke
     const auto [span, off_chord_m] = straight_span(frame.garment, surroundings, cloth, time, end_s);
     const double steps = std::round((span.to_s - time.time_s) / time.time_step_s);
     fits = contacts.make_regions(frame, cloth.layout, cloth.motion, cloth.forces.accelerations(),
-                                 pins_moved(surroundings, cloth, {time.frame_began_s, span.to_s}),
-                                 off_chord_m, span, steps > 1.0, kernels);
+                                 pins_moved(surroundings, cloth, {time.frame_began_s, span.to_s}), off_chord_m, span,
+                                 steps > 1.0, kernels);
     end_s = time.time_s + std::ceil(0.5 * steps) * time.time_step_s;
   }
 }
 
 }  // namespace
 
-std::vector<Vec3> pins_moved(const Surroundings& surroundings, const SteppedCloth& cloth,
-                             const TimeSpan& time) {
+std::vector<Vec3> pins_moved(const Surroundings& surroundings, const SteppedCloth& cloth, const TimeSpan& time) {
   const std::size_t count = cloth.layout.pin_count;
   return pin_displacements(surroundings, std::span(cloth.layout.vertex_of_row).first(count),
                            std::span(cloth.motion.start_m).first(count), time);
@@ -118,8 +111,7 @@ void step(const Frame& frame, const TimeStep& time, ParallelKernels& kernels, St
   constrain(kernels, cloth);
   cloth.elasticity.count_step();
   if (cloth.contacts.is_on()) {
-    cloth.contacts.keep_apart(cloth.layout, time.time_s + time.time_step_s, time.time_step_s, kernels,
-                              cloth.motion);
+    cloth.contacts.keep_apart(cloth.layout, time.time_s + time.time_step_s, time.time_step_s, kernels, cloth.motion);
   }
 }
 

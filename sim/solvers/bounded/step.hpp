@@ -49,8 +49,7 @@ struct TimeStep {
 };
 
 /// Returns how far each pin moves within the time, which begins with the frame, in m, by row.
-std::vector<Vec3> pins_moved(const Surroundings& surroundings, const SteppedCloth& cloth,
-                             const TimeSpan& time);
+std::vector<Vec3> pins_moved(const Surroundings& surroundings, const SteppedCloth& cloth, const TimeSpan& time);
 
 /// Does one time step: Steps 2 and 3 of the paper, in the stages of sim/step.cpp. It works on displacements
 /// in single precision instead of positions in double precision.

@@ -105,12 +105,10 @@ void SubstepControl::restore(ByteReader& memory) {
   took_fewer_ = memory.get_bool("whether fewer substeps were taken");
 }
 
-double allowed_shift_m(const Layout& layout) {
-  return tuning::shift_per_reach * layout.reach_m;
-}
+double allowed_shift_m(const Layout& layout) { return tuning::shift_per_reach * layout.reach_m; }
 
-int first_substeps(const Garment& garment, const Layout& layout, const Surroundings& surroundings,
-                   double frame_time_s, double max_stretch) {
+int first_substeps(const Garment& garment, const Layout& layout, const Surroundings& surroundings, double frame_time_s,
+                   double max_stretch) {
   double joined_kg = 0.0;
   double length_m = 0.0;
   int count = 0;
@@ -127,8 +125,7 @@ int first_substeps(const Garment& garment, const Layout& layout, const Surroundi
   if (count == 0) return 1;
   double hanging_kg = 0.0;
   for (std::size_t row = layout.pin_count; row < layout.vertex_count(); ++row) {
-    hanging_kg +=
-        std::isfinite(layout.distance_from_pins_m[row]) ? garment.masses_kg[layout.vertex_of_row[row]] : 0.0;
+    hanging_kg += std::isfinite(layout.distance_from_pins_m[row]) ? garment.masses_kg[layout.vertex_of_row[row]] : 0.0;
   }
   const double raw = std::max(max_stretch, smallest_promised_bound);
   const double stretch_per_squared_step =

@@ -60,7 +60,7 @@ double allowed_shift_m(const Layout& layout);
 /// For the first frame: hanging cloth stretches next to its pins by about c g dt^2 M / (m L), with the mass M
 /// that hangs, the mass m of the vertices joined to pins and the mean rest length L of the springs between
 /// them.
-int first_substeps(const Garment& garment, const Layout& layout, const Surroundings& surroundings,
-                   double frame_time_s, double max_stretch);
+int first_substeps(const Garment& garment, const Layout& layout, const Surroundings& surroundings, double frame_time_s,
+                   double max_stretch);
 
 }  // namespace taut::sim::bounded

@@ -40,8 +40,7 @@ class SpringFinder {
   explicit SpringFinder(const Springs& springs) : springs_(springs) {}
 
   /// Calls mark(s) for each bound spring s between a and b.
-  template <typename Mark>
-  void find(Index a, Index b, const Mark& mark) const {
+  template <typename Mark> void find(Index a, Index b, const Mark& mark) const {
     const Edge edge = {std::min(a, b), std::max(a, b)};
     for (const SpringKind kind : {SpringKind::structural, SpringKind::shear}) {
       const auto first = springs_.ends.begin() + static_cast<std::ptrdiff_t>(springs_.begin_of(kind));
@@ -121,8 +120,7 @@ void set_mobility(const SquaredGradients& sums, const std::array<double, 3>& inv
 }
 
 /// Inverse weights of corners in the projection, in parts of the inverse masses; see projection_ratio.
-std::array<double, 3> weighted(const std::array<double, 3>& inverse_masses, const Corners& corners,
-                               const Rows& rows) {
+std::array<double, 3> weighted(const std::array<double, 3>& inverse_masses, const Corners& corners, const Rows& rows) {
   std::array<double, 3> inverse_weights = inverse_masses;
   const Index nearest = *std::min_element(corners.begin(), corners.end());
   for (std::size_t k = 0; k < 3; ++k) inverse_weights[k] /= projection_ratio(nearest, corners[k], rows);

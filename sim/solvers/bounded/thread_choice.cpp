@@ -25,8 +25,7 @@ void ThreadChoice::frame_took(double seconds, const PoolWork& work) {
   if (!is_shared()) {
     --frames_alone_;
   } else if (gained_s(seconds, work) < 0.0) {
-    frames_between_trials_ =
-        std::clamp(2 * frames_between_trials_, fewest_between_trials, most_between_trials);
+    frames_between_trials_ = std::clamp(2 * frames_between_trials_, fewest_between_trials, most_between_trials);
     frames_alone_ = frames_between_trials_;
   } else {
     frames_between_trials_ = 0;

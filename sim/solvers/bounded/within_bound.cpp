@@ -46,8 +46,7 @@ double largest_surface_excess_m(const Garment& garment, std::span<const Vec3> po
 }
 
 /// Does one sweep of eqs. (2) and (3) over the springs that are too long.
-void shorten_springs(const Garment& garment, const Pins& pins, double max_stretch,
-                     std::span<Vec3> positions) {
+void shorten_springs(const Garment& garment, const Pins& pins, double max_stretch, std::span<Vec3> positions) {
   const Springs& springs = garment.springs;
   for (std::size_t s = 0; s < springs.begin_of(SpringKind::flexural); ++s) {
     const auto [i, j] = springs.ends[s];
@@ -88,14 +87,12 @@ void shorten_triangle(const TriangleAtRest& rest, const Triangle& t, const Pins&
   }
 }
 
-void shorten_surface(const Garment& garment, const Pins& pins, double max_stretch,
-                     std::span<Vec3> positions) {
+void shorten_surface(const Garment& garment, const Pins& pins, double max_stretch, std::span<Vec3> positions) {
   for (std::size_t t = 0; t < garment.mesh.triangles.size(); ++t) {
     const TriangleAtRest& rest = garment.triangles_at_rest[t];
     const Triangle& triangle = garment.mesh.triangles[t];
     if (rest.has_surface() &&
-        principal_stretches(deformation_gradient(rest, corners_of(triangle, positions))).largest >
-            1.0 + max_stretch) {
+        principal_stretches(deformation_gradient(rest, corners_of(triangle, positions))).largest > 1.0 + max_stretch) {
       shorten_triangle(rest, triangle, pins, 1.0 + bounded::tuning::aimed_part * max_stretch, positions);
     }
   }
@@ -103,8 +100,7 @@ void shorten_surface(const Garment& garment, const Pins& pins, double max_stretc
 
 }  // namespace
 
-double largest_excess_m(const Garment& garment, const BoundedSettings& settings,
-                        std::span<const Vec3> positions) {
+double largest_excess_m(const Garment& garment, const BoundedSettings& settings, std::span<const Vec3> positions) {
   const double springs_m = largest_spring_excess_m(garment.springs, positions, settings.max_stretch);
   return settings.bound == BoundKind::springs
              ? springs_m
@@ -117,8 +113,7 @@ void shorten_once(const Garment& garment, const Pins& pins, const BoundedSetting
   if (settings.bound == BoundKind::surface) shorten_surface(garment, pins, settings.max_stretch, positions);
 }
 
-void move_within_bound(const Garment& garment, const Pins& pins, const BoundedSettings& settings,
-                       State& state) {
+void move_within_bound(const Garment& garment, const Pins& pins, const BoundedSettings& settings, State& state) {
   if (largest_excess_m(garment, settings, state.current) == 0.0) return;
   bounded::Layout layout = bounded::make_layout(garment, pins, settings.bound);
   bounded::ParallelKernels kernels(bounded::kernels_for(settings.vector_unit), 1);
@@ -141,8 +136,7 @@ bool keeps_bound_in_double(const Garment& garment, const Pins& pins, const Bound
                            std::span<Vec3> positions, const AllowPosition& allow) {
   double excess_m = largest_excess_m(garment, settings, positions);
   const std::vector<Vec3> before_m(positions.begin(), positions.end());
-  for (int sweep = 0;
-       sweep < bounded::tuning::last_resort_sweeps && excess_m > 0.0 && excess_m < smallest_told_apart_m;
+  for (int sweep = 0; sweep < bounded::tuning::last_resort_sweeps && excess_m > 0.0 && excess_m < smallest_told_apart_m;
        ++sweep) {
     shorten_once(garment, pins, settings, positions);
     excess_m = largest_excess_m(garment, settings, positions);

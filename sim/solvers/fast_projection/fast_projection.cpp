@@ -45,8 +45,7 @@ struct LengthSystem::Factors {
   Eigen::VectorXd errors_m;
 };
 
-LengthSystem::LengthSystem(std::span<const Edge> edges, std::span<const double> rest_lengths_m,
-                           const Pins& pins)
+LengthSystem::LengthSystem(std::span<const Edge> edges, std::span<const double> rest_lengths_m, const Pins& pins)
     : inverse_masses_per_kg_(pins.inverse_masses_per_kg), factors_(std::make_unique<Factors>()) {
   for (std::size_t e = 0; e < edges.size(); ++e) {
     if (inverse_masses_per_kg_[edges[e][0]] + inverse_masses_per_kg_[edges[e][1]] > 0.0) {
@@ -98,8 +97,7 @@ void LengthSystem::fill(std::span<const Vec3> positions_m) {
 bool LengthSystem::project(std::span<Vec3> positions_m) {
   for (std::size_t e = 0; e < edges_.size(); ++e) {
     const Vec3 edge = positions_m[edges_[e][1]] - positions_m[edges_[e][0]];
-    factors_->errors_m[static_cast<Eigen::Index>(e)] =
-        glm::dot(edge, edge) / rest_lengths_m_[e] - rest_lengths_m_[e];
+    factors_->errors_m[static_cast<Eigen::Index>(e)] = glm::dot(edge, edge) / rest_lengths_m_[e] - rest_lengths_m_[e];
   }
   fill(positions_m);
   factors_->solver.factorize(factors_->matrix);
@@ -110,16 +108,15 @@ bool LengthSystem::project(std::span<Vec3> positions_m) {
   std::vector<Vec3> moved_m(positions_m.size(), Vec3(0.0));
   for (std::size_t e = 0; e < edges_.size(); ++e) {
     for (const Index end : edges_[e]) {
-      moved_m[end] -= gradient(e, end, positions_m) *
-                      (inverse_masses_per_kg_[end] * multipliers[static_cast<Eigen::Index>(e)]);
+      moved_m[end] -=
+          gradient(e, end, positions_m) * (inverse_masses_per_kg_[end] * multipliers[static_cast<Eigen::Index>(e)]);
     }
   }
   for (std::size_t v = 0; v < positions_m.size(); ++v) positions_m[v] += moved_m[v];
   return true;
 }
 
-FastProjectionSolver::FastProjectionSolver(const FastProjectionSettings& settings,
-                                           std::optional<int> substeps)
+FastProjectionSolver::FastProjectionSolver(const FastProjectionSettings& settings, std::optional<int> substeps)
     : settings_(settings), substeps_(substeps.value_or(enough_steps)) {}
 
 void FastProjectionSolver::prepare(const Garment& garment, const Pins& pins) {

@@ -21,8 +21,7 @@ std::vector<Edge> coupled_pairs(const Garment& garment, std::span<const Hinge> h
 
 }  // namespace
 
-ImplicitSolver::ImplicitSolver(const ImplicitSettings& settings, std::optional<int> substeps,
-                               int max_substeps)
+ImplicitSolver::ImplicitSolver(const ImplicitSettings& settings, std::optional<int> substeps, int max_substeps)
     : settings_(settings),
       substeps_(substeps),
       most_halvings_(std::bit_width(static_cast<unsigned>(max_substeps)) - 1) {}
@@ -40,8 +39,8 @@ void ImplicitSolver::predict(const Frame& frame, double time_step_s, State& stat
   const auto add_conditions = [&](const State& now, const System& system) {
     for (const WovenTriangle& triangle : triangles_) {
       for (const auto& weights : {triangle.along_warp, triangle.along_weft}) {
-        add_condition(stretch_condition(triangle, weights, now.current),
-                      {settings_.stretch_n_per_m, damping_s}, system);
+        add_condition(stretch_condition(triangle, weights, now.current), {settings_.stretch_n_per_m, damping_s},
+                      system);
       }
       add_condition(shear_condition(triangle, now.current), {settings_.shear_n_per_m, damping_s}, system);
     }

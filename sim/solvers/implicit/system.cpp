@@ -141,8 +141,7 @@ Condition stretch_condition(const WovenTriangle& triangle, const std::array<doub
   condition.value = triangle.root_area_m * (length - 1.0);
   if (!(length > 0.0)) return condition;
   const Vec3 direction = w / length;
-  condition.curvature =
-      (triangle.root_area_m / length) * (Mat3(1.0) - glm::outerProduct(direction, direction));
+  condition.curvature = (triangle.root_area_m / length) * (Mat3(1.0) - glm::outerProduct(direction, direction));
   for (std::size_t i = 0; i < 3; ++i) {
     condition.gradients[i] = triangle.root_area_m * weights[i] * direction;
     condition.weights[i] = weights[i];
@@ -156,8 +155,7 @@ Condition shear_condition(const WovenTriangle& triangle, std::span<const Vec3> p
   const Vec3 weft = derivative(triangle, triangle.along_weft, positions_m);
   condition.value = triangle.root_area_m * glm::dot(warp, weft);
   for (std::size_t i = 0; i < 3; ++i) {
-    condition.gradients[i] =
-        triangle.root_area_m * (triangle.along_warp[i] * weft + triangle.along_weft[i] * warp);
+    condition.gradients[i] = triangle.root_area_m * (triangle.along_warp[i] * weft + triangle.along_weft[i] * warp);
   }
   return condition;
 }
@@ -181,8 +179,8 @@ Condition bend_condition(const Hinge& hinge, std::span<const Vec3> p) {
   const Vec3 by_d = -n.second * (length_m / second);
   const double share_c = glm::dot(p[c] - p[a], edge) / (length_m * length_m);
   const double share_d = glm::dot(p[d] - p[a], edge) / (length_m * length_m);
-  condition.gradients = {-(1.0 - share_c) * by_c - (1.0 - share_d) * by_d, -share_c * by_c - share_d * by_d,
-                         by_c, by_d};
+  condition.gradients = {-(1.0 - share_c) * by_c - (1.0 - share_d) * by_d, -share_c * by_c - share_d * by_d, by_c,
+                         by_d};
   return condition;
 }
 

@@ -9,8 +9,8 @@ namespace taut::sim::implicit {
 
 using Mat3 = glm::dmat3;
 
-/// A condition that cloth opposes: a number C that is 0 at rest, by the positions x_i of up to four vertices (Baraff and
-/// Witkin 1998, section 4.1). Its energy is 1/2 k C^2.
+/// A condition that cloth opposes: a number C that is 0 at rest, by the positions x_i of up to four vertices (Baraff
+/// and Witkin 1998, section 4.1). Its energy is 1/2 k C^2.
 struct Condition {
   double value = 0.0;
   int count = 0;                    ///< of the vertices
@@ -45,8 +45,7 @@ std::vector<WovenTriangle> woven_triangles(const Garment& garment);
 std::vector<Hinge> hinges(const Garment& garment);
 
 /// Returns w_u or w_v, by the weights for it.
-Vec3 derivative(const WovenTriangle& triangle, const std::array<double, 3>& weights,
-                std::span<const Vec3> positions_m);
+Vec3 derivative(const WovenTriangle& triangle, const std::array<double, 3>& weights, std::span<const Vec3> positions_m);
 
 /// A spring: C = its length minus that at rest, in m, so that 1/2 k C^2 is Hooke's law.
 Condition spring_condition(const Edge& ends, double rest_length_m, std::span<const Vec3> positions_m);

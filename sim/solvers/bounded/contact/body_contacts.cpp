@@ -43,8 +43,7 @@ struct Nearest {
 
 /// Returns which part of the way along its axis a tapered limb is nearest to a point: where the line to the
 /// point is at right angles to its surface.
-float nearest_along(const glm::vec3& start, const glm::vec3& end, const glm::vec2& radii,
-                    const glm::vec3& point) {
+float nearest_along(const glm::vec3& start, const glm::vec3& end, const glm::vec2& radii, const glm::vec3& point) {
   const float length = glm::distance(start, end);
   const float taper = (radii.x - radii.y) / length;
   if (!(std::abs(taper) < 1.0F)) {
@@ -77,23 +76,19 @@ Nearest nearest_of(const Limb& limb, const std::array<glm::vec3, 3>& corners) {
     consider(w[0] * a + w[1] * b, w[3]);
   }
   for (const float along : {0.0F, 1.0F}) {
-    const ClosestWeights w =
-        closest_vertex_triangle({along == 0.0F ? start : end, corners[0], corners[1], corners[2]});
+    const ClosestWeights w = closest_vertex_triangle({along == 0.0F ? start : end, corners[0], corners[1], corners[2]});
     consider(w[1] * corners[0] + w[2] * corners[1] + w[3] * corners[2], along);
   }
   // In turns: the distance is convex in both.
   for (int turn = 0; turn < most_turns && radii.x != radii.y; ++turn) {
     const float along = nearest_along(start, end, radii, nearest.point);
-    const ClosestWeights w =
-        closest_vertex_triangle({glm::mix(start, end, along), corners[0], corners[1], corners[2]});
+    const ClosestWeights w = closest_vertex_triangle({glm::mix(start, end, along), corners[0], corners[1], corners[2]});
     consider(w[1] * corners[0] + w[2] * corners[1] + w[3] * corners[2], along);
   }
   return nearest;
 }
 
-glm::vec3 from_origin(const Vec3& point_m, const Vec3& origin_m) {
-  return {point_m - origin_m};
-}
+glm::vec3 from_origin(const Vec3& point_m, const Vec3& origin_m) { return {point_m - origin_m}; }
 
 Limb limb_of(const Sphere& at_begin, const Sphere& at_end, const Vec3& origin_m) {
   const Vec3 begin_m = at_begin.centre_m - origin_m;
@@ -136,8 +131,8 @@ void add_near_limb(const Search& search, const Limb& limb, std::span<const Trian
                    std::vector<ContactPair>& pairs) {
   const glm::vec3 start(limb.ends_m[0][0]);
   const glm::vec3 middle = 0.5F * (start + glm::vec3(limb.ends_m[0][1]));
-  const float outer = far_enough * (glm::distance(middle, start) +
-                                    static_cast<float>(std::max(limb.radii_m[0], limb.radii_m[1])));
+  const float outer =
+      far_enough * (glm::distance(middle, start) + static_cast<float>(std::max(limb.radii_m[0], limb.radii_m[1])));
   for (const Triangle& t : cloth) {
     std::array<glm::vec3, 3> corners{};
     float reach = search.thickness_m;
@@ -170,8 +165,8 @@ void add_near_limb(const Search& search, const Limb& limb, std::span<const Trian
 }
 
 // Corner by corner: a triangle is above a plane if its corners are.
-void add_near_plane(const Search& search, const Plane& at_begin, const Plane& at_end,
-                    std::span<const Triangle> cloth, RowMoves& rows, std::vector<ContactPair>& pairs) {
+void add_near_plane(const Search& search, const Plane& at_begin, const Plane& at_end, std::span<const Triangle> cloth,
+                    RowMoves& rows, std::vector<ContactPair>& pairs) {
   const glm::vec3 normal(at_begin.normal);
   const Vec3 point_m = at_begin.point_m - search.origin_m;
   const Vec3 end_point_m = at_end.point_m - search.origin_m;
@@ -191,11 +186,8 @@ void add_near_plane(const Search& search, const Plane& at_begin, const Plane& at
       if (height_m < reach_m) {
         const glm::vec3 below(at_m - height_m * at_begin.normal);
         const Index row = add_row(below, glm::vec3((height_m - end_height_m) * at_begin.normal), rows);
-        pairs.push_back({{{v, row, row, row}, 1},
-                         search.thickness_m,
-                         search.friction,
-                         search.slides(below, normal),
-                         normal});
+        pairs.push_back(
+            {{{v, row, row, row}, 1}, search.thickness_m, search.friction, search.slides(below, normal), normal});
       }
     }
   }

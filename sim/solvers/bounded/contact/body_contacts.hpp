@@ -28,8 +28,8 @@ class BodyContacts {
 
   /// Appends what triangles of the cloth could come nearer than the thickness to bodies that are no meshes,
   /// and the rows of those.
-  void add_near(std::span<const Triangle> cloth, float thickness_m, const TimeSpan& time,
-                const Vec3& origin_m, RowMoves& rows, std::vector<ContactPair>& pairs);
+  void add_near(std::span<const Triangle> cloth, float thickness_m, const TimeSpan& time, const Vec3& origin_m,
+                RowMoves& rows, std::vector<ContactPair>& pairs);
 
   /// Returns whether the row is a body's.
   bool has(Index row) const { return row >= first_row_; }

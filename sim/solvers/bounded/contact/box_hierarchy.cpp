@@ -20,9 +20,7 @@ BoxBlock empty_boxes() {
   return block;
 }
 
-std::size_t blocks_for(std::size_t count) {
-  return (count + block_size - 1) / block_size;
-}
+std::size_t blocks_for(std::size_t count) { return (count + block_size - 1) / block_size; }
 
 /// Orders things so that those of a block lie side by side, and so do those of a block of blocks, and so on.
 /// Sorts each block, as std::nth_element leaves an order of its own in every standard library.
@@ -40,16 +38,14 @@ void order_by_place(std::span<const Vec3> centres, std::span<Index> things) {
   const int axis = longest_axis(extent);
   std::nth_element(things.begin(), things.begin() + static_cast<std::ptrdiff_t>(middle), things.end(),
                    [&](Index a, Index b) {
-                     return centres[a][axis] < centres[b][axis] ||
-                            (centres[a][axis] == centres[b][axis] && a < b);
+                     return centres[a][axis] < centres[b][axis] || (centres[a][axis] == centres[b][axis] && a < b);
                    });
   order_by_place(centres, things.first(middle));
   order_by_place(centres, things.subspan(middle));
 }
 
 template <std::size_t corners>
-std::vector<Index> order_of(std::span<const std::array<Index, corners>> primitives,
-                            std::span<const Vec3> positions) {
+std::vector<Index> order_of(std::span<const std::array<Index, corners>> primitives, std::span<const Vec3> positions) {
   std::vector<Vec3> centres;
   for (const auto& rows : primitives) {
     Vec3 sum(0.0);
@@ -71,8 +67,7 @@ BoxHierarchy::BoxHierarchy(std::span<const std::array<Index, 1>> vertices, std::
 BoxHierarchy::BoxHierarchy(std::span<const Edge> edges, std::span<const Vec3> positions, std::size_t height) {
   build(edges, positions, height);
 }
-BoxHierarchy::BoxHierarchy(std::span<const Triangle> triangles, std::span<const Vec3> positions,
-                           std::size_t height) {
+BoxHierarchy::BoxHierarchy(std::span<const Triangle> triangles, std::span<const Vec3> positions, std::size_t height) {
   build(triangles, positions, height);
 }
 
@@ -83,8 +78,8 @@ std::size_t BoxHierarchy::height_for(std::size_t count) {
 }
 
 template <std::size_t corners>
-void BoxHierarchy::build(std::span<const std::array<Index, corners>> primitives,
-                         std::span<const Vec3> positions, std::size_t height) {
+void BoxHierarchy::build(std::span<const std::array<Index, corners>> primitives, std::span<const Vec3> positions,
+                         std::size_t height) {
   primitives_.corner_count = corners;
   primitives_.count = primitives.size();
   const std::vector<Index> order = order_of(primitives, positions);

@@ -15,8 +15,7 @@ class BoxHierarchy {
  public:
   /// Primitives of one, two or three corners, by row. `positions` has one entry per row. Trees that are gone
   /// through side by side need the same height, at least that of the higher one.
-  BoxHierarchy(std::span<const std::array<Index, 1>> vertices, std::span<const Vec3> positions,
-               std::size_t height);
+  BoxHierarchy(std::span<const std::array<Index, 1>> vertices, std::span<const Vec3> positions, std::size_t height);
   BoxHierarchy(std::span<const Edge> edges, std::span<const Vec3> positions, std::size_t height);
   BoxHierarchy(std::span<const Triangle> triangles, std::span<const Vec3> positions, std::size_t height);
 

@@ -21,8 +21,8 @@ const std::vector<NearPair>& Clearances::pairs_within(std::span<const Vec3> posi
 }
 
 float Clearances::distance_of(const NearPair& pair) const {
-  return distance_between(pair, {vec(rows_[pair.rows[0]]), vec(rows_[pair.rows[1]]), vec(rows_[pair.rows[2]]),
-                                 vec(rows_[pair.rows[3]])});
+  return distance_between(
+      pair, {vec(rows_[pair.rows[0]]), vec(rows_[pair.rows[1]]), vec(rows_[pair.rows[2]]), vec(rows_[pair.rows[3]])});
 }
 
 std::span<const float> Clearances::find(std::span<const Vec3> positions_m, float most_m) {

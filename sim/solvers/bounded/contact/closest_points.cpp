@@ -6,9 +6,7 @@
 namespace taut::sim::bounded {
 namespace {
 
-float clamped_ratio(float part, float whole) {
-  return whole > 0.0F ? std::clamp(part / whole, 0.0F, 1.0F) : 0.0F;
-}
+float clamped_ratio(float part, float whole) { return whole > 0.0F ? std::clamp(part / whole, 0.0F, 1.0F) : 0.0F; }
 
 }  // namespace
 

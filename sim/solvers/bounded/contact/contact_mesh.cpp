@@ -5,8 +5,7 @@
 namespace taut::sim::bounded {
 namespace {
 
-template <typename T>
-void keep_each_once(std::vector<T>& values) {
+template <typename T> void keep_each_once(std::vector<T>& values) {
   std::sort(values.begin(), values.end());
   values.erase(std::unique(values.begin(), values.end()), values.end());
 }

@@ -20,9 +20,7 @@ CompressedRows triangles_of_rows(std::span<const Triangle> triangles) {
   return triangles_of_vertices(rows, triangles);
 }
 
-bool has_row(const Triangle& t, Index row) {
-  return t[0] == row || t[1] == row || t[2] == row;
-}
+bool has_row(const Triangle& t, Index row) { return t[0] == row || t[1] == row || t[2] == row; }
 
 }  // namespace
 
@@ -56,7 +54,8 @@ void Crossings::find_touching_at_rest() {
   });
 }
 
-// Things near at rest, as in the finest meshes, are not kept apart; nor are those that touch there, so that their group stays.
+// Things near at rest, as in the finest meshes, are not kept apart; nor are those that touch there, so that their group
+// stays.
 bool Crossings::is_apart(Index s, Index t, bool are_neighbours, std::span<const Vec3> positions_m) const {
   if (are_neighbours && neighbours_cross(triangles_[s], triangles_[t], positions_m)) return false;
   const TrianglePairMeasure now = measure(s, t, are_neighbours, positions_m);
@@ -88,8 +87,8 @@ void Crossings::for_pairs(std::span<const Index> among, std::span<const Vec3> po
     for (std::size_t k = 0; k < 3 && within_cloth_ && s < cloth_count_; ++k) {
       for (const Index t : triangles_of_[triangles_[s][k]]) {
         // Those that share more come once, with the first that they share.
-        const bool has_come = (k > 0 && has_row(triangles_[t], triangles_[s][0])) ||
-                              (k > 1 && has_row(triangles_[t], triangles_[s][1]));
+        const bool has_come =
+            (k > 0 && has_row(triangles_[t], triangles_[s][0])) || (k > 1 && has_row(triangles_[t], triangles_[s][1]));
         if (t > s && is_among[t] && !has_come) each(s, t, true);
       }
     }
@@ -169,7 +168,8 @@ void Crossings::find_keys() {
     Triangle rows = triangles_[t];
     std::sort(rows.begin(), rows.end());
     const auto [a, b, c] = rows;
-    for (const Triangle& thing : {Triangle{a, a, a}, {b, b, b}, {c, c, c}, {a, b, b}, {a, c, c}, {b, c, c}, {a, b, c}}) {
+    for (const Triangle& thing :
+         {Triangle{a, a, a}, {b, b, b}, {c, c, c}, {a, b, b}, {a, c, c}, {b, c, c}, {a, b, c}}) {
       if (lies_in(thing, group_of_[t])) keys_.push_back({thing, group_of_[t]});
     }
   }

@@ -27,8 +27,8 @@ class Crossings {
   Crossings(std::span<const Triangle> cloth, std::span<const Triangle> bodies, bool within_cloth,
             std::vector<Vec3> rest_m);
 
-  /// Makes patches around all that crosses or touches, of the cloth with bodies and, if asked for, with itself. In m, one
-  /// entry per row.
+  /// Makes patches around all that crosses or touches, of the cloth with bodies and, if asked for, with itself. In m,
+  /// one entry per row.
   void add(std::span<const Vec3> positions_m);
   /// Frees the groups that are apart.
   void free(std::span<const Vec3> positions_m);
@@ -51,16 +51,15 @@ class Crossings {
     Triangle rows;
     Index group;
     bool operator==(const Key&) const = default;
-    bool operator<(const Key& other) const {
-      return std::tie(rows, group) < std::tie(other.rows, other.group);
-    }
+    bool operator<(const Key& other) const { return std::tie(rows, group) < std::tie(other.rows, other.group); }
   };
 
   TrianglePairMeasure measure(Index s, Index t, bool are_neighbours, std::span<const Vec3> positions_m) const;
   bool is_kept_apart(Index s, Index t, bool are_neighbours) const;
   bool is_apart(Index s, Index t, bool are_neighbours, std::span<const Vec3> positions_m) const;
   template <typename Each>
-  void for_pairs(std::span<const Index> among, std::span<const Vec3> positions_m, double reach_m, const Each& each) const;
+  void for_pairs(std::span<const Index> among, std::span<const Vec3> positions_m, double reach_m,
+                 const Each& each) const;
   void find_touching_at_rest();
   void find_keys();
   Index group_of(std::span<const Index> rows) const;

@@ -9,9 +9,7 @@ namespace {
 
 enum Mark : std::uint8_t { as_expected, renewed, unexpected };
 
-float length_between(const Float4& a, const Float4& b) {
-  return length_of(scaled_sum(a, b, -1.0F));
-}
+float length_between(const Float4& a, const Float4& b) { return length_of(scaled_sum(a, b, -1.0F)); }
 
 }  // namespace
 
@@ -36,8 +34,7 @@ void LastingPairs::sort_by_kind(std::span<const NearPair> pairs) {
   }
 }
 
-void LastingPairs::make_list(const ExpectedRows& rows, double until_s, float edge_m,
-                             ParallelKernels& kernels) {
+void LastingPairs::make_list(const ExpectedRows& rows, double until_s, float edge_m, ParallelKernels& kernels) {
   const double lasts_s = rows.time.to_s - rows.time.from_s;
   const auto longer = static_cast<float>(lasts_s > 0.0 ? (until_s - rows.time.from_s) / lasts_s : 0.0);
   const float slow_m = tuning::slow_part_of_edge * edge_m;
@@ -53,8 +50,7 @@ void LastingPairs::make_list(const ExpectedRows& rows, double until_s, float edg
     time_.to_s = until_s;
     for (std::size_t row = 0; row < reaches_.size(); ++row) {
       ways_[row] = times(ways_[row], longer);
-      reaches_[row] +=
-          tuning::more_in_list_per_edge * edge_m + tuning::room_per_move * length_of(ways_[row]);
+      reaches_[row] += tuning::more_in_list_per_edge * edge_m + tuning::room_per_move * length_of(ways_[row]);
     }
   }
   ++searches_.all;
@@ -93,14 +89,12 @@ void LastingPairs::renew_marked(const ExpectedRows& rows, float edge_m, Parallel
     if (marks_[row] != unexpected) continue;
     marks_[row] = renewed;
     const Float4 expected = scaled_sum(begin_[row], ways_[row], from);
-    const float off =
-        std::min(length_between(rows.positions[row], expected), tuning::most_room_per_edge * edge_m);
+    const float off = std::min(length_between(rows.positions[row], expected), tuning::most_room_per_edge * edge_m);
     if (!is_end) ways_[row] = times(rows.moves[row], longer);
     begin_[row] = scaled_sum(rows.positions[row], ways_[row], -from);
     reaches_[row] = rows.radii[row] + (is_end ? length_of(rows.moves[row]) : 0.0F);
     if (lasts_) {
-      reaches_[row] +=
-          off + tuning::more_in_list_per_edge * edge_m + tuning::room_per_move * length_of(ways_[row]);
+      reaches_[row] += off + tuning::more_in_list_per_edge * edge_m + tuning::room_per_move * length_of(ways_[row]);
     }
   }
   ++searches_.marked;

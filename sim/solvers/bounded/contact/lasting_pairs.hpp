@@ -44,8 +44,7 @@ class LastingPairs {
 
   /// Finds all pairs that could meet while rows move as expected. A list lasts until `until_s` where rows are
   /// slow enough, in parts of the mean edge.
-  std::span<const NearPair> find(const ExpectedRows& rows, double until_s, float edge_m,
-                                 ParallelKernels& kernels);
+  std::span<const NearPair> find(const ExpectedRows& rows, double until_s, float edge_m, ParallelKernels& kernels);
 
  private:
   /// Where the rows of pairs begin, corner by corner, as kernels take them.

@@ -27,8 +27,7 @@ glm::vec3 between_closest(const NearPair& pair, const std::array<glm::vec3, 4>& 
 
 /// Returns the direction at right angles to the triangle or to both edges, on the side of `between`. It is
 /// what `between` is where the two are nearest at inner points, and certain where that is not.
-glm::vec3 normal_across(const NearPair& pair, const std::array<glm::vec3, 4>& positions,
-                        const glm::vec3& between);
+glm::vec3 normal_across(const NearPair& pair, const std::array<glm::vec3, 4>& positions, const glm::vec3& between);
 
 /// Returns the smallest distance of the two things.
 float distance_between(const NearPair& pair, const std::array<glm::vec3, 4>& positions);

@@ -38,10 +38,9 @@ void append_near(const MovingRows& rows, Index first_count, std::size_t count, c
   }
 }
 
-NearPairs::Hierarchies NearPairs::hierarchies_of(const Primitives& primitives,
-                                                 std::span<const Vec3> positions, std::size_t height) {
-  return {BoxHierarchy(primitives.vertices, positions, height),
-          BoxHierarchy(primitives.edges, positions, height),
+NearPairs::Hierarchies NearPairs::hierarchies_of(const Primitives& primitives, std::span<const Vec3> positions,
+                                                 std::size_t height) {
+  return {BoxHierarchy(primitives.vertices, positions, height), BoxHierarchy(primitives.edges, positions, height),
           BoxHierarchy(primitives.triangles, positions, height)};
 }
 
@@ -144,9 +143,9 @@ void NearPairs::find_some_between(const Trees& trees, const MovingRows& rows, co
 
 // Trees of what is marked are fitted, and gone through beside those of all, which are not: what is marked in
 // those is left out, and found by going through the small trees alone.
-const std::vector<NearPair>& NearPairs::find_anew(std::span<const std::uint8_t> marks,
-                                                  const Float4Array& positions, const Float4Array& moves,
-                                                  std::span<const float> radii, ParallelKernels& kernels) {
+const std::vector<NearPair>& NearPairs::find_anew(std::span<const std::uint8_t> marks, const Float4Array& positions,
+                                                  const Float4Array& moves, std::span<const float> radii,
+                                                  ParallelKernels& kernels) {
   const MovingRows rows = moving_rows(positions, moves, radii);
   Hierarchies cloth = of_marked(cloth_, marks);
   Hierarchies bodies = of_marked(bodies_, marks);

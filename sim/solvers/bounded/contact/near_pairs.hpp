@@ -51,11 +51,9 @@ class NearPairs {
                                     std::size_t least_height);
   static Hierarchies of_marked(const Hierarchies& all, std::span<const std::uint8_t> marks);
   static void fit(const MovingRows& rows, ParallelKernels& kernels, Hierarchies& hierarchies);
-  MovingRows moving_rows(const Float4Array& positions, const Float4Array& moves,
-                         std::span<const float> radii);
+  MovingRows moving_rows(const Float4Array& positions, const Float4Array& moves, std::span<const float> radii);
   template <typename Keep>
-  void find_some_between(const Trees& trees, const MovingRows& rows, const Keep& keep,
-                         ParallelKernels& kernels);
+  void find_some_between(const Trees& trees, const MovingRows& rows, const Keep& keep, ParallelKernels& kernels);
   void find_between(const Trees& trees, const MovingRows& rows, ParallelKernels& kernels);
   void find_blocks(const Trees& trees, const ContactKernels& kernels);
   template <typename Take>

@@ -30,8 +30,8 @@ struct PairExtent {
 /// tolerance.
 inline float distance_error_m(const PairExtent& extent) {
   constexpr float u = 0x1p-24F;
-  return 2.0F * tolerance_m + u * (4.0F * extent.from_origin + 16.0F * extent.across + 26.0F * extent.moved +
-                                   4.0F * extent.displaced);
+  return 2.0F * tolerance_m +
+         u * (4.0F * extent.from_origin + 16.0F * extent.across + 26.0F * extent.moved + 4.0F * extent.displaced);
 }
 
 /// Returns the distance that planes leave between two things which have so much, in m. A pair that has the

@@ -71,9 +71,8 @@ Regions::Pair Regions::pair_of(const ContactPair& contact, const RowMoves& rows)
 void Regions::find_same(std::span<const ContactPair> pairs, std::size_t rows) {
   same_.assign(pairs.size(), nullptr);
   const auto is_kept = [&](const ContactPair& contact) {
-    return std::all_of(contact.near.rows.begin(), contact.near.rows.end(), [&](Index row) {
-      return row < rows && extents_[row].moved == earlier_extents_[row].moved;
-    });
+    return std::all_of(contact.near.rows.begin(), contact.near.rows.end(),
+                       [&](Index row) { return row < rows && extents_[row].moved == earlier_extents_[row].moved; });
   };
   auto earlier = earlier_.begin();
   for (std::size_t i = 0; i < pairs.size(); ++i) {
@@ -325,8 +324,7 @@ void Regions::stand_still(const RowMoves& rows) {
   touches_.clear();
 }
 
-bool Regions::make(std::span<const ContactPair> pairs, RowMoves& rows, ParallelKernels& kernels,
-                   bool is_again) {
+bool Regions::make(std::span<const ContactPair> pairs, RowMoves& rows, ParallelKernels& kernels, bool is_again) {
   make_pairs(pairs, rows, is_again, kernels);
   moves_ = rows.moves;
   resolve_moves(rows.inverse_masses_per_kg);

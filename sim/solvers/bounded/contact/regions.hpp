@@ -64,8 +64,7 @@ class Regions {
   /// where contact moves rows further from where they are expected than their radii; then `rows` has larger
   /// radii, for pairs to be found anew, and the regions are those in which nothing moves but what must.
   /// `is_again` where it was that, and nothing but radii has changed since.
-  bool make(std::span<const ContactPair> pairs, RowMoves& rows, ParallelKernels& kernels,
-            bool is_again = false);
+  bool make(std::span<const ContactPair> pairs, RowMoves& rows, ParallelKernels& kernels, bool is_again = false);
 
   /// Returns the first pair that cannot be kept apart, as rows that move by exactly their moves close in on
   /// it or as it touched from the beginning.
@@ -74,14 +73,13 @@ class Regions {
   /// Parts pairs that a time step brought nearer than they should be, at a time from 0 to 1: without rebound,
   /// with friction, and without a change of momentum. The step took `step` of the whole time. `since` are
   /// displacements at the time 0, `previous` a time step ago.
-  void collide(float time, float step, const Float4Array& since, Float4Array& previous,
-               Float4Array& current) const;
+  void collide(float time, float step, const Float4Array& since, Float4Array& previous, Float4Array& current) const;
 
   /// Brings rows back into their regions at a time from 0 to 1. `since` are their displacements at the time
   /// 0, `previous` a time step ago, which are changed so that nothing rebounds. Returns those that had gone
   /// out of their balls, in their order, until the next call.
-  std::span<const HeldBack> bring_back(float time, float step, const Float4Array& since,
-                                       Float4Array& previous, Float4Array& current, ParallelKernels& kernels);
+  std::span<const HeldBack> bring_back(float time, float step, const Float4Array& since, Float4Array& previous,
+                                       Float4Array& current, ParallelKernels& kernels);
 
   /// The same at the time 1, where no time passes. Returns how many rows had gone out of their balls.
   std::size_t bring_back(const Float4Array& since, Float4Array& current, ParallelKernels& kernels);
@@ -146,8 +144,7 @@ class Regions {
 
   PairExtent extent_of(const NearPair& near, const std::array<glm::vec3, 4>& positions) const;
   Pair pair_of(const ContactPair& contact, const RowMoves& rows) const;
-  void make_pairs(std::span<const ContactPair> pairs, const RowMoves& rows, bool is_again,
-                  ParallelKernels& kernels);
+  void make_pairs(std::span<const ContactPair> pairs, const RowMoves& rows, bool is_again, ParallelKernels& kernels);
   void find_same(std::span<const ContactPair> pairs, std::size_t rows);
   void note_blocked(const NearPair& near, float distance);
   void note_kinematic_gap(std::span<const float> inverse_masses);
@@ -172,10 +169,8 @@ class Regions {
   std::span<const HalfSpace> half_spaces_of(Index row) const;
   glm::vec3 moved_less(Index row, float time, const glm::vec3& aim, const glm::vec3& end) const;
   glm::vec3 slid(Index row, float time, const glm::vec3& aim, const glm::vec3& end) const;
-  static glm::vec3 end_within_ball(const glm::vec3& centre, float radius, const glm::vec3& aim,
-                                   const glm::vec3& end);
-  template <typename Met>
-  glm::vec3 projected(Index row, float time, const glm::vec3& start, const Met& met) const;
+  static glm::vec3 end_within_ball(const glm::vec3& centre, float radius, const glm::vec3& aim, const glm::vec3& end);
+  template <typename Met> glm::vec3 projected(Index row, float time, const glm::vec3& start, const Met& met) const;
   template <typename Met>
   void bring_all_back(float time, const Float4Array& since, Float4Array& current, const Met& met,
                       ParallelKernels& kernels);

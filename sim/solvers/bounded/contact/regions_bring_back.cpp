@@ -17,8 +17,7 @@ bool Regions::contains(Index row, float time, const Vec3& moved_m) const {
   const std::span<const HalfSpace> half_spaces = half_spaces_of(row);
   return glm::dot(off_m, off_m) <= radius_m * radius_m &&
          std::all_of(half_spaces.begin(), half_spaces.end(), [&](const HalfSpace& half_space) {
-           return glm::dot(Vec3(half_space.normal), moved_m) >=
-                  half_space.start + time * half_space.rate - tolerance_m;
+           return glm::dot(Vec3(half_space.normal), moved_m) >= half_space.start + time * half_space.rate - tolerance_m;
          });
 }
 
@@ -65,8 +64,7 @@ glm::vec3 Regions::slid(Index row, float time, const glm::vec3& aim, const glm::
     const HalfSpace* plane = nullptr;
     for (const HalfSpace& half_space : half_spaces_of(row)) {
       const float towards = -glm::dot(half_space.normal, left);
-      const float room =
-          std::max(glm::dot(half_space.normal, e) - half_space.start - time * half_space.rate, 0.0F);
+      const float room = std::max(glm::dot(half_space.normal, e) - half_space.start - time * half_space.rate, 0.0F);
       if (towards > room && room < part * towards) {
         part = room / towards;
         plane = &half_space;
@@ -88,8 +86,7 @@ glm::vec3 Regions::slid(Index row, float time, const glm::vec3& aim, const glm::
 }
 
 // From the aim outwards to where the ball ends: the larger root of |aim - centre + s out| = radius.
-glm::vec3 Regions::end_within_ball(const glm::vec3& centre, float radius, const glm::vec3& aim,
-                                   const glm::vec3& end) {
+glm::vec3 Regions::end_within_ball(const glm::vec3& centre, float radius, const glm::vec3& aim, const glm::vec3& end) {
   const glm::vec3 out = end - aim;
   const glm::vec3 inside = aim - centre;
   const float a = glm::dot(out, out);
@@ -101,8 +98,8 @@ glm::vec3 Regions::end_within_ball(const glm::vec3& centre, float radius, const 
 
 // Returns how far the row had gone out of its ball, if it had.
 template <typename Met>
-std::optional<glm::vec3> Regions::bring_row_back(Index row, float time, const glm::vec3& since,
-                                                 const Met& met, Float4& current) const {
+std::optional<glm::vec3> Regions::bring_row_back(Index row, float time, const glm::vec3& since, const Met& met,
+                                                 Float4& current) const {
   const glm::vec3 aim = time * vec(moves_[row]);
   const glm::vec3 before = vec(current) - since;
   const glm::vec3 end = projected(row, time, before, met);
@@ -131,9 +128,7 @@ void Regions::bring_all_back(float time, const Float4Array& since, Float4Array& 
     const std::size_t off = kernels.contact().off_their_ways(since.data(), moves_.data(), time, begin, end,
                                                              current.data(), part.rows.data());
     for (const Index row : std::span(part.rows).first(off)) {
-      const auto met_by_row = [&](const HalfSpace& half_space, const glm::vec3& e) {
-        met(row, half_space, e);
-      };
+      const auto met_by_row = [&](const HalfSpace& half_space, const glm::vec3& e) { met(row, half_space, e); };
       if (const auto out = bring_row_back(row, time, vec(since[row]), met_by_row, current[row])) {
         part.held_back.push_back({row, *out});
       }
@@ -146,12 +141,10 @@ void Regions::bring_all_back(float time, const Float4Array& since, Float4Array& 
   }
 }
 
-std::span<const HeldBack> Regions::bring_back(float time, float step, const Float4Array& since,
-                                              Float4Array& previous, Float4Array& current,
-                                              ParallelKernels& kernels) {
+std::span<const HeldBack> Regions::bring_back(float time, float step, const Float4Array& since, Float4Array& previous,
+                                              Float4Array& current, ParallelKernels& kernels) {
   const auto stop = [&](Index row, const HalfSpace& half_space, const glm::vec3& e) {
-    const float away =
-        glm::dot(e - (vec(previous[row]) - vec(since[row])), half_space.normal) - step * half_space.rate;
+    const float away = glm::dot(e - (vec(previous[row]) - vec(since[row])), half_space.normal) - step * half_space.rate;
     add(previous[row], std::max(away, 0.0F) * half_space.normal);
   };
   bring_all_back(time, since, current, stop, kernels);

@@ -35,8 +35,7 @@ void Regions::add_touch(const Pair& pair, const std::array<float, 4>& weights, c
   }
   const float wanted = std::min(contact.thickness_m, std::max(distance, 0.0F));
   const float lacking = contact.thickness_m - wanted;
-  const float parted =
-      std::min(lacking, std::max(tuning::parted_at_once * lacking, least_part * contact.thickness_m));
+  const float parted = std::min(lacking, std::max(tuning::parted_at_once * lacking, least_part * contact.thickness_m));
   add(touch.normal, pair.normal);
   add(touch.carried, carried - contact.surface_slides);
   touch.distance = distance;

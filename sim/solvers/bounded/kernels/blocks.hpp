@@ -11,14 +11,12 @@ namespace taut::sim::bounded {
 inline constexpr std::size_t block_size = 16;
 
 /// An allocator that starts arrays on a cache line, so that no vector of theirs crosses two lines.
-template <typename T>
-struct LineAligned {
+template <typename T> struct LineAligned {
   using value_type = T;
   static constexpr std::align_val_t line_bytes{64};
 
   LineAligned() = default;
-  template <typename U>
-  LineAligned(const LineAligned<U>&) {}
+  template <typename U> LineAligned(const LineAligned<U>&) {}
 
   T* allocate(std::size_t count) { return static_cast<T*>(::operator new(count * sizeof(T), line_bytes)); }
   void deallocate(T* p, std::size_t) { ::operator delete(p, line_bytes); }

@@ -84,8 +84,7 @@ class Some {
   HWY_INLINE std::size_t count() const { return static_cast<std::size_t>(std::popcount(bits_)); }
 
   /// Stores them one after the other, and anything behind them up to a whole vector.
-  template <typename Tag, typename Vector, typename Value>
-  HWY_INLINE void store(Tag tag, Vector v, Value* to) const {
+  template <typename Tag, typename Vector, typename Value> HWY_INLINE void store(Tag tag, Vector v, Value* to) const {
     if constexpr (lanes == LaneTable::width) {
       hn::StoreU(hn::TableLookupLanes(v, hn::SetTableIndices(tag, lane_table.at[bits_])), tag, to);
     } else {
@@ -113,9 +112,7 @@ HWY_INLINE Triple lesser(const Triple& p, const Triple& q) {
 HWY_INLINE Triple greater(const Triple& p, const Triple& q) {
   return {hn::Max(p.x, q.x), hn::Max(p.y, q.y), hn::Max(p.z, q.z)};
 }
-HWY_INLINE Triple coordinates_of(const Four& m) {
-  return {m.a, m.b, m.c};
-}
+HWY_INLINE Triple coordinates_of(const Four& m) { return {m.a, m.b, m.c}; }
 
 HWY_INLINE Boxes reach_of(const MovingRows& rows, const std::uint32_t* at) {
   const Triple begin = as_coordinates(load_rows(floats_of(rows.places), at));
@@ -125,9 +122,7 @@ HWY_INLINE Boxes reach_of(const MovingRows& rows, const std::uint32_t* at) {
   return {lesser(begin, end) - radius, greater(begin, end) + radius};
 }
 
-HWY_INLINE Boxes around(const Boxes& p, const Boxes& q) {
-  return {lesser(p.low, q.low), greater(p.high, q.high)};
-}
+HWY_INLINE Boxes around(const Boxes& p, const Boxes& q) { return {lesser(p.low, q.low), greater(p.high, q.high)}; }
 
 HWY_INLINE void store_or_empty(Mask is_some, const Triple& v, float otherwise, std::size_t k,
                                std::array<std::array<float, block_size>, 3>& values) {
@@ -141,8 +136,8 @@ HWY_INLINE void store_or_empty(Mask is_some, const Triple& v, float otherwise, s
 /// Returns which of the lanes from `first` on are below `count`.
 HWY_INLINE Mask lanes_below(std::size_t first, std::size_t count) {
   const Integers u;
-  return hn::RebindMask(Floats(), hn::Lt(hn::Iota(u, static_cast<std::uint32_t>(first)),
-                                         hn::Set(u, static_cast<std::uint32_t>(count))));
+  return hn::RebindMask(
+      Floats(), hn::Lt(hn::Iota(u, static_cast<std::uint32_t>(first)), hn::Set(u, static_cast<std::uint32_t>(count))));
 }
 
 HWY_INLINE void store_or_empty(Mask is_some, const Boxes& boxes, std::size_t k, BoxBlock& block) {
@@ -185,8 +180,7 @@ void enclose_blocks(const BoxBlock* boxes, std::size_t begin, std::size_t end, B
 using Rows = hn::Vec<Integers>;
 
 /// Of a block, what reaches a box, side by side in its order, and nothing up to the end of a whole vector.
-template <std::size_t corners>
-struct Reaching {
+template <std::size_t corners> struct Reaching {
   alignas(64) std::array<std::array<float, block_size + lanes>, 3> low;
   alignas(64) std::array<std::array<float, block_size + lanes>, 3> high;
   alignas(64) std::uint32_t rows[corners + 1][block_size + lanes];
@@ -195,8 +189,7 @@ struct Reaching {
 };
 
 template <std::size_t corners>
-HWY_INLINE void find_reaching(const Boxes& box, const BoxLevel& level, std::size_t block,
-                              Reaching<corners>& found) {
+HWY_INLINE void find_reaching(const Boxes& box, const BoxLevel& level, std::size_t block, Reaching<corners>& found) {
   const Floats f;
   const Integers u;
   found.count = 0;
@@ -220,16 +213,13 @@ HWY_INLINE void find_reaching(const Boxes& box, const BoxLevel& level, std::size
   hn::StoreU(hn::Set(f, std::numeric_limits<float>::infinity()), f, &found.low[0][found.count]);
 }
 
-template <std::size_t corners>
-HWY_INLINE Boxes load_boxes(const Reaching<corners>& found, std::size_t k) {
+template <std::size_t corners> HWY_INLINE Boxes load_boxes(const Reaching<corners>& found, std::size_t k) {
   const Floats f;
   return {{hn::Load(f, &found.low[0][k]), hn::Load(f, &found.low[1][k]), hn::Load(f, &found.low[2][k])},
           {hn::Load(f, &found.high[0][k]), hn::Load(f, &found.high[1][k]), hn::Load(f, &found.high[2][k])}};
 }
 
-HWY_INLINE Boxes within_both(const Boxes& p, const Boxes& q) {
-  return {greater(p.low, q.low), lesser(p.high, q.high)};
-}
+HWY_INLINE Boxes within_both(const Boxes& p, const Boxes& q) { return {greater(p.low, q.low), lesser(p.high, q.high)}; }
 
 /// Returns which primitives share a row with the primitive in lane i of the level. Boxes of boxes share none.
 template <std::size_t corners_a, std::size_t corners_b>
@@ -259,8 +249,7 @@ struct Code {
 /// Lists pairs of lanes whose boxes overlap and that share no row. Two boxes overlap only where those around
 /// their blocks do.
 template <std::size_t corners_a, std::size_t corners_b>
-std::size_t overlapping_codes(const BoxLevel& a, const BoxLevel& b, const BlockPairs& pairs,
-                              std::uint32_t* codes) {
+std::size_t overlapping_codes(const BoxLevel& a, const BoxLevel& b, const BlockPairs& pairs, std::uint32_t* codes) {
   const Integers u;
   Reaching<corners_b> others;
   std::size_t size = 0;
@@ -283,8 +272,7 @@ std::size_t overlapping_codes(const BoxLevel& a, const BoxLevel& b, const BlockP
         auto mask = hn::RebindMask(u, overlap(box, load_boxes(others, k)));
         if (hn::AllFalse(u, mask)) continue;
         const Rows lane_of_other = hn::Load(u, &others.lane[k]);
-        mask = hn::AndNot(
-            sharing<corners_a, corners_b>(a, std::size_t{block_a} * block_size + lane, others, k), mask);
+        mask = hn::AndNot(sharing<corners_a, corners_b>(a, std::size_t{block_a} * block_size + lane, others, k), mask);
         if (is_same) mask = hn::AndNot(hn::Lt(lane_of_other, hn::Set(u, lane)), mask);
         if (lanes < block_size && hn::AllFalse(u, mask)) continue;
         const Some some(hn::RebindMask(Floats(), mask));
@@ -296,8 +284,7 @@ std::size_t overlapping_codes(const BoxLevel& a, const BoxLevel& b, const BlockP
   return size;
 }
 
-std::size_t overlapping_lanes(const BoxLevel& a, const BoxLevel& b, const BlockPairs& pairs,
-                              const PairLists& found) {
+std::size_t overlapping_lanes(const BoxLevel& a, const BoxLevel& b, const BlockPairs& pairs, const PairLists& found) {
   const std::size_t size = overlapping_codes<0, 0>(a, b, pairs, found[0]);
   for (std::size_t n = 0; n < size; ++n) {
     const std::uint32_t code = found[0][n];
@@ -328,8 +315,7 @@ std::size_t overlapping_primitives(const BoxLevel& a, const BoxLevel& b, const B
   return size;
 }
 
-std::size_t overlapping(const BoxLevel& a, const BoxLevel& b, const BlockPairs& pairs,
-                        const PairLists& found) {
+std::size_t overlapping(const BoxLevel& a, const BoxLevel& b, const BlockPairs& pairs, const PairLists& found) {
   if (a.primitives == nullptr) return overlapping_lanes(a, b, pairs, found);
   if (a.primitives->corner_count == 1) return overlapping_primitives<1, 3>(a, b, pairs, found);
   return overlapping_primitives<2, 2>(a, b, pairs, found);

@@ -63,8 +63,8 @@ inline constexpr float smallest_divisor = 1e-30F;
 /// of vectors.
 struct ContactKernels {
   /// Sets the boxes around all that primitives in blocks [begin, end) can reach.
-  void (*enclose)(const PrimitiveLanes& primitives, std::size_t begin, std::size_t end,
-                  const MovingRows& rows, BoxBlock* boxes);
+  void (*enclose)(const PrimitiveLanes& primitives, std::size_t begin, std::size_t end, const MovingRows& rows,
+                  BoxBlock* boxes);
 
   /// Sets the boxes around blocks [begin, end), each a lane of `around`.
   void (*enclose_blocks)(const BoxBlock* boxes, std::size_t begin, std::size_t end, BoxBlock* around);
@@ -74,8 +74,7 @@ struct ContactKernels {
   /// If `a` and `b` are of primitives, those that share a row are left out, and `found` gets where the rows
   /// of their corners begin: a list for each corner of the one and then of the other. Otherwise it gets the
   /// lanes themselves in its first two lists. Returns the length of these lists.
-  std::size_t (*overlapping)(const BoxLevel& a, const BoxLevel& b, const BlockPairs& pairs,
-                             const PairLists& found);
+  std::size_t (*overlapping)(const BoxLevel& a, const BoxLevel& b, const BlockPairs& pairs, const PairLists& found);
 
   /// Keeps those of the first `count` pairs of a vertex and a triangle that could meet, in their order, and
   /// returns their number. A pair stays apart if, along the line between its two nearest points, every

@@ -19,12 +19,8 @@ struct Float4 {
 };
 
 /// The same values as single floats, four per row.
-inline float* floats_of(Float4* values) {
-  return reinterpret_cast<float*>(values);
-}
-inline const float* floats_of(const Float4* values) {
-  return reinterpret_cast<const float*>(values);
-}
+inline float* floats_of(Float4* values) { return reinterpret_cast<float*>(values); }
+inline const float* floats_of(const Float4* values) { return reinterpret_cast<const float*>(values); }
 
 /// One entry per row of the layout; see Layout.
 using Float4Array = Lanes<Float4>;
@@ -48,31 +44,21 @@ inline Float4 scaled_sum(const Float4& a, const Float4& b, float factor) {
 }
 
 /// Exact: every float is a double.
-inline Vec3 vector_of(const Float4& v) {
-  return {v.x, v.y, v.z};
-}
+inline Vec3 vector_of(const Float4& v) { return {v.x, v.y, v.z}; }
 
-inline float length_of(const Float4& v) {
-  return static_cast<float>(glm::length(vector_of(v)));
-}
+inline float length_of(const Float4& v) { return static_cast<float>(glm::length(vector_of(v))); }
 
-inline Float4 times(const Float4& v, float factor) {
-  return {v.x * factor, v.y * factor, v.z * factor, 0.0F};
-}
+inline Float4 times(const Float4& v, float factor) { return {v.x * factor, v.y * factor, v.z * factor, 0.0F}; }
 
 /// Returns v, shortened where it is longer.
 inline Float4 no_longer_than(float most, const Float4& v) {
   return times(v, std::min(1.0F, most / std::max(length_of(v), 1e-12F)));
 }
 
-inline float dot(const Float4& a, const Float4& b) {
-  return a.x * b.x + a.y * b.y + a.z * b.z;
-}
+inline float dot(const Float4& a, const Float4& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 
 /// The same three numbers.
-inline glm::vec3 vec(const Float4& v) {
-  return {v.x, v.y, v.z};
-}
+inline glm::vec3 vec(const Float4& v) { return {v.x, v.y, v.z}; }
 
 /// sum += v.
 inline void add(Float4& sum, const glm::vec3& v) {

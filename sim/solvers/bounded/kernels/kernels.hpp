@@ -75,18 +75,17 @@ struct Kernels {
   ///   -error w_k (g_k v) / (sum of w (g v)^2) F v,
   /// the projection onto the half-space that touches s <= 1 there (Polyak 1969). See SurfaceMobility.
   /// Adds them to `sums`, by block of the lanes, unless it is null.
-  void (*sweep_surface)(const SurfaceLanes& triangles, const BlockRange& range, SurfaceSums* sums,
-                        Float4* rows);
+  void (*sweep_surface)(const SurfaceLanes& triangles, const BlockRange& range, SurfaceSums* sums, Float4* rows);
 
   /// Shortens the triangles that exceed the bound in either direction, in the listed blocks, which must be of
   /// one colour, with `relaxation` times the correction they need.
-  void (*shorten_surface)(const SurfaceLanes& triangles, std::span<const std::uint32_t> blocks,
-                          float squared_bound, float relaxation, Float4* rows);
+  void (*shorten_surface)(const SurfaceLanes& triangles, std::span<const std::uint32_t> blocks, float squared_bound,
+                          float relaxation, Float4* rows);
 
   /// Writes the largest s^2 of the triangles of each block in [begin, end) to `squared_ratios`, which has one
   /// entry per block.
-  void (*largest_surface_ratios)(const SurfaceLanes& triangles, std::size_t begin, std::size_t end,
-                                 const Float4* rows, float* squared_ratios);
+  void (*largest_surface_ratios)(const SurfaceLanes& triangles, std::size_t begin, std::size_t end, const Float4* rows,
+                                 float* squared_ratios);
 
   /// Writes the force of the air that each corner of a triangle gets, in N, for triangles [begin, end),
   /// multiples of the block size. `corner_forces` has one entry per triangle. Positions are `start` +

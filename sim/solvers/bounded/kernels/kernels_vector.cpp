@@ -20,8 +20,7 @@ namespace {
 /// Returns L' of `lanes` springs, from lane k of a block on, between rows that are loaded already.
 HWY_INLINE Triple springs_between(const SpringBlock& block, std::size_t k, const Four& i, const Four& j) {
   const Floats f;
-  const Triple start = {hn::Load(f, &block.start_x[k]), hn::Load(f, &block.start_y[k]),
-                        hn::Load(f, &block.start_z[k])};
+  const Triple start = {hn::Load(f, &block.start_x[k]), hn::Load(f, &block.start_y[k]), hn::Load(f, &block.start_z[k])};
   return as_coordinates(i - j) + start;
 }
 
@@ -120,8 +119,8 @@ HWY_INLINE std::array<std::uint32_t, lanes> rows_from(std::size_t k) {
   return at;
 }
 
-void shorten(const SpringLanes& springs, std::span<const std::uint32_t> blocks, float squared_bound,
-             float relaxation, Float4* rows) {
+void shorten(const SpringLanes& springs, std::span<const std::uint32_t> blocks, float squared_bound, float relaxation,
+             Float4* rows) {
   const Floats f;
   float* first = floats_of(rows);
   for (const std::uint32_t b : blocks) {
@@ -201,8 +200,8 @@ HWY_INLINE Triple corner_force(const AirFlow& air, const LoadedCorner& a, const 
   return per_area * hn::Div(doubled_size, hn::Set(f, 6.0F));
 }
 
-void wind(const TriangleLanes& triangles, const AirFlow& air, std::size_t begin, std::size_t end,
-          const Float4* start, const Float4* current, const Float4* previous, Float4* corner_forces) {
+void wind(const TriangleLanes& triangles, const AirFlow& air, std::size_t begin, std::size_t end, const Float4* start,
+          const Float4* current, const Float4* previous, Float4* corner_forces) {
   for (std::size_t k = begin; k < end; k += lanes) {
     const Triple force = corner_force(air, load_corner(triangles, 0, k, start, current, previous),
                                       load_corner(triangles, 1, k, start, current, previous),
@@ -229,8 +228,8 @@ void add_product(const SlicedMatrix& matrix, std::size_t begin, std::size_t end,
   }
 }
 
-std::size_t off_their_ways(const Float4* since, const Float4* moves, float time, std::size_t begin,
-                           std::size_t end, const Float4* displacements, std::uint32_t* rows) {
+std::size_t off_their_ways(const Float4* since, const Float4* moves, float time, std::size_t begin, std::size_t end,
+                           const Float4* displacements, std::uint32_t* rows) {
   const Floats f;
   const V times = hn::Set(f, time);
   std::size_t size = 0;
@@ -251,18 +250,15 @@ std::size_t off_their_ways(const Float4* since, const Float4* moves, float time,
 const Kernels* table() {
   static constexpr ContactKernels contact = {enclose,      enclose_blocks, overlapping,
                                              keep_near<1>, keep_near<2>,   off_their_ways};
-  static constexpr Kernels kernels = {predict,       start_springs,   sweep,
-                                      shorten,       largest_ratios,  start_surface,
-                                      sweep_surface, shorten_surface, largest_surface_ratios,
-                                      wind,          add_product,     contact};
+  static constexpr Kernels kernels = {
+      predict,         start_springs,          sweep, shorten,     largest_ratios, start_surface, sweep_surface,
+      shorten_surface, largest_surface_ratios, wind,  add_product, contact};
   return &kernels;
 }
 
 #else
 
-const Kernels* table() {
-  return nullptr;
-}
+const Kernels* table() { return nullptr; }
 
 #endif
 
@@ -276,9 +272,7 @@ namespace taut::sim::bounded {
 
 #ifdef HWY_COMPILE_ONLY_EMU128
 
-const Kernels& emulated_kernels() {
-  return *N_EMU128::table();
-}
+const Kernels& emulated_kernels() { return *N_EMU128::table(); }
 
 #else
 
@@ -286,9 +280,7 @@ namespace {
 
 HWY_EXPORT(table);
 
-[[maybe_unused]] bool supported(std::int64_t target) {
-  return (hwy::SupportedTargets() & target) != 0;
-}
+[[maybe_unused]] bool supported(std::int64_t target) { return (hwy::SupportedTargets() & target) != 0; }
 
 }  // namespace
 

@@ -20,8 +20,7 @@ struct BlockRange {
 
 /// The data of `block_size` springs that a sweep reads, side by side in memory.
 struct alignas(64) SpringBlock {
-  template <typename T>
-  using Of = std::array<T, block_size>;
+  template <typename T> using Of = std::array<T, block_size>;
 
   /// Where the row of end i begins, counted in floats: 4 times the index of the row.
   Of<std::uint32_t> at_i;
@@ -71,8 +70,7 @@ struct alignas(64) SurfaceMobility {
 /// The data of `block_size` triangles that a sweep reads, side by side in memory. Entries with three elements
 /// have one for each corner, or one for each coordinate.
 struct alignas(64) SurfaceBlock {
-  template <typename T>
-  using Of = std::array<T, block_size>;
+  template <typename T> using Of = std::array<T, block_size>;
 
   /// Where the row of each corner begins, counted in floats.
   std::array<Of<std::uint32_t>, 3> at;

@@ -31,9 +31,7 @@ struct Between {
   V squared_length;
 };
 
-HWY_INLINE Between between(const Triple& vector) {
-  return {vector, dot(vector, vector)};
-}
+HWY_INLINE Between between(const Triple& vector) { return {vector, dot(vector, vector)}; }
 
 HWY_INLINE Between choose(Mask first, const Between& p, const Between& q) {
   return {{hn::IfThenElse(first, p.vector.x, q.vector.x), hn::IfThenElse(first, p.vector.y, q.vector.y),
@@ -60,8 +58,8 @@ HWY_INLINE Between vertex_from_triangle(const Triple (&p)[4]) {
   const V divisor = hn::Max(dot(normal, normal), hn::Set(f, smallest_divisor));
   const V v = hn::Div(dot(cross(ap, ac), normal), divisor);
   const V w = hn::Div(dot(cross(ab, ap), normal), divisor);
-  const Mask is_above = hn::And(hn::And(hn::Ge(v, hn::Zero(f)), hn::Ge(w, hn::Zero(f))),
-                                hn::Le(hn::Add(v, w), hn::Set(f, 1.0F)));
+  const Mask is_above =
+      hn::And(hn::And(hn::Ge(v, hn::Zero(f)), hn::Ge(w, hn::Zero(f))), hn::Le(hn::Add(v, w), hn::Set(f, 1.0F)));
   const Between of_face = between(ap - ab * v - ac * w);
   const Between of_edges =
       shorter(shorter(from_segment(ap, ab), from_segment(ap, ac)), from_segment(p[0] - p[2], p[3] - p[2]));
@@ -83,8 +81,7 @@ HWY_INLINE Between edge_from_edge(const Triple (&p)[4]) {
 }
 
 /// Returns the sum of the largest `d` of the first and of the other corners.
-template <std::size_t first_count>
-HWY_INLINE V sum_of_largest(const Four (&corners)[4]) {
+template <std::size_t first_count> HWY_INLINE V sum_of_largest(const Four (&corners)[4]) {
   V first = corners[0].d;
   V second = corners[3].d;
   for (std::size_t k = 1; k < 3; ++k) {

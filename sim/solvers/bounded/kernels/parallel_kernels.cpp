@@ -3,9 +3,8 @@
 #include <algorithm>
 
 namespace taut::sim::bounded {
-void ParallelKernels::predict(const Prediction& prediction, const Tether* tethers,
-                              const Float4* accelerations, const Float4Array& current,
-                              Float4Array& previous) {
+void ParallelKernels::predict(const Prediction& prediction, const Tether* tethers, const Float4* accelerations,
+                              const Float4Array& current, Float4Array& previous) {
   pool_.split(0, current.size() / block_size, least_blocks, [&](std::size_t b, std::size_t e) {
     kernels_.predict(b * block_size, e * block_size, prediction, tethers, accelerations, current.data(),
                      previous.data());
@@ -27,36 +26,33 @@ void ParallelKernels::sweep(const SpringLanes& springs, const BlockRange& range,
               [&](std::size_t b, std::size_t e) { kernels_.sweep(springs, b, e, rows); });
 }
 
-void ParallelKernels::sweep(const SurfaceLanes& triangles, const BlockRange& range, SurfaceSums* sums,
-                            Float4* rows) {
+void ParallelKernels::sweep(const SurfaceLanes& triangles, const BlockRange& range, SurfaceSums* sums, Float4* rows) {
   pool_.split(range.begin, range.end, least_blocks, [&](std::size_t b, std::size_t e) {
-    kernels_.sweep_surface(
-        triangles, {static_cast<std::uint32_t>(b), static_cast<std::uint32_t>(e), range.again}, sums, rows);
+    kernels_.sweep_surface(triangles, {static_cast<std::uint32_t>(b), static_cast<std::uint32_t>(e), range.again}, sums,
+                           rows);
   });
 }
 
-void ParallelKernels::shorten(const SpringLanes& springs, std::span<const std::uint32_t> blocks,
-                              float squared_bound, float relaxation, Float4* rows) {
+void ParallelKernels::shorten(const SpringLanes& springs, std::span<const std::uint32_t> blocks, float squared_bound,
+                              float relaxation, Float4* rows) {
   pool_.split(0, blocks.size(), least_blocks, [&](std::size_t b, std::size_t e) {
     kernels_.shorten(springs, blocks.subspan(b, e - b), squared_bound, relaxation, rows);
   });
 }
 
-void ParallelKernels::shorten(const SurfaceLanes& triangles, std::span<const std::uint32_t> blocks,
-                              float squared_bound, float relaxation, Float4* rows) {
+void ParallelKernels::shorten(const SurfaceLanes& triangles, std::span<const std::uint32_t> blocks, float squared_bound,
+                              float relaxation, Float4* rows) {
   pool_.split(0, blocks.size(), least_blocks, [&](std::size_t b, std::size_t e) {
     kernels_.shorten_surface(triangles, blocks.subspan(b, e - b), squared_bound, relaxation, rows);
   });
 }
 
 void ParallelKernels::largest_ratios(const SpringLanes& springs, const Float4* rows, float* squared_ratios) {
-  pool_.split(0, springs.block_count(), least_blocks, [&](std::size_t b, std::size_t e) {
-    kernels_.largest_ratios(springs, b, e, rows, squared_ratios);
-  });
+  pool_.split(0, springs.block_count(), least_blocks,
+              [&](std::size_t b, std::size_t e) { kernels_.largest_ratios(springs, b, e, rows, squared_ratios); });
 }
 
-void ParallelKernels::largest_ratios(const SurfaceLanes& triangles, const Float4* rows,
-                                     float* squared_ratios) {
+void ParallelKernels::largest_ratios(const SurfaceLanes& triangles, const Float4* rows, float* squared_ratios) {
   pool_.split(0, triangles.block_count(), least_blocks, [&](std::size_t b, std::size_t e) {
     kernels_.largest_surface_ratios(triangles, b, e, rows, squared_ratios);
   });

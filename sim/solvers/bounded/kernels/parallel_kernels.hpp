@@ -32,8 +32,8 @@ class ParallelKernels {
   void sweep(const SurfaceLanes& triangles, const BlockRange& range, SurfaceSums* sums, Float4* rows);
 
   /// All blocks must be of one colour.
-  void shorten(const SpringLanes& springs, std::span<const std::uint32_t> blocks, float squared_bound,
-               float relaxation, Float4* rows);
+  void shorten(const SpringLanes& springs, std::span<const std::uint32_t> blocks, float squared_bound, float relaxation,
+               Float4* rows);
   void shorten(const SurfaceLanes& triangles, std::span<const std::uint32_t> blocks, float squared_bound,
                float relaxation, Float4* rows);
 
@@ -48,15 +48,13 @@ class ParallelKernels {
   void enclose_blocks(const BoxBlock* boxes, std::size_t count, BoxBlock* around);
 
   /// Calls part(b, e) for ranges that together cover [begin, end), each of at least `least`. See ThreadPool.
-  template <typename Part>
-  void split(std::size_t begin, std::size_t end, std::size_t least, const Part& part) {
+  template <typename Part> void split(std::size_t begin, std::size_t end, std::size_t least, const Part& part) {
     pool_.split(begin, end, least, part);
   }
 
   /// Calls part(b, e) for ranges of rows that together cover [begin, end). Its work for one row must not
   /// depend on other rows.
-  template <typename Part>
-  void for_rows(std::size_t begin, std::size_t end, const Part& part) {
+  template <typename Part> void for_rows(std::size_t begin, std::size_t end, const Part& part) {
     pool_.split(begin, end, least_blocks * block_size, part);
   }
 

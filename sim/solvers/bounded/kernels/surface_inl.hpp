@@ -27,8 +27,7 @@ struct Gradient {
 };
 
 HWY_INLINE Corners load_corners(const SurfaceBlock& block, std::size_t k, const float* rows) {
-  return {load_rows(rows, &block.at[0][k]), load_rows(rows, &block.at[1][k]),
-          load_rows(rows, &block.at[2][k])};
+  return {load_rows(rows, &block.at[0][k]), load_rows(rows, &block.at[1][k]), load_rows(rows, &block.at[2][k])};
 }
 
 HWY_INLINE Triple load_triple(const std::array<SurfaceBlock::Of<float>, 3>& values, std::size_t k) {
@@ -44,8 +43,7 @@ HWY_INLINE void store_triple(const Triple& v, std::size_t k, std::array<SurfaceB
 }
 
 /// Returns F of edges e1 and e2, or what displacements between corners add to it.
-HWY_INLINE Gradient gradient_of(const SurfaceBlock& block, std::size_t k, const Triple& e1,
-                                const Triple& e2) {
+HWY_INLINE Gradient gradient_of(const SurfaceBlock& block, std::size_t k, const Triple& e1, const Triple& e2) {
   const Floats f;
   return {e1 * hn::Load(f, &block.along_per_m[k]),
           e2 * hn::Load(f, &block.across_per_m[k]) - e1 * hn::Load(f, &block.skew_per_m[k])};
@@ -97,8 +95,7 @@ struct Divisors {
 
 HWY_INLINE Divisors divisors_of(const Mobility& mobility, const Principal& p) {
   const V middle = hn::Mul(p.radius, hn::Set(Floats(), 0.5F + least_mobility));
-  const V to_first =
-      hn::Add(hn::Mul(mobility.along_less_across, p.difference), hn::Mul(mobility.skew, p.product));
+  const V to_first = hn::Add(hn::Mul(mobility.along_less_across, p.difference), hn::Mul(mobility.skew, p.product));
   return {hn::Add(middle, to_first), hn::Sub(middle, to_first)};
 }
 
@@ -156,8 +153,7 @@ HWY_INLINE void move_corners(const Place& at, const Found& found, float* rows) {
 
 /// Corrects `count` places as `work` says: place(i) is the i-th, find(place, found) what to do there. Two are
 /// worked on at a time: one is computed while the other waits for a square root or a division.
-template <typename Work>
-HWY_INLINE void correct(std::size_t count, const Work& work, float* rows) {
+template <typename Work> HWY_INLINE void correct(std::size_t count, const Work& work, float* rows) {
   std::size_t i = 0;
   for (; i + 1 < count; i += 2) {
     const Place a = work.place(i);
@@ -207,11 +203,10 @@ HWY_INLINE void add_to(V value, std::size_t k, std::array<float, block_size>& su
   hn::Store(hn::Add(hn::Load(f, &sums[k]), value), f, &sums[k]);
 }
 
-template <bool sums_up>
-struct Sweep {
+template <bool sums_up> struct Sweep {
   const SurfaceBlock* blocks;
   SurfaceSums* sums;  ///< of the same blocks
-  float short_part;  ///< of the correction of what is too short: 1, or 0 for none
+  float short_part;   ///< of the correction of what is too short: 1, or 0 for none
 
   HWY_INLINE Place place(std::size_t i) const {
     const SurfaceBlock* block = blocks + i / places_per_block;
@@ -245,8 +240,7 @@ struct Sweep {
       const Principal& p = found.principal;
       const V largest = hn::Add(hn::Mul(p.largest(), half), half);
       const V smallest = hn::Add(hn::Mul(p.smallest(), half), half);
-      const Symmetric change =
-          symmetric(p, hn::Mul(found.first, largest), hn::Mul(found.second, smallest));
+      const Symmetric change = symmetric(p, hn::Mul(found.first, largest), hn::Mul(found.second, smallest));
       SurfaceSums& block = sums[at.block - blocks];
       add_to(change.along, at.k, block.along);
       add_to(change.across, at.k, block.across);
@@ -273,8 +267,7 @@ HWY_INLINE V excess_over(V squared, float squared_bound, float relaxation, V div
   const V limit = hn::Set(f, squared_bound);
   const V excess = hn::Sub(squared, limit);
   const V whole = hn::Mul(hn::Add(squared, hn::Sqrt(hn::Mul(squared, limit))), divisor);
-  return hn::IfThenElseZero(hn::Gt(excess, hn::Zero(f)),
-                            hn::Div(hn::Mul(excess, hn::Set(f, relaxation)), whole));
+  return hn::IfThenElseZero(hn::Gt(excess, hn::Zero(f)), hn::Div(hn::Mul(excess, hn::Set(f, relaxation)), whole));
 }
 
 struct Shorten {
@@ -306,14 +299,13 @@ struct Shorten {
   HWY_INLINE void note(const Place&, const Found&) const {}
 };
 
-void shorten_surface(const SurfaceLanes& triangles, std::span<const std::uint32_t> blocks,
-                     float squared_bound, float relaxation, Float4* rows) {
-  correct(blocks.size() * places_per_block, Shorten{triangles, blocks, squared_bound, relaxation},
-          floats_of(rows));
+void shorten_surface(const SurfaceLanes& triangles, std::span<const std::uint32_t> blocks, float squared_bound,
+                     float relaxation, Float4* rows) {
+  correct(blocks.size() * places_per_block, Shorten{triangles, blocks, squared_bound, relaxation}, floats_of(rows));
 }
 
-void largest_surface_ratios(const SurfaceLanes& triangles, std::size_t begin, std::size_t end,
-                            const Float4* rows, float* squared_ratios) {
+void largest_surface_ratios(const SurfaceLanes& triangles, std::size_t begin, std::size_t end, const Float4* rows,
+                            float* squared_ratios) {
   const Floats f;
   for (std::size_t b = begin; b < end; ++b) {
     const SurfaceBlock& block = triangles.blocks[b];

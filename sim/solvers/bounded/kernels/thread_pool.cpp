@@ -77,16 +77,13 @@ void ThreadPool::work() {
     while (do_chunk()) {
     }
     if (is_over_.load(std::memory_order_relaxed)) return;
-    const auto is_same_loop = [&] {
-      return claim_.load(std::memory_order_acquire) / one_loop == before / one_loop;
-    };
+    const auto is_same_loop = [&] { return claim_.load(std::memory_order_acquire) / one_loop == before / one_loop; };
     int looks = 0;
     while (looks < most_looks && is_same_loop()) {
       pause();
       ++looks;
     }
-    if (const std::uint64_t now = claim_.load(std::memory_order_acquire);
-        now / one_loop == before / one_loop) {
+    if (const std::uint64_t now = claim_.load(std::memory_order_acquire); now / one_loop == before / one_loop) {
       claim_.wait(now, std::memory_order_acquire);
     }
   }
@@ -105,8 +102,7 @@ bool ThreadPool::do_chunk() {
     if (chunk >= chunks) return false;
     // Claims of this loop are closed before any of these values is written for the next loop. So if this
     // exchange succeeds, all values are of this loop.
-    if (claim_.compare_exchange_weak(claim, claim + 1, std::memory_order_acq_rel,
-                                     std::memory_order_acquire)) {
+    if (claim_.compare_exchange_weak(claim, claim + 1, std::memory_order_acq_rel, std::memory_order_acquire)) {
       const std::size_t count = end - begin;
       call(context, begin + count * chunk / chunks, begin + count * (chunk + 1) / chunks);
       done_.fetch_add(1, std::memory_order_release);

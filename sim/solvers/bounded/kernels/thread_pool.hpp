@@ -42,14 +42,13 @@ class ThreadPool {
 
   /// Calls part(b, e) for chunks that together cover [begin, end) and returns when all are done. Each chunk
   /// has at least `least` elements, which must be above 0. `part` must not throw.
-  template <typename Part>
-  void split(std::size_t begin, std::size_t end, std::size_t least, const Part& part) {
+  template <typename Part> void split(std::size_t begin, std::size_t end, std::size_t least, const Part& part) {
     if (workers_.empty() || !is_shared_ || end - begin < 2 * least) {
       part(begin, end);
       return;
     }
-    run([](const void* context, std::size_t b, std::size_t e) { (*static_cast<const Part*>(context))(b, e); },
-        &part, begin, end, least);
+    run([](const void* context, std::size_t b, std::size_t e) { (*static_cast<const Part*>(context))(b, e); }, &part,
+        begin, end, least);
   }
 
  private:

@@ -14,8 +14,8 @@ enum class VectorUnit {
   avx512,  ///< 16 springs at once
 };
 
-inline constexpr std::array all_vector_units = {VectorUnit::best, VectorUnit::scalar, VectorUnit::sse,
-                                                VectorUnit::avx2, VectorUnit::avx512};
+inline constexpr std::array all_vector_units = {VectorUnit::best, VectorUnit::scalar, VectorUnit::sse, VectorUnit::avx2,
+                                                VectorUnit::avx512};
 
 /// The name used in files and messages.
 const char* name_of(VectorUnit unit);

@@ -42,8 +42,7 @@ HWY_INLINE Four transposed(const Four& m) {
 }
 
 /// Loads the rows that begin at at[0], at[4], ..., counted in floats, side by side.
-template <std::size_t count>
-HWY_INLINE auto load_every_fourth(const float* rows, const std::uint32_t* at) {
+template <std::size_t count> HWY_INLINE auto load_every_fourth(const float* rows, const std::uint32_t* at) {
   if constexpr (count == 4) {
     return hn::Load(FourFloats(), rows + at[0]);
   } else {
@@ -92,9 +91,7 @@ HWY_INLINE Triple operator+(const Triple& p, const Triple& q) {
 HWY_INLINE Triple operator-(const Triple& p, const Triple& q) {
   return {hn::Sub(p.x, q.x), hn::Sub(p.y, q.y), hn::Sub(p.z, q.z)};
 }
-HWY_INLINE Triple operator*(const Triple& p, V s) {
-  return {hn::Mul(p.x, s), hn::Mul(p.y, s), hn::Mul(p.z, s)};
-}
+HWY_INLINE Triple operator*(const Triple& p, V s) { return {hn::Mul(p.x, s), hn::Mul(p.y, s), hn::Mul(p.z, s)}; }
 HWY_INLINE V dot(const Triple& p, const Triple& q) {
   return hn::Add(hn::Add(hn::Mul(p.x, q.x), hn::Mul(p.y, q.y)), hn::Mul(p.z, q.z));
 }
@@ -117,8 +114,7 @@ HWY_INLINE Four operator*(const Four& x, const Four& y) {
 
 /// Repeats the number of each row in the places of its coordinates.
 HWY_INLINE Four for_rows(V numbers) {
-  return {hn::Broadcast<0>(numbers), hn::Broadcast<1>(numbers), hn::Broadcast<2>(numbers),
-          hn::Broadcast<3>(numbers)};
+  return {hn::Broadcast<0>(numbers), hn::Broadcast<1>(numbers), hn::Broadcast<2>(numbers), hn::Broadcast<3>(numbers)};
 }
 
 #endif

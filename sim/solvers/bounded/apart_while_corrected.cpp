@@ -1,7 +1,5 @@
 #include "sim/solvers/bounded/apart_while_corrected.hpp"
 
-#include "sim/solvers/bounded/tuning.hpp"
-
 namespace taut::sim::bounded {
 void ApartWhileCorrected::begin(const Float4Array& raw, const Float4Array& expected) {
   cloth_.contacts.make_regions(frame_, cloth_.layout, cloth_.motion, raw, expected, time_s_, kernels_);

@@ -1,10 +1,5 @@
 #include "sim/solvers/bounded/bending.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <numeric>
-#include <utility>
-
 #include "sim/solvers/bounded/coarse_cloth.hpp"
 #include "sim/solvers/bounded/flexural.hpp"
 #include "sim/solvers/bounded/tuning.hpp"

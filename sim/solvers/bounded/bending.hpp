@@ -1,7 +1,5 @@
 #pragma once
 
-#include <vector>
-
 #include "sim/pins.hpp"
 #include "sim/solvers/bounded/kernels/kernels.hpp"
 #include "sim/solvers/bounded/kernels/parallel_kernels.hpp"

@@ -1,7 +1,5 @@
 #include "sim/solvers/bounded/blocked_pairs.hpp"
 
-#include <algorithm>
-
 namespace taut::sim::bounded {
 namespace {
 

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <span>
-
 #include "sim/blocked_contact.hpp"
 #include "sim/solvers/bounded/contact/body_contacts.hpp"
 #include "sim/solvers/bounded/contact/regions.hpp"

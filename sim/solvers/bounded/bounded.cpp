@@ -1,22 +1,13 @@
 #include "sim/solvers/bounded/bounded.hpp"
 
-#include <algorithm>
-#include <array>
 #include <chrono>
-#include <cmath>
-#include <glm/geometric.hpp>
-#include <stdexcept>
-#include <utility>
 
 #include "sim/measures.hpp"
 #include "sim/solvers/bounded/apart_while_corrected.hpp"
 #include "sim/solvers/bounded/compression.hpp"
-#include "sim/solvers/bounded/projection.hpp"
 #include "sim/solvers/bounded/promise.hpp"
 #include "sim/solvers/bounded/step.hpp"
-#include "sim/solvers/bounded/substep_control.hpp"
 #include "sim/solvers/bounded/thread_choice.hpp"
-#include "sim/solvers/bounded/tuning.hpp"
 #include "sim/solvers/bounded/within_bound.hpp"
 
 namespace taut::sim {

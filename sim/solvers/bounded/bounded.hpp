@@ -1,7 +1,5 @@
 #pragma once
 
-#include <memory>
-
 #include "sim/solvers/bounded/memory.hpp"
 #include "sim/solvers/bounded/settings.hpp"
 #include "sim/solvers/solver.hpp"

@@ -1,10 +1,5 @@
 #include "sim/solvers/bounded/coarse_cloth.hpp"
 
-#include <algorithm>
-#include <array>
-#include <set>
-#include <utility>
-
 namespace taut::sim::bounded {
 namespace {
 

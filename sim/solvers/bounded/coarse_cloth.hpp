@@ -1,7 +1,5 @@
 #pragma once
 
-#include <vector>
-
 #include "sim/garment.hpp"
 
 namespace taut::sim::bounded {

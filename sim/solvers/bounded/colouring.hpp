@@ -1,9 +1,5 @@
 #pragma once
 
-#include <algorithm>
-#include <array>
-#include <vector>
-
 #include "sim/mesh/types.hpp"
 
 namespace taut::sim::bounded {

@@ -1,15 +1,8 @@
 #include "sim/solvers/bounded/contacts.hpp"
 
-#include <algorithm>
-#include <cassert>
-#include <cmath>
 #include <ctime>
-#include <glm/geometric.hpp>
-#include <limits>
 
 #include "sim/solvers/bounded/blocked_pairs.hpp"
-#include "sim/solvers/bounded/projection.hpp"
-#include "sim/solvers/bounded/tuning.hpp"
 
 namespace taut::sim::bounded {
 namespace {

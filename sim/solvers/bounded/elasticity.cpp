@@ -1,10 +1,5 @@
 #include "sim/solvers/bounded/elasticity.hpp"
 
-#include <algorithm>
-#include <cmath>
-
-#include "sim/solvers/bounded/tuning.hpp"
-
 namespace taut::sim::bounded {
 namespace {
 

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <vector>
-
 #include "sim/garment.hpp"
 #include "sim/solvers/bounded/kernels/parallel_kernels.hpp"
 #include "sim/solvers/bounded/layout.hpp"

@@ -1,10 +1,5 @@
 #include "sim/solvers/bounded/flexural.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <glm/geometric.hpp>
-#include <optional>
-
 namespace taut::sim::bounded {
 namespace {
 

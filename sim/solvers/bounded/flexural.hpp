@@ -1,8 +1,5 @@
 #pragma once
 
-#include <array>
-#include <vector>
-
 #include "sim/garment.hpp"
 
 namespace taut::sim::bounded {

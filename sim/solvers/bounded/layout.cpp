@@ -1,10 +1,5 @@
 #include "sim/solvers/bounded/layout.hpp"
 
-#include <algorithm>
-#include <cassert>
-#include <numeric>
-#include <tuple>
-
 #include "sim/solvers/bounded/colouring.hpp"
 #include "sim/solvers/bounded/surface_layout.hpp"
 

@@ -1,8 +1,5 @@
 #pragma once
 
-#include <span>
-#include <vector>
-
 #include "sim/solvers/bounded/kernels/lanes.hpp"
 #include "sim/solvers/bounded/rows.hpp"
 #include "sim/solvers/bounded/settings.hpp"

@@ -1,8 +1,5 @@
 #include "sim/solvers/bounded/memory.hpp"
 
-#include <limits>
-#include <utility>
-
 namespace taut::sim::bounded {
 
 namespace {

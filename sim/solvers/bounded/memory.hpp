@@ -1,8 +1,5 @@
 #pragma once
 
-#include <optional>
-#include <vector>
-
 #include "sim/bytes.hpp"
 #include "sim/solvers/bounded/kernels/lanes.hpp"
 #include "sim/solvers/bounded/row_memory.hpp"

@@ -1,11 +1,5 @@
 #include "sim/solvers/bounded/projection.hpp"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-
-#include "sim/solvers/bounded/tuning.hpp"
-
 namespace taut::sim::bounded {
 namespace {
 

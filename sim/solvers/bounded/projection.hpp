@@ -1,9 +1,5 @@
 #pragma once
 
-#include <limits>
-#include <span>
-#include <vector>
-
 #include "sim/solvers/bounded/kernels/parallel_kernels.hpp"
 #include "sim/solvers/bounded/layout.hpp"
 #include "sim/solvers/bounded/tuning.hpp"

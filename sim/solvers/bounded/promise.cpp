@@ -1,11 +1,5 @@
 #include "sim/solvers/bounded/promise.hpp"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstdio>
-#include <glm/geometric.hpp>
-
 namespace taut::sim {
 namespace {
 

@@ -1,8 +1,5 @@
 #pragma once
 
-#include <optional>
-#include <string>
-
 #include "sim/garment.hpp"
 #include "sim/solvers/bounded/settings.hpp"
 #include "sim/surroundings.hpp"

@@ -1,10 +1,5 @@
 #include "sim/solvers/bounded/row_memory.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <glm/geometric.hpp>
-#include <limits>
-
 #include "sim/solvers/bounded/tuning.hpp"
 
 namespace taut::sim::bounded {

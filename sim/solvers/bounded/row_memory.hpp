@@ -1,8 +1,5 @@
 #pragma once
 
-#include <span>
-#include <vector>
-
 #include "sim/bytes.hpp"
 #include "sim/mesh/types.hpp"
 #include "sim/solvers/bounded/kernels/float4.hpp"

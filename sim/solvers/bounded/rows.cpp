@@ -1,9 +1,5 @@
 #include "sim/solvers/bounded/rows.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <numeric>
-
 #include "sim/mesh/elementary.hpp"
 #include "sim/mesh/geodesics.hpp"
 #include "sim/solvers/bounded/kernels/blocks.hpp"

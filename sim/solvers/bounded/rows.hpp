@@ -1,7 +1,5 @@
 #pragma once
 
-#include <vector>
-
 #include "sim/garment.hpp"
 #include "sim/pins.hpp"
 

@@ -1,8 +1,6 @@
 #pragma once
 
-#include <array>
-#include <optional>
-
+#include "prelude.hpp"
 #include "sim/solvers/bounded/kernels/vector_unit.hpp"
 
 namespace taut::sim {

@@ -1,10 +1,5 @@
 #include "sim/solvers/bounded/slow_forces.hpp"
 
-#include <algorithm>
-#include <cassert>
-#include <cmath>
-
-#include "sim/hand.hpp"
 #include "sim/solvers/bounded/tuning.hpp"
 
 namespace taut::sim::bounded {

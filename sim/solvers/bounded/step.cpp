@@ -1,10 +1,5 @@
 #include "sim/solvers/bounded/step.hpp"
 
-#include <algorithm>
-#include <cmath>
-
-#include "sim/solvers/bounded/contact/plane_gap.hpp"
-
 namespace taut::sim::bounded {
 namespace {
 

@@ -1,12 +1,6 @@
 #include "sim/solvers/bounded/substep_control.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <glm/geometric.hpp>
-
-#include "sim/solvers/bounded/projection.hpp"
 #include "sim/solvers/bounded/promise.hpp"
-#include "sim/solvers/bounded/tuning.hpp"
 
 namespace taut::sim::bounded {
 namespace {

@@ -1,9 +1,5 @@
 #include "sim/solvers/bounded/surface_layout.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <glm/geometric.hpp>
-
 #include "sim/solvers/bounded/colouring.hpp"
 #include "sim/solvers/bounded/tuning.hpp"
 

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <vector>
-
 #include "sim/solvers/bounded/kernels/lanes.hpp"
 #include "sim/solvers/bounded/rows.hpp"
 

@@ -1,9 +1,5 @@
 #include "sim/solvers/bounded/tethers.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <glm/geometric.hpp>
-
 #include "sim/solvers/bounded/tuning.hpp"
 
 namespace taut::sim::bounded {

@@ -1,7 +1,5 @@
 #include "sim/solvers/bounded/thread_choice.hpp"
 
-#include <algorithm>
-
 namespace taut::sim::bounded {
 namespace {
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "prelude.hpp"
 #include "sim/solvers/bounded/kernels/thread_pool.hpp"
 
 namespace taut::sim::bounded {

@@ -1,7 +1,6 @@
 #pragma once
 
-#include <cstddef>
-#include <cstdint>
+#include "prelude.hpp"
 
 /// The numbers of the solver that neither a law, nor geometry, nor rounding gives. The effect of halving and
 /// doubling each is in log.md.

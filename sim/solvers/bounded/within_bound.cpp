@@ -1,10 +1,5 @@
 #include "sim/solvers/bounded/within_bound.hpp"
 
-#include <algorithm>
-#include <array>
-#include <glm/geometric.hpp>
-#include <span>
-
 #include "sim/solvers/bounded/kernels/kernels.hpp"
 #include "sim/solvers/bounded/kernels/parallel_kernels.hpp"
 #include "sim/solvers/bounded/layout.hpp"

@@ -1,8 +1,5 @@
 #pragma once
 
-#include <functional>
-#include <span>
-
 #include "sim/garment.hpp"
 #include "sim/pins.hpp"
 #include "sim/solvers/bounded/settings.hpp"

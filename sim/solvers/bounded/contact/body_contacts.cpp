@@ -1,14 +1,6 @@
 #include "sim/solvers/bounded/contact/body_contacts.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <glm/common.hpp>
-#include <glm/geometric.hpp>
-#include <glm/vec2.hpp>
-#include <type_traits>
-
 #include "sim/contact/law.hpp"
-#include "sim/solvers/bounded/contact/closest_points.hpp"
 
 namespace taut::sim::bounded {
 namespace {

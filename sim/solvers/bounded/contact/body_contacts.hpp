@@ -1,8 +1,5 @@
 #pragma once
 
-#include <span>
-#include <vector>
-
 #include "sim/contact/bodies.hpp"
 #include "sim/solvers/bounded/contact/regions.hpp"
 

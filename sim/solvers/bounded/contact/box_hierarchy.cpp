@@ -1,9 +1,5 @@
 #include "sim/solvers/bounded/contact/box_hierarchy.hpp"
 
-#include <algorithm>
-#include <limits>
-#include <numeric>
-
 #include "sim/mesh/extent.hpp"
 
 namespace taut::sim::bounded {

@@ -1,8 +1,5 @@
 #pragma once
 
-#include <span>
-#include <vector>
-
 #include "sim/mesh/types.hpp"
 #include "sim/solvers/bounded/kernels/parallel_kernels.hpp"
 

@@ -1,7 +1,5 @@
 #include "sim/solvers/bounded/contact/clearances.hpp"
 
-#include <algorithm>
-
 #include "sim/mesh/extent.hpp"
 
 namespace taut::sim::bounded {

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <vector>
-
 #include "sim/solvers/bounded/contact/near_pairs.hpp"
 
 namespace taut::sim::bounded {

@@ -1,8 +1,5 @@
 #include "sim/solvers/bounded/contact/closest_points.hpp"
 
-#include <algorithm>
-#include <glm/geometric.hpp>
-
 namespace taut::sim::bounded {
 namespace {
 

@@ -1,7 +1,6 @@
 #pragma once
 
-#include <array>
-#include <glm/vec3.hpp>
+#include "prelude.hpp"
 
 namespace taut::sim::bounded {
 

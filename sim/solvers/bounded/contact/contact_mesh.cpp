@@ -1,7 +1,5 @@
 #include "sim/solvers/bounded/contact/contact_mesh.hpp"
 
-#include <algorithm>
-
 namespace taut::sim::bounded {
 namespace {
 

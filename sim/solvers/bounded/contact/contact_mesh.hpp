@@ -1,9 +1,5 @@
 #pragma once
 
-#include <cstddef>
-#include <span>
-#include <vector>
-
 #include "sim/mesh/types.hpp"
 
 namespace taut::sim::bounded {

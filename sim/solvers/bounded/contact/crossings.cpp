@@ -1,8 +1,5 @@
 #include "sim/solvers/bounded/contact/crossings.hpp"
 
-#include <algorithm>
-#include <numeric>
-
 #include "sim/contact/triangle_tree.hpp"
 #include "sim/mesh/groups.hpp"
 

@@ -1,9 +1,5 @@
 #pragma once
 
-#include <span>
-#include <tuple>
-#include <vector>
-
 #include "sim/contact/triangle_pair.hpp"
 #include "sim/mesh/adjacency.hpp"
 #include "sim/solvers/bounded/contact/near_pair.hpp"

@@ -1,7 +1,5 @@
 #include "sim/solvers/bounded/contact/lasting_pairs.hpp"
 
-#include <algorithm>
-
 #include "sim/solvers/bounded/tuning.hpp"
 
 namespace taut::sim::bounded {

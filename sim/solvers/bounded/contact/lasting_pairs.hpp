@@ -1,10 +1,5 @@
 #pragma once
 
-#include <array>
-#include <span>
-#include <utility>
-#include <vector>
-
 #include "sim/rigid_motion.hpp"
 #include "sim/solvers/bounded/contact/near_pairs.hpp"
 

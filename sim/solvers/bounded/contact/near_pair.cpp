@@ -1,7 +1,5 @@
 #include "sim/solvers/bounded/contact/near_pair.hpp"
 
-#include <glm/geometric.hpp>
-
 namespace taut::sim::bounded {
 
 ClosestWeights closest_weights(const NearPair& pair, const std::array<glm::vec3, 4>& p) {

@@ -1,8 +1,5 @@
 #pragma once
 
-#include <array>
-#include <glm/vec3.hpp>
-
 #include "sim/mesh/types.hpp"
 #include "sim/solvers/bounded/contact/closest_points.hpp"
 

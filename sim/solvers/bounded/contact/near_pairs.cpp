@@ -1,8 +1,5 @@
 #include "sim/solvers/bounded/contact/near_pairs.hpp"
 
-#include <algorithm>
-#include <memory>
-
 namespace taut::sim::bounded {
 namespace {
 

@@ -1,8 +1,5 @@
 #pragma once
 
-#include <span>
-#include <vector>
-
 #include "sim/solvers/bounded/contact/box_hierarchy.hpp"
 #include "sim/solvers/bounded/contact/contact_mesh.hpp"
 #include "sim/solvers/bounded/contact/near_pair.hpp"

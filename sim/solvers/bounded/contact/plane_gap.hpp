@@ -1,6 +1,6 @@
 #pragma once
 
-#include <algorithm>
+#include "prelude.hpp"
 
 namespace taut::sim::bounded {
 

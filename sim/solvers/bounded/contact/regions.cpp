@@ -1,14 +1,5 @@
 #include "sim/solvers/bounded/contact/regions.hpp"
 
-#include <algorithm>
-#include <cassert>
-#include <cmath>
-#include <glm/geometric.hpp>
-#include <limits>
-#include <numeric>
-
-#include "sim/solvers/bounded/contact/closest_points.hpp"
-#include "sim/solvers/bounded/contact/plane_gap.hpp"
 #include "sim/solvers/bounded/tuning.hpp"
 
 namespace taut::sim::bounded {

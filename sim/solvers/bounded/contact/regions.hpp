@@ -1,10 +1,5 @@
 #pragma once
 
-#include <glm/vec3.hpp>
-#include <optional>
-#include <span>
-#include <vector>
-
 #include "sim/solvers/bounded/contact/near_pair.hpp"
 #include "sim/solvers/bounded/contact/plane_gap.hpp"
 #include "sim/solvers/bounded/kernels/parallel_kernels.hpp"

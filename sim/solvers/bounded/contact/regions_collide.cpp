@@ -1,6 +1,3 @@
-#include <algorithm>
-#include <cmath>
-#include <glm/geometric.hpp>
 
 #include "sim/contact/law.hpp"
 #include "sim/solvers/bounded/contact/plane_gap.hpp"

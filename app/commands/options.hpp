@@ -103,6 +103,7 @@ struct FitOptions {
 /// Options of `taut sew`.
 struct SewOptions {
   std::filesystem::path pattern;
+  std::vector<std::filesystem::path> over;  ///< patterns that are worn over it, inner ones first
   std::vector<Override> overrides;
   std::filesystem::path output;   ///< OBJ file; empty: PATTERN.obj
   std::filesystem::path picture;  ///< PNG file; empty: none, but for one of what cannot be sewn

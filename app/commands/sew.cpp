@@ -5,6 +5,7 @@
 #include "app/base/files.hpp"
 #include "app/base/progress.hpp"
 #include "app/bodies/body_loading.hpp"
+#include "app/bodies/fit.hpp"
 #include "app/bodies/wearing.hpp"
 #include "app/commands/options.hpp"
 #include "app/drawing/drawn_scene.hpp"
@@ -40,9 +41,11 @@ DrawnScene scene_of(const SewOptions& options) {
 void write_picture(const std::filesystem::path& file, const DrawnScene& scene, const SewnGarment& sewn,
                    const std::string& measured, const std::string& backend) {
   const sim::Garment& garment = sewn.sewn.garment;
-  write_file(file, renderer::encode_png(draw_fit({scene, garment, garment.mesh.positions, sewn.time_s, {},
-                                                  scene.name + " on " + scene.surroundings.bodies[dressed_body(scene).body].name,
-                                                  measured, ""},
+  const std::vector<sim::Vec3>& worn_m = garment.mesh.positions;
+  const std::vector<FitRow> fit = fit_of(scene, garment, worn_m);
+  const std::string title = scene.name + " on " + scene.surroundings.bodies[dressed_body(scene).body].name;
+  write_file(file, renderer::encode_png(draw_fit({scene, garment, worn_m, sewn.time_s, fit, title, measured,
+                                                  describe_tightness(scene, garment, worn_m, fit)},
                                                  backend)));
 }
 
@@ -73,7 +76,7 @@ int run(const SewOptions& asked) {
   Progress progress(scene.name);
   const std::clock_t began = std::clock();
   try {
-    const SewnGarment sewn = sew(scene, {options.triangles, options.frames}, [&](const std::string& stage) { progress.begin(stage); });
+    const SewnGarment sewn = sew(scene, {options.triangles, options.frames, options.over}, [&](const std::string& stage) { progress.begin(stage); });
     const double took_s = static_cast<double>(std::clock() - began) / CLOCKS_PER_SEC;
     write_text_file(options.output, obj_of(sewn));
     write_text_file(landmarks_path(options.output), landmarks_of(sewn));

@@ -248,13 +248,12 @@ void turn_outwards(const SewingPattern& pattern, CutPieces& pieces) {
   }
 }
 
-/// Lays panels side by side, as seen from outside, in numbers that single precision holds in cm: files hold these.
-void lay_out(CutPieces& pieces) {
+/// Lays panels side by side, in numbers that single precision holds in cm: files hold these.
+void lay_side_by_side(CutPieces& pieces) {
   std::vector<double> low_m(pieces.panel_count(), std::numeric_limits<double>::infinity()), high_m(pieces.panel_count(), -low_m[0]);
   for (std::size_t v = 0; v < pieces.flat_m.size(); ++v) {
     const Index p = pieces.panel_of[v];
-    double& x = pieces.flat_m[v].x;
-    x = pieces.is_turned[p] != 0 ? -x : x;
+    const double x = pieces.flat_m[v].x;
     low_m[p] = std::min(low_m[p], x);
     high_m[p] = std::max(high_m[p], x);
   }
@@ -266,6 +265,13 @@ void lay_out(CutPieces& pieces) {
     const Index p = pieces.panel_of[v];
     const Vec2 moved = pieces.flat_m[v] + Vec2(begin_m[p] - low_m[p], 0.0);
     pieces.flat_m[v] = Vec2(glm::vec2(moved / metres_per_uv_of_cut)) * metres_per_uv_of_cut;
+  }
+}
+
+/// Shows panels as they are seen from outside.
+void show_outsides(CutPieces& pieces) {
+  for (std::size_t v = 0; v < pieces.flat_m.size(); ++v) {
+    pieces.flat_m[v].x *= pieces.is_turned[pieces.panel_of[v]] != 0 ? -1.0 : 1.0;
   }
 }
 
@@ -290,8 +296,42 @@ CutPieces cut_pieces(const SewingPattern& pattern, int triangles) {
   pieces.panel_triangles.push_back(static_cast<Index>(pieces.triangles.size()));
   pieces.seams = find_seams(pattern, borders, pieces);
   turn_outwards(pattern, pieces);
-  lay_out(pieces);
+  show_outsides(pieces);
+  lay_side_by_side(pieces);
+  pieces.layer_of.assign(pieces.panel_count(), 0);
   return pieces;
+}
+
+void add_over(const CutPieces& over, CutPieces& pieces) {
+  const auto vertices = static_cast<Index>(pieces.flat_m.size()), triangles = static_cast<Index>(pieces.triangles.size());
+  const auto panels = static_cast<Index>(pieces.panel_count());
+  const std::size_t layer = pieces.layer_of.back() + 1;
+  pieces.panel_triangles.pop_back();
+  for (const Index first : over.panel_triangles) {
+    pieces.panel_triangles.push_back(triangles + first);
+  }
+  pieces.flat_m.insert(pieces.flat_m.end(), over.flat_m.begin(), over.flat_m.end());
+  pieces.placed_m.insert(pieces.placed_m.end(), over.placed_m.begin(), over.placed_m.end());
+  pieces.is_turned.insert(pieces.is_turned.end(), over.is_turned.begin(), over.is_turned.end());
+  pieces.layer_of.insert(pieces.layer_of.end(), over.panel_count(), layer);
+  for (const Index panel : over.panel_of) {
+    pieces.panel_of.push_back(panels + panel);
+  }
+  for (const auto& [a, b, c] : over.triangles) {
+    pieces.triangles.push_back({vertices + a, vertices + b, vertices + c});
+  }
+  for (const std::size_t seam : over.first_seams) {
+    pieces.first_seams.push_back(pieces.seams.size() + seam);
+  }
+  for (Seam seam : over.seams) {
+    for (auto& [a, b] : seam) {
+      a += vertices;
+      b += vertices;
+    }
+    pieces.seams.push_back(std::move(seam));
+  }
+  pieces.edge_m = std::min(pieces.edge_m, over.edge_m);
+  lay_side_by_side(pieces);
 }
 
 }  // namespace taut::app

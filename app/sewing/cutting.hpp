@@ -25,6 +25,7 @@ struct CutPieces {
   std::vector<char> is_turned;              ///< per panel, whether it is seen from behind where it faces outwards
   std::vector<Seam> seams;                  ///< per stitch
   std::vector<std::size_t> first_seams;     ///< stitches that are closed before others, as they carry the garment
+  std::vector<std::size_t> layer_of;        ///< per panel: those are worn over all with lower ones
   double edge_m = 0.0;                      ///< the length edges were made for
 
   std::size_t panel_count() const { return panel_triangles.size() - 1; }
@@ -34,6 +35,9 @@ struct CutPieces {
 /// shares of their lengths: so ease is spread. Their ends meet the way round that has less to go. Throws
 /// std::invalid_argument that names a panel which cannot be meshed.
 CutPieces cut_pieces(const SewingPattern& pattern, int triangles);
+
+/// Adds pieces that are worn over these.
+void add_over(const CutPieces& over, CutPieces& pieces);
 
 /// Per panel, the box around where it is placed.
 std::vector<sim::Extent> panel_boxes(const CutPieces& pieces);

@@ -287,6 +287,29 @@ std::string SewingPattern::describe(const Stitch& stitch) const {
                      panels[stitch.second.panel].name, stitch.second.edge);
 }
 
+std::vector<char> SewingPattern::is_stitched(std::size_t panel) const {
+  std::vector<char> stitched(panels[panel].edges_m.size(), 0);
+  for (const auto& [first, second] : stitches) {
+    for (const PanelEdge& side : {first, second}) {
+      if (side.panel == panel) {
+        stitched[side.edge] = 1;
+      }
+    }
+  }
+  return stitched;
+}
+
+void add_pattern(const std::string& name, SewingPattern added, SewingPattern& pattern) {
+  const std::size_t before = pattern.panels.size();
+  for (PatternPanel& panel : added.panels) {
+    panel.name = name + '.' + panel.name;
+    pattern.panels.push_back(std::move(panel));
+  }
+  for (const auto& [first, second] : added.stitches) {
+    pattern.stitches.push_back({{first.panel + before, first.edge}, {second.panel + before, second.edge}});
+  }
+}
+
 bool is_sewing_pattern(const std::filesystem::path& file) {
   return file.extension() == ".json";
 }

@@ -39,9 +39,14 @@ struct SewingPattern {
   std::vector<Stitch> stitches;
 
   const std::vector<sim::Vec2>& line_of(const PanelEdge& edge) const { return panels[edge.panel].edges_m[edge.edge]; }
+  /// Per edge of a panel, whether it is sewn to anything.
+  std::vector<char> is_stitched(std::size_t panel) const;
   /// Returns "front, edge 3 with back, edge 5".
   std::string describe(const Stitch& stitch) const;
 };
+
+/// Adds a pattern whose panels get "NAME." in front of their names.
+void add_pattern(const std::string& name, SewingPattern added, SewingPattern& pattern);
 
 /// Returns whether a file is a sewing pattern by its name: *.json.
 bool is_sewing_pattern(const std::filesystem::path& file);

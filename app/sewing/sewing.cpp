@@ -102,17 +102,38 @@ void verify(const Scene& scene, SewnGarment& garment) {
   garment.max_stretch = largest_stretch(mesh, mesh.positions).surface;
 }
 
+CutPieces cut(const std::filesystem::path& file, const SewingPattern& pattern, int triangles) {
+  try {
+    return cut_pieces(pattern, triangles);
+  } catch (const std::invalid_argument& error) {
+    throw InputError("cannot use '{}': {}", file.string(), error.what());
+  }
+}
+
 }  // namespace
 
 SewnGarment sew(Scene& scene, const SewingSettings& settings, const std::function<void(const std::string&)>& stage) {
-  SewnGarment garment{read_sewing_pattern(scene.garment.file), {}, {}};
+  SewnGarment garment;
+  std::vector<std::filesystem::path> files = {scene.garment.file};
+  files.insert(files.end(), settings.over.begin(), settings.over.end());
   stage("meshing its panels");
-  try {
-    garment.pieces = cut_pieces(garment.pattern, settings.triangles);
-  } catch (const std::invalid_argument& error) {
-    throw InputError("cannot use '{}': {}", scene.garment.file.string(), error.what());
+  for (const std::filesystem::path& file : files) {
+    SewingPattern pattern = read_sewing_pattern(file);
+    CutPieces pieces = cut(file, pattern, settings.triangles / static_cast<int>(files.size()));
+    for (std::string& remark : bring_to_body(pattern, scene, pieces)) {
+      garment.remarks.push_back((files.size() > 1 ? file.stem().string() + ": " : "") + remark);
+    }
+    if (garment.pattern.panels.empty()) {
+      garment.pattern = std::move(pattern);
+      garment.pieces = std::move(pieces);
+    } else {
+      add_pattern(file.stem().string(), std::move(pattern), garment.pattern);
+      add_over(pieces, garment.pieces);
+    }
   }
-  garment.remarks = place_pieces(garment.pattern, garment.pieces, scene);
+  for (std::string& remark : place_pieces(garment.pieces, scene)) {
+    garment.remarks.push_back(std::move(remark));
+  }
   garment.time_s = thin_time_s(scene);
   garment.sewn = close_seams(garment.pieces, scene, garment.time_s, [&](double share) {
     stage(fmt::format("drawing its seams together, {:.0f} % are closed", std::floor(100.0 * share)));

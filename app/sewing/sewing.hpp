@@ -13,13 +13,14 @@ namespace taut::app {
 struct SewingSettings {
   int triangles = 4000;  ///< about so many
   int frames = 600;      ///< at most, from when it is worn until it rests
+  std::vector<std::filesystem::path> over = {};  ///< patterns that are sewn over the scene's garment, inner ones first
 };
 
 /// A pattern that was sewn on the body of a scene, as it rests there.
 struct SewnGarment {
-  SewingPattern pattern;
-  CutPieces pieces;
-  SewnPieces sewn;
+  SewingPattern pattern = {};  ///< of all layers; panels of outer ones are called "FILE.NAME"
+  CutPieces pieces = {};
+  SewnPieces sewn = {};
   std::vector<std::string> remarks = {};  ///< for people
   int frames = 0;                         ///< until it rested
   bool is_at_rest = false;

@@ -27,18 +27,18 @@ using sim::Vec2;
 using sim::Vec3;
 
 // Threads.
-constexpr double pull_m_per_s2 = 15.0;  ///< of all threads of a panel, over its mass
+constexpr double pull_m_per_s2 = 15.0;     ///< of all threads of a panel, over its mass
 constexpr double inwards_m_per_s2 = 10.0;  ///< of layers that are sewn, to the body
 constexpr double inwards_from_m = 0.05;    ///< nearer to it they are pulled less
-constexpr double slack_m = 0.001;       ///< nearer than this they pull less
-constexpr double stronger = 1.4;         ///< times as strong, as often as hardly anything could be joined
-constexpr double quick_enough = 0.05;    ///< of what is open
+constexpr double slack_m = 0.001;          ///< nearer than this they pull less
+constexpr double stronger = 1.4;           ///< times as strong, as often as hardly anything could be joined
+constexpr double quick_enough = 0.05;      ///< of what is open
 constexpr double most_strength = 30.0;
-constexpr double drag_per_s = 10.0;            ///< of the air meanwhile
-constexpr double thickest_m = 3e-4;           ///< cloth counts as no thicker until it is sewn, so that borders meet
-constexpr double softest_n_m = 2e-6;    ///< cloth resists no more to being bent meanwhile
-constexpr double near_enough = 0.1;     ///< of the length of edges: vertices that are nearer become one
-constexpr double further = 1.3;         ///< times as near, as often as the strongest pull joins nothing
+constexpr double drag_per_s = 10.0;   ///< of the air meanwhile
+constexpr double thickest_m = 3e-4;   ///< cloth counts as no thicker until it is sewn, so that borders meet
+constexpr double softest_n_m = 2e-6;  ///< cloth resists no more to being bent meanwhile
+constexpr double near_enough = 0.1;   ///< of the length of edges: vertices that are nearer become one
+constexpr double further = 1.3;       ///< times as near, as often as the strongest pull joins nothing
 constexpr double furthest = 0.35;
 constexpr int frames_between_joins = 4;
 constexpr int most_frames_between_joins = 16;  ///< after some that failed
@@ -47,7 +47,8 @@ constexpr int most_frames_for_first = 60;
 /// Time steps, that may be made in all. To begin a simulation anew takes as long as a few.
 constexpr int most_steps = 6000;
 constexpr int steps_to_begin = 20;
-/// Nothing closes any more if for so many frames nothing was joined and the widest gap shrank by less than a share.
+/// Nothing closes any more if for so many frames nothing was joined and the widest gap shrank by less than a
+/// share.
 constexpr int patience = 120;
 constexpr double progress = 0.9;
 constexpr double lifted = 0.7;  ///< of the distance of what has met
@@ -71,18 +72,20 @@ std::vector<glm::vec2> upright(const std::vector<std::array<Vec2, 3>>& cut_m) {
   return corners;
 }
 
-/// A place of a vertex that is near only to those which it is near to in its own panel: panels lie in different levels,
-/// each a bowl, so that what joins two of its borders leaves it at an angle.
+/// A place of a vertex that is near only to those which it is near to in its own panel: panels lie in
+/// different levels, each a bowl, so that what joins two of its borders leaves it at an angle.
 Vec3 place_apart_m(const CutPieces& pieces, Index v) {
   constexpr double between_levels_m = 3.0, curvature_per_m = 2.0;
   const Vec2 flat_m = pieces.flat_m[v];
   const Vec2 from_m = flat_m - pieces.flat_m[pieces.triangles[pieces.panel_triangles[pieces.panel_of[v]]][0]];
-  return {flat_m.x, flat_m.y, between_levels_m * pieces.panel_of[v] + 0.5 * curvature_per_m * glm::dot(from_m, from_m)};
+  return {flat_m.x, flat_m.y,
+          between_levels_m * pieces.panel_of[v] + 0.5 * curvature_per_m * glm::dot(from_m, from_m)};
 }
 
-/// The pieces of which those vertices are one that are in one set, with these positions per vertex of the pieces.
-SewnPieces join_pieces(const CutPieces& pieces, const std::vector<Index>& set_of, const std::vector<Vec3>& positions_m,
-                       const Scene& scene) {
+/// The pieces of which those vertices are one that are in one set, with these positions per vertex of the
+/// pieces.
+SewnPieces join_pieces(const CutPieces& pieces, const std::vector<Index>& set_of,
+                       const std::vector<Vec3>& positions_m, const Scene& scene) {
   SewnPieces sewn;
   std::vector<Index> number(set_of.size(), sim::no_vertex);
   sewn.vertex_of.resize(set_of.size());
@@ -121,7 +124,8 @@ class Closing {
       : pieces_(pieces), scene_(scene), time_s_(time_s), joined_(pieces.flat_m.size()) {
     scene_.material.thickness_m = std::min(scene_.material.thickness_m, thickest_m);
     // Laws of threads matter when cloth carries something.
-    scene_.material.tensile_warp_n_per_m = scene_.material.tensile_weft_n_per_m = scene_.material.shear_n_per_m = 0.0;
+    scene_.material.tensile_warp_n_per_m = scene_.material.tensile_weft_n_per_m =
+        scene_.material.shear_n_per_m = 0.0;
     scene_.material.friction = 0.0;
     // Ease is pushed together.
     scene_.material.compression_stiffness_n_per_m = 0.0;
@@ -157,7 +161,8 @@ class Closing {
         const double before = share_joined();
         const bool any_joined = join_what_met(seams);
         since = any_joined ? 0 : since;
-        between_joins = any_joined ? frames_between_joins : std::min(2 * between_joins, most_frames_between_joins);
+        between_joins =
+            any_joined ? frames_between_joins : std::min(2 * between_joins, most_frames_between_joins);
         next_join = frame + between_joins;
         if (share_joined() - before < quick_enough * (1.0 - before)) {
           // Cloth that a strong pull has crumpled comes loose in a weak one.
@@ -189,7 +194,8 @@ class Closing {
     const std::vector<Vec3> start_m = sewn_.garment.mesh.positions;
     sim::Surroundings surroundings = scene_.surroundings;
     surroundings.moving_pins.clear();
-    simulation_.emplace(sim::share(sewn_.garment), std::vector<Index>{}, simulation_settings(scene_.simulation), std::move(surroundings), start_m);
+    simulation_.emplace(sim::share(sewn_.garment), std::vector<Index>{},
+                        simulation_settings(scene_.simulation), std::move(surroundings), start_m);
     simulation_->set_time(time_s_);
     steps_ += steps_to_begin;
   }
@@ -209,7 +215,9 @@ class Closing {
   }
 
   bool is_closed(std::size_t seam) {
-    return std::ranges::all_of(pieces_.seams[seam], [&](const auto& pair) { return joined_.find(pair.first) == joined_.find(pair.second); });
+    return std::ranges::all_of(pieces_.seams[seam], [&](const auto& pair) {
+      return joined_.find(pair.first) == joined_.find(pair.second);
+    });
   }
   bool is_closed() {
     for (std::size_t s = 0; s < pieces_.seams.size(); ++s) {
@@ -246,7 +254,9 @@ class Closing {
     return sewn_.gap_m;
   }
 
-  std::size_t layer_of(std::size_t seam) const { return pieces_.layer_of[pieces_.panel_of[pieces_.seams[seam][0].first]]; }
+  std::size_t layer_of(std::size_t seam) const {
+    return pieces_.layer_of[pieces_.panel_of[pieces_.seams[seam][0].first]];
+  }
 
   /// Returns whether all of these seams are closed that belong to the layer that is sewn.
   bool is_layer_closed(const std::vector<std::size_t>& seams) {
@@ -262,7 +272,8 @@ class Closing {
       layer_began_ = frame;
       strength_ = 1.0;
     }
-    const bool is_carried = frame - layer_began_ >= most_frames_for_first || is_layer_closed(pieces_.first_seams);
+    const bool is_carried =
+        frame - layer_began_ >= most_frames_for_first || is_layer_closed(pieces_.first_seams);
     std::vector<std::size_t> seams = is_carried ? all : pieces_.first_seams;
     std::erase_if(seams, [&](std::size_t s) { return layer_of(s) != layer_; });
     return seams;
@@ -292,7 +303,9 @@ class Closing {
     std::vector<double> pulls_n(now_m().size(), 0.0), reaches_m(now_m().size(), slack_m);
     for (std::size_t v = 0; v < pieces_.flat_m.size(); ++v) {
       const Index p = pieces_.panel_of[v], group = together.find(sewn_.vertex_of[v]);
-      pulls_n[group] += counts[group] > 1.0 ? strength_ * pull_m_per_s2 * panel_masses_kg_[p] / threads[p] / counts[group] : 0.0;
+      pulls_n[group] += counts[group] > 1.0
+                            ? strength_ * pull_m_per_s2 * panel_masses_kg_[p] / threads[p] / counts[group]
+                            : 0.0;
     }
     for (Index v = 0; v < now_m().size(); ++v) {
       const Index group = together.find(v);
@@ -303,7 +316,8 @@ class Closing {
     for (Index v = 0; v < now_m().size(); ++v) {
       if (is_pulled(v)) {
         const Index group = together.find(v);
-        surroundings.forces.held_vertices.push_back({v, sums[group] / counts[group], pulls_n[group] / reaches_m[group], 2.0 * pulls_n[group]});
+        surroundings.forces.held_vertices.push_back(
+            {v, sums[group] / counts[group], pulls_n[group] / reaches_m[group], 2.0 * pulls_n[group]});
       }
     }
     draw_in_layers(surroundings.forces.held_vertices);
@@ -321,15 +335,17 @@ class Closing {
     for (Index v = 0; v < pieces_.flat_m.size(); ++v) {
       const Index n = sewn_.vertex_of[v];
       if (pieces_.layer_of[pieces_.panel_of[v]] < layer_ && std::exchange(is_done[n], 1) == 0) {
-        const auto nearer = [&](const Vec3& a, const Vec3& b) { return glm::distance(a, at(v)) < glm::distance(b, at(v)); };
+        const auto nearer = [&](const Vec3& a, const Vec3& b) {
+          return glm::distance(a, at(v)) < glm::distance(b, at(v));
+        };
         const double pull_n = inwards_m_per_s2 * sewn_.garment.masses_kg[n];
         held.push_back({n, *std::ranges::min_element(body_m, nearer), pull_n / inwards_from_m, pull_n});
       }
     }
   }
 
-  /// Per vertex of the pieces, where it is. What has met over an inner layer is also tried out of the cloth and beyond its
-  /// border: the middle between both sides of a fold of that layer is within it.
+  /// Per vertex of the pieces, where it is. What has met over an inner layer is also tried out of the cloth
+  /// and beyond its border: the middle between both sides of a fold of that layer is within it.
   std::vector<std::vector<Vec3>> places_to_join_m(const std::vector<std::pair<Index, Index>>& met) const {
     std::vector<Vec3> positions_m, out(pieces_.flat_m.size(), Vec3(0.0)), beyond = out;
     for (Index v = 0; v < pieces_.flat_m.size(); ++v) {
@@ -376,8 +392,8 @@ class Closing {
       for (const auto& [a, b] : met) {
         joined.join(a, b);
       }
-      begin(join_pieces(pieces_, sets_of(joined, pieces_.flat_m.size()),
-                        places_m[trial % places_m.size()], scene_));
+      begin(join_pieces(pieces_, sets_of(joined, pieces_.flat_m.size()), places_m[trial % places_m.size()],
+                        scene_));
       std::vector<char> is_crossed = crossed_after_frames(seams);
       const auto touches = [&](const auto& pair) { return is_crossed[sewn_.vertex_of[pair.first]] != 0; };
       if (std::ranges::find(is_crossed, 1) == is_crossed.end() && is_within_bound()) {
@@ -397,7 +413,8 @@ class Closing {
     return false;
   }
 
-  /// Makes frames until nothing is too near for the solver to tell it apart, or something crosses. Returns crossed().
+  /// Makes frames until nothing is too near for the solver to tell it apart, or something crosses. Returns
+  /// crossed().
   std::vector<char> crossed_after_frames(const std::vector<std::size_t>& seams) {
     std::vector<char> is_crossed(now_m().size(), 1);
     for (int frame = 0; frame < frames_to_part; ++frame) {
@@ -414,12 +431,14 @@ class Closing {
   }
 
   /// Leaves out that half of the pairs which is nearest to what crosses.
-  void leave_out_nearest(const std::vector<char>& is_crossed, std::vector<std::pair<Index, Index>>& met) const {
+  void leave_out_nearest(const std::vector<char>& is_crossed,
+                         std::vector<std::pair<Index, Index>>& met) const {
     std::vector<std::pair<double, std::pair<Index, Index>>> by_distance;
     for (const auto& pair : met) {
       double nearest_m = std::numeric_limits<double>::infinity();
       for (std::size_t v = 0; v < is_crossed.size(); ++v) {
-        nearest_m = is_crossed[v] != 0 ? std::min(nearest_m, glm::distance(now_m()[v], at(pair.first))) : nearest_m;
+        nearest_m =
+            is_crossed[v] != 0 ? std::min(nearest_m, glm::distance(now_m()[v], at(pair.first))) : nearest_m;
       }
       by_distance.emplace_back(-nearest_m, pair);
     }
@@ -431,7 +450,8 @@ class Closing {
   }
 
   bool is_within_bound() const {
-    return largest_stretch(sewn_.garment.mesh, now_m()).surface <= scene_.simulation.solver.bounded.max_stretch + bound_rounding;
+    return largest_stretch(sewn_.garment.mesh, now_m()).surface <=
+           scene_.simulation.solver.bounded.max_stretch + bound_rounding;
   }
 
   /// Per vertex, whether it is near triangles that cross something.
@@ -474,20 +494,21 @@ class Closing {
   const CutPieces& pieces_;
   Scene scene_;
   double time_s_;
-  sim::Groups joined_;         ///< vertices of the pieces that are one
+  sim::Groups joined_;  ///< vertices of the pieces that are one
   std::vector<double> panel_masses_kg_;
-  double strength_ = 1.0;  ///< of all threads
+  double strength_ = 1.0;                          ///< of all threads
   double reach_m_ = near_enough * pieces_.edge_m;  ///< vertices that are nearer become one
-  int steps_ = 0;          ///< that were made
-  std::size_t layer_ = 0;  ///< that is sewn
-  int layer_began_ = 0;    ///< in this frame
+  int steps_ = 0;                                  ///< that were made
+  std::size_t layer_ = 0;                          ///< that is sewn
+  int layer_began_ = 0;                            ///< in this frame
   SewnPieces sewn_;
   std::optional<sim::Simulation> simulation_;
 };
 
 }  // namespace
 
-SewnPieces close_seams(const CutPieces& pieces, const Scene& scene, double time_s, const SewingReport& report) {
+SewnPieces close_seams(const CutPieces& pieces, const Scene& scene, double time_s,
+                       const SewingReport& report) {
   return Closing(pieces, scene, time_s).run(report);
 }
 

@@ -73,7 +73,8 @@ std::vector<std::vector<std::size_t>> steps_of_edges(const SewingPattern& patter
     const std::vector<Vec2>& line = pattern.panels[p].edges_m[e];
     const double least = pattern.panels[p].edges_m.size() == 2 ? 2.0 : 1.0;
     std::size_t& steps = of_group[group];
-    steps = std::max(steps, static_cast<std::size_t>(std::max(least, std::round(lengths[group] / counts[group] / edge_m))));
+    steps = std::max(steps, static_cast<std::size_t>(
+                                std::max(least, std::round(lengths[group] / counts[group] / edge_m))));
     while (length_of(evenly_along(line, steps)) < length_of(line) - most_shortened_m) {
       ++steps;
     }
@@ -84,7 +85,8 @@ std::vector<std::vector<std::size_t>> steps_of_edges(const SewingPattern& patter
 }
 
 /// Adds a panel. Returns, per edge, its vertices from begin to end.
-std::vector<std::vector<Index>> add_panel(const PatternPanel& panel, const std::vector<std::size_t>& steps, CutPieces& pieces) {
+std::vector<std::vector<Index>> add_panel(const PatternPanel& panel, const std::vector<std::size_t>& steps,
+                                          CutPieces& pieces) {
   std::vector<Vec2> outline;
   std::vector<std::size_t> begins;
   for (std::size_t e = 0; e < steps.size(); ++e) {
@@ -127,7 +129,9 @@ std::vector<std::vector<Index>> add_panel(const PatternPanel& panel, const std::
 /// Panels that face the same side as others or the opposite one, as their stitches say.
 class Facing {
  public:
-  explicit Facing(std::size_t panels) : parent_(panels), is_opposite_(panels, false) { std::iota(parent_.begin(), parent_.end(), std::size_t{0}); }
+  explicit Facing(std::size_t panels) : parent_(panels), is_opposite_(panels, false) {
+    std::iota(parent_.begin(), parent_.end(), std::size_t{0});
+  }
 
   /// Whether two panels face opposite sides; empty if nothing says so.
   std::optional<bool> opposite(std::size_t a, std::size_t b) const {
@@ -155,10 +159,12 @@ class Facing {
   std::vector<bool> is_opposite_;  ///< to the parent
 };
 
-/// Per stitch, the seam. Which way round it closes has to be told where a pattern says nothing: first for the seams in
-/// which one way is much shorter than the other, from which it is known which panels face the same side; for others
-/// their panels tell.
-std::vector<Seam> find_seams(const SewingPattern& pattern, const std::vector<std::vector<std::vector<Index>>>& borders, const CutPieces& pieces) {
+/// Per stitch, the seam. Which way round it closes has to be told where a pattern says nothing: first for the
+/// seams in which one way is much shorter than the other, from which it is known which panels face the same
+/// side; for others their panels tell.
+std::vector<Seam> find_seams(const SewingPattern& pattern,
+                             const std::vector<std::vector<std::vector<Index>>>& borders,
+                             const CutPieces& pieces) {
   struct Way {
     double shorter;  ///< by what share of its length the way back is
     std::size_t stitch;
@@ -172,7 +178,8 @@ std::vector<Seam> find_seams(const SewingPattern& pattern, const std::vector<std
     const double back_m = way(first.front(), second.back()) + way(first.back(), second.front());
     ways.push_back({(ahead_m - back_m) / (length_of(pattern.line_of(a)) + length_of(pattern.line_of(b))), s});
   }
-  std::ranges::stable_sort(ways, [](const Way& a, const Way& b) { return std::abs(a.shorter) > std::abs(b.shorter); });
+  std::ranges::stable_sort(
+      ways, [](const Way& a, const Way& b) { return std::abs(a.shorter) > std::abs(b.shorter); });
   Facing facing(pattern.panels.size());
   std::vector<Seam> seams(ways.size());
   for (const auto& [shorter, s] : ways) {
@@ -192,14 +199,16 @@ std::vector<Seam> find_seams(const SewingPattern& pattern, const std::vector<std
   return seams;
 }
 
-/// Returns whether the border of its panel goes from this vertex of a triangle to the other, counter-clockwise.
+/// Returns whether the border of its panel goes from this vertex of a triangle to the other,
+/// counter-clockwise.
 bool goes_along(const CutPieces& pieces, Index from, Index to) {
   return std::ranges::any_of(pieces.triangles, [&](const Triangle& t) {
     return (t[0] == from && t[1] == to) || (t[1] == from && t[2] == to) || (t[2] == from && t[0] == to);
   });
 }
 
-/// Turns panels so that all that are sewn together face the same side, and that outwards, away from the middle of all.
+/// Turns panels so that all that are sewn together face the same side, and that outwards, away from the
+/// middle of all.
 void turn_outwards(const SewingPattern& pattern, CutPieces& pieces) {
   std::vector<int> side(pieces.panel_count(), 0);
   std::vector<bool> face_alike;  // per stitch, whether its panels face the same side as they are
@@ -207,13 +216,15 @@ void turn_outwards(const SewingPattern& pattern, CutPieces& pieces) {
     face_alike.push_back(goes_along(pieces, seam[0].first, seam[1].first) !=
                          goes_along(pieces, seam[0].second, seam[1].second));
   }
-  const Vec3 middle = std::accumulate(pieces.placed_m.begin(), pieces.placed_m.end(), Vec3(0.0)) / static_cast<double>(pieces.placed_m.size());
+  const Vec3 middle = std::accumulate(pieces.placed_m.begin(), pieces.placed_m.end(), Vec3(0.0)) /
+                      static_cast<double>(pieces.placed_m.size());
   std::vector<double> outwards(side.size(), 0.0);
   for (std::size_t p = 0; p < side.size(); ++p) {
     for (Index t = pieces.panel_triangles[p]; t < pieces.panel_triangles[p + 1]; ++t) {
       const auto& [a, b, c] = pieces.triangles[t];
       const Vec3 &at = pieces.placed_m[a], out = at - middle;
-      outwards[p] += glm::dot(glm::cross(pieces.placed_m[b] - at, pieces.placed_m[c] - at), Vec3(out.x, 0.0, out.z));
+      outwards[p] +=
+          glm::dot(glm::cross(pieces.placed_m[b] - at, pieces.placed_m[c] - at), Vec3(out.x, 0.0, out.z));
     }
   }
   for (std::size_t begin = 0; begin < side.size(); ++begin) {
@@ -250,7 +261,8 @@ void turn_outwards(const SewingPattern& pattern, CutPieces& pieces) {
 
 /// Lays panels side by side, in numbers that single precision holds in cm: files hold these.
 void lay_side_by_side(CutPieces& pieces) {
-  std::vector<double> low_m(pieces.panel_count(), std::numeric_limits<double>::infinity()), high_m(pieces.panel_count(), -low_m[0]);
+  std::vector<double> low_m(pieces.panel_count(), std::numeric_limits<double>::infinity()),
+      high_m(pieces.panel_count(), -low_m[0]);
   for (std::size_t v = 0; v < pieces.flat_m.size(); ++v) {
     const Index p = pieces.panel_of[v];
     const double x = pieces.flat_m[v].x;
@@ -303,7 +315,8 @@ CutPieces cut_pieces(const SewingPattern& pattern, int triangles) {
 }
 
 void add_over(const CutPieces& over, CutPieces& pieces) {
-  const auto vertices = static_cast<Index>(pieces.flat_m.size()), triangles = static_cast<Index>(pieces.triangles.size());
+  const auto vertices = static_cast<Index>(pieces.flat_m.size()),
+             triangles = static_cast<Index>(pieces.triangles.size());
   const auto panels = static_cast<Index>(pieces.panel_count());
   const std::size_t layer = pieces.layer_of.back() + 1;
   pieces.panel_triangles.pop_back();

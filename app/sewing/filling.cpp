@@ -47,8 +47,8 @@ double distance_to(const std::vector<Vec2>& outline, const Vec2& p) {
   return nearest;
 }
 
-/// Points of a triangular grid within the outline, each moved a little: by multiples of the inverse plastic number,
-/// which are spread evenly.
+/// Points of a triangular grid within the outline, each moved a little: by multiples of the inverse plastic
+/// number, which are spread evenly.
 std::vector<Vec2> points_within(const std::vector<Vec2>& outline, double edge) {
   constexpr double first_step = 0.7548776662466927, second_step = 0.5698402909980532;
   Vec2 low = outline[0], high = outline[0];
@@ -59,13 +59,15 @@ std::vector<Vec2> points_within(const std::vector<Vec2>& outline, double edge) {
   std::vector<Vec2> points;
   double number = 0.0;
   const double row_height = edge * std::sqrt(0.75);
-  const auto rows = static_cast<int>((high.y - low.y) / row_height), columns = static_cast<int>((high.x - low.x) / edge);
+  const auto rows = static_cast<int>((high.y - low.y) / row_height),
+             columns = static_cast<int>((high.x - low.x) / edge);
   for (int row = 0; row <= rows; ++row) {
     for (int column = 0; column <= columns; ++column) {
       number += 1.0;
       const Vec2 moved = {number * first_step - std::floor(number * first_step) - 0.5,
                           number * second_step - std::floor(number * second_step) - 0.5};
-      const Vec2 p = low + Vec2((column + (row % 2 == 0 ? 0.25 : 0.75)) * edge, (row + 0.5) * row_height) + jitter * edge * moved;
+      const Vec2 p = low + Vec2((column + (row % 2 == 0 ? 0.25 : 0.75)) * edge, (row + 0.5) * row_height) +
+                     jitter * edge * moved;
       if (is_inside(outline, p) && distance_to(outline, p) > clearance * edge) {
         points.push_back(p);
       }
@@ -133,7 +135,9 @@ class Triangulation {
     }
     for (std::size_t v = outline_; v < points_.size(); ++v) {
       const Vec2 before = std::exchange(points_[v], sums[v] / counts[v]);
-      const auto is_turned = [&](Index t) { return !(area(triangles_[t]) > 0.1 * before_area(t, static_cast<Index>(v), before)); };
+      const auto is_turned = [&](Index t) {
+        return !(area(triangles_[t]) > 0.1 * before_area(t, static_cast<Index>(v), before));
+      };
       if (std::ranges::any_of(around[v], is_turned)) {
         points_[v] = before;
       }
@@ -144,7 +148,8 @@ class Triangulation {
     flip_all();
   }
 
-  /// Halves edges within whose ends are both on the outline: where that is sewn to another, such edges could meet.
+  /// Halves edges within whose ends are both on the outline: where that is sewn to another, such edges could
+  /// meet.
   void halve_across() {
     for (Index t = 0; t < triangles_.size(); ++t) {
       for (std::size_t k = 0; k < 3; ++k) {
@@ -166,7 +171,9 @@ class Triangulation {
  private:
   double area(const Triangle& t) const { return doubled_area(points_[t[0]], points_[t[1]], points_[t[2]]); }
   double before_area(Index t, Index moved, const Vec2& before) const {
-    const auto at = [&](std::size_t k) { return triangles_[t][k] == moved ? before : points_[triangles_[t][k]]; };
+    const auto at = [&](std::size_t k) {
+      return triangles_[t][k] == moved ? before : points_[triangles_[t][k]];
+    };
     return doubled_area(at(0), at(1), at(2));
   }
 
@@ -179,7 +186,8 @@ class Triangulation {
       outline += doubled_area(points_[0], points_[i], points_[i + 1]);
     }
     // Along straight borders some have no area until they are flipped.
-    const bool is_turned = std::ranges::any_of(triangles_, [&](const Triangle& t) { return area(t) < -1e-9 * sum; });
+    const bool is_turned =
+        std::ranges::any_of(triangles_, [&](const Triangle& t) { return area(t) < -1e-9 * sum; });
     if (is_turned || triangles_.size() + 2 != outline_ || std::abs(sum - outline) > 1e-6 * sum) {
       throw std::invalid_argument("its outline crosses or touches itself");
     }
@@ -239,7 +247,8 @@ class Triangulation {
     const std::size_t j = side_to(u, t);
     const Index a = triangles_[t][k], b = triangles_[t][(k + 1) % 3], c = triangles_[t][(k + 2) % 3];
     const Index d = triangles_[u][(j + 2) % 3];
-    const bool is_convex = orientation(points_[a], points_[d], points_[c]) > 0 && orientation(points_[d], points_[b], points_[c]) > 0;
+    const bool is_convex = orientation(points_[a], points_[d], points_[c]) > 0 &&
+                           orientation(points_[d], points_[b], points_[c]) > 0;
     if (!is_convex || !is_within_circle(points_[a], points_[b], points_[c], points_[d])) {
       return false;
     }

@@ -17,8 +17,8 @@ namespace {
 using sim::Index;
 using sim::Vec3;
 
-// Patterns whose lowest point is no lower and whose highest is no lower than these have the feet of their body at the
-// origin, others its chest. Legs may reach somewhat below the floor.
+// Patterns whose lowest point is no lower and whose highest is no lower than these have the feet of their
+// body at the origin, others its chest. Legs may reach somewhat below the floor.
 constexpr double floor_at_m = -0.2;
 constexpr double lowest_top_m = 0.5;
 /// Where the side of the neck of a body is above its chest, if the origin is there.
@@ -42,8 +42,8 @@ double depth_of(const PatternPanel& panel) {
   return extent.middle().z;
 }
 
-/// Marks the shoulder seams: those between front and back that are nearly level and near the top. Returns points along
-/// them.
+/// Marks the shoulder seams: those between front and back that are nearly level and near the top. Returns
+/// points along them.
 std::vector<Vec3> find_shoulder_seams(const SewingPattern& pattern, double top_m, CutPieces& pieces) {
   constexpr std::size_t steps = 8;
   std::vector<Vec3> points_m;
@@ -56,8 +56,8 @@ std::vector<Vec3> find_shoulder_seams(const SewingPattern& pattern, double top_m
     const auto& line = pattern.line_of(first);
     const Vec3 from = a.placed_m(line.front()), to = a.placed_m(line.back()), way = to - from;
     const bool is_beside = from.x * to.x >= 0.0;
-    if (is_beside && std::abs(way.x) > shoulder_slope * std::abs(way.y) && length_of(line) < longest_shoulder_m &&
-        std::max(from.y, to.y) > top_m - near_top_m) {
+    if (is_beside && std::abs(way.x) > shoulder_slope * std::abs(way.y) &&
+        length_of(line) < longest_shoulder_m && std::max(from.y, to.y) > top_m - near_top_m) {
       pieces.first_seams.push_back(s);
       for (const sim::Vec2& point : evenly_along(line, steps)) {
         points_m.push_back(a.placed_m(point));
@@ -67,14 +67,17 @@ std::vector<Vec3> find_shoulder_seams(const SewingPattern& pattern, double top_m
   return points_m;
 }
 
-/// How far shoulder seams have to go up to lie above the shoulders of the thin body, which is narrower than they reach.
-double rise_over(const std::vector<Vec3>& seams_m, double x_m, const std::vector<Vec3>& thin_m, double half_width_m) {
+/// How far shoulder seams have to go up to lie above the shoulders of the thin body, which is narrower than
+/// they reach.
+double rise_over(const std::vector<Vec3>& seams_m, double x_m, const std::vector<Vec3>& thin_m,
+                 double half_width_m) {
   double rise_m = -std::numeric_limits<double>::infinity();
   for (const Vec3& seam : seams_m) {
     double top_m = -std::numeric_limits<double>::infinity();
     for (const Vec3& p : thin_m) {
       const double x = p.x - x_m;
-      if (std::abs(x - seam.x) < beside_seam_m && std::abs(x) < half_width_m && std::abs(p.x - seam.x) < std::abs(x)) {
+      if (std::abs(x - seam.x) < beside_seam_m && std::abs(x) < half_width_m &&
+          std::abs(p.x - seam.x) < std::abs(x)) {
         top_m = std::max(top_m, p.y);
       }
     }
@@ -98,15 +101,16 @@ double upper_border_m(const SewingPattern& pattern, double top_m) {
   return sum_m;
 }
 
-/// The height of the level nearest to this one that the border goes around and that is not the narrowest beside wider
-/// ones only because of that.
+/// The height of the level nearest to this one that the border goes around and that is not the narrowest
+/// beside wider ones only because of that.
 double level_for(const BodyMeasures& measures, double border_m, double height_m) {
   double best_m = height_m, least_m = std::numeric_limits<double>::infinity();
   const double chest_m = measures.levels.back().height_m;
   const double fork_m = measures.levels[measures.fork].height_m;
   for (const LevelTape& level : measures.levels) {
     const double off_m = std::abs(level.height_m - height_m);
-    const bool is_of_trunk = level.height_m >= fork_m && level.height_m < highest_waist * chest_m + (1.0 - highest_waist) * fork_m;
+    const bool is_of_trunk =
+        level.height_m >= fork_m && level.height_m < highest_waist * chest_m + (1.0 - highest_waist) * fork_m;
     if (is_of_trunk && level.girth_m <= border_m && off_m < least_m) {
       least_m = off_m;
       best_m = level.height_m;
@@ -115,7 +119,8 @@ double level_for(const BodyMeasures& measures, double border_m, double height_m)
   return best_m;
 }
 
-Vec3 shift_of(const SewingPattern& pattern, const Wearer& wearer, CutPieces& pieces, std::vector<std::string>& said) {
+Vec3 shift_of(const SewingPattern& pattern, const Wearer& wearer, CutPieces& pieces,
+              std::vector<std::string>& said) {
   const sim::Extent box = sim::extent_of(pieces.placed_m);
   const BodyMeasures& measures = wearer.measures;
   if (!measures.neck_m || measures.levels.empty()) {
@@ -140,9 +145,11 @@ Vec3 shift_of(const SewingPattern& pattern, const Wearer& wearer, CutPieces& pie
   return shift;
 }
 
-/// Lifts what hangs from a level seam, as a skirt does from the waist of a dress, to where the body is no wider than that
-/// seam, if it is wider there. Patterns place skirts below bodices that are longer than the body.
-void lift_to_waist(const SewingPattern& pattern, const BodyMeasures& measures, double shoulder_m, CutPieces& pieces) {
+/// Lifts what hangs from a level seam, as a skirt does from the waist of a dress, to where the body is no
+/// wider than that seam, if it is wider there. Patterns place skirts below bodices that are longer than the
+/// body.
+void lift_to_waist(const SewingPattern& pattern, const BodyMeasures& measures, double shoulder_m,
+                   CutPieces& pieces) {
   const std::vector<sim::Extent> boxes = panel_boxes(pieces);
   std::set<std::size_t> upper, lower;
   double border_m = 0.0, height_m = 0.0;
@@ -153,10 +160,12 @@ void lift_to_waist(const SewingPattern& pattern, const BodyMeasures& measures, d
     }
     const Seam& seam = pieces.seams[s];
     const bool is_swapped = pieces.panel_of[seam[0].first] != above.panel;
-    const auto at = [&](std::size_t k) { return pieces.placed_m[is_swapped ? seam[k].second : seam[k].first]; };
+    const auto at = [&](std::size_t k) {
+      return pieces.placed_m[is_swapped ? seam[k].second : seam[k].first];
+    };
     const Vec3 way = at(seam.size() - 1) - at(0);
-    if (boxes[above.panel].middle().y > boxes[below.panel].middle().y + least_under_m && std::abs(way.y) < level_seam * glm::length(way) &&
-        at(0).y < shoulder_m - below_top_m) {
+    if (boxes[above.panel].middle().y > boxes[below.panel].middle().y + least_under_m &&
+        std::abs(way.y) < level_seam * glm::length(way) && at(0).y < shoulder_m - below_top_m) {
       upper.insert(above.panel);
       lower.insert(below.panel);
       border_m += std::min(length_of(pattern.line_of(above)), length_of(pattern.line_of(below)));
@@ -166,7 +175,8 @@ void lift_to_waist(const SewingPattern& pattern, const BodyMeasures& measures, d
   for (std::size_t before = 0; before != lower.size();) {
     before = lower.size();
     for (const auto& [first, second] : pattern.stitches) {
-      if (lower.contains(first.panel) != lower.contains(second.panel) && !upper.contains(first.panel) && !upper.contains(second.panel)) {
+      if (lower.contains(first.panel) != lower.contains(second.panel) && !upper.contains(first.panel) &&
+          !upper.contains(second.panel)) {
         lower.insert(first.panel);
         lower.insert(second.panel);
       }

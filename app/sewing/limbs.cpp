@@ -16,7 +16,8 @@ namespace {
 using sim::Index;
 using sim::Vec3;
 
-constexpr double beside_shoulder = 1.1;   ///< times as far out as its joint: what is sewn to nothing there is a cuff
+constexpr double beside_shoulder =
+    1.1;  ///< times as far out as its joint: what is sewn to nothing there is a cuff
 constexpr double beside_trunk = 0.6;      ///< times as far out: a panel of a sleeve is no further in
 constexpr double below_shoulder_m = 0.2;  ///< the top of a sleeve, at most
 constexpr double outermost = 0.85;        ///< of the furthest of them
@@ -39,7 +40,8 @@ std::set<std::size_t> sewn_with(const SewingPattern& pattern, std::size_t panel,
   for (std::size_t before = 0; before != together.size();) {
     before = together.size();
     for (const auto& [first, second] : pattern.stitches) {
-      for (const auto& [a, b] : {std::pair(first.panel, second.panel), std::pair(second.panel, first.panel)}) {
+      for (const auto& [a, b] :
+           {std::pair(first.panel, second.panel), std::pair(second.panel, first.panel)}) {
         if (together.contains(a) && may_be(b)) {
           together.insert(b);
         }
@@ -49,9 +51,10 @@ std::set<std::size_t> sewn_with(const SewingPattern& pattern, std::size_t panel,
   return together;
 }
 
-/// The sleeve on one side: panels beside the trunk that are sewn together, one of them near the shoulder, with a border
-/// far out that is sewn to nothing. Empty if there is none.
-Sleeve sleeve_of(const SewingPattern& pattern, const CutPieces& pieces, const Vec3& shift, const Vec3& shoulder_m, double side) {
+/// The sleeve on one side: panels beside the trunk that are sewn together, one of them near the shoulder,
+/// with a border far out that is sewn to nothing. Empty if there is none.
+Sleeve sleeve_of(const SewingPattern& pattern, const CutPieces& pieces, const Vec3& shift,
+                 const Vec3& shoulder_m, double side) {
   const std::vector<sim::Extent> boxes = panel_boxes(pieces);
   const auto is_beside = [&](std::size_t p) {
     return (side > 0.0 ? boxes[p].lower.x : -boxes[p].upper.x) > beside_trunk * side * shoulder_m.x;
@@ -68,7 +71,8 @@ Sleeve sleeve_of(const SewingPattern& pattern, const CutPieces& pieces, const Ve
     const std::vector<char> stitched = pattern.is_stitched(p);
     const PatternPanel& panel = pattern.panels[p];
     for (std::size_t e = 0; e < stitched.size(); ++e) {
-      const Vec3 from = panel.placed_m(panel.edges_m[e].front()) + shift, to = panel.placed_m(panel.edges_m[e].back()) + shift;
+      const Vec3 from = panel.placed_m(panel.edges_m[e].front()) + shift,
+                 to = panel.placed_m(panel.edges_m[e].back()) + shift;
       if (stitched[e] == 0 && std::min(side * from.x, side * to.x) > beside_shoulder * side * shoulder_m.x) {
         ends.push_back(0.5 * (from + to));
         furthest_m = std::max(furthest_m, side * ends.back().x);
@@ -118,7 +122,8 @@ Vec3 begin_m(const Wearer& wearer, const std::vector<Index>& chain) {
   return wearer.places.placement(Vec3(wearer.pose.to_model[chain[0]][3]));
 }
 
-void add_bones(const Wearer& wearer, const std::vector<Index>& chain, const Vec3& way, std::vector<TurnedBone>& bones) {
+void add_bones(const Wearer& wearer, const std::vector<Index>& chain, const Vec3& way,
+               std::vector<TurnedBone>& bones) {
   for (std::size_t k = 1; k < chain.size(); ++k) {
     bones.push_back({chain[k - 1], chain[k], in_file_axes(wearer.places.placement, Vec3(way.x, way.y, 0.0))});
   }

@@ -16,8 +16,8 @@ using sim::Index;
 using sim::Vec3;
 
 constexpr double step_m = 0.01;
-constexpr double clear_m = 0.03;     ///< of pieces from what they are drawn to
-constexpr double same_way = 0.8;     ///< cosine
+constexpr double clear_m = 0.03;  ///< of pieces from what they are drawn to
+constexpr double same_way = 0.8;  ///< cosine
 constexpr double nearly_same_way = 0.5;
 constexpr double over_m = 0.04;      ///< an outer layer over an inner one
 constexpr double least_level = 0.1;  ///< part of a normal, or the piece lies flat
@@ -38,7 +38,8 @@ class Surrounded {
       const Vec3 normal = glm::cross(at[b] - at[a], at[c] - at[a]), middle = boxes[p].middle() - axis_m;
       const double across = std::hypot(normal.x, normal.z);
       // A piece that lies flat is above what it is drawn to.
-      Vec3 way = across > least_level * glm::length(normal) ? Vec3(normal.x, 0.0, normal.z) / across : Vec3(0.0, 1.0, 0.0);
+      Vec3 way = across > least_level * glm::length(normal) ? Vec3(normal.x, 0.0, normal.z) / across
+                                                            : Vec3(0.0, 1.0, 0.0);
       way = way.y == 0.0 && glm::dot(way, middle) < 0.0 ? -way : way;
       ways_.push_back(way);
       out_m_.push_back(glm::dot(middle, way));
@@ -46,8 +47,8 @@ class Surrounded {
     put_over();
   }
 
-  /// Moves pieces outwards, along their normals, that cross the body or another piece, which then is further in; and
-  /// sideways those that cross one which faces the same way. Returns how many moved.
+  /// Moves pieces outwards, along their normals, that cross the body or another piece, which then is further
+  /// in; and sideways those that cross one which faces the same way. Returns how many moved.
   std::size_t part() {
     std::set<Index> all;
     for (int push = 0; push < most_pushes; ++push) {
@@ -75,8 +76,8 @@ class Surrounded {
     return all.size();
   }
 
-  /// Moves pieces inwards as far as they keep clear of all, so that threads have less to draw: together all that face the
-  /// same way, which pass none of each other so.
+  /// Moves pieces inwards as far as they keep clear of all, so that threads have less to draw: together all
+  /// that face the same way, which pass none of each other so.
   void draw_in() {
     std::set<Index> moving;
     for (Index p = 0; p < pieces_.panel_count(); ++p) {
@@ -98,7 +99,8 @@ class Surrounded {
         }
       }
       std::erase_if(moving, [&](Index p) {
-        return std::ranges::any_of(stopped, [&](Index other) { return glm::dot(ways_[p], ways_[other]) > same_way; });
+        return std::ranges::any_of(stopped,
+                                   [&](Index other) { return glm::dot(ways_[p], ways_[other]) > same_way; });
       });
       move(moving, -step_m, pieces_.placed_m);
       for (const Index p : moving) {

@@ -27,7 +27,9 @@ class Place {
       : value_(&value), name_(std::move(name)), file_(&file) {}
 
   const nlohmann::json& value() const { return *value_; }
-  bool has(const char* member) const { return value_->is_object() && value_->contains(member) && !(*value_)[member].is_null(); }
+  bool has(const char* member) const {
+    return value_->is_object() && value_->contains(member) && !(*value_)[member].is_null();
+  }
 
   Place member(const std::string& key) const {
     if (!value_->is_object() || !value_->contains(key)) {
@@ -35,7 +37,9 @@ class Place {
     }
     return {(*value_)[key], name_.empty() ? key : name_ + '.' + key, *file_};
   }
-  Place item(std::size_t index) const { return {(*value_)[index], fmt::format("{}[{}]", name_, index), *file_}; }
+  Place item(std::size_t index) const {
+    return {(*value_)[index], fmt::format("{}[{}]", name_, index), *file_};
+  }
 
   std::size_t count(std::size_t least, const char* what) const {
     if (!value_->is_array() || value_->size() < least) {
@@ -77,7 +81,8 @@ class Place {
     constexpr std::size_t most_shown = 60;
     std::string found = value_->dump(-1, ' ', true, nlohmann::json::error_handler_t::replace);
     found = found.size() > most_shown ? found.substr(0, most_shown) + "..." : found;
-    throw InputError("'{}': {}: found {}, expected {}", *file_, name_.empty() ? "the file" : name_, found, expected);
+    throw InputError("'{}': {}: found {}, expected {}", *file_, name_.empty() ? "the file" : name_, found,
+                     expected);
   }
 
  private:
@@ -91,7 +96,9 @@ struct EdgeFrame {
   Vec2 from, along;
   bool is_relative = true;
 
-  Vec2 operator()(const Vec2& p) const { return is_relative ? from + p.x * along + p.y * Vec2(-along.y, along.x) : p; }
+  Vec2 operator()(const Vec2& p) const {
+    return is_relative ? from + p.x * along + p.y * Vec2(-along.y, along.x) : p;
+  }
 };
 
 /// Lays a line along a curve of Bezier with these control points, in the unit of the file.
@@ -100,9 +107,11 @@ std::vector<Vec2> bezier(const std::vector<Vec2>& control, double tolerance) {
   double second = 0.0;
   const auto degree_of = static_cast<double>(control.size() - 1);
   for (std::size_t k = 2; k < control.size(); ++k) {
-    second = std::max(second, degree_of * (degree_of - 1.0) * glm::length(control[k] - 2.0 * control[k - 1] + control[k - 2]));
+    second = std::max(second, degree_of * (degree_of - 1.0) *
+                                  glm::length(control[k] - 2.0 * control[k - 1] + control[k - 2]));
   }
-  const int steps = static_cast<int>(std::clamp(std::ceil(std::sqrt(second / (8.0 * tolerance))), 1.0, double{most_curve_steps}));
+  const int steps = static_cast<int>(
+      std::clamp(std::ceil(std::sqrt(second / (8.0 * tolerance))), 1.0, double{most_curve_steps}));
   std::vector<Vec2> line;
   for (int step = 0; step <= steps; ++step) {
     const double t = static_cast<double>(step) / steps;
@@ -118,9 +127,10 @@ std::vector<Vec2> bezier(const std::vector<Vec2>& control, double tolerance) {
   return line;
 }
 
-/// Lays a line along an arc from `from` to `to`: the larger one of the circle or the smaller, to the right of the way
-/// or to the left, as in SVG with y up. A radius that is too small for the way is half of it.
-std::vector<Vec2> arc(const Vec2& from, const Vec2& to, double radius, bool is_large, bool is_right, double tolerance) {
+/// Lays a line along an arc from `from` to `to`: the larger one of the circle or the smaller, to the right of
+/// the way or to the left, as in SVG with y up. A radius that is too small for the way is half of it.
+std::vector<Vec2> arc(const Vec2& from, const Vec2& to, double radius, bool is_large, bool is_right,
+                      double tolerance) {
   const Vec2 along = to - from;
   const double half = 0.5 * glm::length(along);
   radius = std::max(radius, half);
@@ -130,18 +140,21 @@ std::vector<Vec2> arc(const Vec2& from, const Vec2& to, double radius, bool is_l
   const Vec2 middle = 0.5 * (from + to) + side * to_middle * left;
   const double half_angle = is_large ? 180.0 * degree - std::asin(half / radius) : std::asin(half / radius);
   const double per_step = 2.0 * std::acos(1.0 - std::min(1.0, tolerance / radius));
-  const int steps = static_cast<int>(std::clamp(std::ceil(2.0 * half_angle / per_step), 2.0, double{most_curve_steps}));
+  const int steps =
+      static_cast<int>(std::clamp(std::ceil(2.0 * half_angle / per_step), 2.0, double{most_curve_steps}));
   std::vector<Vec2> line = {from};
   for (int step = 1; step < steps; ++step) {
     const double angle = (is_right ? 2.0 : -2.0) * half_angle * step / steps;
     const Vec2 d = from - middle;
-    line.push_back(middle + Vec2(std::cos(angle) * d.x - std::sin(angle) * d.y, std::sin(angle) * d.x + std::cos(angle) * d.y));
+    line.push_back(middle + Vec2(std::cos(angle) * d.x - std::sin(angle) * d.y,
+                                 std::sin(angle) * d.x + std::cos(angle) * d.y));
   }
   line.push_back(to);
   return line;
 }
 
-std::vector<Vec2> read_points(const Place& place, const EdgeFrame& frame, std::size_t least, std::size_t most) {
+std::vector<Vec2> read_points(const Place& place, const EdgeFrame& frame, std::size_t least,
+                              std::size_t most) {
   const std::size_t count = place.count(least, "points");
   if (count > most) {
     place.fail(fmt::format("{} points", most));
@@ -157,16 +170,20 @@ std::vector<Vec2> read_arc(const Place& place, const Vec2& from, const Vec2& to,
   std::vector<double> params;
   for (std::size_t k = 0; k < place.count(3, "numbers"); ++k) {
     const nlohmann::json& number = place.item(k).value();
-    params.push_back(number.is_boolean() ? (number.get<bool>() ? 1.0 : 0.0) : number.is_number() ? number.get<double>() : NAN);
+    params.push_back(number.is_boolean()  ? (number.get<bool>() ? 1.0 : 0.0)
+                     : number.is_number() ? number.get<double>()
+                                          : NAN);
   }
   const auto is_flag = [](double flag) { return flag == 0.0 || flag == 1.0; };
-  if (params.size() != 3 || !(params[0] > 0.0) || !std::isfinite(params[0]) || !is_flag(params[1]) || !is_flag(params[2])) {
+  if (params.size() != 3 || !(params[0] > 0.0) || !std::isfinite(params[0]) || !is_flag(params[1]) ||
+      !is_flag(params[2])) {
     place.fail("a radius above 0, then 1 or 0 for the larger arc, then 1 or 0 for one to the right");
   }
   return arc(from, to, params[0], params[1] == 1.0, params[2] == 1.0, tolerance);
 }
 
-std::vector<Vec2> read_edge(const Place& edge, const Vec2& from, const Vec2& to, bool is_relative, double tolerance) {
+std::vector<Vec2> read_edge(const Place& edge, const Vec2& from, const Vec2& to, bool is_relative,
+                            double tolerance) {
   if (!edge.has("curvature")) {
     return {from, to};
   }
@@ -202,7 +219,8 @@ std::vector<Vec2> read_edge(const Place& edge, const Vec2& from, const Vec2& to,
 glm::dmat3 rotation_of(const std::vector<double>& degrees) {
   glm::dmat3 rotation(1.0);
   for (int axis = 0; axis < 3; ++axis) {
-    const double c = std::cos(degrees[static_cast<std::size_t>(axis)] * degree), s = std::sin(degrees[static_cast<std::size_t>(axis)] * degree);
+    const double c = std::cos(degrees[static_cast<std::size_t>(axis)] * degree),
+                 s = std::sin(degrees[static_cast<std::size_t>(axis)] * degree);
     const int next = (axis + 1) % 3, last = (axis + 2) % 3;
     glm::dmat3 turn(1.0);
     turn[next][next] = turn[last][last] = c;
@@ -220,7 +238,8 @@ PatternPanel read_panel(const Place& place, const std::string& name, bool is_rel
   for (std::size_t k = 0; k < vertices.count(2, "points"); ++k) {
     corners.push_back(vertices.item(k).point());
     if (glm::length(corners.back() - corners.front()) * metres > longest_panel_m) {
-      vertices.item(k).fail(fmt::format("a panel of at most {} m; properties.units_in_meter says what a unit is", longest_panel_m));
+      vertices.item(k).fail(fmt::format(
+          "a panel of at most {} m; properties.units_in_meter says what a unit is", longest_panel_m));
     }
   }
   std::optional<std::size_t> at;
@@ -240,14 +259,16 @@ PatternPanel read_panel(const Place& place, const std::string& name, bool is_rel
       ends.fail("two vertices at different places");
     }
     at = to;
-    std::vector<Vec2> line = read_edge(edges.item(e), corners[from], corners[to], is_relative, line_tolerance_m / metres);
+    std::vector<Vec2> line =
+        read_edge(edges.item(e), corners[from], corners[to], is_relative, line_tolerance_m / metres);
     for (Vec2& p : line) {
       p *= metres;
     }
     panel.edges_m.push_back(std::move(line));
   }
   if (*at != begin) {
-    edges.fail(fmt::format("a closed outline: the last edge ends at vertex {}, the first begins at {}", *at, begin));
+    edges.fail(
+        fmt::format("a closed outline: the last edge ends at vertex {}, the first begins at {}", *at, begin));
   }
   const auto vector_at = [&](const char* key) {
     return place.has(key) ? place.member(key).numbers(3, 3) : std::vector<double>{0.0, 0.0, 0.0};
@@ -310,9 +331,7 @@ void add_pattern(const std::string& name, SewingPattern added, SewingPattern& pa
   }
 }
 
-bool is_sewing_pattern(const std::filesystem::path& file) {
-  return file.extension() == ".json";
-}
+bool is_sewing_pattern(const std::filesystem::path& file) { return file.extension() == ".json"; }
 
 SewingPattern read_sewing_pattern(const std::filesystem::path& path) {
   const std::string file = path.string();
@@ -330,7 +349,8 @@ SewingPattern read_sewing_pattern(const std::filesystem::path& path) {
       }
       metres = 1.0 / per_metre;
     }
-    const std::string coords = properties.has("curvature_coords") ? properties.member("curvature_coords").text() : "relative";
+    const std::string coords =
+        properties.has("curvature_coords") ? properties.member("curvature_coords").text() : "relative";
     if (coords != "relative" && coords != "absolute") {
       properties.member("curvature_coords").fail("\"relative\" or \"absolute\"");
     }

@@ -18,8 +18,8 @@ using sim::Vec3;
 
 constexpr double gathered = 1.05;  ///< times as long as what it is sewn to
 
-/// Pushes panels together that are longer than what they are sewn to, along that seam: the bound allows for it, and cloth
-/// folds by itself when it is let go.
+/// Pushes panels together that are longer than what they are sewn to, along that seam: the bound allows for
+/// it, and cloth folds by itself when it is let go.
 void push_ease_together(const SewingPattern& pattern, CutPieces& pieces) {
   const std::vector<Vec3> placed_m = pieces.placed_m;
   const std::vector<sim::Extent> boxes = panel_boxes(pieces);
@@ -35,7 +35,8 @@ void push_ease_together(const SewingPattern& pattern, CutPieces& pieces) {
           continue;
         }
         const auto& [begin, end] = std::pair(pieces.seams[s].front(), pieces.seams[s].back());
-        const Vec3 way = is_second ? placed_m[end.second] - placed_m[begin.second] : placed_m[end.first] - placed_m[begin.first];
+        const Vec3 way = is_second ? placed_m[end.second] - placed_m[begin.second]
+                                   : placed_m[end.first] - placed_m[begin.first];
         along += glm::dot(along, way) < 0.0 ? -way : way;
         own_m += length_m;
         other_m += length_of(pattern.line_of(other));
@@ -47,7 +48,8 @@ void push_ease_together(const SewingPattern& pattern, CutPieces& pieces) {
     along = glm::normalize(along);
     for (std::size_t v = 0; v < placed_m.size(); ++v) {
       if (pieces.panel_of[v] == p) {
-        pieces.placed_m[v] -= (1.0 - other_m / own_m) * glm::dot(placed_m[v] - boxes[p].middle(), along) * along;
+        pieces.placed_m[v] -=
+            (1.0 - other_m / own_m) * glm::dot(placed_m[v] - boxes[p].middle(), along) * along;
       }
     }
   }
@@ -117,8 +119,8 @@ std::vector<std::string> place_pieces(CutPieces& pieces, Scene& scene) {
   if (moved == 0) {
     return {};
   }
-  return {fmt::format("{} of its {} pieces crossed another or the body where they were placed: moved apart", moved,
-                      pieces.panel_count())};
+  return {fmt::format("{} of its {} pieces crossed another or the body where they were placed: moved apart",
+                      moved, pieces.panel_count())};
 }
 
 }  // namespace taut::app

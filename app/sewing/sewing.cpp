@@ -29,20 +29,25 @@ using sim::Vec3;
 constexpr double cm = 0.01;
 /// More time steps help no garment that is too small, which then takes minutes to be refused.
 constexpr int most_substeps = 250;
+// Where it comes to rest does not depend on the air, but how soon does: it gets thicker by that much every so
+// many frames.
 constexpr double resting_drag_per_s = 6.0;
+constexpr double thicker = 1.5;
+constexpr int frames_to_thicker = 60;
 constexpr double of_one_limb = 0.6;  ///< of a girth, at most
 
 [[noreturn]] void refuse_open(SewnGarment garment) {
   const SewnPieces& sewn = garment.sewn;
-  const std::string message = fmt::format("a seam stays open: {}, by {:.1f} cm at {}{}",
-                                          garment.pattern.describe(garment.pattern.stitches[sewn.open_stitch]),
-                                          sewn.gap_m / cm, describe_place(sewn.gap_place_m),
-                                          sewn.reason.empty() ? "" : "; " + sewn.reason);
+  const std::string message =
+      fmt::format("a seam stays open: {}, by {:.1f} cm at {}{}",
+                  garment.pattern.describe(garment.pattern.stitches[sewn.open_stitch]), sewn.gap_m / cm,
+                  describe_place(sewn.gap_place_m), sewn.reason.empty() ? "" : "; " + sewn.reason);
   throw SewingFailed(message, std::move(garment));
 }
 
 /// Lets the body grow into what was sewn, and that come to rest.
-void wear(const Scene& scene, const SewingSettings& settings, const std::function<void(const std::string&)>& stage, SewnGarment& garment) {
+void wear(const Scene& scene, const SewingSettings& settings,
+          const std::function<void(const std::string&)>& stage, SewnGarment& garment) {
   SewnPieces& sewn = garment.sewn;
   sewn.garment = sim::with_material(std::move(sewn.garment), scene.material);
   // As of any garment that begins where it lies.
@@ -60,18 +65,24 @@ void wear(const Scene& scene, const SewingSettings& settings, const std::functio
   std::erase_if(fit, [](const FitRow& row) { return row.garment_m < of_one_limb * row.body_m; });
   const auto refuse = [&](const std::exception& error) {
     keep();
-    throw SewingFailed("its seams are closed, but it cannot be worn: " + (error.what() + describe_misfit(fit)), std::move(garment));
+    const std::string tight = describe_tightness(scene, sewn.garment, sewn.garment.mesh.positions, fit);
+    throw SewingFailed("its seams are closed, but it cannot be worn: " +
+                           (error.what() + describe_misfit(fit)) + (tight.empty() ? "" : "; " + tight),
+                       std::move(garment));
   };
   try {
     stage("the body grows into it");
     dress(scene, simulation);
-    // Where it comes to rest does not depend on the air, but how soon does.
     sim::Surroundings thick_air = scene.surroundings;
-    thick_air.forces.air_drag_per_s = std::max(thick_air.forces.air_drag_per_s, resting_drag_per_s);
-    simulation.set_surroundings(thick_air);
+    double& air_per_s = thick_air.forces.air_drag_per_s;
+    air_per_s = std::max(air_per_s, resting_drag_per_s);
     for (; garment.frames < settings.frames && !simulation.state().asleep; ++garment.frames) {
       throw_if_interrupted();
       stage(fmt::format("worn for {} of {} frames", garment.frames, settings.frames));
+      if (garment.frames % frames_to_thicker == 0) {
+        simulation.set_surroundings(thick_air);
+        air_per_s *= thicker;
+      }
       simulation.advance_frame(throw_if_interrupted);
     }
   } catch (const InputError& error) {
@@ -90,7 +101,8 @@ void verify(const Scene& scene, SewnGarment& garment) {
   const sim::Mesh& mesh = garment.sewn.garment.mesh;
   const BodyMeasures& measures = dressed_body(scene).wearer->measures;
   if (sim::extent_of(mesh.positions).upper.y < measures.levels[measures.fork].height_m) {
-    throw SewingFailed("its seams are closed, but it does not stay on the body: it falls down", std::move(garment));
+    throw SewingFailed("its seams are closed, but it does not stay on the body: it falls down",
+                       std::move(garment));
   }
   const Surface cloth = {mesh.positions, mesh.triangles};
   for (const SceneCrossings& crossings : scene_crossings(cloth, scene.surroundings.bodies, garment.time_s)) {
@@ -112,7 +124,8 @@ CutPieces cut(const std::filesystem::path& file, const SewingPattern& pattern, i
 
 }  // namespace
 
-SewnGarment sew(Scene& scene, const SewingSettings& settings, const std::function<void(const std::string&)>& stage) {
+SewnGarment sew(Scene& scene, const SewingSettings& settings,
+                const std::function<void(const std::string&)>& stage) {
   SewnGarment garment;
   std::vector<std::filesystem::path> files = {scene.garment.file};
   files.insert(files.end(), settings.over.begin(), settings.over.end());

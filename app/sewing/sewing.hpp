@@ -13,7 +13,8 @@ namespace taut::app {
 struct SewingSettings {
   int triangles = 4000;  ///< about so many
   int frames = 600;      ///< at most, from when it is worn until it rests
-  std::vector<std::filesystem::path> over = {};  ///< patterns that are sewn over the scene's garment, inner ones first
+  std::vector<std::filesystem::path> over =
+      {};  ///< patterns that are sewn over the scene's garment, inner ones first
 };
 
 /// A pattern that was sewn on the body of a scene, as it rests there.
@@ -31,21 +32,25 @@ struct SewnGarment {
 
 /// The pattern cannot be sewn. The message says why.
 struct SewingFailed : PromiseBroken {
-  SewingFailed(const std::string& message, SewnGarment as_it_is) : PromiseBroken(message), garment(std::move(as_it_is)) {}
+  SewingFailed(const std::string& message, SewnGarment as_it_is)
+      : PromiseBroken(message), garment(std::move(as_it_is)) {}
 
   SewnGarment garment;  ///< at that moment
 };
 
-/// Reads the pattern that is the scene's garment and sews it on the body that is dressed: pieces are placed about the
-/// body while it is thin, their seams are drawn together, the body grows into what was sewn, and that comes to rest.
-/// Requires that the bodies are loaded; `stage` is called with what is done. Throws InputError, SewingFailed where a seam
-/// stays open or the garment is too small, Interrupted.
-SewnGarment sew(Scene& scene, const SewingSettings& settings, const std::function<void(const std::string&)>& stage);
+/// Reads the pattern that is the scene's garment and sews it on the body that is dressed: pieces are placed
+/// about the body while it is thin, their seams are drawn together, the body grows into what was sewn, and
+/// that comes to rest. Requires that the bodies are loaded; `stage` is called with what is done. Throws
+/// InputError, SewingFailed where a seam stays open or the garment is too small, Interrupted.
+SewnGarment sew(Scene& scene, const SewingSettings& settings,
+                const std::function<void(const std::string&)>& stage);
 
-/// The garment as a Wavefront OBJ in metres: groups are named after panels, texture coordinates are cm of the cloth.
+/// The garment as a Wavefront OBJ in metres: groups are named after panels, texture coordinates are cm of the
+/// cloth.
 std::string obj_of(const SewnGarment& garment);
 
-/// The text of the file beside it (landmarks_path()): that it is at rest as its texture coordinates say, and its seams.
+/// The text of the file beside it (landmarks_path()): that it is at rest as its texture coordinates say, and
+/// its seams.
 std::string landmarks_of(const SewnGarment& garment);
 
 }  // namespace taut::app

@@ -87,11 +87,14 @@ class Surrounded {
     }
     while (!moving.empty()) {
       std::vector<Vec3> ahead_m = pieces_.placed_m;
-      move(moving, -step_m - clear_m, ahead_m);
       std::set<Index> stopped;
-      for (const auto& [a, b] : crossing(ahead_m)) {
-        stopped.insert(a);
-        stopped.insert(b.value_or(a));
+      // In steps, as a thin body may lie between here and there.
+      for (double ahead = 0.0; ahead < clear_m + 0.5 * step_m; ahead += step_m) {
+        move(moving, -step_m, ahead_m);
+        for (const auto& [a, b] : crossing(ahead_m)) {
+          stopped.insert(a);
+          stopped.insert(b.value_or(a));
+        }
       }
       for (const Index p : moving) {
         if (out_m_[p] < clear_m) {

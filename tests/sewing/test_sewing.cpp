@@ -29,14 +29,14 @@ namespace {
 const std::filesystem::path assets = TAUT_ASSETS_FOLDER;
 
 /// A skirt of two panels, so many cm wide above and below, as high as a waist of 1.05 m.
-std::string skirt(double waist_cm, double hem_cm) {
+std::string skirt(double waist_cm, double hem_cm, double out_cm = 20.0) {
   const auto panel = [&](const char* name, double depth_cm) {
     return fmt::format(
         R"("{}": {{"vertices": [[{}, 0], [{}, -40], [{}, -40], [{}, 0]], "edges": [{{"endpoints": [0, 1]}},
       {{"endpoints": [1, 2], "curvature": [0.5, -0.1]}}, {{"endpoints": [2, 3]}}, {{"endpoints": [3, 0]}}], "translation": [0, 105, {}]}})",
         name, -0.5 * waist_cm, -0.5 * hem_cm, 0.5 * hem_cm, 0.5 * waist_cm, depth_cm);
   };
-  return R"({"pattern": {"panels": {)" + panel("front", 20.0) + ", " + panel("back", -20.0) +
+  return R"({"pattern": {"panels": {)" + panel("front", out_cm) + ", " + panel("back", -out_cm) +
          R"(}, "stitches": [[{"panel": "front", "edge": 0}, {"panel": "back", "edge": 0}],
             [{"panel": "front", "edge": 2}, {"panel": "back", "edge": 2}]]}})";
 }
@@ -135,6 +135,13 @@ TEST_F(Sewing, SaysWhichSeamStaysOpenAndByHowMuch) {
     EXPECT_GT(error.garment.sewn.gap_m, 0.005);
     EXPECT_FALSE(error.garment.sewn.garment.mesh.triangles.empty()) << "there is nothing to draw";
   }
+}
+
+TEST_F(Sewing, PanelsThatBeginWithinTheBodyGoAroundIt) {
+  Scene scene = scene_with(folder.write("skirt.json", skirt(40.0, 60.0, 2.0)));
+  const SewnGarment garment = sewn(scene, 400, 1);
+  EXPECT_EQ(garment.sewn.gap_m, 0.0);
+  EXPECT_EQ(garment.remarks.size(), 2u) << "that it was moved to the body and apart";
 }
 
 TEST_F(Sewing, APatternIsWornOverAnother) {

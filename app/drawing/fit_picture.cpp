@@ -103,7 +103,10 @@ renderer::Image draw_fit(const WornGarment& worn, const std::string& backend) {
                               .bar_height_px = 420.0F,
                               .text = text_style(0.85F * text_px)};
   renderer::draw_legend(canvas, stretch_legend(worn.scene), place);
-  draw_table(canvas, worn, table_px);
+  // As long as a body is thin, what is about it says nothing of how it fits.
+  if (worn.time_s >= 0.0) {
+    draw_table(canvas, worn, table_px);
+  }
   return canvas.to_image();
 }
 

@@ -166,17 +166,23 @@ std::vector<Seam> find_seams(const SewingPattern& pattern,
                              const std::vector<std::vector<std::vector<Index>>>& borders,
                              const CutPieces& pieces) {
   struct Way {
-    double shorter;  ///< by what share of its length the way back is
+    double shorter;  ///< from -1, where it is surely closed ahead, to 1, where it is surely closed back
     std::size_t stitch;
   };
   std::vector<Way> ways;
   for (std::size_t s = 0; s < pattern.stitches.size(); ++s) {
     const auto& [a, b] = pattern.stitches[s];
     const std::vector<Index>&first = borders[a.panel][a.edge], &second = borders[b.panel][b.edge];
-    const auto way = [&](Index v, Index w) { return glm::distance(pieces.placed_m[v], pieces.placed_m[w]); };
-    const double ahead_m = way(first.front(), second.front()) + way(first.back(), second.back());
-    const double back_m = way(first.front(), second.back()) + way(first.back(), second.front());
-    ways.push_back({(ahead_m - back_m) / (length_of(pattern.line_of(a)) + length_of(pattern.line_of(b))), s});
+    const auto at = [&](Index v) { return pieces.placed_m[v]; };
+    const auto way_m = [&](Index v, Index w) { return glm::distance(at(v), at(w)); };
+    const double ahead_m = way_m(first.front(), second.front()) + way_m(first.back(), second.back());
+    const double back_m = way_m(first.front(), second.back()) + way_m(first.back(), second.front());
+    const double lengths_m[] = {length_of(pattern.line_of(a)), length_of(pattern.line_of(b))};
+    // Where panels are far apart, which way their borders go tells more than how far there is to go.
+    const double alike =
+        glm::dot(at(first.back()) - at(first.front()), at(second.back()) - at(second.front())) /
+        (lengths_m[0] * lengths_m[1]);
+    ways.push_back({0.5 * ((ahead_m - back_m) / (lengths_m[0] + lengths_m[1]) - alike), s});
   }
   std::ranges::stable_sort(
       ways, [](const Way& a, const Way& b) { return std::abs(a.shorter) > std::abs(b.shorter); });

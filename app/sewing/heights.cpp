@@ -42,26 +42,37 @@ double depth_of(const PatternPanel& panel) {
   return extent.middle().z;
 }
 
-/// Marks the shoulder seams: those between front and back that are nearly level and near the top. Returns
-/// points along them.
-std::vector<Vec3> find_shoulder_seams(const SewingPattern& pattern, double top_m, CutPieces& pieces) {
+/// Marks the shoulder seams: those between front and back that are nearly level, and near the highest of
+/// these. Returns points along them.
+std::vector<Vec3> find_shoulder_seams(const SewingPattern& pattern, CutPieces& pieces) {
   constexpr std::size_t steps = 8;
-  std::vector<Vec3> points_m;
+  const auto ends_of = [&](std::size_t s) {
+    const PanelEdge& side = pattern.stitches[s].first;
+    const auto& line = pattern.line_of(side);
+    const PatternPanel& panel = pattern.panels[side.panel];
+    return std::pair(panel.placed_m(line.front()), panel.placed_m(line.back()));
+  };
+  double highest_m = -std::numeric_limits<double>::infinity();
   for (std::size_t s = 0; s < pattern.stitches.size(); ++s) {
     const auto& [first, second] = pattern.stitches[s];
-    const PatternPanel &a = pattern.panels[first.panel], &b = pattern.panels[second.panel];
-    if (depth_of(a) * depth_of(b) >= 0.0) {
-      continue;
-    }
-    const auto& line = pattern.line_of(first);
-    const Vec3 from = a.placed_m(line.front()), to = a.placed_m(line.back()), way = to - from;
+    const auto [from, to] = ends_of(s);
     const bool is_beside = from.x * to.x >= 0.0;
-    if (is_beside && std::abs(way.x) > shoulder_slope * std::abs(way.y) &&
-        length_of(line) < longest_shoulder_m && std::max(from.y, to.y) > top_m - near_top_m) {
+    const bool is_level = std::abs(to.x - from.x) > shoulder_slope * std::abs(to.y - from.y);
+    if (depth_of(pattern.panels[first.panel]) * depth_of(pattern.panels[second.panel]) < 0.0 && is_beside &&
+        is_level && length_of(pattern.line_of(first)) < longest_shoulder_m) {
       pieces.first_seams.push_back(s);
-      for (const sim::Vec2& point : evenly_along(line, steps)) {
-        points_m.push_back(a.placed_m(point));
-      }
+      highest_m = std::max({highest_m, from.y, to.y});
+    }
+  }
+  std::erase_if(pieces.first_seams, [&](std::size_t s) {
+    const auto [from, to] = ends_of(s);
+    return std::max(from.y, to.y) < highest_m - near_top_m;
+  });
+  std::vector<Vec3> points_m;
+  for (const std::size_t s : pieces.first_seams) {
+    const PanelEdge& side = pattern.stitches[s].first;
+    for (const sim::Vec2& point : evenly_along(pattern.line_of(side), steps)) {
+      points_m.push_back(pattern.panels[side.panel].placed_m(point));
     }
   }
   return points_m;
@@ -130,7 +141,7 @@ Vec3 shift_of(const SewingPattern& pattern, const Wearer& wearer, CutPieces& pie
   const bool stands_at_feet = box.lower.y > floor_at_m && top_m > lowest_top_m;
   Vec3 shift = *measures.neck_m - Vec3(0.0, measures.neck_m->y, 0.0);
   shift.y = stands_at_feet ? feet_m : measures.neck_m->y - neck_over_chest_m;
-  const std::vector<Vec3> shoulders_m = find_shoulder_seams(pattern, top_m, pieces);
+  const std::vector<Vec3> shoulders_m = find_shoulder_seams(pattern, pieces);
   const std::vector<ArmJoints> arms = arms_of(wearer.joints);
   if (!shoulders_m.empty() && !arms.empty()) {
     const double half_width_m = std::abs(arms[0].shoulder_m.x - shift.x);

@@ -80,8 +80,10 @@ class Surrounded {
   /// that face the same way, which pass none of each other so.
   void draw_in() {
     std::set<Index> moving;
+    const std::vector<sim::Extent> boxes = panel_boxes(pieces_);
     for (Index p = 0; p < pieces_.panel_count(); ++p) {
-      if (ways_[p].y == 0.0) {
+      // Hoods stay wide, or they would close around a neck that is thin.
+      if (ways_[p].y == 0.0 && boxes[p].middle().y < axis_m_.y) {
         moving.insert(p);
       }
     }

@@ -193,5 +193,28 @@ TEST(Cutting, SewsTheWayRoundThatOtherSeamsTellWhereLengthsDoNot) {
   EXPECT_EQ(pieces.placed_m[seam.front().first].x, pieces.placed_m[seam.front().second].x);
 }
 
+TEST(Cutting, SewsPanelsThatAreFarApartTheWayTheirBordersGo) {
+  // A hood beside the head and a front before it: the shoulder is nearer to the middle of the front than to
+  // its own.
+  PatternPanel front{"front", {}}, hood{"hood", {}};
+  const auto outline = [](const std::vector<Vec2>& corners) {
+    std::vector<std::vector<Vec2>> edges_m;
+    for (std::size_t k = 0; k < corners.size(); ++k) {
+      edges_m.push_back({corners[k], corners[(k + 1) % corners.size()]});
+    }
+    return edges_m;
+  };
+  front.edges_m = outline({{0.1, 0.0}, {0.0, -0.1}, {0.0, -0.4}, {0.2, -0.4}});
+  front.translation_m = {0.0, 0.0, 0.25};
+  hood.edges_m = outline({{-0.13, -0.02}, {0.0, 0.02}, {0.0, 0.3}, {-0.1, 0.3}});
+  hood.rotation = glm::dmat3(Vec3(0.0, 0.0, -1.0), Vec3(0.0, 1.0, 0.0), Vec3(1.0, 0.0, 0.0));
+  hood.translation_m = {0.12, 0.02, -0.02};
+  const CutPieces pieces = cut_pieces({{front, hood}, {{{0, 0}, {1, 0}}}}, 300);
+  const auto [shoulder, of_hood] = pieces.seams[0].front();
+  EXPECT_NEAR(pieces.placed_m[shoulder].x, 0.1, 1e-9);
+  EXPECT_NEAR(pieces.placed_m[of_hood].z, -0.02, 1e-9)
+      << "its border before the face was taken for that at the shoulder";
+}
+
 }  // namespace
 }  // namespace taut::app

@@ -209,6 +209,17 @@ TEST_F(Sewing, ASleeveIsTurnedToTheArmWithItsCuff) {
   EXPECT_LT(glm::distance(boxes[1].middle(), boxes[2].middle()), 0.3) << "it is torn from the sleeve";
 }
 
+TEST_F(Sewing, ShouldersAreFoundBelowAHood) {
+  const Scene scene = scene_with(folder.write("skirt.json", skirt(40.0, 60.0)));
+  const SewingPattern pattern = {
+      {rectangle("front", 0.2, 0.6, {0.15, 1.4, 0.1}), rectangle("back", 0.2, 0.6, {0.15, 1.4, -0.1}),
+       rectangle("hood", 0.2, 0.4, {0.0, 1.8, 0.0})},
+      {{{0, 2}, {1, 2}}}};
+  CutPieces pieces = cut_pieces(pattern, 300);
+  bring_to_body(pattern, scene, pieces);
+  EXPECT_EQ(pieces.first_seams, std::vector<std::size_t>{0});
+}
+
 TEST_F(Sewing, LegsBeginInTrousersOnly) {
   const Scene scene = scene_with(folder.write("skirt.json", skirt(40.0, 60.0)));
   const Wearer& wearer = *dressed_body(scene).wearer;
@@ -222,7 +233,8 @@ TEST_F(Sewing, LegsBeginInTrousersOnly) {
 
 TEST_F(Sewing, WhatIsSewnForASceneStaysWhereNobodyElseWrites) {
   const char* const given = std::getenv("TMPDIR");
-  const std::optional<std::string> before = given != nullptr ? std::optional<std::string>(given) : std::nullopt;
+  const std::optional<std::string> before =
+      given != nullptr ? std::optional<std::string>(given) : std::nullopt;
   Scene scene = scene_with(folder.write("skirt.json", skirt(40.0, 60.0)));
   std::filesystem::create_directory(folder / "temporary");
   const std::filesystem::path usual = folder / "temporary" / fmt::format("taut-{}", ::getuid());

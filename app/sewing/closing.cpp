@@ -44,8 +44,8 @@ constexpr int frames_between_joins = 4;
 constexpr int most_frames_between_joins = 16;  ///< after some that failed
 constexpr int first_join = 12;
 constexpr int most_frames_for_first = 60;
-/// Time steps, that may be made in all. To begin a simulation anew takes as long as a few.
-constexpr int most_steps = 6000;
+/// Time steps that may be made for a layer, on average. To begin a simulation anew takes as long as a few.
+constexpr int most_steps = 4000;
 constexpr int steps_to_begin = 20;
 /// Nothing closes any more if for so many frames nothing was joined and the widest gap shrank by less than a
 /// share.
@@ -149,8 +149,9 @@ class Closing {
   SewnPieces run(const SewingReport& report) {
     double widest_m = std::numeric_limits<double>::infinity();
     int since = 0;
+    const int budget = most_steps * static_cast<int>(pieces_.layer_of.back() + 1);
     int next_join = first_join, between_joins = frames_between_joins;
-    for (int frame = 1; steps_ <= most_steps && since < patience && !is_closed(); ++frame, ++since) {
+    for (int frame = 1; steps_ <= budget && since < patience && !is_closed(); ++frame, ++since) {
       throw_if_interrupted();
       const std::vector<std::size_t> seams = pulled_seams(frame);
       pull(seams);

@@ -23,6 +23,9 @@ constexpr double over_m = 0.04;      ///< an outer layer over an inner one
 constexpr double least_level = 0.1;  ///< part of a normal, or the piece lies flat
 constexpr int most_pushes = 80;
 
+/// Panels that cross another, or the body.
+using Crossings = std::set<std::pair<Index, std::optional<Index>>>;
+
 /// Pieces among which none shall touch another or the body.
 class Surrounded {
  public:
@@ -51,10 +54,16 @@ class Surrounded {
   /// in; and sideways those that cross one which faces the same way. Returns how many moved.
   std::size_t part() {
     std::set<Index> all;
+    Crossings before;
     for (int push = 0; push < most_pushes; ++push) {
       std::set<Index> moved;
-      const auto found = crossing(pieces_.placed_m);
-      for (const auto& [a, b] : found) {
+      Crossings found = crossing(pieces_.placed_m);
+      // What has come apart is pushed once more, so that it is not as good as touching.
+      const Crossings& pushed = found.empty() ? before : found;
+      if (pushed.empty()) {
+        break;
+      }
+      for (const auto& [a, b] : pushed) {
         if (b && pieces_.layer_of[a] != pieces_.layer_of[*b]) {
           moved.insert(pieces_.layer_of[a] > pieces_.layer_of[*b] ? a : *b);
         } else if (b && glm::dot(ways_[a], ways_[*b]) > same_way) {
@@ -64,14 +73,12 @@ class Surrounded {
           moved.insert(b && out_m_[*b] >= out_m_[a] ? *b : a);
         }
       }
-      if (found.empty()) {
-        break;
-      }
       move(moved, step_m, pieces_.placed_m);
       for (const Index p : moved) {
         out_m_[p] += step_m;
       }
       all.merge(moved);
+      before = std::move(found);
     }
     return all.size();
   }
@@ -141,11 +148,10 @@ class Surrounded {
     }
   }
 
-  /// Panels that cross another, or the body.
-  std::set<std::pair<Index, std::optional<Index>>> crossing(const std::vector<Vec3>& positions_m) const {
+  Crossings crossing(const std::vector<Vec3>& positions_m) const {
     const Surface cloth = {positions_m, pieces_.triangles};
     const auto panel = [&](Index t) { return pieces_.panel_of[pieces_.triangles[t][0]]; };
-    std::set<std::pair<Index, std::optional<Index>>> found;
+    Crossings found;
     for (const CrossingPair& pair : crossing_pairs(cloth, {body_m_, body_triangles_})) {
       found.insert({panel(pair.first), std::nullopt});
     }

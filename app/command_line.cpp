@@ -15,8 +15,7 @@
 namespace taut::app {
 namespace {
 
-constexpr const char* scene_help_text =
-    "a scene file (TOML), a built-in scene (see taut scenes), or a garment file";
+constexpr const char* scene_help_text = "a scene file (TOML), a built-in scene (see taut scenes), or a garment file";
 
 std::string unit_symbols() {
   std::string text;
@@ -80,25 +79,23 @@ void add_set(CLI::App& command, std::vector<Override>& overrides) {
 }
 
 void add_body(CLI::App& command, std::vector<Override>& overrides) {
-  add_keys(command, overrides,
-           {{"--body", "body.file",
-             "a closed 3D model that cloth cannot enter, besides the scene's bodies; glTF, FBX and Collada "
-             "may bring joints and animations"},
-            {"--body-motion", "body.motion",
-             "how the body moves: a PC2, MDD or BVH file, or OBJ files, as a folder or a pattern such as "
-             "body-%04d.obj"},
-            {"--body-clip", "body.clip",
-             "which of its animations is played, or all at once, or none (default: the first)"},
-            {"--body-fps", "body.frame_rate",
-             "frames a second of its motion (default: what the file says, or else 60)"},
-            {"--body-loop", "body.loop", "repeat its motion after its last frame (default: it stays there)",
-             "true"},
-            {"--body-units", "body.scale", "of the body, as --units"},
-            {"--dress", "body.dress",
-             "simulate so many frames before frame 0, in which the body grows from its bones to its shape, "
-             "into what it wears (default: 90 of a body that is given together with a garment, where it "
-             "can); a garment that lies elsewhere is moved to it first"},
-            {"--body-up", "body.up", "the body's direction that is up, as --up"}});
+  add_keys(
+      command, overrides,
+      {{"--body", "body.file",
+        "a closed 3D model that cloth cannot enter, besides the scene's bodies; glTF, FBX and Collada "
+        "may bring joints and animations"},
+       {"--body-motion", "body.motion",
+        "how the body moves: a PC2, MDD or BVH file, or OBJ files, as a folder or a pattern such as "
+        "body-%04d.obj"},
+       {"--body-clip", "body.clip", "which of its animations is played, or all at once, or none (default: the first)"},
+       {"--body-fps", "body.frame_rate", "frames a second of its motion (default: what the file says, or else 60)"},
+       {"--body-loop", "body.loop", "repeat its motion after its last frame (default: it stays there)", "true"},
+       {"--body-units", "body.scale", "of the body, as --units"},
+       {"--dress", "body.dress",
+        "simulate so many frames before frame 0, in which the body grows from its bones to its shape, "
+        "into what it wears (default: 90 of a body that is given together with a garment, where it "
+        "can); a garment that lies elsewhere is moved to it first"},
+       {"--body-up", "body.up", "the body's direction that is up, as --up"}});
 }
 
 void add_garment_arguments(CLI::App& command, std::vector<Override>& overrides) {
@@ -113,14 +110,12 @@ void add_garment_arguments(CLI::App& command, std::vector<Override>& overrides) 
 }
 
 // Options of render and simulate.
-template <class Options>
-void add_scene_arguments(CLI::App& command, Options& options, const std::string& scenes) {
+template <class Options> void add_scene_arguments(CLI::App& command, Options& options, const std::string& scenes) {
   command.add_option("SCENE", options.scene, scenes)->required();
   add_garment_arguments(command, options.overrides);
   add_wind(command, options.overrides);
-  command.add_option(
-      "--stats", options.statistics,
-      "write measurements of every frame to this file, .jsonl or .csv, as they come (taut help stats)");
+  command.add_option("--stats", options.statistics,
+                     "write measurements of every frame to this file, .jsonl or .csv, as they come (taut help stats)");
   command.add_flag("--verify", options.verify,
                    "check every frame, the start included, by a way of its own: no triangle crosses another "
                    "or a body, but for what does so since the start until it is apart, and nothing is longer "
@@ -161,25 +156,24 @@ std::function<int()> add_render(CLI::App& app, std::span<const char* const> argu
   CLI::App* command = app.add_subcommand("render", "Simulate a scene and draw pictures of it");
   add_scene_arguments(*command, *options,
                       std::string(scene_help_text) + ", or a picture of taut render, to make it again");
-  command->add_option(
-      "--output", options->output,
-      "file, or pattern such as frames/frame_{frame:04}.png, or a video, .mp4 (default SCENE.png)");
+  command->add_option("--output", options->output,
+                      "file, or pattern such as frames/frame_{frame:04}.png, or a video, .mp4 (default SCENE.png)");
   command->add_option("--frames", options->frames,
                       std::string("frames to draw: ") + frame_range_help + " (default: last; of a video 0:)");
   command->add_option("--export", options->shapes, export_help);
   add_resolution(*command, options->overrides);
   add_side(*command, options->overrides);
-  add_keys(*command, options->overrides,
-           {{"--background", "picture.background",
-             "what is behind: studio (default), none (transparent, with the shadow), or a colour such as "
-             "white or #rrggbb"},
-            {"--wireframe", "picture.wireframe", "draw the springs over the surface", "true"},
-            {"--stretch", "picture.surface", "colour the surface by its stretch", "stretch"},
-            texture_option,
-            {"--quality", "picture.quality", "draft, normal or high, which is for print (default normal)"},
-            {"--samples", "picture.samples", "samples in a pixel, 1 to 16 (default 4)"},
-            {"--supersampling", "picture.supersampling",
-             "draw N times as wide and high and average, 1 to 8 (default 1)"}});
+  add_keys(
+      *command, options->overrides,
+      {{"--background", "picture.background",
+        "what is behind: studio (default), none (transparent, with the shadow), or a colour such as "
+        "white or #rrggbb"},
+       {"--wireframe", "picture.wireframe", "draw the springs over the surface", "true"},
+       {"--stretch", "picture.surface", "colour the surface by its stretch", "stretch"},
+       texture_option,
+       {"--quality", "picture.quality", "draft, normal or high, which is for print (default normal)"},
+       {"--samples", "picture.samples", "samples in a pixel, 1 to 16 (default 4)"},
+       {"--supersampling", "picture.supersampling", "draw N times as wide and high and average, 1 to 8 (default 1)"}});
   add_set(*command, options->overrides);
   add_backend(*command, options->backend);
   command->footer(
@@ -193,8 +187,7 @@ std::function<int()> add_render(CLI::App& app, std::span<const char* const> argu
 
 std::function<int()> add_simulate(CLI::App& app) {
   auto options = std::make_shared<SimulateOptions>();
-  CLI::App* command =
-      app.add_subcommand("simulate", "Simulate a scene without drawing and print measurements");
+  CLI::App* command = app.add_subcommand("simulate", "Simulate a scene without drawing and print measurements");
   add_scene_arguments(*command, *options, scene_help_text);
   add_set(*command, options->overrides);
   command->add_option("--frames", options->frames,
@@ -202,9 +195,8 @@ std::function<int()> add_simulate(CLI::App& app) {
                           frame_range_help + " (default: 1:)");
   command->add_option("--export", options->shapes, export_help);
   command->add_flag("--quiet", options->quiet, "print nothing but warnings and errors");
-  command->add_flag(
-      "--json", options->json,
-      "print what --stats writes as JSON lines, and nothing else; remarks go to standard error");
+  command->add_flag("--json", options->json,
+                    "print what --stats writes as JSON lines, and nothing else; remarks go to standard error");
   command->add_option("--checkpoint", options->checkpoint,
                       "save the run to this file now and then, at its end, and when it is interrupted "
                       "(SIGTERM, SIGINT), which ends it with exit code 75");
@@ -232,14 +224,13 @@ void add_compare(CLI::App& command, std::optional<sim::SolverKind>& compared_wit
     compared_with = solver_named(text);
     if (!compared_with) throw UsageError("--compare " + text + ": expected one of " + known);
   };
-  command.add_option_function<std::string>(
-      "--compare", set, "show the garment a second time, by this solver: " + joined(names, ", "));
+  command.add_option_function<std::string>("--compare", set,
+                                           "show the garment a second time, by this solver: " + joined(names, ", "));
 }
 
 std::function<int()> add_view(CLI::App& app) {
   auto options = std::make_shared<ViewOptions>();
-  CLI::App* command =
-      app.add_subcommand("view", "Open a window: blow at the cloth, pull it, watch its stretch");
+  CLI::App* command = app.add_subcommand("view", "Open a window: blow at the cloth, pull it, watch its stretch");
   command->add_option("SCENE", options->scene, scene_help_text);
   add_garment_arguments(*command, options->overrides);
   add_wind(*command, options->overrides);
@@ -250,8 +241,7 @@ std::function<int()> add_view(CLI::App& app) {
       "--size", [options](const std::string& text) { options->size = parse_size(text, "--size"); },
       std::string("of the window: ") + size_help);
   add_compare(*command, options->compared_with);
-  command
-      ->add_option("--keep", options->keep_folder, "folder for screenshots, videos, clips and saved scenes")
+  command->add_option("--keep", options->keep_folder, "folder for screenshots, videos, clips and saved scenes")
       ->capture_default_str();
   command->add_option("--record", options->record, "write all input to this file, for --script");
   command->add_flag("--headless", options->headless, "no window: play a script and end");
@@ -276,9 +266,8 @@ std::function<int()> add_inspect(CLI::App& app) {
   add_garment_arguments(*command, options->overrides);
   add_set(*command, options->overrides);
   command->add_flag("--json", options->json, "for programs");
-  command->add_option(
-      "--output,--picture", options->picture,
-      "PNG file: the garment with its springs by kind, what holds it, its borders and defects");
+  command->add_option("--output,--picture", options->picture,
+                      "PNG file: the garment with its springs by kind, what holds it, its borders and defects");
   add_backend(*command, options->backend);
   command->footer(
       "Examples:\n  taut inspect shirt.obj\n  taut inspect shirt.obj --output shirt.png\n"
@@ -290,8 +279,7 @@ std::function<int()> add_inspect(CLI::App& app) {
 std::function<int()> add_fit(CLI::App& app) {
   auto options = std::make_shared<FitOptions>();
   CLI::App* command = app.add_subcommand("fit", "Put a garment on a body, and say and draw how it fits");
-  command->add_option("GARMENT", options->scene, "a garment file, or a scene in which a body is dressed")
-      ->required();
+  command->add_option("GARMENT", options->scene, "a garment file, or a scene in which a body is dressed")->required();
   add_garment_arguments(*command, options->overrides);
   add_set(*command, options->overrides);
   command->add_option("--output", options->output,
@@ -320,6 +308,8 @@ std::function<int()> add_sew(CLI::App& app) {
   auto options = std::make_shared<SewOptions>();
   CLI::App* command = app.add_subcommand("sew", "Sew a pattern on a body, to a garment that is worn");
   command->add_option("PATTERN", options->pattern, "a sewing pattern in the JSON of GarmentCode")->required();
+  command->add_option("--over", options->over, "a pattern that is worn over it, of the same fabric; can be repeated")
+      ->allow_extra_args(false);
   add_keys(*command, options->overrides, {fabric_option});
   add_body(*command, options->overrides);
   add_set(*command, options->overrides);
@@ -344,14 +334,14 @@ std::function<int()> add_sew(CLI::App& app) {
       "open, by how much and what is in the way, or where it is too small for the body.\n\n"
       "Examples:\n  taut sew shirt.json --body person.obj -o shirt.obj --picture shirt.png\n"
       "  taut sew dress.json --body person.glb --fabric silk\n"
+      "  taut sew shirt.json --over jacket.json --body person.glb -o outfit.obj\n"
       "  taut simulate shirt.obj --body person.glb --body-motion walk.bvh --dress 90\n");
   return [options] { return run(*options); };
 }
 
 std::function<int()> add_import_model(CLI::App& app) {
   auto options = std::make_shared<ImportModelOptions>();
-  CLI::App* command =
-      app.add_subcommand("import-model", "Read a model for the program that started this one");
+  CLI::App* command = app.add_subcommand("import-model", "Read a model for the program that started this one");
   command->group("");  // not shown: nothing a person could read comes out
   command->add_option("MODEL", options->model)->required();
   command->add_option("--memory", options->limits.memory_mib)->check(CLI::Range(64, 1 << 20));
@@ -380,17 +370,16 @@ std::function<int()> add_fabrics(CLI::App& app) {
 
 std::function<int()> add_bench(CLI::App& app) {
   auto options = std::make_shared<BenchOptions>();
-  CLI::App* command = app.add_subcommand(
-      "bench", "Measure the time of a frame, its stretch, and whether any frame breaks a promise");
+  CLI::App* command =
+      app.add_subcommand("bench", "Measure the time of a frame, its stretch, and whether any frame breaks a promise");
   command->add_flag("--contact", options->contact, "all scenes about contact and being worn: takes an hour");
   command->add_flag("--quick", options->quick,
                     "a shirt that hangs, in winds, and on someone who walks, 60 frames of each, on one "
                     "thread: three minutes at most (default)");
   command->add_option("--scenes", options->scenes, "some of the rows alone")->delimiter(',');
   command
-      ->add_option(
-          "--bounds", options->bounds,
-          "largest stretches to be kept, such as 0.05,0.01: a row for each (default: as the scene has it)")
+      ->add_option("--bounds", options->bounds,
+                   "largest stretches to be kept, such as 0.05,0.01: a row for each (default: as the scene has it)")
       ->delimiter(',')
       ->check(CLI::Range(1e-5, 1.0));
   command
@@ -413,8 +402,7 @@ std::function<int()> add_bench(CLI::App& app) {
 // Without those that belong to no group, which are not shown.
 std::vector<std::string> command_names(const CLI::App& app) {
   std::vector<std::string> names;
-  for (const CLI::App* command :
-       app.get_subcommands([](const CLI::App* c) { return !c->get_group().empty(); })) {
+  for (const CLI::App* command : app.get_subcommands([](const CLI::App* c) { return !c->get_group().empty(); })) {
     names.push_back(command->get_name());
   }
   return names;
@@ -437,8 +425,7 @@ std::string help_about(CLI::App& app, const std::string& topic) {
 
 std::function<int()> add_help(CLI::App& app) {
   auto topic = std::make_shared<std::string>();
-  CLI::App* command =
-      app.add_subcommand("help", "Explain a command, the keys of scene files or the statistics");
+  CLI::App* command = app.add_subcommand("help", "Explain a command, the keys of scene files or the statistics");
   command->add_option("TOPIC", *topic, "a command, scene or stats (default: what commands there are)");
   command->footer("Examples:\n  taut help render\n  taut help scene\n  taut help stats\n");
   return [&app, topic] {
@@ -467,8 +454,7 @@ std::vector<std::string> option_names(const CLI::App& command) {
 }
 
 /// Of a command line that cannot be understood.
-std::string what_is_wrong(const CLI::App& app, const CLI::ParseError& error,
-                          std::span<const char* const> arguments) {
+std::string what_is_wrong(const CLI::App& app, const CLI::ParseError& error, std::span<const char* const> arguments) {
   const CLI::App* command = &app;
   std::string help = "taut";
   while (!command->get_subcommands().empty()) {
@@ -483,9 +469,7 @@ std::string what_is_wrong(const CLI::App& app, const CLI::ParseError& error,
   if (is_value || unknown.empty()) return std::string(error.what()) + "; see " + help;
   const std::vector<std::string> options = option_names(*command);
   // In the order of the command line; the first option is wrong, or else what follows it.
-  const auto is_unknown = [&](const char* argument) {
-    return std::ranges::find(unknown, argument) != unknown.end();
-  };
+  const auto is_unknown = [&](const char* argument) { return std::ranges::find(unknown, argument) != unknown.end(); };
   const auto is_option = [&](const char* argument) { return *argument == '-' && is_unknown(argument); };
   auto wrong = std::find_if(arguments.begin() + 1, arguments.end(), is_option);
   wrong = wrong != arguments.end() ? wrong : std::find_if(arguments.begin() + 1, arguments.end(), is_unknown);
@@ -520,12 +504,13 @@ int run_command_line(std::span<const char* const> arguments) {
       "taut help COMMAND says more. Exit codes: 0 done, 1 bad input, 2 wrong usage, 3 a promised bound was "
       "exceeded, a frame could not be made without a crossing, a frame did not keep what --verify checks or "
       "the run diverged, 75 stopped, but saved: it can be resumed.");
-  const std::vector<std::function<int()>> commands = {add_figures(app),      add_render(app, arguments),
-                                                      add_simulate(app),     add_view(app),
-                                                      add_inspect(app),      add_fit(app), add_sew(app),
-                                                      add_bench(app),        add_scenes(app),
-                                                      add_fabrics(app),      add_sweep(app),
-                                                      add_import_model(app), add_help(app)};
+  const std::vector<std::function<int()>> commands = {add_figures(app),  add_render(app, arguments),
+                                                      add_simulate(app), add_view(app),
+                                                      add_inspect(app),  add_fit(app),
+                                                      add_sew(app),      add_bench(app),
+                                                      add_scenes(app),   add_fabrics(app),
+                                                      add_sweep(app),    add_import_model(app),
+                                                      add_help(app)};
   show_help_first(app);
   require_command(app, arguments);
   try {

@@ -24,8 +24,8 @@ struct BenchOptions {
   std::vector<double> bounds;       ///< largest stretch, fractions, each a row; empty: as the scene has it
   bool contact = false;             ///< all scenes about contact, instead of the quick ones
   bool quick = false;               ///< those that decide about real time, whatever `contact` is
-  std::optional<int> runs;    ///< of each scene, each from a start of its own; empty: one, from the scene's
-  std::optional<int> frames;  ///< of each run; empty: as the scene has it
+  std::optional<int> runs;          ///< of each scene, each from a start of its own; empty: one, from the scene's
+  std::optional<int> frames;        ///< of each run; empty: as the scene has it
   bool csv = false;
   bool quiet = false;
 };
@@ -100,6 +100,7 @@ struct FitOptions {
 /// Options of `taut sew`.
 struct SewOptions {
   std::filesystem::path pattern;
+  std::vector<std::filesystem::path> over;  ///< patterns that are worn over it, inner ones first
   std::vector<Override> overrides;
   std::filesystem::path output;   ///< OBJ file; empty: PATTERN.obj
   std::filesystem::path picture;  ///< PNG file; empty: none, but for one of what cannot be sewn

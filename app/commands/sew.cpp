@@ -4,6 +4,7 @@
 #include "app/base/files.hpp"
 #include "app/base/progress.hpp"
 #include "app/bodies/body_loading.hpp"
+#include "app/bodies/fit.hpp"
 #include "app/bodies/wearing.hpp"
 #include "app/commands/options.hpp"
 #include "app/drawing/inspection_picture.hpp"
@@ -30,7 +31,8 @@ DrawnScene scene_of(const SewOptions& options) {
   DrawnScene scene = find_scene(options.pattern.string(), overrides);
   // As worn garments may (taut fit).
   if (sim::has_law(scene.material) && !sets(options.overrides, "solver.max_stretch")) {
-    scene.simulation.solver.bounded.max_stretch = std::max({usual_bound, scene.material.warp_limit, scene.material.weft_limit});
+    scene.simulation.solver.bounded.max_stretch =
+        std::max({usual_bound, scene.material.warp_limit, scene.material.weft_limit});
   }
   return scene;
 }
@@ -38,14 +40,17 @@ DrawnScene scene_of(const SewOptions& options) {
 void write_picture(const std::filesystem::path& file, const DrawnScene& scene, const SewnGarment& sewn,
                    const std::string& measured, const std::string& backend) {
   const sim::Garment& garment = sewn.sewn.garment;
-  write_file(file, renderer::encode_png(draw_fit({scene, garment, garment.mesh.positions, sewn.time_s, {},
-                                                  scene.name + " on " + scene.surroundings.bodies[dressed_body(scene).body].name,
-                                                  measured, ""},
+  const std::vector<sim::Vec3>& worn_m = garment.mesh.positions;
+  const std::vector<FitRow> fit = fit_of(scene, garment, worn_m);
+  const std::string title = scene.name + " on " + scene.surroundings.bodies[dressed_body(scene).body].name;
+  write_file(file, renderer::encode_png(draw_fit({scene, garment, worn_m, sewn.time_s, fit, title, measured,
+                                                  describe_tightness(scene, garment, worn_m, fit)},
                                                  backend)));
 }
 
 [[noreturn]] void end_failed(const SewOptions& options, const DrawnScene& scene, const SewingFailed& error) {
-  const std::filesystem::path file = options.picture.empty() ? free_name("", scene.name + "-open", ".png") : options.picture;
+  const std::filesystem::path file =
+      options.picture.empty() ? free_name("", scene.name + "-open", ".png") : options.picture;
   std::string shown = fmt::format("'{}' shows it", file.string());
   try {
     write_picture(file, scene, error.garment, error.what(), options.backend);
@@ -71,22 +76,32 @@ int run(const SewOptions& asked) {
   Progress progress(scene.name);
   const std::clock_t began = std::clock();
   try {
-    const SewnGarment sewn = sew(scene, {options.triangles, options.frames}, [&](const std::string& stage) { progress.begin(stage); });
+    const SewnGarment sewn = sew(scene, {options.triangles, options.frames, options.over},
+                                 [&](const std::string& stage) { progress.begin(stage); });
     const double took_s = static_cast<double>(std::clock() - began) / CLOCKS_PER_SEC;
     write_text_file(options.output, obj_of(sewn));
     write_text_file(landmarks_path(options.output), landmarks_of(sewn));
-    const std::string measured = fmt::format("{} closed, {}, no crossing, largest stretch {:.3f} %", counted(sewn.pieces.seams.size(), "seam"),
-                                             sewn.is_at_rest ? "at rest" : fmt::format("after {} frames still moving at {:.2g} mm/s", sewn.frames, 1e3 * sewn.rms_speed_m_per_s),
-                                             100.0 * sewn.max_stretch);
+    const std::string measured = fmt::format(
+        "{} closed, {}, no crossing, largest stretch {:.3f} %", counted(sewn.pieces.seams.size(), "seam"),
+        sewn.is_at_rest
+            ? "at rest"
+            : fmt::format("after {} frames still moving at {:.2g} mm/s", sewn.frames, 1e3 * sewn.rms_speed_m_per_s),
+        100.0 * sewn.max_stretch);
     progress.begin("drawing it");
     if (!options.picture.empty()) write_picture(options.picture, scene, sewn, measured, options.backend);
     progress.hide();
     print_body_remarks(scene, sewn.remarks, remarks);
     if (options.json) {
-      fmt::print("{}\n", Json{{"pattern", options.pattern.string()}, {"garment", options.output.string()},
-                              {"panels", sewn.pieces.panel_count()}, {"seams", sewn.pieces.seams.size()},
-                              {"triangles", sewn.pieces.triangles.size()}, {"at_rest", sewn.is_at_rest},
-                              {"frames", sewn.frames}, {"max_surface_stretch", sewn.max_stretch}, {"processor_s", took_s}}.dump(2));
+      fmt::print("{}\n", Json{{"pattern", options.pattern.string()},
+                              {"garment", options.output.string()},
+                              {"panels", sewn.pieces.panel_count()},
+                              {"seams", sewn.pieces.seams.size()},
+                              {"triangles", sewn.pieces.triangles.size()},
+                              {"at_rest", sewn.is_at_rest},
+                              {"frames", sewn.frames},
+                              {"max_surface_stretch", sewn.max_stretch},
+                              {"processor_s", took_s}}
+                             .dump(2));
     } else {
       fmt::print("{} of {}: {}; {:.1f} s of processor time\nwrote {}\n", counted(sewn.pieces.panel_count(), "panel"),
                  counted(sewn.pieces.triangles.size(), "triangle"), measured, took_s, options.output.string());

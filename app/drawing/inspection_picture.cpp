@@ -317,8 +317,10 @@ renderer::Image draw_fit(const WornGarment& worn, const std::string& backend) {
   OffscreenRenderer offscreen(backend);
   const float caption_px = 1.6F * row_px;
   const float table_px = fit_header_px + fit_panel_height_px + caption_px;
-  renderer::Canvas canvas(static_cast<int>(fit_page_px),
-                          static_cast<int>(table_px + static_cast<float>(worn.fit.size() + 3) * row_px + border_px));
+  // As long as a body is thin, the cloth about it says nothing of how it fits.
+  const bool has_table = worn.time_s >= 0.0;
+  const float rows = has_table ? static_cast<float>(worn.fit.size() + 3) : 0.0F;
+  renderer::Canvas canvas(static_cast<int>(fit_page_px), static_cast<int>(table_px + rows * row_px + border_px));
   canvas.text(border_px, border_px + text_px, worn.title, text_style(1.4F * text_px, palette::ink, true));
   canvas.text(border_px, border_px + text_px + row_px, worn.measured, text_style(0.85F * text_px, palette::quiet_ink));
   renderer::TextStyle caption = text_style(text_px);
@@ -336,7 +338,7 @@ renderer::Image draw_fit(const WornGarment& worn, const std::string& backend) {
                               .bar_height_px = 420.0F,
                               .text = text_style(0.85F * text_px)};
   renderer::draw_legend(canvas, stretch_legend(worn.scene), place);
-  draw_table(canvas, worn, table_px);
+  if (has_table) draw_table(canvas, worn, table_px);
   return canvas.to_image();
 }
 

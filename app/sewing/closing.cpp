@@ -1,22 +1,13 @@
 #include "app/sewing/closing.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <glm/geometric.hpp>
-#include <limits>
-#include <numeric>
-#include <optional>
-
 #include "app/base/interruption.hpp"
+#include "app/bodies/wearing.hpp"
 #include "app/models/garment_loading.hpp"
 #include "app/models/scene_crossings.hpp"
 #include "app/output/frame_record.hpp"
 #include "app/verify/stretch.hpp"
-#include "sim/mesh/adjacency.hpp"
 #include "sim/mesh/groups.hpp"
 #include "sim/mesh/welding.hpp"
-#include "sim/simulation.hpp"
-#include "sim/surface.hpp"
 
 namespace taut::app {
 namespace {
@@ -26,46 +17,49 @@ using sim::Vec2;
 using sim::Vec3;
 
 // Threads.
-constexpr double pull_m_per_s2 = 15.0;  ///< of all threads of a panel, over its mass
-constexpr double slack_m = 0.001;       ///< nearer than this they pull less
-constexpr double stronger = 1.4;         ///< times as strong, as often as hardly anything could be joined
-constexpr double quick_enough = 0.05;    ///< of what is open
+constexpr double pull_m_per_s2 = 15.0;     ///< of all threads of a panel, over its mass
+constexpr double inwards_m_per_s2 = 10.0;  ///< of layers that are sewn, to the body
+constexpr double inwards_from_m = 0.05;    ///< nearer to it they are pulled less
+constexpr double slack_m = 0.001;          ///< nearer than this they pull less
+constexpr double stronger = 1.4;           ///< times as strong, as often as hardly anything could be joined
+constexpr double quick_enough = 0.05;      ///< of what is open
 constexpr double most_strength = 30.0;
-constexpr double drag_per_s = 10.0;            ///< of the air meanwhile
-constexpr double thickest_m = 3e-4;           ///< cloth counts as no thicker until it is sewn, so that borders meet
-constexpr double softest_n_m = 2e-6;    ///< cloth resists no more to being bent meanwhile
-constexpr double near_enough = 0.1;     ///< of the length of edges: vertices that are nearer become one
-constexpr double further = 1.3;         ///< times as near, as often as the strongest pull joins nothing
+constexpr double drag_per_s = 10.0;   ///< of the air meanwhile
+constexpr double thickest_m = 3e-4;   ///< cloth counts as no thicker until it is sewn, so that borders meet
+constexpr double softest_n_m = 2e-6;  ///< cloth resists no more to being bent meanwhile
+constexpr double near_enough = 0.1;   ///< of the length of edges: vertices that are nearer become one
+constexpr double further = 1.3;       ///< times as near, as often as the strongest pull joins nothing
 constexpr double furthest = 0.35;
 constexpr int frames_between_joins = 4;
+constexpr int most_frames_between_joins = 16;  ///< after some that failed
 constexpr int first_join = 12;
 constexpr int most_frames_for_first = 60;
-constexpr int most_frames = 360;
-/// Nothing closes any more if for so many frames nothing was joined and the widest gap shrank by less than a share.
+/// Time steps that may be made for a layer, on average. To begin a simulation anew takes as long as a few.
+constexpr int most_steps = 4000;
+constexpr int steps_to_begin = 20;
+/// Nothing closes any more if for so many frames nothing was joined and the widest gap shrank by less than a
+/// share.
 constexpr int patience = 120;
 constexpr double progress = 0.9;
+constexpr double lifted = 0.7;  ///< of the distance of what has met
 constexpr int frames_to_part = 5;
-constexpr int most_trials = 6;  ///< of joining, each without what crossed in the one before
+constexpr std::size_t most_trials = 6;  ///< of joining, each without what crossed in the one before
 
 std::vector<Index> sets_of(sim::Groups groups, std::size_t count) {
   std::vector<Index> sets(count);
-  for (Index v = 0; v < count; ++v) {
-    sets[v] = groups.find(v);
-  }
+  for (Index v = 0; v < count; ++v) sets[v] = groups.find(v);
   return sets;
 }
 
 /// Per corner of the triangles that are left: u to the right and v up as the pieces are cut, in m.
 std::vector<glm::vec2> upright(const std::vector<std::array<Vec2, 3>>& cut_m) {
   std::vector<glm::vec2> corners;
-  for (const auto& triangle : cut_m) {
-    corners.insert(corners.end(), triangle.begin(), triangle.end());
-  }
+  for (const auto& triangle : cut_m) corners.insert(corners.end(), triangle.begin(), triangle.end());
   return corners;
 }
 
-/// A place of a vertex that is near only to those which it is near to in its own panel: panels lie in different levels,
-/// each a bowl, so that what joins two of its borders leaves it at an angle.
+/// A place of a vertex that is near only to those which it is near to in its own panel: panels lie in
+/// different levels, each a bowl, so that what joins two of its borders leaves it at an angle.
 Vec3 place_apart_m(const CutPieces& pieces, Index v) {
   constexpr double between_levels_m = 3.0, curvature_per_m = 2.0;
   const Vec2 flat_m = pieces.flat_m[v];
@@ -73,7 +67,8 @@ Vec3 place_apart_m(const CutPieces& pieces, Index v) {
   return {flat_m.x, flat_m.y, between_levels_m * pieces.panel_of[v] + 0.5 * curvature_per_m * glm::dot(from_m, from_m)};
 }
 
-/// The pieces of which those vertices are one that are in one set, with these positions per vertex of the pieces.
+/// The pieces of which those vertices are one that are in one set, with these positions per vertex of the
+/// pieces.
 SewnPieces join_pieces(const CutPieces& pieces, const std::vector<Index>& set_of, const std::vector<Vec3>& positions_m,
                        const Scene& scene) {
   SewnPieces sewn;
@@ -94,9 +89,7 @@ SewnPieces join_pieces(const CutPieces& pieces, const std::vector<Index>& set_of
     counts[n] += 1.0;
     mesh.positions[n] += positions_m[v];
   }
-  for (std::size_t n = 0; n < counts.size(); ++n) {
-    mesh.positions[n] /= counts[n];
-  }
+  for (std::size_t n = 0; n < counts.size(); ++n) mesh.positions[n] /= counts[n];
   for (const auto& [a, b, c] : pieces.triangles) {
     mesh.triangles.push_back({sewn.vertex_of[a], sewn.vertex_of[b], sewn.vertex_of[c]});
     mesh.cut_m.push_back({pieces.flat_m[a], pieces.flat_m[b], pieces.flat_m[c]});
@@ -125,9 +118,7 @@ class Closing {
     forces.wind = {};
     forces.wind.speed_m_per_s = 0.0;
     forces.air_drag_per_s = drag_per_s;
-    for (sim::Body& body : scene_.surroundings.bodies) {
-      body.friction = 0.0;
-    }
+    for (sim::Body& body : scene_.surroundings.bodies) body.friction = 0.0;
     begin(join_pieces(pieces, sets_of(joined_, pieces.flat_m.size()), pieces.placed_m, scene_));
     panel_masses_kg_.assign(pieces.panel_count(), 0.0);
     for (std::size_t v = 0; v < pieces.flat_m.size(); ++v) {
@@ -138,16 +129,19 @@ class Closing {
   SewnPieces run(const SewingReport& report) {
     double widest_m = std::numeric_limits<double>::infinity();
     int since = 0;
-    for (int frame = 1; frame <= most_frames && since < patience && !is_closed(); ++frame, ++since) {
+    const int budget = most_steps * static_cast<int>(pieces_.layer_of.back() + 1);
+    int next_join = first_join, between_joins = frames_between_joins;
+    for (int frame = 1; steps_ <= budget && since < patience && !is_closed(); ++frame, ++since) {
       throw_if_interrupted();
       const std::vector<std::size_t> seams = pulled_seams(frame);
       pull(seams);
-      if (!advance()) {
-        break;
-      }
-      if (frame >= first_join && frame % frames_between_joins == 0) {
+      if (!advance()) break;
+      if (frame >= next_join) {
         const double before = share_joined();
-        since = join_what_met(seams) ? 0 : since;
+        const bool any_joined = join_what_met(seams);
+        since = any_joined ? 0 : since;
+        between_joins = any_joined ? frames_between_joins : std::min(2 * between_joins, most_frames_between_joins);
+        next_join = frame + between_joins;
         if (share_joined() - before < quick_enough * (1.0 - before)) {
           // Cloth that a strong pull has crumpled comes loose in a weak one.
           const bool is_strongest = strength_ * stronger > most_strength;
@@ -160,9 +154,7 @@ class Closing {
         widest_m = gap_m;
         since = 0;
       }
-      if (report) {
-        report(share_joined());
-      }
+      if (report) report(share_joined());
     }
     find_gap();
     keep_shape();
@@ -178,8 +170,10 @@ class Closing {
     const std::vector<Vec3> start_m = sewn_.garment.mesh.positions;
     sim::Surroundings surroundings = scene_.surroundings;
     surroundings.moving_pins.clear();
-    simulation_.emplace(sim::share(sewn_.garment), std::vector<Index>{}, simulation_settings(scene_.simulation), std::move(surroundings), start_m);
+    simulation_.emplace(sim::share(sewn_.garment), std::vector<Index>{}, simulation_settings(scene_.simulation),
+                        std::move(surroundings), start_m);
     simulation_->set_time(time_s_);
+    steps_ += steps_to_begin;
   }
 
   void keep_shape() { sewn_.garment.mesh.positions = now_m(); }
@@ -188,6 +182,7 @@ class Closing {
   bool advance() {
     try {
       simulation_->advance_frame(throw_if_interrupted);
+      steps_ += simulation_->last_report().substeps;
     } catch (const sim::ContactBlocked& error) {
       sewn_.reason = error.what();
       return false;
@@ -196,13 +191,12 @@ class Closing {
   }
 
   bool is_closed(std::size_t seam) {
-    return std::ranges::all_of(pieces_.seams[seam], [&](const auto& pair) { return joined_.find(pair.first) == joined_.find(pair.second); });
+    return std::ranges::all_of(pieces_.seams[seam],
+                               [&](const auto& pair) { return joined_.find(pair.first) == joined_.find(pair.second); });
   }
   bool is_closed() {
     for (std::size_t s = 0; s < pieces_.seams.size(); ++s) {
-      if (!is_closed(s)) {
-        return false;
-      }
+      if (!is_closed(s)) return false;
     }
     return true;
   }
@@ -233,15 +227,28 @@ class Closing {
     return sewn_.gap_m;
   }
 
-  /// The seams that are pulled: at first those that carry the garment.
+  std::size_t layer_of(std::size_t seam) const {
+    return pieces_.layer_of[pieces_.panel_of[pieces_.seams[seam][0].first]];
+  }
+
+  /// Returns whether all of these seams are closed that belong to the layer that is sewn.
+  bool is_layer_closed(const std::vector<std::size_t>& seams) {
+    return std::ranges::all_of(seams, [&](std::size_t s) { return layer_of(s) != layer_ || is_closed(s); });
+  }
+
+  /// The seams that are pulled: those of the innermost layer that is open, at first those that carry it.
   std::vector<std::size_t> pulled_seams(int frame) {
-    const auto& first = pieces_.first_seams;
-    if (frame < most_frames_for_first && !std::ranges::all_of(first, [&](std::size_t s) { return is_closed(s); })) {
-      return first;
-    }
     std::vector<std::size_t> all(pieces_.seams.size());
     std::iota(all.begin(), all.end(), std::size_t{0});
-    return all;
+    while (layer_ < pieces_.layer_of.back() && is_layer_closed(all)) {
+      ++layer_;
+      layer_began_ = frame;
+      strength_ = 1.0;
+    }
+    const bool is_carried = frame - layer_began_ >= most_frames_for_first || is_layer_closed(pieces_.first_seams);
+    std::vector<std::size_t> seams = is_carried ? all : pieces_.first_seams;
+    std::erase_if(seams, [&](std::size_t s) { return layer_of(s) != layer_; });
+    return seams;
   }
 
   /// Pulls what is sewn to each other to its middle. The threads of a panel pull with the same force.
@@ -268,7 +275,8 @@ class Closing {
     std::vector<double> pulls_n(now_m().size(), 0.0), reaches_m(now_m().size(), slack_m);
     for (std::size_t v = 0; v < pieces_.flat_m.size(); ++v) {
       const Index p = pieces_.panel_of[v], group = together.find(sewn_.vertex_of[v]);
-      pulls_n[group] += counts[group] > 1.0 ? strength_ * pull_m_per_s2 * panel_masses_kg_[p] / threads[p] / counts[group] : 0.0;
+      pulls_n[group] +=
+          counts[group] > 1.0 ? strength_ * pull_m_per_s2 * panel_masses_kg_[p] / threads[p] / counts[group] : 0.0;
     }
     for (Index v = 0; v < now_m().size(); ++v) {
       const Index group = together.find(v);
@@ -279,10 +287,56 @@ class Closing {
     for (Index v = 0; v < now_m().size(); ++v) {
       if (is_pulled(v)) {
         const Index group = together.find(v);
-        surroundings.forces.held_vertices.push_back({v, sums[group] / counts[group], pulls_n[group] / reaches_m[group], 2.0 * pulls_n[group]});
+        surroundings.forces.held_vertices.push_back(
+            {v, sums[group] / counts[group], pulls_n[group] / reaches_m[group], 2.0 * pulls_n[group]});
       }
     }
+    draw_in_layers(surroundings.forces.held_vertices);
     simulation_->set_surroundings(surroundings);
+  }
+
+  /// Draws layers that are sewn to the body, where they are in the way of none that are sewn over them.
+  void draw_in_layers(std::vector<sim::HeldVertex>& held) const {
+    if (layer_ == 0) return;
+    const sim::Body& body = scene_.surroundings.bodies[dressed_body(scene_).body];
+    const std::vector<Vec3> body_m = mesh_positions_m(body, time_s_);
+    std::vector<char> is_done(now_m().size(), 0);
+    for (Index v = 0; v < pieces_.flat_m.size(); ++v) {
+      const Index n = sewn_.vertex_of[v];
+      if (pieces_.layer_of[pieces_.panel_of[v]] < layer_ && std::exchange(is_done[n], 1) == 0) {
+        const auto nearer = [&](const Vec3& a, const Vec3& b) {
+          return glm::distance(a, at(v)) < glm::distance(b, at(v));
+        };
+        const double pull_n = inwards_m_per_s2 * sewn_.garment.masses_kg[n];
+        held.push_back({n, *std::ranges::min_element(body_m, nearer), pull_n / inwards_from_m, pull_n});
+      }
+    }
+  }
+
+  /// Per vertex of the pieces, where it is. What has met over an inner layer is also tried out of the cloth
+  /// and beyond its border: the middle between both sides of a fold of that layer is within it.
+  std::vector<std::vector<Vec3>> places_to_join_m(const std::vector<std::pair<Index, Index>>& met) const {
+    std::vector<Vec3> positions_m, out(pieces_.flat_m.size(), Vec3(0.0)), beyond = out;
+    for (Index v = 0; v < pieces_.flat_m.size(); ++v) positions_m.push_back(at(v));
+    for (const sim::Triangle& t : pieces_.triangles) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        const Vec3 first = at(t[(k + 1) % 3]) - at(t[k]), second = at(t[(k + 2) % 3]) - at(t[k]);
+        out[t[k]] += glm::cross(first, second);
+        beyond[t[k]] -= first + second;
+      }
+    }
+    std::vector<std::vector<Vec3>> places_m = {positions_m};
+    for (const auto& ways : {out, beyond}) {
+      std::vector<Vec3> moved_m = positions_m;
+      for (const auto& [a, b] : met) {
+        const auto unit = [&](const Vec3& d) { return glm::length(d) > 0.0 ? glm::normalize(d) : d; };
+        const Vec3 lift = lifted * glm::distance(at(a), at(b)) * unit(unit(ways[a]) + unit(ways[b]));
+        moved_m[a] = at(a) + lift;
+        moved_m[b] = at(b) + lift;
+      }
+      if (layer_ > 0) places_m.push_back(std::move(moved_m));
+    }
+    return places_m;
   }
 
   /// Makes one vertex of those that have come together. Returns whether any have.
@@ -290,32 +344,24 @@ class Closing {
     std::vector<std::pair<Index, Index>> met;
     for (const std::size_t s : seams) {
       for (const auto& [a, b] : pieces_.seams[s]) {
-        if (joined_.find(a) != joined_.find(b) && glm::distance(at(a), at(b)) < reach_m_) {
-          met.emplace_back(a, b);
-        }
+        if (joined_.find(a) != joined_.find(b) && glm::distance(at(a), at(b)) < reach_m_) met.emplace_back(a, b);
       }
     }
-    std::vector<Vec3> positions_m;
-    for (Index v = 0; v < pieces_.flat_m.size(); ++v) {
-      positions_m.push_back(at(v));
-    }
+    const std::vector<std::vector<Vec3>> places_m = places_to_join_m(met);
     const std::vector<Vec3> before_m = now_m();
     const SewnPieces before = sewn_;
-    for (int trial = 0; trial < most_trials && !met.empty(); ++trial) {
+    for (std::size_t trial = 0; trial < most_trials * places_m.size() && !met.empty(); ++trial) {
       sim::Groups joined = joined_;
-      for (const auto& [a, b] : met) {
-        joined.join(a, b);
-      }
-      begin(join_pieces(pieces_, sets_of(joined, pieces_.flat_m.size()), positions_m, scene_));
+      for (const auto& [a, b] : met) joined.join(a, b);
+      begin(join_pieces(pieces_, sets_of(joined, pieces_.flat_m.size()), places_m[trial % places_m.size()], scene_));
       std::vector<char> is_crossed = crossed_after_frames(seams);
       const auto touches = [&](const auto& pair) { return is_crossed[sewn_.vertex_of[pair.first]] != 0; };
       if (std::ranges::find(is_crossed, 1) == is_crossed.end() && is_within_bound()) {
         joined_ = joined;
         return true;
       }
-      if (std::erase_if(met, touches) == 0) {
-        leave_out_nearest(is_crossed, met);
-      }
+      if (trial % places_m.size() + 1 < places_m.size()) continue;
+      if (std::ranges::all_of(met, touches) || std::erase_if(met, touches) == 0) leave_out_nearest(is_crossed, met);
     }
     sewn_ = before;
     sewn_.garment.mesh.positions = before_m;
@@ -323,18 +369,15 @@ class Closing {
     return false;
   }
 
-  /// Makes frames until nothing is too near for the solver to tell it apart, or something crosses. Returns crossed().
+  /// Makes frames until nothing is too near for the solver to tell it apart, or something crosses. Returns
+  /// crossed().
   std::vector<char> crossed_after_frames(const std::vector<std::size_t>& seams) {
     std::vector<char> is_crossed(now_m().size(), 1);
     for (int frame = 0; frame < frames_to_part; ++frame) {
       pull(seams);
-      if (!advance()) {
-        break;
-      }
+      if (!advance()) break;
       is_crossed = crossed();
-      if (simulation_->last_report().left_out.empty()) {
-        break;
-      }
+      if (simulation_->last_report().left_out.empty()) break;
     }
     return is_crossed;
   }
@@ -351,13 +394,12 @@ class Closing {
     }
     std::ranges::sort(by_distance);
     met.clear();
-    for (std::size_t k = 0; k < by_distance.size() / 2; ++k) {
-      met.push_back(by_distance[k].second);
-    }
+    for (std::size_t k = 0; k < by_distance.size() / 2; ++k) met.push_back(by_distance[k].second);
   }
 
   bool is_within_bound() const {
-    return largest_stretch(sewn_.garment.mesh, now_m()).surface <= scene_.simulation.solver.bounded.max_stretch + bound_rounding;
+    return largest_stretch(sewn_.garment.mesh, now_m()).surface <=
+           scene_.simulation.solver.bounded.max_stretch + bound_rounding;
   }
 
   /// Per vertex, whether it is near triangles that cross something.
@@ -365,17 +407,13 @@ class Closing {
     const Surface cloth = {now_m(), sewn_.garment.mesh.triangles};
     std::vector<char> is_crossed(now_m().size(), 0);
     const auto mark = [&](Index t) {
-      for (const Index v : cloth.triangles[t]) {
-        is_crossed[v] = 1;
-      }
+      for (const Index v : cloth.triangles[t]) is_crossed[v] = 1;
     };
     bool any = false;
     for (const SceneCrossings& crossings : scene_crossings(cloth, scene_.surroundings.bodies, time_s_)) {
       for (const CrossingPair& pair : crossings.pairs) {
         mark(pair.first);
-        if (!crossings.body) {
-          mark(pair.second);
-        }
+        if (!crossings.body) mark(pair.second);
         any = true;
       }
     }
@@ -389,9 +427,7 @@ class Closing {
     for (int ring = 0; ring < 2 && any; ++ring) {
       const std::vector<char> before = is_crossed;
       for (Index t = 0; t < cloth.triangles.size(); ++t) {
-        if (std::ranges::any_of(cloth.triangles[t], [&](Index v) { return before[v] != 0; })) {
-          mark(t);
-        }
+        if (std::ranges::any_of(cloth.triangles[t], [&](Index v) { return before[v] != 0; })) mark(t);
       }
     }
     return is_crossed;
@@ -400,10 +436,13 @@ class Closing {
   const CutPieces& pieces_;
   Scene scene_;
   double time_s_;
-  sim::Groups joined_;         ///< vertices of the pieces that are one
+  sim::Groups joined_;  ///< vertices of the pieces that are one
   std::vector<double> panel_masses_kg_;
-  double strength_ = 1.0;  ///< of all threads
+  double strength_ = 1.0;                          ///< of all threads
   double reach_m_ = near_enough * pieces_.edge_m;  ///< vertices that are nearer become one
+  int steps_ = 0;                                  ///< that were made
+  std::size_t layer_ = 0;                          ///< that is sewn
+  int layer_began_ = 0;                            ///< in this frame
   SewnPieces sewn_;
   std::optional<sim::Simulation> simulation_;
 };

@@ -1,13 +1,5 @@
 #include "app/sewing/cutting.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <glm/geometric.hpp>
-#include <limits>
-#include <numeric>
-#include <optional>
-#include <stdexcept>
-
 #include "app/sewing/filling.hpp"
 #include "sim/mesh/groups.hpp"
 
@@ -30,18 +22,14 @@ constexpr double beyond_doubt = 0.7;
 
 std::vector<Vec2> fine_outline(const PatternPanel& panel) {
   std::vector<Vec2> outline;
-  for (const std::vector<Vec2>& line : panel.edges_m) {
-    outline.insert(outline.end(), line.begin(), line.end() - 1);
-  }
+  for (const std::vector<Vec2>& line : panel.edges_m) outline.insert(outline.end(), line.begin(), line.end() - 1);
   return outline;
 }
 
 /// The side of that many equilateral triangles which cover all panels.
 double edge_for(const SewingPattern& pattern, int triangles) {
   double area_m2 = 0.0;
-  for (const PatternPanel& panel : pattern.panels) {
-    area_m2 += std::abs(area_of(fine_outline(panel)));
-  }
+  for (const PatternPanel& panel : pattern.panels) area_m2 += std::abs(area_of(fine_outline(panel)));
   return std::clamp(std::sqrt(area_m2 * 4.0 / (std::sqrt(3.0) * triangles)), finest_edge_m, coarsest_edge_m);
 }
 
@@ -53,15 +41,11 @@ std::vector<std::vector<std::size_t>> steps_of_edges(const SewingPattern& patter
   }
   const auto number = [&](const PanelEdge& e) { return first[e.panel] + static_cast<Index>(e.edge); };
   sim::Groups sewn(first.back());
-  for (const Stitch& stitch : pattern.stitches) {
-    sewn.join(number(stitch.first), number(stitch.second));
-  }
+  for (const Stitch& stitch : pattern.stitches) sewn.join(number(stitch.first), number(stitch.second));
   std::vector<double> lengths(first.back(), 0.0), counts(first.back(), 0.0);
   const auto for_all = [&](const auto& visit) {
     for (std::size_t p = 0; p < pattern.panels.size(); ++p) {
-      for (std::size_t e = 0; e < pattern.panels[p].edges_m.size(); ++e) {
-        visit(p, e, sewn.find(number({p, e})));
-      }
+      for (std::size_t e = 0; e < pattern.panels[p].edges_m.size(); ++e) visit(p, e, sewn.find(number({p, e})));
     }
   };
   for_all([&](std::size_t p, std::size_t e, Index group) {
@@ -73,10 +57,9 @@ std::vector<std::vector<std::size_t>> steps_of_edges(const SewingPattern& patter
     const std::vector<Vec2>& line = pattern.panels[p].edges_m[e];
     const double least = pattern.panels[p].edges_m.size() == 2 ? 2.0 : 1.0;
     std::size_t& steps = of_group[group];
-    steps = std::max(steps, static_cast<std::size_t>(std::max(least, std::round(lengths[group] / counts[group] / edge_m))));
-    while (length_of(evenly_along(line, steps)) < length_of(line) - most_shortened_m) {
-      ++steps;
-    }
+    steps =
+        std::max(steps, static_cast<std::size_t>(std::max(least, std::round(lengths[group] / counts[group] / edge_m))));
+    while (length_of(evenly_along(line, steps)) < length_of(line) - most_shortened_m) ++steps;
   });
   std::vector<std::vector<std::size_t>> steps(pattern.panels.size());
   for_all([&](std::size_t p, std::size_t, Index group) { steps[p].push_back(of_group[group]); });
@@ -84,7 +67,8 @@ std::vector<std::vector<std::size_t>> steps_of_edges(const SewingPattern& patter
 }
 
 /// Adds a panel. Returns, per edge, its vertices from begin to end.
-std::vector<std::vector<Index>> add_panel(const PatternPanel& panel, const std::vector<std::size_t>& steps, CutPieces& pieces) {
+std::vector<std::vector<Index>> add_panel(const PatternPanel& panel, const std::vector<std::size_t>& steps,
+                                          CutPieces& pieces) {
   std::vector<Vec2> outline;
   std::vector<std::size_t> begins;
   for (std::size_t e = 0; e < steps.size(); ++e) {
@@ -94,9 +78,7 @@ std::vector<std::vector<Index>> add_panel(const PatternPanel& panel, const std::
   }
   const std::size_t count = outline.size();
   const bool is_clockwise = area_of(outline) < 0.0;
-  if (is_clockwise) {
-    std::ranges::reverse(outline);
-  }
+  if (is_clockwise) std::ranges::reverse(outline);
   FilledOutline filled;
   try {
     filled = fill_outline(outline, pieces.edge_m);
@@ -111,9 +93,7 @@ std::vector<std::vector<Index>> add_panel(const PatternPanel& panel, const std::
     pieces.panel_of.push_back(p);
   }
   pieces.panel_triangles.push_back(static_cast<Index>(pieces.triangles.size()));
-  for (const auto& [a, b, c] : filled.triangles) {
-    pieces.triangles.push_back({first + a, first + b, first + c});
-  }
+  for (const auto& [a, b, c] : filled.triangles) pieces.triangles.push_back({first + a, first + b, first + c});
   std::vector<std::vector<Index>> vertices(steps.size());
   for (std::size_t e = 0; e < steps.size(); ++e) {
     for (std::size_t k = 0; k <= steps[e]; ++k) {
@@ -127,7 +107,9 @@ std::vector<std::vector<Index>> add_panel(const PatternPanel& panel, const std::
 /// Panels that face the same side as others or the opposite one, as their stitches say.
 class Facing {
  public:
-  explicit Facing(std::size_t panels) : parent_(panels), is_opposite_(panels, false) { std::iota(parent_.begin(), parent_.end(), std::size_t{0}); }
+  explicit Facing(std::size_t panels) : parent_(panels), is_opposite_(panels, false) {
+    std::iota(parent_.begin(), parent_.end(), std::size_t{0});
+  }
 
   /// Whether two panels face opposite sides; empty if nothing says so.
   std::optional<bool> opposite(std::size_t a, std::size_t b) const {
@@ -145,9 +127,7 @@ class Facing {
  private:
   std::pair<std::size_t, bool> find(std::size_t panel) const {
     bool is_opposite = false;
-    for (; parent_[panel] != panel; panel = parent_[panel]) {
-      is_opposite = is_opposite != is_opposite_[panel];
-    }
+    for (; parent_[panel] != panel; panel = parent_[panel]) is_opposite = is_opposite != is_opposite_[panel];
     return {panel, is_opposite};
   }
 
@@ -155,22 +135,28 @@ class Facing {
   std::vector<bool> is_opposite_;  ///< to the parent
 };
 
-/// Per stitch, the seam. Which way round it closes has to be told where a pattern says nothing: first for the seams in
-/// which one way is much shorter than the other, from which it is known which panels face the same side; for others
-/// their panels tell.
-std::vector<Seam> find_seams(const SewingPattern& pattern, const std::vector<std::vector<std::vector<Index>>>& borders, const CutPieces& pieces) {
+/// Per stitch, the seam. Which way round it closes has to be told where a pattern says nothing: first for the
+/// seams in which one way is much shorter than the other, from which it is known which panels face the same
+/// side; for others their panels tell.
+std::vector<Seam> find_seams(const SewingPattern& pattern, const std::vector<std::vector<std::vector<Index>>>& borders,
+                             const CutPieces& pieces) {
   struct Way {
-    double shorter;  ///< by what share of its length the way back is
+    double shorter;  ///< from -1, where it is surely closed ahead, to 1, where it is surely closed back
     std::size_t stitch;
   };
   std::vector<Way> ways;
   for (std::size_t s = 0; s < pattern.stitches.size(); ++s) {
     const auto& [a, b] = pattern.stitches[s];
     const std::vector<Index>&first = borders[a.panel][a.edge], &second = borders[b.panel][b.edge];
-    const auto way = [&](Index v, Index w) { return glm::distance(pieces.placed_m[v], pieces.placed_m[w]); };
-    const double ahead_m = way(first.front(), second.front()) + way(first.back(), second.back());
-    const double back_m = way(first.front(), second.back()) + way(first.back(), second.front());
-    ways.push_back({(ahead_m - back_m) / (length_of(pattern.line_of(a)) + length_of(pattern.line_of(b))), s});
+    const auto at = [&](Index v) { return pieces.placed_m[v]; };
+    const auto way_m = [&](Index v, Index w) { return glm::distance(at(v), at(w)); };
+    const double ahead_m = way_m(first.front(), second.front()) + way_m(first.back(), second.back());
+    const double back_m = way_m(first.front(), second.back()) + way_m(first.back(), second.front());
+    const double lengths_m[] = {length_of(pattern.line_of(a)), length_of(pattern.line_of(b))};
+    // Where panels are far apart, which way their borders go tells more than how far there is to go.
+    const double alike = glm::dot(at(first.back()) - at(first.front()), at(second.back()) - at(second.front())) /
+                         (lengths_m[0] * lengths_m[1]);
+    ways.push_back({0.5 * ((ahead_m - back_m) / (lengths_m[0] + lengths_m[1]) - alike), s});
   }
   std::ranges::stable_sort(ways, [](const Way& a, const Way& b) { return std::abs(a.shorter) > std::abs(b.shorter); });
   Facing facing(pattern.panels.size());
@@ -182,24 +168,22 @@ std::vector<Seam> find_seams(const SewingPattern& pattern, const std::vector<std
     const bool runs_back = opposite && std::abs(shorter) < beyond_doubt ? !*opposite : shorter > 0.0;
     facing.join(a.panel, b.panel, !runs_back);
     std::vector<Index> second = borders[b.panel][b.edge];
-    if (runs_back) {
-      std::ranges::reverse(second);
-    }
-    for (std::size_t k = 0; k < second.size(); ++k) {
-      seams[s].emplace_back(borders[a.panel][a.edge][k], second[k]);
-    }
+    if (runs_back) std::ranges::reverse(second);
+    for (std::size_t k = 0; k < second.size(); ++k) seams[s].emplace_back(borders[a.panel][a.edge][k], second[k]);
   }
   return seams;
 }
 
-/// Returns whether the border of its panel goes from this vertex of a triangle to the other, counter-clockwise.
+/// Returns whether the border of its panel goes from this vertex of a triangle to the other,
+/// counter-clockwise.
 bool goes_along(const CutPieces& pieces, Index from, Index to) {
   return std::ranges::any_of(pieces.triangles, [&](const Triangle& t) {
     return (t[0] == from && t[1] == to) || (t[1] == from && t[2] == to) || (t[2] == from && t[0] == to);
   });
 }
 
-/// Turns panels so that all that are sewn together face the same side, and that outwards, away from the middle of all.
+/// Turns panels so that all that are sewn together face the same side, and that outwards, away from the
+/// middle of all.
 void turn_outwards(const SewingPattern& pattern, CutPieces& pieces) {
   std::vector<int> side(pieces.panel_count(), 0);
   std::vector<bool> face_alike;  // per stitch, whether its panels face the same side as they are
@@ -207,7 +191,8 @@ void turn_outwards(const SewingPattern& pattern, CutPieces& pieces) {
     face_alike.push_back(goes_along(pieces, seam[0].first, seam[1].first) !=
                          goes_along(pieces, seam[0].second, seam[1].second));
   }
-  const Vec3 middle = std::accumulate(pieces.placed_m.begin(), pieces.placed_m.end(), Vec3(0.0)) / static_cast<double>(pieces.placed_m.size());
+  const Vec3 middle = std::accumulate(pieces.placed_m.begin(), pieces.placed_m.end(), Vec3(0.0)) /
+                      static_cast<double>(pieces.placed_m.size());
   std::vector<double> outwards(side.size(), 0.0);
   for (std::size_t p = 0; p < side.size(); ++p) {
     for (Index t = pieces.panel_triangles[p]; t < pieces.panel_triangles[p + 1]; ++t) {
@@ -217,9 +202,7 @@ void turn_outwards(const SewingPattern& pattern, CutPieces& pieces) {
     }
   }
   for (std::size_t begin = 0; begin < side.size(); ++begin) {
-    if (side[begin] != 0) {
-      continue;
-    }
+    if (side[begin] != 0) continue;
     side[begin] = 1;
     std::vector<std::size_t> found = {begin};
     for (std::size_t k = 0; k < found.size(); ++k) {
@@ -233,12 +216,8 @@ void turn_outwards(const SewingPattern& pattern, CutPieces& pieces) {
       }
     }
     double sum = 0.0;
-    for (const std::size_t p : found) {
-      sum += side[p] * outwards[p];
-    }
-    for (const std::size_t p : found) {
-      side[p] = sum < 0.0 ? -side[p] : side[p];
-    }
+    for (const std::size_t p : found) sum += side[p] * outwards[p];
+    for (const std::size_t p : found) side[p] = sum < 0.0 ? -side[p] : side[p];
   }
   for (std::size_t p = 0; p < side.size(); ++p) {
     pieces.is_turned.push_back(side[p] < 0 ? 1 : 0);
@@ -248,13 +227,13 @@ void turn_outwards(const SewingPattern& pattern, CutPieces& pieces) {
   }
 }
 
-/// Lays panels side by side, as seen from outside, in numbers that single precision holds in cm: files hold these.
-void lay_out(CutPieces& pieces) {
-  std::vector<double> low_m(pieces.panel_count(), std::numeric_limits<double>::infinity()), high_m(pieces.panel_count(), -low_m[0]);
+/// Lays panels side by side, in numbers that single precision holds in cm: files hold these.
+void lay_side_by_side(CutPieces& pieces) {
+  std::vector<double> low_m(pieces.panel_count(), std::numeric_limits<double>::infinity()),
+      high_m(pieces.panel_count(), -low_m[0]);
   for (std::size_t v = 0; v < pieces.flat_m.size(); ++v) {
     const Index p = pieces.panel_of[v];
-    double& x = pieces.flat_m[v].x;
-    x = pieces.is_turned[p] != 0 ? -x : x;
+    const double x = pieces.flat_m[v].x;
     low_m[p] = std::min(low_m[p], x);
     high_m[p] = std::max(high_m[p], x);
   }
@@ -269,13 +248,18 @@ void lay_out(CutPieces& pieces) {
   }
 }
 
+/// Shows panels as they are seen from outside.
+void show_outsides(CutPieces& pieces) {
+  for (std::size_t v = 0; v < pieces.flat_m.size(); ++v) {
+    pieces.flat_m[v].x *= pieces.is_turned[pieces.panel_of[v]] != 0 ? -1.0 : 1.0;
+  }
+}
+
 }  // namespace
 
 std::vector<sim::Extent> panel_boxes(const CutPieces& pieces) {
   std::vector<sim::Extent> boxes(pieces.panel_count());
-  for (std::size_t v = 0; v < pieces.placed_m.size(); ++v) {
-    boxes[pieces.panel_of[v]].add(pieces.placed_m[v]);
-  }
+  for (std::size_t v = 0; v < pieces.placed_m.size(); ++v) boxes[pieces.panel_of[v]].add(pieces.placed_m[v]);
   return boxes;
 }
 
@@ -290,8 +274,35 @@ CutPieces cut_pieces(const SewingPattern& pattern, int triangles) {
   pieces.panel_triangles.push_back(static_cast<Index>(pieces.triangles.size()));
   pieces.seams = find_seams(pattern, borders, pieces);
   turn_outwards(pattern, pieces);
-  lay_out(pieces);
+  show_outsides(pieces);
+  lay_side_by_side(pieces);
+  pieces.layer_of.assign(pieces.panel_count(), 0);
   return pieces;
+}
+
+void add_over(const CutPieces& over, CutPieces& pieces) {
+  const auto vertices = static_cast<Index>(pieces.flat_m.size()),
+             triangles = static_cast<Index>(pieces.triangles.size());
+  const auto panels = static_cast<Index>(pieces.panel_count());
+  const std::size_t layer = pieces.layer_of.back() + 1;
+  pieces.panel_triangles.pop_back();
+  for (const Index first : over.panel_triangles) pieces.panel_triangles.push_back(triangles + first);
+  pieces.flat_m.insert(pieces.flat_m.end(), over.flat_m.begin(), over.flat_m.end());
+  pieces.placed_m.insert(pieces.placed_m.end(), over.placed_m.begin(), over.placed_m.end());
+  pieces.is_turned.insert(pieces.is_turned.end(), over.is_turned.begin(), over.is_turned.end());
+  pieces.layer_of.insert(pieces.layer_of.end(), over.panel_count(), layer);
+  for (const Index panel : over.panel_of) pieces.panel_of.push_back(panels + panel);
+  for (const auto& [a, b, c] : over.triangles) pieces.triangles.push_back({vertices + a, vertices + b, vertices + c});
+  for (const std::size_t seam : over.first_seams) pieces.first_seams.push_back(pieces.seams.size() + seam);
+  for (Seam seam : over.seams) {
+    for (auto& [a, b] : seam) {
+      a += vertices;
+      b += vertices;
+    }
+    pieces.seams.push_back(std::move(seam));
+  }
+  pieces.edge_m = std::min(pieces.edge_m, over.edge_m);
+  lay_side_by_side(pieces);
 }
 
 }  // namespace taut::app

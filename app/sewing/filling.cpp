@@ -1,12 +1,5 @@
 #include "app/sewing/filling.hpp"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <glm/geometric.hpp>
-#include <map>
-#include <stdexcept>
-
 #include "app/verify/triangle_crossing.hpp"
 #include "sim/mesh/polygons.hpp"
 
@@ -30,9 +23,7 @@ bool is_inside(const std::vector<Vec2>& outline, const Vec2& p) {
   bool inside = false;
   for (std::size_t i = 0, j = outline.size() - 1; i < outline.size(); j = i++) {
     const Vec2 &a = outline[i], &b = outline[j];
-    if ((a.y > p.y) != (b.y > p.y) && p.x < a.x + (b.x - a.x) * ((p.y - a.y) / (b.y - a.y))) {
-      inside = !inside;
-    }
+    if ((a.y > p.y) != (b.y > p.y) && p.x < a.x + (b.x - a.x) * ((p.y - a.y) / (b.y - a.y))) inside = !inside;
   }
   return inside;
 }
@@ -47,8 +38,8 @@ double distance_to(const std::vector<Vec2>& outline, const Vec2& p) {
   return nearest;
 }
 
-/// Points of a triangular grid within the outline, each moved a little: by multiples of the inverse plastic number,
-/// which are spread evenly.
+/// Points of a triangular grid within the outline, each moved a little: by multiples of the inverse plastic
+/// number, which are spread evenly.
 std::vector<Vec2> points_within(const std::vector<Vec2>& outline, double edge) {
   constexpr double first_step = 0.7548776662466927, second_step = 0.5698402909980532;
   Vec2 low = outline[0], high = outline[0];
@@ -59,16 +50,16 @@ std::vector<Vec2> points_within(const std::vector<Vec2>& outline, double edge) {
   std::vector<Vec2> points;
   double number = 0.0;
   const double row_height = edge * std::sqrt(0.75);
-  const auto rows = static_cast<int>((high.y - low.y) / row_height), columns = static_cast<int>((high.x - low.x) / edge);
+  const auto rows = static_cast<int>((high.y - low.y) / row_height),
+             columns = static_cast<int>((high.x - low.x) / edge);
   for (int row = 0; row <= rows; ++row) {
     for (int column = 0; column <= columns; ++column) {
       number += 1.0;
       const Vec2 moved = {number * first_step - std::floor(number * first_step) - 0.5,
                           number * second_step - std::floor(number * second_step) - 0.5};
-      const Vec2 p = low + Vec2((column + (row % 2 == 0 ? 0.25 : 0.75)) * edge, (row + 0.5) * row_height) + jitter * edge * moved;
-      if (is_inside(outline, p) && distance_to(outline, p) > clearance * edge) {
-        points.push_back(p);
-      }
+      const Vec2 p =
+          low + Vec2((column + (row % 2 == 0 ? 0.25 : 0.75)) * edge, (row + 0.5) * row_height) + jitter * edge * moved;
+      if (is_inside(outline, p) && distance_to(outline, p) > clearance * edge) points.push_back(p);
     }
   }
   return points;
@@ -88,17 +79,13 @@ class Triangulation {
     triangles_ = sim::cut_into_triangles({corners_m, std::span(&count, 1), corners});
     require_simple();
     find_neighbours();
-    for (Index t = 0; t < triangles_.size(); ++t) {
-      push(t);
-    }
+    for (Index t = 0; t < triangles_.size(); ++t) push(t);
     flip_all();
   }
 
   void insert(const Vec2& p) {
     const Index t = triangle_around(p);
-    if (t == none) {
-      return;
-    }
+    if (t == none) return;
     const auto [a, b, c] = triangles_[t];
     const auto [ab, bc, ca] = beyond_[t];
     const auto v = static_cast<Index>(points_.size());
@@ -112,9 +99,7 @@ class Triangulation {
     beyond_.push_back({ca, t, second});
     renew(bc, t, second);
     renew(ca, t, third);
-    for (const Index n : {t, second, third}) {
-      push(n);
-    }
+    for (const Index n : {t, second, third}) push(n);
     flip_all();
   }
 
@@ -133,24 +118,21 @@ class Triangulation {
     }
     for (std::size_t v = outline_; v < points_.size(); ++v) {
       const Vec2 before = std::exchange(points_[v], sums[v] / counts[v]);
-      const auto is_turned = [&](Index t) { return !(area(triangles_[t]) > 0.1 * before_area(t, static_cast<Index>(v), before)); };
-      if (std::ranges::any_of(around[v], is_turned)) {
-        points_[v] = before;
-      }
+      const auto is_turned = [&](Index t) {
+        return !(area(triangles_[t]) > 0.1 * before_area(t, static_cast<Index>(v), before));
+      };
+      if (std::ranges::any_of(around[v], is_turned)) points_[v] = before;
     }
-    for (Index t = 0; t < triangles_.size(); ++t) {
-      push(t);
-    }
+    for (Index t = 0; t < triangles_.size(); ++t) push(t);
     flip_all();
   }
 
-  /// Halves edges within whose ends are both on the outline: where that is sewn to another, such edges could meet.
+  /// Halves edges within whose ends are both on the outline: where that is sewn to another, such edges could
+  /// meet.
   void halve_across() {
     for (Index t = 0; t < triangles_.size(); ++t) {
       for (std::size_t k = 0; k < 3; ++k) {
-        if (beyond_[t][k] != none && triangles_[t][k] < outline_ && triangles_[t][(k + 1) % 3] < outline_) {
-          halve(t, k);
-        }
+        if (beyond_[t][k] != none && triangles_[t][k] < outline_ && triangles_[t][(k + 1) % 3] < outline_) halve(t, k);
       }
     }
   }
@@ -172,12 +154,8 @@ class Triangulation {
 
   void require_simple() const {
     double sum = 0.0, outline = 0.0;
-    for (const Triangle& t : triangles_) {
-      sum += std::abs(area(t));
-    }
-    for (std::size_t i = 1; i + 1 < outline_; ++i) {
-      outline += doubled_area(points_[0], points_[i], points_[i + 1]);
-    }
+    for (const Triangle& t : triangles_) sum += std::abs(area(t));
+    for (std::size_t i = 1; i + 1 < outline_; ++i) outline += doubled_area(points_[0], points_[i], points_[i + 1]);
     // Along straight borders some have no area until they are flipped.
     const bool is_turned = std::ranges::any_of(triangles_, [&](const Triangle& t) { return area(t) < -1e-9 * sum; });
     if (is_turned || triangles_.size() + 2 != outline_ || std::abs(sum - outline) > 1e-6 * sum) {
@@ -188,9 +166,7 @@ class Triangulation {
   void find_neighbours() {
     std::map<std::array<Index, 2>, Index> sides;
     for (Index t = 0; t < triangles_.size(); ++t) {
-      for (std::size_t k = 0; k < 3; ++k) {
-        sides[{triangles_[t][k], triangles_[t][(k + 1) % 3]}] = t;
-      }
+      for (std::size_t k = 0; k < 3; ++k) sides[{triangles_[t][k], triangles_[t][(k + 1) % 3]}] = t;
     }
     for (const Triangle& t : triangles_) {
       auto& beyond = beyond_.emplace_back();
@@ -205,9 +181,7 @@ class Triangulation {
     return static_cast<std::size_t>(std::ranges::find(beyond_[t], other) - beyond_[t].begin());
   }
   void renew(Index t, Index before, Index now) {
-    if (t != none) {
-      beyond_[t][side_to(t, before)] = now;
-    }
+    if (t != none) beyond_[t][side_to(t, before)] = now;
   }
   void push(Index t) { waiting_.push_back(t); }
 
@@ -239,10 +213,9 @@ class Triangulation {
     const std::size_t j = side_to(u, t);
     const Index a = triangles_[t][k], b = triangles_[t][(k + 1) % 3], c = triangles_[t][(k + 2) % 3];
     const Index d = triangles_[u][(j + 2) % 3];
-    const bool is_convex = orientation(points_[a], points_[d], points_[c]) > 0 && orientation(points_[d], points_[b], points_[c]) > 0;
-    if (!is_convex || !is_within_circle(points_[a], points_[b], points_[c], points_[d])) {
-      return false;
-    }
+    const bool is_convex =
+        orientation(points_[a], points_[d], points_[c]) > 0 && orientation(points_[d], points_[b], points_[c]) > 0;
+    if (!is_convex || !is_within_circle(points_[a], points_[b], points_[c], points_[d])) return false;
     const Index bc = beyond_[t][(k + 1) % 3], ca = beyond_[t][(k + 2) % 3];
     const Index ad = beyond_[u][(j + 1) % 3], db = beyond_[u][(j + 2) % 3];
     triangles_[t] = {a, d, c};
@@ -262,9 +235,7 @@ class Triangulation {
       for (std::size_t k = 0; k < 3 && is_around; ++k) {
         is_around = orientation(points_[triangles_[t][k]], points_[triangles_[t][(k + 1) % 3]], p) > 0;
       }
-      if (is_around) {
-        return t;
-      }
+      if (is_around) return t;
     }
     return none;
   }
@@ -309,19 +280,11 @@ double area_of(const std::vector<Vec2>& outline) {
 
 FilledOutline fill_outline(std::vector<Vec2> outline_m, double edge_m) {
   const double area_m2 = area_of(outline_m);
-  if (!(std::abs(area_m2) > 0.0)) {
-    throw std::invalid_argument("its outline has no area");
-  }
-  if (area_m2 < 0.0) {
-    throw std::invalid_argument("its outline goes clockwise");
-  }
+  if (!(std::abs(area_m2) > 0.0)) throw std::invalid_argument("its outline has no area");
+  if (area_m2 < 0.0) throw std::invalid_argument("its outline goes clockwise");
   Triangulation triangulation(outline_m);
-  for (const Vec2& p : points_within(outline_m, edge_m)) {
-    triangulation.insert(p);
-  }
-  for (int round = 0; round < smoothing_rounds; ++round) {
-    triangulation.smooth();
-  }
+  for (const Vec2& p : points_within(outline_m, edge_m)) triangulation.insert(p);
+  for (int round = 0; round < smoothing_rounds; ++round) triangulation.smooth();
   triangulation.halve_across();
   triangulation.require_areas();
   return triangulation.take();

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <vector>
-
 #include "sim/mesh/types.hpp"
 
 namespace taut::app {
@@ -12,9 +10,10 @@ struct FilledOutline {
   std::vector<sim::Triangle> triangles;
 };
 
-/// Fills a closed outline, counter-clockwise and its first point not repeated, with triangles that are near equilateral,
-/// with edges of about this length. The edges of the outline stay as they are; every other edge has an end within.
-/// Throws std::invalid_argument on an outline that crosses or touches itself or goes clockwise.
+/// Fills a closed outline, counter-clockwise and its first point not repeated, with triangles that are near
+/// equilateral, with edges of about this length. The edges of the outline stay as they are; every other edge
+/// has an end within. Throws std::invalid_argument on an outline that crosses or touches itself or goes
+/// clockwise.
 FilledOutline fill_outline(std::vector<sim::Vec2> outline_m, double edge_m);
 
 /// Twice the area of a triangle, above 0 if it is counter-clockwise.

@@ -1,10 +1,6 @@
 #include "app/sewing/pattern.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <glm/geometric.hpp>
 #include <nlohmann/json.hpp>
-#include <optional>
 
 #include "app/base/errors.hpp"
 #include "app/base/files.hpp"
@@ -27,28 +23,24 @@ class Place {
       : value_(&value), name_(std::move(name)), file_(&file) {}
 
   const nlohmann::json& value() const { return *value_; }
-  bool has(const char* member) const { return value_->is_object() && value_->contains(member) && !(*value_)[member].is_null(); }
+  bool has(const char* member) const {
+    return value_->is_object() && value_->contains(member) && !(*value_)[member].is_null();
+  }
 
   Place member(const std::string& key) const {
-    if (!value_->is_object() || !value_->contains(key)) {
-      fail("a member '" + key + '\'');
-    }
+    if (!value_->is_object() || !value_->contains(key)) fail("a member '" + key + '\'');
     return {(*value_)[key], name_.empty() ? key : name_ + '.' + key, *file_};
   }
   Place item(std::size_t index) const { return {(*value_)[index], fmt::format("{}[{}]", name_, index), *file_}; }
 
   std::size_t count(std::size_t least, const char* what) const {
-    if (!value_->is_array() || value_->size() < least) {
-      fail(fmt::format("a list of {}, at least {}", what, least));
-    }
+    if (!value_->is_array() || value_->size() < least) fail(fmt::format("a list of {}, at least {}", what, least));
     return value_->size();
   }
   std::vector<double> numbers(std::size_t least, std::size_t most) const {
     std::vector<double> found;
     for (const nlohmann::json& number : value_->is_array() ? *value_ : nlohmann::json::array()) {
-      if (number.is_number() && std::isfinite(number.get<double>())) {
-        found.push_back(number.get<double>());
-      }
+      if (number.is_number() && std::isfinite(number.get<double>())) found.push_back(number.get<double>());
     }
     if (found.size() < least || found.size() > most || found.size() != value_->size()) {
       fail(least == most ? fmt::format("{} numbers", least) : fmt::format("{} to {} numbers", least, most));
@@ -67,9 +59,7 @@ class Place {
     return value_->get<std::size_t>();
   }
   std::string text() const {
-    if (!value_->is_string()) {
-      fail("a text");
-    }
+    if (!value_->is_string()) fail("a text");
     return value_->get<std::string>();
   }
 
@@ -100,17 +90,17 @@ std::vector<Vec2> bezier(const std::vector<Vec2>& control, double tolerance) {
   double second = 0.0;
   const auto degree_of = static_cast<double>(control.size() - 1);
   for (std::size_t k = 2; k < control.size(); ++k) {
-    second = std::max(second, degree_of * (degree_of - 1.0) * glm::length(control[k] - 2.0 * control[k - 1] + control[k - 2]));
+    second = std::max(second,
+                      degree_of * (degree_of - 1.0) * glm::length(control[k] - 2.0 * control[k - 1] + control[k - 2]));
   }
-  const int steps = static_cast<int>(std::clamp(std::ceil(std::sqrt(second / (8.0 * tolerance))), 1.0, double{most_curve_steps}));
+  const int steps =
+      static_cast<int>(std::clamp(std::ceil(std::sqrt(second / (8.0 * tolerance))), 1.0, double{most_curve_steps}));
   std::vector<Vec2> line;
   for (int step = 0; step <= steps; ++step) {
     const double t = static_cast<double>(step) / steps;
     std::vector<Vec2> points = control;
     for (std::size_t left = points.size() - 1; left > 0; --left) {
-      for (std::size_t k = 0; k < left; ++k) {
-        points[k] = (1.0 - t) * points[k] + t * points[k + 1];
-      }
+      for (std::size_t k = 0; k < left; ++k) points[k] = (1.0 - t) * points[k] + t * points[k + 1];
     }
     line.push_back(points[0]);
   }
@@ -118,8 +108,8 @@ std::vector<Vec2> bezier(const std::vector<Vec2>& control, double tolerance) {
   return line;
 }
 
-/// Lays a line along an arc from `from` to `to`: the larger one of the circle or the smaller, to the right of the way
-/// or to the left, as in SVG with y up. A radius that is too small for the way is half of it.
+/// Lays a line along an arc from `from` to `to`: the larger one of the circle or the smaller, to the right of
+/// the way or to the left, as in SVG with y up. A radius that is too small for the way is half of it.
 std::vector<Vec2> arc(const Vec2& from, const Vec2& to, double radius, bool is_large, bool is_right, double tolerance) {
   const Vec2 along = to - from;
   const double half = 0.5 * glm::length(along);
@@ -135,7 +125,8 @@ std::vector<Vec2> arc(const Vec2& from, const Vec2& to, double radius, bool is_l
   for (int step = 1; step < steps; ++step) {
     const double angle = (is_right ? 2.0 : -2.0) * half_angle * step / steps;
     const Vec2 d = from - middle;
-    line.push_back(middle + Vec2(std::cos(angle) * d.x - std::sin(angle) * d.y, std::sin(angle) * d.x + std::cos(angle) * d.y));
+    line.push_back(middle +
+                   Vec2(std::cos(angle) * d.x - std::sin(angle) * d.y, std::sin(angle) * d.x + std::cos(angle) * d.y));
   }
   line.push_back(to);
   return line;
@@ -143,13 +134,9 @@ std::vector<Vec2> arc(const Vec2& from, const Vec2& to, double radius, bool is_l
 
 std::vector<Vec2> read_points(const Place& place, const EdgeFrame& frame, std::size_t least, std::size_t most) {
   const std::size_t count = place.count(least, "points");
-  if (count > most) {
-    place.fail(fmt::format("{} points", most));
-  }
+  if (count > most) place.fail(fmt::format("{} points", most));
   std::vector<Vec2> points;
-  for (std::size_t k = 0; k < count; ++k) {
-    points.push_back(frame(place.item(k).point()));
-  }
+  for (std::size_t k = 0; k < count; ++k) points.push_back(frame(place.item(k).point()));
   return points;
 }
 
@@ -157,19 +144,20 @@ std::vector<Vec2> read_arc(const Place& place, const Vec2& from, const Vec2& to,
   std::vector<double> params;
   for (std::size_t k = 0; k < place.count(3, "numbers"); ++k) {
     const nlohmann::json& number = place.item(k).value();
-    params.push_back(number.is_boolean() ? (number.get<bool>() ? 1.0 : 0.0) : number.is_number() ? number.get<double>() : NAN);
+    params.push_back(number.is_boolean()  ? (number.get<bool>() ? 1.0 : 0.0)
+                     : number.is_number() ? number.get<double>()
+                                          : NAN);
   }
   const auto is_flag = [](double flag) { return flag == 0.0 || flag == 1.0; };
-  if (params.size() != 3 || !(params[0] > 0.0) || !std::isfinite(params[0]) || !is_flag(params[1]) || !is_flag(params[2])) {
+  if (params.size() != 3 || !(params[0] > 0.0) || !std::isfinite(params[0]) || !is_flag(params[1]) ||
+      !is_flag(params[2])) {
     place.fail("a radius above 0, then 1 or 0 for the larger arc, then 1 or 0 for one to the right");
   }
   return arc(from, to, params[0], params[1] == 1.0, params[2] == 1.0, tolerance);
 }
 
 std::vector<Vec2> read_edge(const Place& edge, const Vec2& from, const Vec2& to, bool is_relative, double tolerance) {
-  if (!edge.has("curvature")) {
-    return {from, to};
-  }
+  if (!edge.has("curvature")) return {from, to};
   const EdgeFrame frame = {from, to - from, is_relative};
   const Place curve = edge.member("curvature");
   std::vector<Vec2> control = {from};
@@ -183,9 +171,7 @@ std::vector<Vec2> read_edge(const Place& edge, const Vec2& from, const Vec2& to,
   }
   const std::string type = curve.member("type").text();
   const Place params = curve.member("params");
-  if (type == "circle") {
-    return read_arc(params, from, to, tolerance);
-  }
+  if (type == "circle") return read_arc(params, from, to, tolerance);
   if (type == "polyline") {
     append(read_points(params, frame, 1, most_curve_steps));
     return control;
@@ -202,7 +188,8 @@ std::vector<Vec2> read_edge(const Place& edge, const Vec2& from, const Vec2& to,
 glm::dmat3 rotation_of(const std::vector<double>& degrees) {
   glm::dmat3 rotation(1.0);
   for (int axis = 0; axis < 3; ++axis) {
-    const double c = std::cos(degrees[static_cast<std::size_t>(axis)] * degree), s = std::sin(degrees[static_cast<std::size_t>(axis)] * degree);
+    const double c = std::cos(degrees[static_cast<std::size_t>(axis)] * degree),
+                 s = std::sin(degrees[static_cast<std::size_t>(axis)] * degree);
     const int next = (axis + 1) % 3, last = (axis + 2) % 3;
     glm::dmat3 turn(1.0);
     turn[next][next] = turn[last][last] = c;
@@ -220,30 +207,24 @@ PatternPanel read_panel(const Place& place, const std::string& name, bool is_rel
   for (std::size_t k = 0; k < vertices.count(2, "points"); ++k) {
     corners.push_back(vertices.item(k).point());
     if (glm::length(corners.back() - corners.front()) * metres > longest_panel_m) {
-      vertices.item(k).fail(fmt::format("a panel of at most {} m; properties.units_in_meter says what a unit is", longest_panel_m));
+      vertices.item(k).fail(
+          fmt::format("a panel of at most {} m; properties.units_in_meter says what a unit is", longest_panel_m));
     }
   }
   std::optional<std::size_t> at;
   std::size_t begin = 0;
   for (std::size_t e = 0; e < edges.count(2, "edges"); ++e) {
     const Place ends = edges.item(e).member("endpoints");
-    if (ends.count(2, "vertices") != 2) {
-      ends.fail("two numbers of vertices");
-    }
+    if (ends.count(2, "vertices") != 2) ends.fail("two numbers of vertices");
     const std::size_t from = ends.item(0).index_below(corners.size(), "a vertex");
     const std::size_t to = ends.item(1).index_below(corners.size(), "a vertex");
     begin = at ? begin : from;
-    if (from != at.value_or(from)) {
-      ends.fail(fmt::format("an edge from vertex {}, where the one before ends", *at));
-    }
-    if (!(glm::length(corners[to] - corners[from]) > 0.0)) {
-      ends.fail("two vertices at different places");
-    }
+    if (from != at.value_or(from)) ends.fail(fmt::format("an edge from vertex {}, where the one before ends", *at));
+    if (!(glm::length(corners[to] - corners[from]) > 0.0)) ends.fail("two vertices at different places");
     at = to;
-    std::vector<Vec2> line = read_edge(edges.item(e), corners[from], corners[to], is_relative, line_tolerance_m / metres);
-    for (Vec2& p : line) {
-      p *= metres;
-    }
+    std::vector<Vec2> line =
+        read_edge(edges.item(e), corners[from], corners[to], is_relative, line_tolerance_m / metres);
+    for (Vec2& p : line) p *= metres;
     panel.edges_m.push_back(std::move(line));
   }
   if (*at != begin) {
@@ -262,9 +243,7 @@ PanelEdge read_side(const Place& side, const SewingPattern& pattern) {
   const Place name = side.member("panel");
   const std::string panel = name.text();
   const auto found = std::ranges::find(pattern.panels, panel, &PatternPanel::name);
-  if (found == pattern.panels.end()) {
-    name.fail("the name of a panel");
-  }
+  if (found == pattern.panels.end()) name.fail("the name of a panel");
   return {static_cast<std::size_t>(found - pattern.panels.begin()),
           side.member("edge").index_below(found->edges_m.size(), "an edge of that panel")};
 }
@@ -287,9 +266,28 @@ std::string SewingPattern::describe(const Stitch& stitch) const {
                      panels[stitch.second.panel].name, stitch.second.edge);
 }
 
-bool is_sewing_pattern(const std::filesystem::path& file) {
-  return file.extension() == ".json";
+std::vector<char> SewingPattern::is_stitched(std::size_t panel) const {
+  std::vector<char> stitched(panels[panel].edges_m.size(), 0);
+  for (const auto& [first, second] : stitches) {
+    for (const PanelEdge& side : {first, second}) {
+      if (side.panel == panel) stitched[side.edge] = 1;
+    }
+  }
+  return stitched;
 }
+
+void add_pattern(const std::string& name, SewingPattern added, SewingPattern& pattern) {
+  const std::size_t before = pattern.panels.size();
+  for (PatternPanel& panel : added.panels) {
+    panel.name = name + '.' + panel.name;
+    pattern.panels.push_back(std::move(panel));
+  }
+  for (const auto& [first, second] : added.stitches) {
+    pattern.stitches.push_back({{first.panel + before, first.edge}, {second.panel + before, second.edge}});
+  }
+}
+
+bool is_sewing_pattern(const std::filesystem::path& file) { return file.extension() == ".json"; }
 
 SewingPattern read_sewing_pattern(const std::filesystem::path& path) {
   const std::string file = path.string();
@@ -302,12 +300,11 @@ SewingPattern read_sewing_pattern(const std::filesystem::path& path) {
     if (properties.has("units_in_meter")) {
       const Place unit = properties.member("units_in_meter");
       const double per_metre = unit.value().is_number() ? unit.value().get<double>() : 0.0;
-      if (!(per_metre > 0.0) || !std::isfinite(per_metre)) {
-        unit.fail("how many units are a metre, a number above 0");
-      }
+      if (!(per_metre > 0.0) || !std::isfinite(per_metre)) unit.fail("how many units are a metre, a number above 0");
       metres = 1.0 / per_metre;
     }
-    const std::string coords = properties.has("curvature_coords") ? properties.member("curvature_coords").text() : "relative";
+    const std::string coords =
+        properties.has("curvature_coords") ? properties.member("curvature_coords").text() : "relative";
     if (coords != "relative" && coords != "absolute") {
       properties.member("curvature_coords").fail("\"relative\" or \"absolute\"");
     }
@@ -328,18 +325,14 @@ SewingPattern read_sewing_pattern(const std::filesystem::path& path) {
     stitch.count(2, "sides");
     pattern.stitches.push_back({read_side(stitch.item(0), pattern), read_side(stitch.item(1), pattern)});
     const auto& [first, second] = pattern.stitches.back();
-    if (first.panel == second.panel && first.edge == second.edge) {
-      stitch.fail("two different edges");
-    }
+    if (first.panel == second.panel && first.edge == second.edge) stitch.fail("two different edges");
   }
   return pattern;
 }
 
 double length_of(const std::vector<Vec2>& line) {
   double length = 0.0;
-  for (std::size_t k = 1; k < line.size(); ++k) {
-    length += glm::distance(line[k - 1], line[k]);
-  }
+  for (std::size_t k = 1; k < line.size(); ++k) length += glm::distance(line[k - 1], line[k]);
   return length;
 }
 

@@ -1,9 +1,6 @@
 #pragma once
 
 #include <filesystem>
-#include <glm/mat3x3.hpp>
-#include <string>
-#include <vector>
 
 #include "sim/mesh/types.hpp"
 
@@ -12,8 +9,8 @@ namespace taut::app {
 /// A flat piece of cloth, and where its pattern places it.
 struct PatternPanel {
   std::string name;
-  /// Per edge, in the order in which they go around the piece: a line from corner to corner, in m. Each begins where
-  /// the one before ends.
+  /// Per edge, in the order in which they go around the piece: a line from corner to corner, in m. Each
+  /// begins where the one before ends.
   std::vector<std::vector<sim::Vec2>> edges_m;
   glm::dmat3 rotation = glm::dmat3(1.0);
   sim::Vec3 translation_m = sim::Vec3(0.0);
@@ -39,17 +36,22 @@ struct SewingPattern {
   std::vector<Stitch> stitches;
 
   const std::vector<sim::Vec2>& line_of(const PanelEdge& edge) const { return panels[edge.panel].edges_m[edge.edge]; }
+  /// Per edge of a panel, whether it is sewn to anything.
+  std::vector<char> is_stitched(std::size_t panel) const;
   /// Returns "front, edge 3 with back, edge 5".
   std::string describe(const Stitch& stitch) const;
 };
+
+/// Adds a pattern whose panels get "NAME." in front of their names.
+void add_pattern(const std::string& name, SewingPattern added, SewingPattern& pattern);
 
 /// Returns whether a file is a sewing pattern by its name: *.json.
 bool is_sewing_pattern(const std::filesystem::path& file);
 
 /// Reads a pattern in the JSON of GarmentCode (Korosteleva and Sorkine-Hornung 2023) and of its forerunner
-/// (Korosteleva and Lee 2021): edges are straight, quadratic or cubic curves of Bezier, arcs, or polylines, which is an
-/// addition. Curves become lines that are `line_tolerance_m` off them at most. Comments are passed over. Throws
-/// InputError that names the file, the place in it, what was found and what was expected.
+/// (Korosteleva and Lee 2021): edges are straight, quadratic or cubic curves of Bezier, arcs, or polylines,
+/// which is an addition. Curves become lines that are `line_tolerance_m` off them at most. Comments are
+/// passed over. Throws InputError that names the file, the place in it, what was found and what was expected.
 SewingPattern read_sewing_pattern(const std::filesystem::path& file);
 
 /// How far a line may be off the curve that it stands for, in m.

@@ -1,12 +1,5 @@
 #include "app/sewing/sewing.hpp"
 
-#include <fmt/core.h>
-
-#include <algorithm>
-#include <cmath>
-#include <stdexcept>
-#include <utility>
-
 #include "app/base/counted.hpp"
 #include "app/base/interruption.hpp"
 #include "app/bodies/fit.hpp"
@@ -17,8 +10,6 @@
 #include "app/scene/scene_key.hpp"
 #include "app/sewing/placing.hpp"
 #include "app/verify/stretch.hpp"
-#include "sim/mesh/extent.hpp"
-#include "sim/simulation.hpp"
 
 namespace taut::app {
 namespace {
@@ -29,20 +20,25 @@ using sim::Vec3;
 constexpr double cm = 0.01;
 /// More time steps help no garment that is too small, which then takes minutes to be refused.
 constexpr int most_substeps = 250;
+// Where it comes to rest does not depend on the air, but how soon does: it gets thicker by that much every so
+// many frames.
 constexpr double resting_drag_per_s = 6.0;
+constexpr double thicker = 1.5;
+constexpr int frames_to_thicker = 60;
 constexpr double of_one_limb = 0.6;  ///< of a girth, at most
 
 [[noreturn]] void refuse_open(SewnGarment garment) {
   const SewnPieces& sewn = garment.sewn;
-  const std::string message = fmt::format("a seam stays open: {}, by {:.1f} cm at {}{}",
-                                          garment.pattern.describe(garment.pattern.stitches[sewn.open_stitch]),
-                                          sewn.gap_m / cm, describe_place(sewn.gap_place_m),
-                                          sewn.reason.empty() ? "" : "; " + sewn.reason);
+  const std::string message =
+      fmt::format("a seam stays open: {}, by {:.1f} cm at {}{}",
+                  garment.pattern.describe(garment.pattern.stitches[sewn.open_stitch]), sewn.gap_m / cm,
+                  describe_place(sewn.gap_place_m), sewn.reason.empty() ? "" : "; " + sewn.reason);
   throw SewingFailed(message, std::move(garment));
 }
 
 /// Lets the body grow into what was sewn, and that come to rest.
-void wear(const Scene& scene, const SewingSettings& settings, const std::function<void(const std::string&)>& stage, SewnGarment& garment) {
+void wear(const Scene& scene, const SewingSettings& settings, const std::function<void(const std::string&)>& stage,
+          SewnGarment& garment) {
   SewnPieces& sewn = garment.sewn;
   sewn.garment = sim::with_material(std::move(sewn.garment), scene.material);
   // As of any garment that begins where it lies.
@@ -60,18 +56,24 @@ void wear(const Scene& scene, const SewingSettings& settings, const std::functio
   std::erase_if(fit, [](const FitRow& row) { return row.garment_m < of_one_limb * row.body_m; });
   const auto refuse = [&](const std::exception& error) {
     keep();
-    throw SewingFailed("its seams are closed, but it cannot be worn: " + (error.what() + describe_misfit(fit)), std::move(garment));
+    const std::string tight = describe_tightness(scene, sewn.garment, sewn.garment.mesh.positions, fit);
+    throw SewingFailed("its seams are closed, but it cannot be worn: " + (error.what() + describe_misfit(fit)) +
+                           (tight.empty() ? "" : "; " + tight),
+                       std::move(garment));
   };
   try {
     stage("the body grows into it");
     dress(scene, simulation);
-    // Where it comes to rest does not depend on the air, but how soon does.
     sim::Surroundings thick_air = scene.surroundings;
-    thick_air.forces.air_drag_per_s = std::max(thick_air.forces.air_drag_per_s, resting_drag_per_s);
-    simulation.set_surroundings(thick_air);
+    double& air_per_s = thick_air.forces.air_drag_per_s;
+    air_per_s = std::max(air_per_s, resting_drag_per_s);
     for (; garment.frames < settings.frames && !simulation.state().asleep; ++garment.frames) {
       throw_if_interrupted();
       stage(fmt::format("worn for {} of {} frames", garment.frames, settings.frames));
+      if (garment.frames % frames_to_thicker == 0) {
+        simulation.set_surroundings(thick_air);
+        air_per_s *= thicker;
+      }
       simulation.advance_frame(throw_if_interrupted);
     }
   } catch (const InputError& error) {
@@ -102,24 +104,41 @@ void verify(const Scene& scene, SewnGarment& garment) {
   garment.max_stretch = largest_stretch(mesh, mesh.positions).surface;
 }
 
+CutPieces cut(const std::filesystem::path& file, const SewingPattern& pattern, int triangles) {
+  try {
+    return cut_pieces(pattern, triangles);
+  } catch (const std::invalid_argument& error) {
+    throw InputError("cannot use '{}': {}", file.string(), error.what());
+  }
+}
+
 }  // namespace
 
 SewnGarment sew(Scene& scene, const SewingSettings& settings, const std::function<void(const std::string&)>& stage) {
-  SewnGarment garment{read_sewing_pattern(scene.garment.file), {}, {}};
+  SewnGarment garment;
+  std::vector<std::filesystem::path> files = {scene.garment.file};
+  files.insert(files.end(), settings.over.begin(), settings.over.end());
   stage("meshing its panels");
-  try {
-    garment.pieces = cut_pieces(garment.pattern, settings.triangles);
-  } catch (const std::invalid_argument& error) {
-    throw InputError("cannot use '{}': {}", scene.garment.file.string(), error.what());
+  for (const std::filesystem::path& file : files) {
+    SewingPattern pattern = read_sewing_pattern(file);
+    CutPieces pieces = cut(file, pattern, settings.triangles / static_cast<int>(files.size()));
+    for (std::string& remark : bring_to_body(pattern, scene, pieces)) {
+      garment.remarks.push_back((files.size() > 1 ? file.stem().string() + ": " : "") + remark);
+    }
+    if (garment.pattern.panels.empty()) {
+      garment.pattern = std::move(pattern);
+      garment.pieces = std::move(pieces);
+    } else {
+      add_pattern(file.stem().string(), std::move(pattern), garment.pattern);
+      add_over(pieces, garment.pieces);
+    }
   }
-  garment.remarks = place_pieces(garment.pattern, garment.pieces, scene);
+  for (std::string& remark : place_pieces(garment.pieces, scene)) garment.remarks.push_back(std::move(remark));
   garment.time_s = thin_time_s(scene);
   garment.sewn = close_seams(garment.pieces, scene, garment.time_s, [&](double share) {
     stage(fmt::format("drawing its seams together, {:.0f} % are closed", std::floor(100.0 * share)));
   });
-  if (garment.sewn.gap_m > 0.0) {
-    refuse_open(std::move(garment));
-  }
+  if (garment.sewn.gap_m > 0.0) refuse_open(std::move(garment));
   wear(scene, settings, stage, garment);
   verify(scene, garment);
   return garment;
@@ -129,9 +148,7 @@ std::string obj_of(const SewnGarment& garment) {
   const sim::Mesh& mesh = garment.sewn.garment.mesh;
   std::vector<glm::vec2> corner_uv;
   for (const auto& corners : mesh.cut_m) {
-    for (const sim::Vec2& corner : corners) {
-      corner_uv.emplace_back(corner / metres_per_uv_of_cut);
-    }
+    for (const sim::Vec2& corner : corners) corner_uv.emplace_back(corner / metres_per_uv_of_cut);
   }
   FileFaces faces = faces_of(mesh, corner_uv);
   for (std::size_t p = 0; p < garment.pattern.panels.size(); ++p) {

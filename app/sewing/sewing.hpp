@@ -1,8 +1,5 @@
 #pragma once
 
-#include <string>
-#include <vector>
-
 #include "app/base/errors.hpp"
 #include "app/scene/scene.hpp"
 #include "app/sewing/closing.hpp"
@@ -11,40 +8,44 @@ namespace taut::app {
 
 /// How a pattern is sewn.
 struct SewingSettings {
-  int triangles = 4000;  ///< about so many
-  int frames = 600;      ///< at most, from when it is worn until it rests
+  int triangles = 4000;                          ///< about so many
+  int frames = 600;                              ///< at most, from when it is worn until it rests
+  std::vector<std::filesystem::path> over = {};  ///< patterns that are sewn over the scene's garment, inner ones first
 };
 
 /// A pattern that was sewn on the body of a scene, as it rests there.
 struct SewnGarment {
-  SewingPattern pattern;
-  CutPieces pieces;
-  SewnPieces sewn;
+  SewingPattern pattern = {};  ///< of all layers; panels of outer ones are called "FILE.NAME"
+  CutPieces pieces = {};
+  SewnPieces sewn = {};
   std::vector<std::string> remarks = {};  ///< for people
   int frames = 0;                         ///< until it rested
   bool is_at_rest = false;
   double rms_speed_m_per_s = 0.0;  ///< in the last frame
-  double max_stretch = 0.0;  ///< of any triangle in any direction, measured by code of its own, a fraction
-  double time_s = 0.0;       ///< of the bodies
+  double max_stretch = 0.0;        ///< of any triangle in any direction, measured by code of its own, a fraction
+  double time_s = 0.0;             ///< of the bodies
 };
 
 /// The pattern cannot be sewn. The message says why.
 struct SewingFailed : PromiseBroken {
-  SewingFailed(const std::string& message, SewnGarment as_it_is) : PromiseBroken(message), garment(std::move(as_it_is)) {}
+  SewingFailed(const std::string& message, SewnGarment as_it_is)
+      : PromiseBroken(message), garment(std::move(as_it_is)) {}
 
   SewnGarment garment;  ///< at that moment
 };
 
-/// Reads the pattern that is the scene's garment and sews it on the body that is dressed: pieces are placed about the
-/// body while it is thin, their seams are drawn together, the body grows into what was sewn, and that comes to rest.
-/// Requires that the bodies are loaded; `stage` is called with what is done. Throws InputError, SewingFailed where a seam
-/// stays open or the garment is too small, Interrupted.
+/// Reads the pattern that is the scene's garment and sews it on the body that is dressed: pieces are placed
+/// about the body while it is thin, their seams are drawn together, the body grows into what was sewn, and
+/// that comes to rest. Requires that the bodies are loaded; `stage` is called with what is done. Throws
+/// InputError, SewingFailed where a seam stays open or the garment is too small, Interrupted.
 SewnGarment sew(Scene& scene, const SewingSettings& settings, const std::function<void(const std::string&)>& stage);
 
-/// The garment as a Wavefront OBJ in metres: groups are named after panels, texture coordinates are cm of the cloth.
+/// The garment as a Wavefront OBJ in metres: groups are named after panels, texture coordinates are cm of the
+/// cloth.
 std::string obj_of(const SewnGarment& garment);
 
-/// The text of the file beside it (landmarks_path()): that it is at rest as its texture coordinates say, and its seams.
+/// The text of the file beside it (landmarks_path()): that it is at rest as its texture coordinates say, and
+/// its seams.
 std::string landmarks_of(const SewnGarment& garment);
 
 }  // namespace taut::app

@@ -39,8 +39,9 @@ double smallest_angle_deg(const FilledOutline& filled) {
   for (const sim::Triangle& t : filled.triangles) {
     for (std::size_t k = 0; k < 3; ++k) {
       const Vec2 at = filled.points_m[t[k]];
-      largest_cosine = std::max(largest_cosine, glm::dot(glm::normalize(filled.points_m[t[(k + 1) % 3]] - at),
-                                                         glm::normalize(filled.points_m[t[(k + 2) % 3]] - at)));
+      largest_cosine =
+          std::max(largest_cosine, glm::dot(glm::normalize(filled.points_m[t[(k + 1) % 3]] - at),
+                                            glm::normalize(filled.points_m[t[(k + 2) % 3]] - at)));
     }
   }
   return std::acos(largest_cosine) * 57.29577951308232;

@@ -19,19 +19,26 @@ using sim::Vec3;
 const std::string square = R"("vertices": [[0, 0], [10, 0], [10, 10], [0, 10]])";
 
 std::string edges(const std::string& first_curvature) {
-  return R"("edges": [{"endpoints": [0, 1])" + (first_curvature.empty() ? "" : ", \"curvature\": " + first_curvature) +
+  return R"("edges": [{"endpoints": [0, 1])" +
+         (first_curvature.empty() ? "" : ", \"curvature\": " + first_curvature) +
          R"(}, {"endpoints": [1, 2]}, {"endpoints": [2, 3]}, {"endpoints": [3, 0]}])";
 }
 
-std::string pattern_of(const std::string& panels, const std::string& stitches = "", const std::string& properties = "{}") {
-  return R"({"pattern": {"panels": {)" + panels + R"(}, "stitches": [)" + stitches + "]}, \"properties\": " + properties + '}';
+std::string pattern_of(const std::string& panels, const std::string& stitches = "",
+                       const std::string& properties = "{}") {
+  return R"({"pattern": {"panels": {)" + panels + R"(}, "stitches": [)" + stitches +
+         "]}, \"properties\": " + properties + '}';
 }
 
 struct Pattern : testing::Test {
-  SewingPattern read(const std::string& text) const { return read_sewing_pattern(folder.write("pattern.json", text)); }
+  SewingPattern read(const std::string& text) const {
+    return read_sewing_pattern(folder.write("pattern.json", text));
+  }
   /// The first edge of a square, which goes from (0, 0) to (10, 0), in m.
   std::vector<Vec2> line(const std::string& curvature, const std::string& properties = "{}") const {
-    return read(pattern_of(R"("a": {)" + square + ", " + edges(curvature) + '}', "", properties)).panels[0].edges_m[0];
+    return read(pattern_of(R"("a": {)" + square + ", " + edges(curvature) + '}', "", properties))
+        .panels[0]
+        .edges_m[0];
   }
   std::string error(const std::string& text) const {
     return test::message_of<InputError>([&] { read(text); });
@@ -45,7 +52,9 @@ struct Pattern : testing::Test {
 
 Vec2 middle_of(const std::vector<Vec2>& line) { return evenly_along(line, 2)[1]; }
 
-void expect_near(const Vec2& found, const Vec2& expected) { EXPECT_LT(glm::distance(found, expected), 1e-4) << found.x << ' ' << found.y; }
+void expect_near(const Vec2& found, const Vec2& expected) {
+  EXPECT_LT(glm::distance(found, expected), 1e-4) << found.x << ' ' << found.y;
+}
 
 TEST_F(Pattern, ReadsStraightEdgesInCentimetres) {
   const std::vector<Vec2> found = line("");
@@ -75,33 +84,64 @@ TEST_F(Pattern, ReadsArcsToBothSidesAndThePolylinesOfOtherPrograms) {
 }
 
 TEST_F(Pattern, PlacesPanelsAsMayaTurnsThem) {
-  const PatternPanel panel =
-      read(pattern_of(R"("a": {)" + square + ", " + edges("") + R"(, "rotation": [90, 0, 90], "translation": [1, 2, 3]})")).panels[0];
+  const PatternPanel panel = read(pattern_of(R"("a": {)" + square + ", " + edges("") +
+                                             R"(, "rotation": [90, 0, 90], "translation": [1, 2, 3]})"))
+                                 .panels[0];
   // About x: (10, 20, 0) to (10, 0, 20); then about z: to (0, 10, 20).
   EXPECT_LT(glm::distance(panel.placed_m({0.1, 0.2}), Vec3(0.01, 0.12, 0.23)), 1e-12);
 }
 
 TEST_F(Pattern, PassesOverComments) {
-  EXPECT_EQ(read("// a square\n" + pattern_of(R"("a": {)" + square + ", " + edges("") + "} /* alone */")).panels.size(), 1u);
+  EXPECT_EQ(read("// a square\n" + pattern_of(R"("a": {)" + square + ", " + edges("") + "} /* alone */"))
+                .panels.size(),
+            1u);
 }
 
 TEST_F(Pattern, SaysWhereAFileIsWrong) {
   const std::string panel = R"("a": {)" + square + ", " + edges("") + '}';
   EXPECT_NE(error("{\"pattern\": {").find("parse error at line 1"), std::string::npos);
   EXPECT_NE(error("[1, 2]").find("the file: found [1,2], expected a member 'pattern'"), std::string::npos);
-  EXPECT_NE(error(pattern_of("")).find("pattern.panels: found {}, expected 1 to 500 panels"), std::string::npos);
-  EXPECT_NE(error(pattern_of(R"("a": {"vertices": [[0, 0], [1, "x"]], "edges": []})")).find("pattern.panels.a.vertices[1]: found [1,\"x\"], expected 2 numbers"), std::string::npos);
-  EXPECT_NE(error(pattern_of(R"("a": {)" + square + R"(, "edges": [{"endpoints": [0, 1]}, {"endpoints": [1, 9]}]})")).find("pattern.panels.a.edges[1].endpoints[1]: found 9, expected the number of a vertex, from 0 to 3"), std::string::npos);
-  EXPECT_NE(error(pattern_of(R"("a": {)" + square + R"(, "edges": [{"endpoints": [0, 1]}, {"endpoints": [2, 3]}]})")).find("expected an edge from vertex 1"), std::string::npos);
-  EXPECT_NE(error(pattern_of(R"("a": {)" + square + R"(, "edges": [{"endpoints": [0, 1]}, {"endpoints": [1, 2]}]})")).find("expected a closed outline"), std::string::npos);
-  EXPECT_NE(error(pattern_of(panel, R"([{"panel": "b", "edge": 0}, {"panel": "a", "edge": 0}])")).find("pattern.stitches[0][0].panel: found \"b\", expected the name of a panel"), std::string::npos);
-  EXPECT_NE(error(pattern_of(panel, R"([{"panel": "a", "edge": 4}, {"panel": "a", "edge": 0}])")).find("pattern.stitches[0][0].edge: found 4, expected the number of an edge of that panel, from 0 to 3"), std::string::npos);
-  EXPECT_NE(error(pattern_of(panel, R"([{"panel": "a", "edge": 1}, {"panel": "a", "edge": 1}])")).find("expected two different edges"), std::string::npos);
-  EXPECT_NE(error(pattern_of(panel, "", R"({"units_in_meter": 0})")).find("properties.units_in_meter: found 0, expected how many units are a metre"), std::string::npos);
-  EXPECT_NE(error(pattern_of(panel, "", R"({"units_in_meter": 0.1})")).find("expected a panel of at most 20 m"), std::string::npos);
-  EXPECT_NE(error_of_edge(R"({"type": "spline", "params": []})").find("edges[0].curvature.type: found \"spline\", expected \"quadratic\""), std::string::npos);
-  EXPECT_NE(error_of_edge(R"({"type": "circle", "params": [5, 2, 0]})").find("expected a radius above 0"), std::string::npos);
-  EXPECT_NE(error_of_edge(R"({"type": "cubic", "params": [[1, 1]]})").find("a list of points, at least 2"), std::string::npos);
+  EXPECT_NE(error(pattern_of("")).find("pattern.panels: found {}, expected 1 to 500 panels"),
+            std::string::npos);
+  EXPECT_NE(error(pattern_of(R"("a": {"vertices": [[0, 0], [1, "x"]], "edges": []})"))
+                .find("pattern.panels.a.vertices[1]: found [1,\"x\"], expected 2 numbers"),
+            std::string::npos);
+  EXPECT_NE(error(pattern_of(R"("a": {)" + square +
+                             R"(, "edges": [{"endpoints": [0, 1]}, {"endpoints": [1, 9]}]})"))
+                .find("pattern.panels.a.edges[1].endpoints[1]: found 9, expected the number of a vertex, "
+                      "from 0 to 3"),
+            std::string::npos);
+  EXPECT_NE(error(pattern_of(R"("a": {)" + square +
+                             R"(, "edges": [{"endpoints": [0, 1]}, {"endpoints": [2, 3]}]})"))
+                .find("expected an edge from vertex 1"),
+            std::string::npos);
+  EXPECT_NE(error(pattern_of(R"("a": {)" + square +
+                             R"(, "edges": [{"endpoints": [0, 1]}, {"endpoints": [1, 2]}]})"))
+                .find("expected a closed outline"),
+            std::string::npos);
+  EXPECT_NE(error(pattern_of(panel, R"([{"panel": "b", "edge": 0}, {"panel": "a", "edge": 0}])"))
+                .find("pattern.stitches[0][0].panel: found \"b\", expected the name of a panel"),
+            std::string::npos);
+  EXPECT_NE(error(pattern_of(panel, R"([{"panel": "a", "edge": 4}, {"panel": "a", "edge": 0}])"))
+                .find("pattern.stitches[0][0].edge: found 4, expected the number of an edge of that panel, "
+                      "from 0 to 3"),
+            std::string::npos);
+  EXPECT_NE(error(pattern_of(panel, R"([{"panel": "a", "edge": 1}, {"panel": "a", "edge": 1}])"))
+                .find("expected two different edges"),
+            std::string::npos);
+  EXPECT_NE(error(pattern_of(panel, "", R"({"units_in_meter": 0})"))
+                .find("properties.units_in_meter: found 0, expected how many units are a metre"),
+            std::string::npos);
+  EXPECT_NE(
+      error(pattern_of(panel, "", R"({"units_in_meter": 0.1})")).find("expected a panel of at most 20 m"),
+      std::string::npos);
+  EXPECT_NE(error_of_edge(R"({"type": "spline", "params": []})")
+                .find("edges[0].curvature.type: found \"spline\", expected \"quadratic\""),
+            std::string::npos);
+  EXPECT_NE(error_of_edge(R"({"type": "circle", "params": [5, 2, 0]})").find("expected a radius above 0"),
+            std::string::npos);
+  EXPECT_NE(error_of_edge(R"({"type": "cubic", "params": [[1, 1]]})").find("a list of points, at least 2"),
+            std::string::npos);
 }
 
 /// Two squares of 20 and 30 cm, one behind the other, the second edge of one sewn to the fourth of the other.
@@ -123,7 +163,9 @@ TEST(Cutting, BothSidesOfASeamHaveTheSameNumberOfVerticesAndSpreadTheEase) {
   ASSERT_EQ(pieces.seams.size(), 2u);
   const Seam& seam = pieces.seams[0];
   for (std::size_t k = 1; k < seam.size(); ++k) {
-    const auto step = [&](sim::Index a, sim::Index b) { return glm::distance(pieces.flat_m[a], pieces.flat_m[b]); };
+    const auto step = [&](sim::Index a, sim::Index b) {
+      return glm::distance(pieces.flat_m[a], pieces.flat_m[b]);
+    };
     const double steps = static_cast<double>(seam.size() - 1);
     EXPECT_NEAR(step(seam[k - 1].first, seam[k].first), 0.2 / steps, 1e-6);
     EXPECT_NEAR(step(seam[k - 1].second, seam[k].second), 0.3 / steps, 1e-6);
@@ -136,7 +178,8 @@ TEST(Cutting, BothSidesOfASeamHaveTheSameNumberOfVerticesAndSpreadTheEase) {
 
 TEST(Cutting, SewsTheWayRoundThatOtherSeamsTellWhereLengthsDoNot) {
   SewingPattern pattern = two_squares();
-  // A third seam that is as far from closing both ways round: the upper edges, from behind moved by their length.
+  // A third seam that is as far from closing both ways round: the upper edges, from behind moved by their
+  // length.
   pattern.panels[1].translation_m.x = 0.0;
   pattern.stitches.push_back({{0, 2}, {1, 2}});
   for (auto& line : pattern.panels[1].edges_m) {
@@ -148,6 +191,29 @@ TEST(Cutting, SewsTheWayRoundThatOtherSeamsTellWhereLengthsDoNot) {
   const CutPieces pieces = cut_pieces(pattern, 600);
   const Seam& seam = pieces.seams[2];
   EXPECT_EQ(pieces.placed_m[seam.front().first].x, pieces.placed_m[seam.front().second].x);
+}
+
+TEST(Cutting, SewsPanelsThatAreFarApartTheWayTheirBordersGo) {
+  // A hood beside the head and a front before it: the shoulder is nearer to the middle of the front than to
+  // its own.
+  PatternPanel front{"front", {}}, hood{"hood", {}};
+  const auto outline = [](const std::vector<Vec2>& corners) {
+    std::vector<std::vector<Vec2>> edges_m;
+    for (std::size_t k = 0; k < corners.size(); ++k) {
+      edges_m.push_back({corners[k], corners[(k + 1) % corners.size()]});
+    }
+    return edges_m;
+  };
+  front.edges_m = outline({{0.1, 0.0}, {0.0, -0.1}, {0.0, -0.4}, {0.2, -0.4}});
+  front.translation_m = {0.0, 0.0, 0.25};
+  hood.edges_m = outline({{-0.13, -0.02}, {0.0, 0.02}, {0.0, 0.3}, {-0.1, 0.3}});
+  hood.rotation = glm::dmat3(Vec3(0.0, 0.0, -1.0), Vec3(0.0, 1.0, 0.0), Vec3(1.0, 0.0, 0.0));
+  hood.translation_m = {0.12, 0.02, -0.02};
+  const CutPieces pieces = cut_pieces({{front, hood}, {{{0, 0}, {1, 0}}}}, 300);
+  const auto [shoulder, of_hood] = pieces.seams[0].front();
+  EXPECT_NEAR(pieces.placed_m[shoulder].x, 0.1, 1e-9);
+  EXPECT_NEAR(pieces.placed_m[of_hood].z, -0.02, 1e-9)
+      << "its border before the face was taken for that at the shoulder";
 }
 
 }  // namespace

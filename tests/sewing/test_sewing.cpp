@@ -1,19 +1,25 @@
 // Patterns sewn on a mannequin, and what is said of those that cannot be.
 
-#include <gtest/gtest.h>
-
 #include <fmt/core.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
 
+#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <glm/geometric.hpp>
+#include <optional>
 
 #include "app/bodies/body_loading.hpp"
+#include "app/bodies/wearing.hpp"
 #include "app/models/garment_loading.hpp"
 #include "app/models/landmarks.hpp"
 #include "app/models/scene_crossings.hpp"
+#include "app/sewing/placing.hpp"
 #include "app/sewing/sewing.hpp"
+#include "app/sewing/sewn_scene.hpp"
 #include "app/verify/stretch.hpp"
+#include "sim/mesh/extent.hpp"
 #include "sim/mesh/topology.hpp"
 #include "temporary_folder.hpp"
 
@@ -23,13 +29,14 @@ namespace {
 const std::filesystem::path assets = TAUT_ASSETS_FOLDER;
 
 /// A skirt of two panels, so many cm wide above and below, as high as a waist of 1.05 m.
-std::string skirt(double waist_cm, double hem_cm) {
+std::string skirt(double waist_cm, double hem_cm, double out_cm = 20.0) {
   const auto panel = [&](const char* name, double depth_cm) {
-    return fmt::format(R"("{}": {{"vertices": [[{}, 0], [{}, -40], [{}, -40], [{}, 0]], "edges": [{{"endpoints": [0, 1]}},
+    return fmt::format(
+        R"("{}": {{"vertices": [[{}, 0], [{}, -40], [{}, -40], [{}, 0]], "edges": [{{"endpoints": [0, 1]}},
       {{"endpoints": [1, 2], "curvature": [0.5, -0.1]}}, {{"endpoints": [2, 3]}}, {{"endpoints": [3, 0]}}], "translation": [0, 105, {}]}})",
-                       name, -0.5 * waist_cm, -0.5 * hem_cm, 0.5 * hem_cm, 0.5 * waist_cm, depth_cm);
+        name, -0.5 * waist_cm, -0.5 * hem_cm, 0.5 * hem_cm, 0.5 * waist_cm, depth_cm);
   };
-  return R"({"pattern": {"panels": {)" + panel("front", 20.0) + ", " + panel("back", -20.0) +
+  return R"({"pattern": {"panels": {)" + panel("front", out_cm) + ", " + panel("back", -out_cm) +
          R"(}, "stitches": [[{"panel": "front", "edge": 0}, {"panel": "back", "edge": 0}],
             [{"panel": "front", "edge": 2}, {"panel": "back", "edge": 2}]]}})";
 }
@@ -47,7 +54,9 @@ struct Sewing : testing::Test {
     load_bodies(scene);
     return scene;
   }
-  SewnGarment sewn(Scene& scene, int triangles, int frames = 60) const { return sew(scene, {triangles, frames}, [](const std::string&) {}); }
+  SewnGarment sewn(Scene& scene, int triangles, int frames = 60) const {
+    return sew(scene, {triangles, frames}, [](const std::string&) {});
+  }
 
   test::TemporaryFolder folder;
 };
@@ -62,10 +71,12 @@ TEST_F(Sewing, ASkirtIsClosedWornAndAtRestAsItWasCut) {
   EXPECT_EQ(topology.boundary_loops, 2u);
   EXPECT_EQ(topology.non_manifold_edges, 0u);
   EXPECT_EQ(topology.misoriented_edges, 0u);
-  for (const SceneCrossings& crossings : scene_crossings({mesh.positions, mesh.triangles}, scene.surroundings.bodies, garment.time_s)) {
+  for (const SceneCrossings& crossings :
+       scene_crossings({mesh.positions, mesh.triangles}, scene.surroundings.bodies, garment.time_s)) {
     EXPECT_TRUE(crossings.pairs.empty());
   }
-  EXPECT_EQ(mesh.positions.size(), garment.pieces.flat_m.size() - garment.pieces.seams[0].size() - garment.pieces.seams[1].size());
+  EXPECT_EQ(mesh.positions.size(),
+            garment.pieces.flat_m.size() - garment.pieces.seams[0].size() - garment.pieces.seams[1].size());
 }
 
 TEST_F(Sewing, ItsFileIsAGarmentThatIsAtRestAsItWasCut) {
@@ -103,7 +114,9 @@ TEST_F(Sewing, SaysThatWhatWasSewnIsTooSmall) {
   Scene scene = scene_with(folder.write("skirt.json", skirt(30.0, 35.0)));
   scene.simulation.solver.max_substeps = 30;  // more would try harder, and longer
   const std::string message = test::message_of<SewingFailed>([&] { sewn(scene, 200); });
-  EXPECT_NE(message.find("its seams are closed, but it cannot be worn: while it is dressed"), std::string::npos) << message;
+  EXPECT_NE(message.find("its seams are closed, but it cannot be worn: while it is dressed"),
+            std::string::npos)
+      << message;
   EXPECT_NE(message.find("in a garment of 6"), std::string::npos) << message;
 }
 
@@ -116,15 +129,130 @@ TEST_F(Sewing, SaysWhichSeamStaysOpenAndByHowMuch) {
     sewn(scene, 400);
     FAIL() << "it was sewn";
   } catch (const SewingFailed& error) {
-    EXPECT_NE(std::string(error.what()).find("a seam stays open: front, edge 3 with back, edge 3, by "), std::string::npos) << error.what();
+    EXPECT_NE(std::string(error.what()).find("a seam stays open: front, edge 3 with back, edge 3, by "),
+              std::string::npos)
+        << error.what();
     EXPECT_GT(error.garment.sewn.gap_m, 0.005);
     EXPECT_FALSE(error.garment.sewn.garment.mesh.triangles.empty()) << "there is nothing to draw";
   }
 }
 
+TEST_F(Sewing, PanelsThatBeginWithinTheBodyGoAroundIt) {
+  Scene scene = scene_with(folder.write("skirt.json", skirt(40.0, 60.0, 2.0)));
+  const SewnGarment garment = sewn(scene, 400, 1);
+  EXPECT_EQ(garment.sewn.gap_m, 0.0);
+  EXPECT_EQ(garment.remarks.size(), 2u) << "that it was moved to the body and apart";
+}
+
+TEST_F(Sewing, APatternIsWornOverAnother) {
+  Scene scene = scene_with(folder.write("inner.json", skirt(40.0, 60.0)));
+  const std::filesystem::path outer = folder.write("outer.json", skirt(48.0, 80.0));
+  const SewnGarment garment = sew(scene, {1200, 60, {outer}}, [](const std::string&) {});
+  const sim::Mesh& mesh = garment.sewn.garment.mesh;
+  EXPECT_EQ(garment.pattern.panels[2].name, "outer.back");
+  EXPECT_EQ(sim::measure_topology(mesh, sim::make_adjacency(mesh)).components, 2u);
+  EXPECT_LE(garment.max_stretch, 0.01 + 1e-6);
+  for (const SceneCrossings& crossings :
+       scene_crossings({mesh.positions, mesh.triangles}, scene.surroundings.bodies, garment.time_s)) {
+    EXPECT_TRUE(crossings.pairs.empty());
+  }
+  // Whatever begins on a vertex of the inner one and goes outwards meets the outer one: it is around it.
+  std::array<sim::Extent, 2> boxes;
+  const double middle_m =
+      0.5 * (sim::extent_of(mesh.positions).lower.y + sim::extent_of(mesh.positions).upper.y);
+  for (std::size_t v = 0; v < garment.pieces.flat_m.size(); ++v) {
+    const sim::Vec3& at = mesh.positions[garment.sewn.vertex_of[v]];
+    if (std::abs(at.y - middle_m) < 0.05) {
+      boxes[garment.pieces.layer_of[garment.pieces.panel_of[v]]].add(at);
+    }
+  }
+  EXPECT_LT(boxes[1].lower.x, boxes[0].lower.x);
+  EXPECT_GT(boxes[1].upper.x, boxes[0].upper.x);
+  EXPECT_LT(boxes[1].lower.z, boxes[0].lower.z);
+  EXPECT_GT(boxes[1].upper.z, boxes[0].upper.z);
+}
+
+/// A rectangle of so many m whose middle of the upper edge is at a place, turned about z.
+PatternPanel rectangle(const std::string& name, double width_m, double height_m, const sim::Vec3& top_m,
+                       double angle_rad = 0.0) {
+  PatternPanel panel{name, {}};
+  const double half = 0.5 * width_m;
+  const std::vector<sim::Vec2> corners = {{-half, -height_m}, {half, -height_m}, {half, 0.0}, {-half, 0.0}};
+  for (std::size_t k = 0; k < 4; ++k) {
+    panel.edges_m.push_back({corners[k], corners[(k + 1) % 4]});
+  }
+  panel.rotation[0] = {std::cos(angle_rad), std::sin(angle_rad), 0.0};
+  panel.rotation[1] = {-std::sin(angle_rad), std::cos(angle_rad), 0.0};
+  panel.translation_m = top_m;
+  return panel;
+}
+
+TEST_F(Sewing, ASleeveIsTurnedToTheArmWithItsCuff) {
+  const Scene scene = scene_with(folder.write("skirt.json", skirt(40.0, 60.0)));
+  // A sleeve that hangs by 45 degrees, as wide as an arm, and a cuff at its end, 30 cm below the shoulder.
+  constexpr double hanging = 0.785398;
+  SewingPattern pattern;
+  for (const double depth_m : {0.1, -0.1}) {
+    const std::string side = depth_m > 0.0 ? "front" : "back";
+    pattern.panels.push_back(rectangle(side, 0.4, 0.6, {0.0, 1.4, depth_m}));
+    pattern.panels.push_back(rectangle(side + " sleeve", 0.2, 0.4, {0.22, 1.38, depth_m}, hanging));
+    pattern.panels.push_back(rectangle(side + " cuff", 0.2, 0.05, {0.52, 1.08, depth_m}, hanging));
+  }
+  for (const std::size_t p : {0, 1}) {
+    pattern.stitches.push_back({{3 * p + 1, 2}, {3 * p, 1}});
+    pattern.stitches.push_back({{3 * p + 1, 0}, {3 * p + 2, 2}});
+  }
+  CutPieces pieces = cut_pieces(pattern, 600);
+  bring_to_body(pattern, scene, pieces);
+  const std::vector<sim::Extent> boxes = panel_boxes(pieces);
+  EXPECT_GT(boxes[2].middle().y, boxes[0].upper.y - 0.2) << "the cuff still hangs";
+  EXPECT_LT(glm::distance(boxes[1].middle(), boxes[2].middle()), 0.3) << "it is torn from the sleeve";
+}
+
+TEST_F(Sewing, ShouldersAreFoundBelowAHood) {
+  const Scene scene = scene_with(folder.write("skirt.json", skirt(40.0, 60.0)));
+  const SewingPattern pattern = {
+      {rectangle("front", 0.2, 0.6, {0.15, 1.4, 0.1}), rectangle("back", 0.2, 0.6, {0.15, 1.4, -0.1}),
+       rectangle("hood", 0.2, 0.4, {0.0, 1.8, 0.0})},
+      {{{0, 2}, {1, 2}}}};
+  CutPieces pieces = cut_pieces(pattern, 300);
+  bring_to_body(pattern, scene, pieces);
+  EXPECT_EQ(pieces.first_seams, std::vector<std::size_t>{0});
+}
+
+TEST_F(Sewing, LegsBeginInTrousersOnly) {
+  const Scene scene = scene_with(folder.write("skirt.json", skirt(40.0, 60.0)));
+  const Wearer& wearer = *dressed_body(scene).wearer;
+  SewingPattern pattern = {
+      {rectangle("left", 0.3, 0.9, {0.2, 1.0, 0.1}), rectangle("right", 0.3, 0.9, {-0.2, 1.0, 0.1})}, {}};
+  constexpr std::size_t bones_of_arms = 4, bones_of_all = 8;
+  EXPECT_EQ(turned_limbs(wearer, cut_pieces(pattern, 300)).size(), bones_of_all);
+  pattern.panels.push_back(rectangle("front", 0.6, 0.9, {0.0, 1.0, 0.2}));
+  EXPECT_EQ(turned_limbs(wearer, cut_pieces(pattern, 300)).size(), bones_of_arms) << "it is a skirt";
+}
+
+TEST_F(Sewing, WhatIsSewnForASceneStaysWhereNobodyElseWrites) {
+  const char* const given = std::getenv("TMPDIR");
+  const std::optional<std::string> before =
+      given != nullptr ? std::optional<std::string>(given) : std::nullopt;
+  Scene scene = scene_with(folder.write("skirt.json", skirt(40.0, 60.0)));
+  std::filesystem::create_directory(folder / "temporary");
+  const std::filesystem::path usual = folder / "temporary" / fmt::format("taut-{}", ::getuid());
+  std::filesystem::create_directory(usual);
+  std::filesystem::permissions(usual, std::filesystem::perms::all);
+  ::setenv("TMPDIR", (folder / "temporary").c_str(), 1);
+  sew_garment(scene);
+  before ? ::setenv("TMPDIR", before->c_str(), 1) : ::unsetenv("TMPDIR");
+  const std::filesystem::path made = scene.garment.sewn.parent_path();
+  EXPECT_NE(made, usual) << "others may write there";
+  EXPECT_EQ(std::filesystem::status(made).permissions(), std::filesystem::perms::owner_all);
+  EXPECT_TRUE(std::filesystem::exists(scene.garment.sewn));
+}
+
 TEST_F(Sewing, SewsAShirtThatNobodyHereMade) {
   const char* const folder_of_patterns = std::getenv("TAUT_PATTERNS");
-  const std::filesystem::path pattern = std::filesystem::path(folder_of_patterns != nullptr ? folder_of_patterns : "") / "shirt_mean.json";
+  const std::filesystem::path pattern =
+      std::filesystem::path(folder_of_patterns != nullptr ? folder_of_patterns : "") / "shirt_mean.json";
   if (!std::filesystem::exists(pattern)) {
     GTEST_SKIP() << "TAUT_PATTERNS names no folder with shirt_mean.json of GarmentCode";
   }

@@ -23,6 +23,10 @@ constexpr std::size_t most_places = 3;  ///< that are named as tight: a line of 
 constexpr double least_tightness = 0.005;
 constexpr const char* shoulder_width = "shoulder width";
 
+/// Whether cloth at a height is that of the tube, or so little above it that it lies about the armholes or is the edge
+/// of a waist. Worn cloth may have folds that end the tube further down.
+bool is_about_armholes(double height_m, const GarmentTube& tube) { return height_m <= tube.highest_m + armhole_m; }
+
 /// How much higher the body is when the run begins than it was stored, in m.
 double lift_of(const sim::Body& body, const Wearer& wearer) {
   for (const char* joint : {"neck", "hips"}) {
@@ -57,9 +61,9 @@ struct Fitting {
       const Girth* const girth = girth_of(wearer.measures, name);
       if (!tube || girth == nullptr) continue;
       const double height_m = girth->height_m + lift_m;
-      // Cloth above the tube lies about the armholes, or is the edge of a waist.
-      const bool is_covered = height_m >= tube->lowest_m && height_m <= top_m + edge_m;
       const double measured_m = std::min(height_m, tube->highest_m);
+      const bool is_covered =
+          height_m >= tube->lowest_m && height_m <= top_m + edge_m && is_about_armholes(height_m, *tube);
       const std::optional<double> garment_m = is_covered ? girth_at(garment, measured_m) : std::nullopt;
       if (garment_m) {
         const auto& levels = wearer.measures.levels;
@@ -237,7 +241,8 @@ void measure_worn(const sim::Garment& garment, std::span<const sim::Vec3> worn_m
   const Surface worn = {worn_m, garment.mesh.triangles};
   const std::optional<GarmentTube> tube = tube_of(worn);
   for (FitRow& row : rows) {
-    if (row.height_m && tube) row.worn_m = girth_at(worn, std::min(*row.height_m, tube->highest_m));
+    if (!row.height_m || !tube || !is_about_armholes(*row.height_m, *tube)) continue;
+    row.worn_m = girth_at(worn, std::min(*row.height_m, tube->highest_m));
   }
 }
 

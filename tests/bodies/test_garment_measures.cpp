@@ -95,12 +95,13 @@ TEST(GarmentTube, EndsWhereSleevesBegin) {
 TEST(Worn, IsMeasuredBelowTheSleeves) {
   sim::Mesh mesh = skirt_of([](double) { return 0.2; });
   const sim::Garment garment = sim::make_garment(mesh);
-  std::vector<FitRow> rows = {{"upper chest", 1.0, 1.4, 0.45}, {"waist", 1.0, 1.4, 0.2}};
+  std::vector<FitRow> rows = {{"upper chest", 1.0, 1.4, 0.3}, {"waist", 1.0, 1.4, 0.2}, {"chest", 1.0, 1.4, 0.45}};
   for (sim::Vec3& p : mesh.positions) {
     p = p.y > 0.28 ? sim::Vec3(2.0 * p.x, p.y - 0.05, p.z) : p;
   }
   measure_worn(garment, mesh.positions, rows);
   EXPECT_NEAR(*rows[0].worn_m, *rows[1].worn_m, 0.1 * *rows[1].worn_m);
+  EXPECT_FALSE(rows[2].worn_m) << "far above";
 }
 
 }  // namespace

@@ -136,7 +136,7 @@ std::function<int()> add_figures(CLI::App& app) {
   command->add_option("--only", options->only, "some of them: " + joined(figure_names(), ","))
       ->delimiter(',')
       ->check(CLI::IsMember(figure_names()));
-  command->add_option("--output", options->output, "folder for the pictures")->capture_default_str();
+  command->add_option("-o,--output", options->output, "folder for the pictures")->capture_default_str();
   command->add_option("--data", options->data,
                       "folder with the tables (CSV) of an earlier run: draw from those instead of simulating "
                       "and measuring anew; no report");
@@ -156,7 +156,7 @@ std::function<int()> add_render(CLI::App& app, std::span<const char* const> argu
   CLI::App* command = app.add_subcommand("render", "Simulate a scene and draw pictures of it");
   add_scene_arguments(*command, *options,
                       std::string(scene_help_text) + ", or a picture of taut render, to make it again");
-  command->add_option("--output", options->output,
+  command->add_option("-o,--output", options->output,
                       "file, or pattern such as frames/frame_{frame:04}.png, or a video, .mp4 (default SCENE.png)");
   command->add_option("--frames", options->frames,
                       std::string("frames to draw: ") + frame_range_help + " (default: last; of a video 0:)");
@@ -266,7 +266,7 @@ std::function<int()> add_inspect(CLI::App& app) {
   add_garment_arguments(*command, options->overrides);
   add_set(*command, options->overrides);
   command->add_flag("--json", options->json, "for programs");
-  command->add_option("--output,--picture", options->picture,
+  command->add_option("-o,--output,--picture", options->picture,
                       "PNG file: the garment with its springs by kind, what holds it, its borders and defects");
   add_backend(*command, options->backend);
   command->footer(
@@ -282,7 +282,7 @@ std::function<int()> add_fit(CLI::App& app) {
   command->add_option("GARMENT", options->scene, "a garment file, or a scene in which a body is dressed")->required();
   add_garment_arguments(*command, options->overrides);
   add_set(*command, options->overrides);
-  command->add_option("--output", options->output,
+  command->add_option("-o,--output", options->output,
                       "PNG file: front and back, coloured by stretch, and a table (default GARMENT-fit.png)");
   command->add_option("--frames", options->frames, "at most so many frames after it was put on")
       ->check(CLI::Range(1, 100000))
@@ -359,7 +359,7 @@ std::function<int()> add_fabrics(CLI::App& app) {
   auto options = std::make_shared<FabricsOptions>();
   CLI::App* command = app.add_subcommand("fabrics", "List the fabrics that --fabric names");
   command->add_option("FABRIC", options->fabric, "print this fabric's file");
-  command->add_option("--output,--picture", options->picture,
+  command->add_option("-o,--output,--picture", options->picture,
                       "PNG file: the T-shirt in six of them, instead of the list");
   add_backend(*command, options->backend);
   command->footer(
@@ -374,8 +374,8 @@ std::function<int()> add_bench(CLI::App& app) {
       app.add_subcommand("bench", "Measure the time of a frame, its stretch, and whether any frame breaks a promise");
   command->add_flag("--contact", options->contact, "all scenes about contact and being worn: takes an hour");
   command->add_flag("--quick", options->quick,
-                    "a shirt that hangs, in winds, and on someone who walks, 60 frames of each, on one "
-                    "thread: three minutes at most (default)");
+                    "a shirt that hangs, in winds, in one that is dragged up and back, and on someone who walks, on "
+                    "one thread: three minutes at most (default)");
   command->add_option("--scenes", options->scenes, "some of the rows alone")->delimiter(',');
   command
       ->add_option("--bounds", options->bounds,

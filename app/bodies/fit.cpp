@@ -227,7 +227,10 @@ std::string describe_tightness(const Scene& scene, const sim::Garment& garment, 
       measured.add({0.0, *row.height_m, 0.0});
     }
   }
-  look("shoulders", measured.upper.y + around_row_m, std::numeric_limits<double>::infinity());
+  const bool is_of_chest = std::ranges::any_of(
+      rows, [](const FitRow& row) { return row.name == "neck" || row.name == "upper chest" || row.name == "chest"; });
+  look(is_of_chest ? "shoulders" : "upper end", measured.upper.y + around_row_m,
+       std::numeric_limits<double>::infinity());
   look("lower end", -std::numeric_limits<double>::infinity(), measured.lower.y - around_row_m);
   std::ranges::stable_sort(places, [](const auto& a, const auto& b) { return a.first > b.first; });
   places.resize(std::min(places.size(), most_places));

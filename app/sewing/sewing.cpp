@@ -64,6 +64,7 @@ void wear(const Scene& scene, const SewingSettings& settings, const std::functio
   try {
     stage("the body grows into it");
     dress(scene, simulation);
+    simulation.set_settings(simulation_settings(scene.simulation));
     sim::Surroundings thick_air = scene.surroundings;
     double& air_per_s = thick_air.forces.air_drag_per_s;
     air_per_s = std::max(air_per_s, resting_drag_per_s);
@@ -102,6 +103,14 @@ void verify(const Scene& scene, SewnGarment& garment) {
     }
   }
   garment.max_stretch = largest_stretch(mesh, mesh.positions).surface;
+  const double bound = scene.simulation.solver.bounded.max_stretch;
+  if (garment.max_stretch > bound + bound_rounding) {
+    throw SewingFailed(
+        fmt::format("its seams are closed, but worn for {} frames it is stretched by {:.3f} %; expected at "
+                    "most solver.max_stretch = {:g}",
+                    garment.frames, 100.0 * garment.max_stretch, bound),
+        std::move(garment));
+  }
 }
 
 CutPieces cut(const std::filesystem::path& file, const SewingPattern& pattern, int triangles) {

@@ -317,24 +317,30 @@ renderer::Image draw_blocked(renderer::SceneRenderer& renderer, const DrawnScene
 renderer::Image draw_fit(const WornGarment& worn, const std::string& backend) {
   OffscreenRenderer offscreen(backend);
   const float caption_px = 1.6F * row_px;
-  const float table_px = fit_header_px + fit_panel_height_px + caption_px;
+  const renderer::TextStyle small = text_style(0.85F * text_px, palette::quiet_ink);
+  const std::vector<std::string> measured =
+      wrapped(renderer::Canvas(1, 1), worn.measured, small, fit_page_px - 2.0F * border_px);
+  const float panels_px = fit_header_px + static_cast<float>(measured.size() - 1) * row_px;
+  const float table_px = panels_px + fit_panel_height_px + caption_px;
   // As long as a body is thin, the cloth about it says nothing of how it fits.
   const bool has_table = worn.time_s >= 0.0;
   const float rows = has_table ? static_cast<float>(worn.fit.size() + 3) : 0.0F;
   renderer::Canvas canvas(static_cast<int>(fit_page_px), static_cast<int>(table_px + rows * row_px + border_px));
   canvas.text(border_px, border_px + text_px, worn.title, text_style(1.4F * text_px, palette::ink, true));
-  canvas.text(border_px, border_px + text_px + row_px, worn.measured, text_style(0.85F * text_px, palette::quiet_ink));
+  for (std::size_t k = 0; k < measured.size(); ++k) {
+    canvas.text(border_px, border_px + text_px + static_cast<float>(k + 1) * row_px, measured[k], small);
+  }
   renderer::TextStyle caption = text_style(text_px);
   caption.horizontal = renderer::HorizontalAlign::centre;
   float x_px = border_px;
   for (const auto& [name, turned_rad] :
        {std::pair("from the front", 0.0F), {"from behind", std::numbers::pi_v<float>}}) {
-    canvas.image(x_px, fit_header_px, draw_side(offscreen, worn, turned_rad));
-    canvas.text(x_px + 0.5F * fit_panel_px, fit_header_px + fit_panel_height_px + row_px, name, caption);
+    canvas.image(x_px, panels_px, draw_side(offscreen, worn, turned_rad));
+    canvas.text(x_px + 0.5F * fit_panel_px, panels_px + fit_panel_height_px + row_px, name, caption);
     x_px += fit_panel_px + fit_gap_px;
   }
   renderer::LegendPlace place{.x_px = x_px + fit_gap_px,
-                              .y_px = fit_header_px + 80.0F,
+                              .y_px = panels_px + 80.0F,
                               .bar_width_px = 24.0F,
                               .bar_height_px = 420.0F,
                               .text = text_style(0.85F * text_px)};

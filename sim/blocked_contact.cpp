@@ -45,7 +45,7 @@ std::string formatted(const char* format, double a, double b = 0.0, double c = 0
 std::string meeting(const BlockedContact& blocked, const Pins& pins, std::span<const Body> bodies) {
   const auto& [first, second] = blocked.sides;
   const std::string one = name_of(first, pins, bodies);
-  if (second == ContactSide{}) return one + " gets further away than what it meets could be looked for";
+  if (second == ContactSide{}) return one + " moves too fast to be kept apart from what it meets";
   const std::string other = name_of(second, pins, bodies);
   const bool is_first_led = is_led(first, pins);
   const bool is_second_led = is_led(second, pins);

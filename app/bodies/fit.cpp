@@ -260,10 +260,14 @@ std::string describe_worn(std::span<const FitRow> rows) {
   return text.empty() ? text : text + '\n';
 }
 
+bool is_too_small(const FitRow& row) {
+  return row.ease_m() < (row.name == shoulder_width ? narrow_below_m : too_small_below_m);
+}
+
 std::string describe_misfit(std::span<const FitRow> rows) {
   std::string text;
   for (const FitRow& row : rows) {
-    if (row.ease_m() < too_small_below_m && row.name != shoulder_width) {
+    if (is_too_small(row)) {
       text += fmt::format("{}{} {:.1f} cm in a garment of {:.1f} cm", text.empty() ? "; it does not fit: " : ", ",
                           row.name, 100.0 * row.body_m, 100.0 * row.garment_m);
     }

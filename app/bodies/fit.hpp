@@ -23,6 +23,8 @@ inline constexpr double fitted_below_m = 0.12;
 
 /// Returns "too small", "tight", "fitted" or "loose"; of the shoulder width "narrow", "fitted" or "wide".
 const char* fit_word(const FitRow& row);
+/// Returns whether the word says that it does not fit: "too small" or "narrow".
+bool is_too_small(const FitRow& row);
 
 /// Returns "below 4 cm: tight; below 12 cm: fitted; else loose".
 std::string fit_thresholds();

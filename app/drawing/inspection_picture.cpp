@@ -242,11 +242,9 @@ void draw_table(renderer::Canvas& canvas, const WornGarment& worn, float top_px)
   for (std::size_t r = 0; r < rows.size(); ++r) {
     const FitRow& row = rows[r];
     const auto cm = [](double length_m) { return fmt::format("{:.1f} cm", 100.0 * length_m); };
-    const std::string word = fit_word(row);
-    const bool is_short = word == "too small" || word == "narrow";
     line(top_px + text_px + static_cast<float>(r + 1) * row_px,
-         {row.name, cm(row.body_m), cm(row.garment_m), fmt::format("{:+.1f} cm", 100.0 * row.ease_m()), word},
-         text_style(text_px, is_short ? palette::vermilion : palette::ink));
+         {row.name, cm(row.body_m), cm(row.garment_m), fmt::format("{:+.1f} cm", 100.0 * row.ease_m()), fit_word(row)},
+         text_style(text_px, is_too_small(row) ? palette::vermilion : palette::ink));
   }
   const std::string words = rows.empty() ? "no girth of the garment goes all around the body"
                                          : "ease below 0: too small; " + fit_thresholds();

@@ -330,7 +330,7 @@ std::function<int()> add_sew(CLI::App& app) {
       "its threads let it, where nothing else is said.\n"
       "The garment is at rest as it was cut: its texture coordinates are cm of the cloth, and a file beside it,\n"
       "GARMENT.landmarks.toml, says so and names the vertices of its seams; its groups are named after panels.\n"
-      "What cannot be sewn ends the command with exit code 3, and a picture of that moment: which seam stays\n"
+      "A failure ends the command with exit code 3, and a picture of that moment: which seam stays\n"
       "open, by how much and what is in the way, or where it is too small for the body.\n\n"
       "Examples:\n  taut sew shirt.json --body person.obj -o shirt.obj --picture shirt.png\n"
       "  taut sew dress.json --body person.glb --fabric silk\n"

@@ -113,7 +113,7 @@ void add_submit(CLI::App& sweep, const Options& options) {
       ->allow_extra_args(false);
   command->footer(
       "An array of tasks, several where it would be too long for this Slurm, and a job after them that makes "
-      "the\ntable. What was stopped, killed or lost is handed over again with --missing.\n\n"
+      "the\ntable. Runs that were stopped, killed or lost are handed over again with --missing.\n\n"
       "Examples:\n  taut sweep submit sweep --slurm --sbatch=--time=60 --sbatch=--partition=day\n"
       "  taut sweep submit sweep --slurm --missing\n  taut sweep submit sweep --slurm --dry-run\n");
 }

@@ -10,7 +10,7 @@ namespace {
 constexpr std::size_t levels_of_body = 400;
 /// A share of the height: there the largest curve is the trunk, wherever arms are.
 constexpr double surely_trunk = 0.55;
-/// A part of the trunk of at least this share of the largest is a leg. What is less is hands and folds.
+/// A part of the trunk of at least this share of the largest is a leg. Smaller parts are hands and folds.
 constexpr double share_of_legs = 0.5;
 /// A curve beside the trunk of at least this share of its girth is an arm.
 constexpr double share_of_arms = 0.15;

@@ -47,7 +47,7 @@ struct BodyMeasures {
   const LevelTape& level_at(double height_m) const;
 };
 
-/// Measures a body with level tapes. What is around the middle of the body is followed up and down from level to
+/// Measures a body with level tapes. The curve around the middle of the body is followed up and down from level to
 /// level, so that arms are left out wherever they hang: a curve that is not over or under it is none of it. The
 /// trunk is between the level where it parts into legs and that where arms join it: the upper chest is right below
 /// the arms, the chest its fullest level towards the front in its upper part, but for a belly, the seat its largest

@@ -94,8 +94,8 @@ class WrittenCloth {
   explicit WrittenCloth(const GarmentInScene& loaded);
 
   std::size_t vertices() const { return mesh_vertex_.size(); }
-  /// Returns the position of every vertex, in m, from those of the mesh. What no remaining triangle uses is
-  /// where the file has it.
+  /// Returns the position of every vertex, in m, from those of the mesh. A vertex that no remaining triangle
+  /// uses is where the file has it.
   std::vector<sim::Vec3> positions(std::span<const sim::Vec3> mesh_m) const;
   /// Returns the garment as an OBJ file, with normals of this shape where the file has some.
   std::string obj(std::span<const sim::Vec3> mesh_m) const;

@@ -12,7 +12,7 @@ namespace taut::app {
 
 /// The run of a command, in this order: a scene, its outputs, its garment, its start, its frames.
 struct SceneRun {
-  /// Reads the bodies. What is guessed and repaired goes to `remarks`; null: nowhere. Throws as
+  /// Reads the bodies. Guesses and repairs go to `remarks`; null: nowhere. Throws as
   /// load_bodies().
   SceneRun(const RunOptions& options, DrawnScene asked, std::FILE* remarks);
 

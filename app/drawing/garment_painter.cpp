@@ -5,7 +5,7 @@
 namespace taut::app {
 namespace {
 
-// Shares of an edge. What is farther than the last is not looked for, which would take longer than it shows.
+// Shares of an edge. Layers beyond the last are not looked for, which would take longer than it shows.
 constexpr float most_bulge = 0.1F;
 constexpr float most_fairing = 0.15F;
 constexpr float most_clearance = 0.45F;

@@ -56,7 +56,7 @@ double edge_for(double area_m2, std::size_t triangles) {
   return std::sqrt(4.0 * area_m2 / (std::numbers::sqrt3 * static_cast<double>(triangles)));
 }
 
-/// One mesh of a model. What crosses in it are mostly ends of a wall that lie on others.
+/// One mesh of a model. Crossings in it are mostly ends of a wall that lie on others.
 FittedMesh fit_once(const sim::Mesh& model_m, const FittingSettings& settings) {
   FittedMesh fitted;
   Sheets sheets = cut_into_sheets(model_m);

@@ -152,7 +152,7 @@ void subdivide_coarse(sim::Mesh& model, FittedModel& fitted, SurfaceColours& col
   }
 }
 
-/// Binds the model to the mesh that was fitted to it. What is named by vertices of the file is the nearest there.
+/// Binds the model to the mesh that was fitted to it. Vertices that the file names become the nearest ones.
 void let_follow(sim::Mesh model, const FittedModel& fitted, LoadedGarment& loaded) {
   FollowingModel following = follow_fitted(std::move(model), fitted);
   following.file_vertices = loaded.file_vertices;

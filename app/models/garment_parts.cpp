@@ -109,7 +109,7 @@ constexpr double shortest_opening = 0.2;    ///< length around, of the size; sho
 constexpr double lowest_top_opening = 0.6;  ///< mean height of a top opening above the part's lowest point
 /// from its lowest to its highest point; a steeper one is not a top opening
 constexpr double steepest_top_opening = 0.4;
-// Fractions of the part's width, which is its larger size along x or z. What is held carries the part in
+// Fractions of the part's width, which is its larger size along x or z. The held vertices carry the part in
 // balance if the centre of mass is within its reach, or as far beside it as this: a strip on one side does
 // not.
 constexpr double off_balance_across = 0.05;

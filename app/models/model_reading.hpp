@@ -14,7 +14,7 @@ namespace taut::app {
 ModelArrays read_model(const std::filesystem::path& path, ReadParts parts);
 
 /// Reads base colours and the names of their images from the text of an OBJ's material library into the
-/// materials of these names: Kd and map_Kd. What is damaged is passed over.
+/// materials of these names: Kd and map_Kd. Damaged entries are passed over.
 void read_mtl(std::string_view text, SurfaceColours& colours);
 
 }  // namespace taut::app

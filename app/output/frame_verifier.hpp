@@ -15,8 +15,8 @@ std::string describe_excess(const LargestStretch& stretch, const sim::SolverSett
 /// kept (describe_excess).
 class FrameVerifier {
  public:
-  /// Call it first, with the simulation at its start. What crosses there is left out, pair by pair, until it
-  /// is apart in a frame that is checked; so are, in each frame, pairs of two triangles of one group of what
+  /// Call it first, with the simulation at its start. Pairs that cross there are left out until they
+  /// are apart in a frame that is checked; so are, in each frame, pairs of two triangles of one group of what
   /// the solver leaves out (sim::LeftOutTriangle). Returns what crosses, for people; empty: nothing.
   ///
   /// Of a run that is resumed the start is that of the whole run, before the checkpoint: a pair that crosses

@@ -93,7 +93,7 @@ struct GarmentSource {
   sim::GridSettings grid;
   std::filesystem::path importer;  ///< program that reads the file (import_process.hpp); empty: that of the house
   /// Instead of a file, in metres with y up; null: none. It keeps its place, and hangs by nothing that the
-  /// scene does not name. What is repaired of a file is repaired of it.
+  /// scene does not name. Repairs of a file are made to it too.
   std::shared_ptr<const ImportedModel> given;
   /// The positions at the start, instead of a file: per vertex of what was given, or else of the simulated
   /// mesh; null: none.

@@ -28,8 +28,8 @@ int line_of(const toml::node& value);
 /// Parses a TOML text. `name` is for messages. Throws InputError with the name, the line and the reason.
 toml::table read_toml_text(const std::string& text, const std::string& name);
 
-/// Parses the argument after `key=` on the command line. Returns a table with the one key `value`. What is
-/// not TOML becomes a text, so that a shell user need not quote twice.
+/// Parses the argument after `key=` on the command line. Returns a table with the one key `value`. A value
+/// that is not TOML becomes a text, so that a shell user need not quote twice.
 toml::table read_toml_value(const std::string& text);
 
 /// The text that a value holds; a date counts as text. Empty for anything else.

@@ -85,8 +85,8 @@ std::optional<std::vector<sim::PathPoint>> path_in(const toml::node& value) {
   return path.empty() ? std::nullopt : std::optional(path);
 }
 
-/// Makes a direction one of length 1. What has it already keeps its bits, so that what is written reads back
-/// as the same.
+/// Makes a direction one of length 1. One of length 1 keeps its bits, so that a scene that is written reads
+/// back as the same.
 void normalise(sim::Vec3& direction) {
   constexpr double rounded_off = 4e-15;
   constexpr double least_squared = 1e-200;  // below it squares are lost

@@ -313,7 +313,7 @@ class Closing {
     }
   }
 
-  /// Per vertex of the pieces, where it is. What has met over an inner layer is also tried out of the cloth
+  /// Per vertex of the pieces, where it is. Pairs that have met over an inner layer are also tried out of the cloth
   /// and beyond its border: the middle between both sides of a fold of that layer is within it.
   std::vector<std::vector<Vec3>> places_to_join_m(const std::vector<std::pair<Index, Index>>& met) const {
     std::vector<Vec3> positions_m, out(pieces_.flat_m.size(), Vec3(0.0)), beyond = out;

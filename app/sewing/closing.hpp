@@ -23,7 +23,7 @@ using SewingReport = std::function<void(double share)>;
 
 /// Draws the seams of pieces together that begin where they are placed, among the bodies of the scene as they
 /// are at `time_s`, without gravity: each vertex of a seam is pulled to the middle of those that it is sewn
-/// to, by a thread with limited force, and the solver keeps both promises. What has come together becomes one
+/// to, by a thread with limited force, and the solver keeps both promises. Vertices that have come together become one
 /// vertex where nothing crosses by that. Ends when all is closed, or nothing closes any more. Throws
 /// Interrupted.
 SewnPieces close_seams(const CutPieces& pieces, const Scene& scene, double time_s, const SewingReport& report = {});

@@ -51,7 +51,7 @@ class Surrounded {
     for (int push = 0; push < most_pushes; ++push) {
       std::set<Index> moved;
       Crossings found = crossing(pieces_.placed_m);
-      // What has come apart is pushed once more, so that it is not as good as touching.
+      // Pieces that have come apart are pushed once more, so that they do not nearly touch.
       const Crossings& pushed = found.empty() ? before : found;
       if (pushed.empty()) break;
       for (const auto& [a, b] : pushed) {

@@ -26,7 +26,7 @@ Sides sides_of(const std::array<sim::Vec3, 3>& p) {
   return {glm::distance(p[0], p[1]), glm::distance(p[0], p[2]), glm::distance(p[1], p[2])};
 }
 
-/// The larger root x of det(now - x rest) = 0, as the square root minus 1. What is under the root of the
+/// The larger root x of det(now - x rest) = 0, as the square root minus 1. The radicand of the
 /// quadratic formula is written as a sum of squares, which does not cancel where both roots are alike.
 double surface_stretch(const FundamentalForm& rest, const FundamentalForm& now) {
   const double determinant = rest.determinant();

@@ -71,7 +71,7 @@ struct ViewerSettings {
 };
 
 /// The viewer without window and OpenGL. Input goes in frame by frame. Out come commands for the simulation,
-/// a state to draw, and the triangles of the panel. What cannot be done becomes a message on the screen.
+/// a state to draw, and the triangles of the panel. Failures become messages on the screen.
 class Viewer {
  public:
   /// `simulation` has to outlive the viewer.

@@ -119,7 +119,7 @@ constexpr std::array hints = {
          "direction in a triangle."},
     Hint{"measured.contact",
          "The distance of the two nearest triangles, or from a body, and how many cross: measured at each "
-         "frame's end. What crosses since the start is left out of contact until it is apart."},
+         "frame's end. Crossings since the start are left out of contact until they are apart."},
     Hint{"measured.convergence",
          "The longest way of a mass point in the last frame, |p(t) - p(t - dt)|, in millimetres."},
     Hint{"measured.times",
@@ -132,7 +132,7 @@ constexpr std::array hints = {
     Hint{"measured.coarser", "The simulation falls behind: take the same garment with fewer triangles."},
     Hint{"look.shaded", "Show the cloth as cloth."},
     Hint{"look.stretch", "Show the stretch as colours, in percent of the length at rest."},
-    Hint{"look.stretch_of", "What the colours show the stretch of."},
+    Hint{"look.stretch_of", "The stretch that the colours show."},
     Hint{"look.stretch_of.springs", "At each vertex the largest stretch of the springs there."},
     Hint{"look.stretch_of.surface", "At each vertex the largest stretch of the triangles there, in any direction."},
     Hint{"look.wireframe", "Show the edges of the mesh, as far as cloth does not hide them."},
@@ -186,7 +186,7 @@ constexpr std::array hints = {
          "Write the shape of every frame that is simulated from now on, as other programs read it, whatever "
          "is drawn; once more ends it. Going back, starting again or another scene ends it too."},
     Hint{"keep.clip_frames", "Frames of the clip so far, and the file that they go to."},
-    Hint{"keep.clip_format", "What the clip is written as."},
+    Hint{"keep.clip_format", "The format of the clip."},
     Hint{"keep.clip_format.PC2", "A point cache, and the rest shape that it moves as an OBJ file. For Blender."},
     Hint{"keep.clip_format.MDD", "LightWave's point cache, and the rest shape that it moves as an OBJ file."},
     Hint{"keep.clip_format.glTF", "One GLB file with all shapes and an animation, which plays in any viewer."},

@@ -192,7 +192,7 @@ bool moves_pointer(const SessionEvent& event) {
   return as<PointerMoved>(event) != nullptr || std::holds_alternative<PointAt>(event);
 }
 
-// Whether the events of a frame hide from it that `next` came after them. What is let go would never have
+// Whether the events of a frame hide from it that `next` came after them. Cloth that is let go would never have
 // seen the last place it was dragged to.
 bool has_to_wait(const SessionEvent& next, const std::vector<SessionEvent>& taken) {
   return std::ranges::any_of(taken, [&](const SessionEvent& before) {

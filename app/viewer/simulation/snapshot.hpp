@@ -55,7 +55,7 @@ sim::Simulation gone_on_from(const Snapshot& past, const sim::SimulationSettings
 
 using SnapshotPtr = std::shared_ptr<const Snapshot>;
 
-/// The last snapshots, of ten simulated seconds or as many as memory allows. What a snapshot can look back on
+/// The last snapshots, of ten simulated seconds or as many as memory allows. The past of a snapshot
 /// depends on that snapshot alone, not on what has been added since: the window may be some frames behind.
 class Timeline {
  public:
@@ -65,7 +65,7 @@ class Timeline {
   /// The snapshot with this serial number, or the nearest one that is kept.
   const SnapshotPtr& with_serial(std::uint64_t serial) const;
   /// The last snapshot of a frame in the past of `now`, or of the nearest frame that is kept; `now` itself
-  /// where it has no past. What was gone back from, before a reset or of another garment, is not its past.
+  /// where it has no past. Frames that were gone back from, before a reset or of another garment, are not its past.
   SnapshotPtr of_frame(const SnapshotPtr& now, int frame) const;
 
   std::size_t count() const { return kept_.size(); }

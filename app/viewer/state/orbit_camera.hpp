@@ -37,7 +37,7 @@ class OrbitCamera {
   void turn_to(float azimuth_rad, float elevation_rad);
   /// Moves the target so that points at its depth follow the pointer.
   void pan(const glm::vec2& way_px, const ViewArea& area);
-  /// Moves nearer for positive notches of the wheel. What is seen at `point_px` stays there.
+  /// Moves nearer for positive notches of the wheel. The place seen at `point_px` stays there.
   void zoom(float notches, const glm::vec2& point_px, const ViewArea& area);
   /// Moves so that the whole box is visible, from the same side.
   void fit(const renderer::Box& box, const ViewArea& area);

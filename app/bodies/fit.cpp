@@ -147,15 +147,17 @@ Tightness tightness_at(const std::vector<std::pair<double, sim::Vec3>>& stretche
 
 }  // namespace
 
+bool is_too_small(const FitRow& row) {
+  return row.ease_m() < (row.name == shoulder_width ? narrow_below_m : too_small_below_m);
+}
+
 const char* fit_word(const FitRow& row) {
   const double ease_m = row.ease_m();
-  if (row.name == shoulder_width) {
-    return ease_m < narrow_below_m ? "narrow" : ease_m < wide_from_m ? "fitted" : "wide";
-  }
-  return ease_m < too_small_below_m ? "too small"
-         : ease_m < tight_below_m   ? "tight"
-         : ease_m < fitted_below_m  ? "fitted"
-                                    : "loose";
+  if (row.name == shoulder_width) return is_too_small(row) ? "narrow" : ease_m < wide_from_m ? "fitted" : "wide";
+  return is_too_small(row)         ? "too small"
+         : ease_m < tight_below_m  ? "tight"
+         : ease_m < fitted_below_m ? "fitted"
+                                   : "loose";
 }
 
 std::string fit_thresholds() {
@@ -258,10 +260,6 @@ std::string describe_worn(std::span<const FitRow> rows) {
     }
   }
   return text.empty() ? text : text + '\n';
-}
-
-bool is_too_small(const FitRow& row) {
-  return row.ease_m() < (row.name == shoulder_width ? narrow_below_m : too_small_below_m);
 }
 
 std::string describe_misfit(std::span<const FitRow> rows) {

@@ -167,16 +167,7 @@ void lift_to_waist(const SewingPattern& pattern, const BodyMeasures& measures, d
       height_m = std::max(height_m, at(0).y);
     }
   }
-  for (std::size_t before = 0; before != lower.size();) {
-    before = lower.size();
-    for (const auto& [first, second] : pattern.stitches) {
-      if (lower.contains(first.panel) != lower.contains(second.panel) && !upper.contains(first.panel) &&
-          !upper.contains(second.panel)) {
-        lower.insert(first.panel);
-        lower.insert(second.panel);
-      }
-    }
-  }
+  lower = pattern.sewn_with(std::move(lower), [&](std::size_t p) { return !upper.contains(p); });
   if (lower.empty() || std::ranges::any_of(upper, [&](std::size_t p) { return lower.contains(p); })) return;
   const double lift_m = level_for(measures, border_m, height_m) - height_m;
   for (std::size_t v = 0; v < pieces.placed_m.size(); ++v) {

@@ -26,21 +26,6 @@ struct Sleeve {
   Vec3 cuff_m = Vec3(0.0);  ///< its middle
 };
 
-/// The panels that are sewn together with this one and that `may_be` holds for.
-template <typename Condition>
-std::set<std::size_t> sewn_with(const SewingPattern& pattern, std::size_t panel, const Condition& may_be) {
-  std::set<std::size_t> together = {panel};
-  for (std::size_t before = 0; before != together.size();) {
-    before = together.size();
-    for (const auto& [first, second] : pattern.stitches) {
-      for (const auto& [a, b] : {std::pair(first.panel, second.panel), std::pair(second.panel, first.panel)}) {
-        if (together.contains(a) && may_be(b)) together.insert(b);
-      }
-    }
-  }
-  return together;
-}
-
 /// The sleeve on one side: panels beside the trunk that are sewn together, one of them near the shoulder,
 /// with a border far out that is sewn to nothing. Empty if there is none.
 Sleeve sleeve_of(const SewingPattern& pattern, const CutPieces& pieces, const Vec3& shift, const Vec3& shoulder_m,
@@ -52,7 +37,7 @@ Sleeve sleeve_of(const SewingPattern& pattern, const CutPieces& pieces, const Ve
   Sleeve sleeve;
   for (std::size_t p = 0; p < boxes.size(); ++p) {
     if (is_beside(p) && boxes[p].upper.y > shoulder_m.y - below_shoulder_m && !sleeve.panels.contains(p)) {
-      sleeve.panels.merge(sewn_with(pattern, p, is_beside));
+      sleeve.panels.merge(pattern.sewn_with({p}, is_beside));
     }
   }
   std::vector<Vec3> ends;

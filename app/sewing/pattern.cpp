@@ -266,6 +266,19 @@ std::string SewingPattern::describe(const Stitch& stitch) const {
                      panels[stitch.second.panel].name, stitch.second.edge);
 }
 
+std::set<std::size_t> SewingPattern::sewn_with(std::set<std::size_t> together,
+                                               const std::function<bool(std::size_t)>& may_be) const {
+  for (std::size_t before = 0; before != together.size();) {
+    before = together.size();
+    for (const auto& [first, second] : stitches) {
+      for (const auto& [a, b] : {std::pair(first.panel, second.panel), std::pair(second.panel, first.panel)}) {
+        if (together.contains(a) && may_be(b)) together.insert(b);
+      }
+    }
+  }
+  return together;
+}
+
 std::vector<char> SewingPattern::is_stitched(std::size_t panel) const {
   std::vector<char> stitched(panels[panel].edges_m.size(), 0);
   for (const auto& [first, second] : stitches) {

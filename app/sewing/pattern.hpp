@@ -38,6 +38,8 @@ struct SewingPattern {
   const std::vector<sim::Vec2>& line_of(const PanelEdge& edge) const { return panels[edge.panel].edges_m[edge.edge]; }
   /// Per edge of a panel, whether it is sewn to anything.
   std::vector<char> is_stitched(std::size_t panel) const;
+  /// Returns these panels, and all that are sewn to them or to each other and that `may_be` holds for.
+  std::set<std::size_t> sewn_with(std::set<std::size_t> together, const std::function<bool(std::size_t)>& may_be) const;
   /// Returns "front, edge 3 with back, edge 5".
   std::string describe(const Stitch& stitch) const;
 };

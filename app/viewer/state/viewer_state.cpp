@@ -129,8 +129,8 @@ const Choice* coarser_than(const std::string& name, std::span<const Choice> garm
   // Of "tshirt_10600": "tshirt_" and 10600; 0 without a number.
   const auto split = [](const std::string& text) {
     const std::size_t digits = text.find_last_not_of("0123456789") + 1;
-    const bool has_number = digits > 0 && digits < text.size() && text.size() - digits < 9 && text[digits - 1] == '_';
-    return std::pair(text.substr(0, digits), has_number ? std::stoi(text.substr(digits)) : 0);
+    const bool is_of_kind = digits > 0 && text[digits - 1] == '_';
+    return std::pair(text.substr(0, digits), is_of_kind ? number_in<int>(text.substr(digits)).value_or(0) : 0);
   };
   const auto [kind, triangles] = split(name);
   const Choice* best = nullptr;

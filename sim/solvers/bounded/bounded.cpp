@@ -123,6 +123,7 @@ struct BoundedSolver::Effort {
   Took search = {};
   std::optional<BlockedContact> first_blocked = {};  ///< later attempts tell how cloth flees from it
   double budget = 0.0;                               ///< of work
+  double pins_turn_m = 0.0;                          ///< in the frame
   bool is_first = false;                             ///< frame: nothing is known of those before
 
   bool is_near() const { return contact.most_pairs > 0; }
@@ -174,6 +175,8 @@ int BoundedSolver::substeps_for_load(const Frame& frame) const {
   return first_substeps(frame.garment, cloth_->layout, frame.surroundings, frame.duration_s, settings_.max_stretch);
 }
 
+double BoundedSolver::bound() const { return std::max(settings_.max_stretch, smallest_promised_bound); }
+
 // How far pins go from where they would be if they went on as they did.
 double BoundedSolver::pins_turn_m(const Frame& frame, const State& state) const {
   std::vector<Vec3> from_m;
@@ -191,12 +194,11 @@ double BoundedSolver::pins_turn_m(const Frame& frame, const State& state) const 
 
 // A load that sets in is as usual as what has been, and so are the regions that fast cloth and pins with a
 // jerk need. Before the first frame nothing is known: it may begin with a jerk.
-double BoundedSolver::usual_work(const Frame& frame, const State& state, const Memory& memory) const {
+double BoundedSolver::usual_work(const Frame& frame, double pins_turn_m, const Memory& memory) const {
   const double load_work = work_for(substeps_for_load(frame), frame.duration_s);
   if (memory.median_work == 0.0) return most_work * load_work;
   const double cloth_turns_m = frame.duration_s * memory.contact.rows.relative_speed_m_per_s(cloth_->triangles);
-  const double turns =
-      (cloth_turns_m + pins_turn_m(frame, state)) / (tuning::turned_part_of_edge * cloth_->mean_edge_m);
+  const double turns = (cloth_turns_m + pins_turn_m) / (tuning::turned_part_of_edge * cloth_->mean_edge_m);
   const double turns_work = 2.0 * tuning::work_of_search * std::min<double>(turns, max_substeps_);
   return std::max(memory.median_work, load_work + turns_work);
 }
@@ -327,7 +329,7 @@ ProjectionResult BoundedSolver::project(const Frame& frame, double end_s, int su
   BoundProjection::Limits limits;
   limits.cost = how.is_last ? tuning::last_resort_sweeps : tuning::costliest * std::max<double>(substeps, round_sweeps);
   if (how.can_halve && cloth.contacts.is_near()) {
-    limits.raw_max_stretch = overstretched * std::max(settings_.max_stretch, smallest_promised_bound);
+    limits.raw_max_stretch = overstretched * bound();
   }
   const auto project_within = [&](Confinement* confinement, Float4Array& from) {
     return cloth.projection.project(cloth.layout, cloth.motion.current, settings_.max_stretch, limits, confinement,
@@ -458,19 +460,17 @@ void BoundedSolver::halve(FramePart& part, double raw_bounds, double limit) {
 }
 
 // Pins with a jerk leave the cloth behind, and stretch the edges that meet in them by at least that.
-BoundedSolver::FramePart BoundedSolver::first_part(const Frame& frame, const State& state, const Memory& memory,
-                                                   const Effort& effort) const {
+BoundedSolver::FramePart BoundedSolver::first_part(const Memory& memory, const Effort& effort) const {
   FramePart part;
   if (memory.contact.rows.is_touching && !effort.is_first) {
-    const double turned_m_per_step = pins_turn_m(frame, state) / memory.control.substeps();
-    const double raw = turned_m_per_step / cloth_->mean_edge_m;
-    halve(part, raw / std::max(settings_.max_stretch, smallest_promised_bound), tuning::coped_stretch);
+    const double turned_m_per_step = effort.pins_turn_m / memory.control.substeps();
+    halve(part, turned_m_per_step / cloth_->mean_edge_m / bound(), tuning::coped_stretch);
   }
   return part;
 }
 
 BoundedSolver::Attempt BoundedSolver::advance(const Frame& frame, const State& begin, Memory memory, Effort& effort) {
-  FramePart part = first_part(frame, begin, memory, effort);
+  FramePart part = first_part(memory, effort);
   Attempt made;
   made.state = begin;
   made.memory = std::move(memory);
@@ -480,8 +480,7 @@ BoundedSolver::Attempt BoundedSolver::advance(const Frame& frame, const State& b
     const Try how = next_try(part, made.memory.control, effort);
     Attempt tried = attempt(this_part, made.state, made.memory, how);
     effort.add(tried, cloth_->contacts);
-    const double raw_bounds =
-        tried.projected.raw_max_stretch / std::max(settings_.max_stretch, smallest_promised_bound);
+    const double raw_bounds = tried.projected.raw_max_stretch / bound();
     if (!tried.is_good() && !how.is_last) {
       try_otherwise(part, tried, raw_bounds, how, effort, made.memory.control);
       continue;
@@ -515,7 +514,8 @@ FrameReport BoundedSolver::advance_frame(const Frame& frame, State& state) {
   kernels_->share(cloth.threads.is_shared());
   const Memory begin = memory_ && memory_->pins == frame.pins.vertices ? *memory_ : first_memory(frame);
   Effort effort;
-  effort.budget = most_work * usual_work(frame, state, begin);
+  effort.pins_turn_m = pins_turn_m(frame, state);
+  effort.budget = most_work * usual_work(frame, effort.pins_turn_m, begin);
   effort.is_first = begin.median_work == 0.0;
   Attempt tried = advance(frame, state, begin, effort);
   require_a_way_on(frame, state, tried, effort);

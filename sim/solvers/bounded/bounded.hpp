@@ -37,7 +37,7 @@ class BoundedSolver : public Solver {
   void lay_out(const Frame& frame);
   int substeps_for_load(const Frame& frame) const;
   double pins_turn_m(const Frame& frame, const State& state) const;
-  double usual_work(const Frame& frame, const State& state, const bounded::Memory& memory) const;
+  double usual_work(const Frame& frame, double pins_turn_m, const bounded::Memory& memory) const;
   bounded::Memory first_memory(const Frame& frame) const;
   void begin_frame(const State& state);
   void begin_substeps(double time_step_s);
@@ -48,8 +48,7 @@ class BoundedSolver : public Solver {
   Attempt attempt(const Frame& frame, const State& state, bounded::Memory memory, const Try& how);
   int substeps_in(double time_s, const bounded::SubstepControl& control) const;
   static Try next_try(const FramePart& part, const bounded::SubstepControl& control, const Effort& effort);
-  FramePart first_part(const Frame& frame, const State& state, const bounded::Memory& memory,
-                       const Effort& effort) const;
+  FramePart first_part(const bounded::Memory& memory, const Effort& effort) const;
   static void halve(FramePart& part, double raw_bounds, double limit);
   static void go_on(FramePart& part, double raw_bounds);
   void try_otherwise(FramePart& part, const Attempt& failed, double raw_bounds, const Try& how, const Effort& effort,
@@ -58,6 +57,9 @@ class BoundedSolver : public Solver {
   State shape_of(const Frame& frame, const State& begin, int substeps) const;
   void set_previous(State& state) const;
   void require_a_way_on(const Frame& frame, const State& begin, const Attempt& last, const Effort& effort) const;
+
+  /// The stretch that others are counted in.
+  double bound() const;
 
   BoundedSettings settings_;
   std::optional<int> substeps_;  ///< per frame; the solver chooses if there is none

@@ -85,6 +85,7 @@ std::vector<LeftOutTriangle> Contacts::left_out() const {
 
 double Contacts::left_out_share() const {
   const std::vector<bool>& touch_at_rest = left_out_.touch_at_rest();
+  if (left_out_.empty() && touch_at_rest.empty()) return 0.0;
   double all = 0.0, left_out = 0.0;
   for (std::size_t t = 0; t < triangles_.size(); ++t) {
     all += areas_[t];

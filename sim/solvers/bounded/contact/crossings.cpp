@@ -43,11 +43,12 @@ bool Crossings::is_kept_apart(Index s, Index t, bool are_neighbours) const {
 }
 
 void Crossings::find_touching_at_rest() {
-  touch_at_rest_.assign(cloth_count_, false);
   std::vector<Index> cloth(cloth_count_);
   std::iota(cloth.begin(), cloth.end(), 0U);
   for_pairs(cloth, rest_m_, least_at_rest_m, [&](Index s, Index t, bool are_neighbours) {
-    if (!is_kept_apart(s, t, are_neighbours)) touch_at_rest_[s] = touch_at_rest_[t] = true;
+    if (is_kept_apart(s, t, are_neighbours)) return;
+    touch_at_rest_.resize(cloth_count_, false);
+    touch_at_rest_[s] = touch_at_rest_[t] = true;
   });
 }
 

@@ -31,7 +31,8 @@ class Crossings {
 
   bool empty() const { return keys_.empty(); }
 
-  /// Returns, by triangle of the cloth, whether parts of it touch others at rest, and are not kept apart from them.
+  /// Returns, by triangle of the cloth, whether parts of it touch others at rest, and are not kept apart from
+  /// them. Empty where none do.
   const std::vector<bool>& touch_at_rest() const { return touch_at_rest_; }
 
   /// Returns whether both things lie in one group.

@@ -89,7 +89,9 @@ void run_gathered(const FrameStages& stages, const std::function<void(std::span<
   try {
     while (std::optional<FrameInWork> frame = stages.simulate()) frames.push_back(std::move(*frame));
   } catch (const Interrupted&) {
-    throw;
+    // The frames took long, their pictures do not. A second signal ends the program at once.
+    forget_interruption();
+    simulating_failed = std::current_exception();
   } catch (...) {
     simulating_failed = std::current_exception();
   }

@@ -82,8 +82,8 @@ struct FrameStages {
 };
 
 /// Simulates all frames, hands them to `gathered`, and then draws and writes them in their order. Of a
-/// simulation that fails the frames before are drawn and written, then its exception is thrown; one that is
-/// interrupted is thrown at once. Errors of the other stages are as in run_overlapped.
+/// simulation that fails or is interrupted the frames before are drawn and written, then its exception is thrown.
+/// Errors of the other stages are as in run_overlapped.
 void run_gathered(const FrameStages& stages, const std::function<void(std::span<const FrameInWork>)>& gathered);
 
 /// Does all stages of a frame before it begins the next frame.

@@ -28,6 +28,8 @@ void throw_if_interrupted() {
   if (received_signal != 0) throw Interrupted(received_signal);
 }
 
+void forget_interruption() { received_signal = 0; }
+
 void end_by_signal(int signal) {
   std::signal(signal, SIG_DFL);
   std::raise(signal);

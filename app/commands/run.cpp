@@ -84,6 +84,10 @@ std::vector<FrameRecord> SceneRun::go(int last_frame, const std::string& pattern
   } catch (const sim::Diverged&) {
     end_early();
     throw;
+  } catch (const Interrupted&) {
+    progress.hide();
+    if (keep) keep();
+    throw;
   }
 }
 

@@ -92,8 +92,9 @@ struct Fitting {
       const double to_middle_m = std::min(0.5 * length_m, glm::length(way_m) - edge_m);
       arm.elbow_m = arm.shoulder_m + length_m * along;
       const auto sleeve = ring_near(garment, {arm.shoulder_m + to_middle_m * along, along});
-      const auto hole = sleeve ? armhole_of(garment, arm, sleeve->tape_m) : std::nullopt;
-      sleeve_m = sleeve ? sleeve->length_m : sleeve_m;
+      // A plane across the arm cuts the trunk of a wide shirt whose sleeves are short, and their hem is around the arm.
+      sleeve_m = sleeve ? sleeve->length_m : cuff.length_m;
+      const auto hole = armhole_of(garment, arm, sleeve ? sleeve->tape_m : cuff.length_m);
       armhole_around_m = hole ? hole->length_m : armhole_around_m;
     }
     // Where sleeves are sewn on is not known.

@@ -36,6 +36,8 @@ constexpr double there_and_back = 1.5;
 // Levels at which legs are apart in the lower half, more than in the upper one, of 11.
 constexpr int clearly_legs = 3;
 constexpr int levels = 11;
+// How far legs that hang close together reach over the middle between them, of their width.
+constexpr double most_over_middle = 0.25;
 // Height of trousers, of their larger size across.
 constexpr double least_of_legs = 0.7;
 // Extent along the height of a bag's opening, of the height, at most.
@@ -177,7 +179,9 @@ LevelCut section_at(const sim::Mesh& mesh, double height) {
     std::array<sim::Vec3, 2> ends{};
     std::size_t count = 0;
     for (int k = 0; k < 3; ++k) {
-      const sim::Vec3 &a = mesh.positions[t[k]], &b = mesh.positions[t[(k + 1) % 3]];
+      // From the lower vertex of both triangles at an edge, so that their segments share their ends exactly.
+      const auto [first, second] = std::minmax(t[k], t[(k + 1) % 3]);
+      const sim::Vec3 &a = mesh.positions[first], &b = mesh.positions[second];
       if ((a.y < height) != (b.y < height) && count < 2) {
         ends[count++] = a + (height - a.y) / (b.y - a.y) * (b - a);
       }
@@ -221,16 +225,37 @@ bool goes_around(const LevelCut& section) {
   return std::ranges::count(is_met, false) <= widest_slit;
 }
 
-/// Whether it goes around both halves, as around legs; those are apart where nothing goes from one to the
-/// other.
+/// The section's curves: segments that share ends.
+std::vector<LevelCut> curves_of(const LevelCut& section) {
+  std::map<std::array<double, 2>, sim::Index> ends;
+  for (const auto& segment : section) {
+    for (const sim::Vec3& p : segment) ends.try_emplace({p.x, p.z}, static_cast<sim::Index>(ends.size()));
+  }
+  sim::Groups joined(ends.size());
+  for (const auto& [a, b] : section) joined.join(ends.at({a.x, a.z}), ends.at({b.x, b.z}));
+  std::map<sim::Index, LevelCut> curves;
+  for (const auto& segment : section) {
+    curves[joined.find(ends.at({segment[0].x, segment[0].z}))].push_back(segment);
+  }
+  std::vector<LevelCut> all;
+  for (auto& [first, curve] : curves) all.push_back(std::move(curve));
+  return all;
+}
+
+/// Whether it goes around both halves, as around legs; those are apart where no curve belongs to both.
 bool goes_around_halves(const LevelCut& section, bool are_apart) {
   const sim::Extent box = range_of(section);
   const int across = box.size().z > box.size().x ? 2 : 0;
   const double middle = box.middle()[across];
   std::array<LevelCut, 2> halves;
-  for (const auto& ends : section) {
-    if (are_apart && (ends[0][across] > middle) != (ends[1][across] > middle)) return false;
-    halves[ends[0][across] > middle ? 1 : 0].push_back(ends);
+  for (const LevelCut& curve : are_apart ? curves_of(section) : std::vector<LevelCut>{section}) {
+    const sim::Extent range = range_of(curve);
+    const double over = std::min(middle - range.lower[across], range.upper[across] - middle);
+    if (are_apart && over > most_over_middle * range.size()[across]) return false;
+    for (const auto& ends : curve) {
+      const double at = are_apart ? range.middle()[across] : ends[0][across];
+      halves[at > middle ? 1 : 0].push_back(ends);
+    }
   }
   return goes_around(halves[0]) && goes_around(halves[1]);
 }

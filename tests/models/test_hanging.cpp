@@ -337,6 +337,13 @@ TEST(Upright, HasLegsBelowAndLeavesABagAsItStands) {
     p = {p.x, -p.y, -p.z};
   }
   EXPECT_EQ(up(head_down), ModelAxis::minus_z);
+  // Bent legs let one see deeper in from above, and they hang so close that one reaches over the middle.
+  sim::Mesh close = test::trousers();
+  for (sim::Vec3& p : close.positions) {
+    p.x += p.y < 0.6 && p.x > -0.12 && p.x < 0.0 ? 0.05 : 0.0;
+    p.z += 0.3 * std::max(0.6 - p.y, 0.0);
+  }
+  EXPECT_EQ(up(test::with_z_up(close)), ModelAxis::z);
   sim::Mesh sock = test::bottle(0.5, {0.0, 0.0});
   for (sim::Vec3& p : sock.positions) {
     p = {p.x, -p.y, -p.z};

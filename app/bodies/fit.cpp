@@ -175,7 +175,7 @@ std::vector<FitRow> fit_of(const Scene& scene, const sim::Garment& garment, std:
                            Surface{start_m, garment.mesh.triangles}, marks_of(garment, start_m, {})};
   if (!fitting.marks.is_worn_at_waist) fitting.add("neck", fitting.marks.top_m, rows);
   fitting.add_arms(rows);
-  fitting.add_trunk(rows);
+  if (!fitting.marks.is_open_in_front) fitting.add_trunk(rows);
   fitting.add_ends(rows);
   return rows;
 }

@@ -7,6 +7,10 @@ namespace {
 
 /// A share of the part's width: a hem is as near as this to its middle, cuffs are not.
 constexpr double in_the_middle = 0.15;
+/// A share of the part's height: a border that goes over more of it is that of a front which is open from neck to hem.
+constexpr double open_front = 0.7;
+/// A share of the part's height: so much of that border, from its top on, is around the neck.
+constexpr double around_neck = 0.08;
 /// A share of the opening's width: a neckline is lower by this in front.
 constexpr double dip_of_front = 0.03;
 constexpr std::size_t levels_of_garment = 200;
@@ -42,8 +46,25 @@ struct Finder {
     return std::abs(opening.range.middle()[across] - part.range.middle()[across]) < in_the_middle * part.width_m();
   }
 
+  bool is_open_front(const Opening& opening) const {
+    return is_in_middle(opening) && opening.range.size().y > open_front * part.range.size().y;
+  }
+
+  /// Of a jacket that is open in front.
+  std::vector<sim::Index> neck_of_open_front(const GarmentMarks& marks) const {
+    std::vector<sim::Index> neck;
+    const double from_m = part.range.upper.y - around_neck * part.range.size().y;
+    for (const Opening& opening : part.openings) {
+      if (marks.cuffs.empty() || !is_open_front(opening)) continue;
+      std::ranges::copy_if(opening.vertices, std::back_inserter(neck),
+                           [&](sim::Index v) { return positions_m[v].y > from_m; });
+    }
+    return neck;
+  }
+
   void find_top(const Opening* top, GarmentMarks& marks) const {
     std::vector<sim::Index> vertices = landmarks_with(landmarks, "neck");
+    if (vertices.empty() && top == nullptr) vertices = neck_of_open_front(marks);
     marks.is_worn_at_waist = vertices.empty();
     if (vertices.empty()) vertices = landmarks_with(landmarks, "waist");
     if (vertices.empty() && top != nullptr) {
@@ -64,6 +85,10 @@ struct Finder {
   void find_hem_and_cuffs(const Opening* top, GarmentMarks& marks) const {
     std::vector<const Opening*> beside;
     for (const Opening& opening : part.openings) {
+      if (&opening != top && is_open_front(opening)) {
+        marks.is_open_in_front = true;
+        continue;
+      }
       const bool is_hem = is_in_middle(opening) && opening.mean_height_m < part.range.middle().y;
       if (&opening != top && is_hem && opening.length_m > marks.hem_m) {
         marks.hem_height_m = opening.mean_height_m;
@@ -75,7 +100,8 @@ struct Finder {
     // Without a hem the lowest two are those of legs.
     std::ranges::stable_sort(beside,
                              [](const Opening* a, const Opening* b) { return a->mean_height_m > b->mean_height_m; });
-    const std::size_t sleeves = beside.size() - (marks.hem_height_m ? 0 : std::min<std::size_t>(beside.size(), 2));
+    const bool may_have_legs = !marks.hem_height_m && !marks.is_open_in_front;
+    const std::size_t sleeves = beside.size() - (may_have_legs ? std::min<std::size_t>(beside.size(), 2) : 0);
     const std::span<const Opening* const> all = beside;
     marks.cuffs = pair_of(all.first(sleeves));
     marks.legs = pair_of(all.subspan(sleeves));

@@ -17,6 +17,7 @@ struct GarmentMarks {
   /// or below it in the middle, as of skirts and trousers. Empty: there is none.
   std::optional<sim::Extent> top;
   bool is_worn_at_waist = false;
+  bool is_open_in_front = false;       ///< from the neck to the hem, as a jacket; it goes around no trunk
   double top_height_m = 0.0;           ///< mean of its vertices
   double top_m = 0.0;                  ///< around; 0: it is no opening
   std::optional<double> hem_height_m;  ///< mean of its vertices; empty: it has none

@@ -18,6 +18,8 @@ constexpr double half_a_right_angle = 0.70710678;  ///< its cosine
 constexpr double hardly_turned = 0.98;
 constexpr double below_fork_m = 0.01;
 constexpr double at_begin_of_limb_m = 0.02;
+/// How far a garment is lifted at most off shoulders that it crosses, in m, and in which steps.
+constexpr double most_lift_m = 0.12, lift_step_m = 0.02;
 
 /// Where a garment belongs on a body when the run begins.
 struct Wanted {
@@ -46,7 +48,7 @@ Wanted wanted_of(const sim::Body& body, const Wearer& wearer, const JointPlaces&
 /// The point of the garment that comes to the wanted one.
 sim::Vec3 held_at(const GarmentMarks& marks) {
   const sim::Vec3 middle = marks.top->middle();
-  return {middle.x, marks.is_worn_at_waist ? marks.top_height_m : marks.top->upper.y, middle.z};
+  return {middle.x, marks.is_worn_at_waist ? marks.top_height_m : marks.neck_base_m, middle.z};
 }
 
 /// A turn about the vertical through one point, which comes to another.
@@ -115,6 +117,18 @@ void add_limbs(const Wearer& wearer, const sim::Body& body, const std::array<con
       bones.push_back({chain[k - 1], chain[k], direction});
     }
   }
+}
+
+/// Of a garment that the body crosses: lets its limbs begin where sleeves and legs are. Returns what it did.
+std::string begin_in_limbs(const Wearer& wearer, const GarmentMarks& marks, const LoadedGarment& loaded,
+                           sim::Body& body) {
+  std::vector<TurnedBone> bones;
+  add_limbs(wearer, body, {"arm", "forearm", "hand"}, marks.cuffs, bones);
+  const std::size_t of_arms = bones.size();
+  add_limbs(wearer, body, {"upleg", "leg", "foot"}, marks.legs, bones);
+  if (bones.empty() || !crosses(loaded, body)) return "";
+  std::get<sim::BodyMesh>(body.shape).frames = growing(wearer, turning_back(*wearer.rig, wearer.pose, bones));
+  return of_arms > 0 ? "the arms begin in its sleeves" : "the legs begin in its own";
 }
 
 /// Where a garment with two legs belongs: its fork is right below that of the body.
@@ -195,15 +209,19 @@ std::vector<std::string> put_on(LoadedGarment& loaded, Scene& scene) {
       fmt::format("it is moved by {:.3g} m{}, so that its {} is at that of {}", glm::distance(move.from_m, move.to_m),
                   move.cosine == 1.0 ? "" : " and turned about the vertical", at_waist ? "waist" : "neck",
                   describe_body(scene.surroundings.bodies, b))};
-  const GarmentMarks moved = marks_now();
-  std::vector<TurnedBone> bones;
-  add_limbs(wearer, body, {"arm", "forearm", "hand"}, moved.cuffs, bones);
-  const std::size_t of_arms = bones.size();
-  add_limbs(wearer, body, {"upleg", "leg", "foot"}, moved.legs, bones);
-  if (!bones.empty() && crosses(loaded, body)) {
-    frames = growing(wearer, turning_back(*wearer.rig, wearer.pose, bones));
-    said.emplace_back(of_arms > 0 ? "the arms begin in its sleeves" : "the legs begin in its own");
-  }
+  // Garments that were draped on wider shoulders hang lower beside the neck.
+  std::string limbs = begin_in_limbs(wearer, marks_now(), loaded, body);
+  double lifted_m = 0.0;
+  const auto lift = [&](double by_m) {
+    apply({sim::Vec3(0.0), {0.0, by_m, 0.0}}, loaded);
+    lifted_m += by_m;
+    frames = wearer.frames;
+    limbs = begin_in_limbs(wearer, marks_now(), loaded, body);
+  };
+  while (lifted_m < most_lift_m && crosses(loaded, body)) lift(lift_step_m);
+  if (lifted_m > 0.0 && crosses(loaded, body)) lift(-lifted_m);
+  if (lifted_m > 0.0) said.push_back(fmt::format("it begins {:.0f} cm above that", 100.0 * lifted_m));
+  if (!limbs.empty()) said.push_back(limbs);
   return said;
 }
 

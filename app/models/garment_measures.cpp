@@ -1,5 +1,6 @@
 #include "app/models/garment_measures.hpp"
 
+#include "app/models/hanger.hpp"
 #include "app/models/section.hpp"
 
 namespace taut::app {
@@ -11,6 +12,10 @@ constexpr double in_the_middle = 0.15;
 constexpr double open_front = 0.7;
 /// A share of the part's height: so much of that border, from its top on, is around the neck.
 constexpr double around_neck = 0.08;
+/// Of a stand collar, in m: how level its edge is, how high it is at most, and a step down it.
+constexpr double level_edge_m = 0.03, highest_collar_m = 0.12, collar_step_m = 0.005;
+/// Times the collar's girth, where shoulders begin below it.
+constexpr double shoulders_begin = 1.2;
 /// A share of the opening's width: a neckline is lower by this in front.
 constexpr double dip_of_front = 0.03;
 constexpr std::size_t levels_of_garment = 200;
@@ -38,8 +43,10 @@ sim::Vec3 level(const sim::Vec3& v) { return {v.x, 0.0, v.z}; }
 
 struct Finder {
   const Landmarks& landmarks;
+  const sim::Mesh& mesh;
   const GarmentPart& part;
-  std::span<const sim::Vec3> positions_m;
+  std::span<const sim::Vec3> positions_m = mesh.positions;
+  Surface surface = {mesh.positions, mesh.triangles};
 
   bool is_in_middle(const Opening& opening) const {
     const int across = part.across();
@@ -62,8 +69,47 @@ struct Finder {
     return neck;
   }
 
+  /// How far a stand collar goes down from its edge, in m; 0: it is none.
+  double collar_m(const Opening& top) const {
+    const auto girth_m = [&](double below_m) {
+      const sim::Vec3 middle = top.range.middle();
+      double largest_m = 0.0;
+      for (const SectionCurve& curve : section_of(surface, {{middle.x, top.range.lower.y - below_m, middle.z}})) {
+        if (curve.is_closed && is_around_point(curve)) largest_m = std::max(largest_m, length_m(curve));
+      }
+      return largest_m;
+    };
+    if (top.range.size().y > level_edge_m) return 0.0;
+    for (double below_m = collar_step_m; below_m < highest_collar_m; below_m += collar_step_m) {
+      const double around_m = girth_m(below_m);
+      if (around_m == 0.0) return 0.0;
+      if (around_m > shoulders_begin * top.length_m) return below_m - collar_step_m;
+    }
+    return 0.0;
+  }
+
+  /// The longest opening above the neck of a hood.
+  void face_front(const std::vector<sim::Index>& neck, GarmentMarks& marks) const {
+    const sim::Vec3 neck_m = mean_of(neck, positions_m);
+    const Opening* face = nullptr;
+    for (const Opening& opening : part.openings) {
+      const bool is_above = opening.mean_height_m > neck_m.y;
+      if (is_above && (face == nullptr || opening.length_m > face->length_m)) face = &opening;
+    }
+    if (face == nullptr) return;
+    const int depth = 2 - part.across();
+    marks.front = sim::Vec3(0.0);
+    marks.front[depth] = face->range.middle()[depth] < neck_m[depth] ? -1.0 : 1.0;
+    marks.is_front_known = true;
+  }
+
   void find_top(const Opening* top, GarmentMarks& marks) const {
     std::vector<sim::Index> vertices = landmarks_with(landmarks, "neck");
+    const std::vector<sim::Index> hooded = neck_below_hood(mesh, part, part.across());
+    if (vertices.empty() && !hooded.empty()) {
+      top = nullptr;
+      vertices = hooded;
+    }
     if (vertices.empty() && top == nullptr) vertices = neck_of_open_front(marks);
     marks.is_worn_at_waist = vertices.empty();
     if (vertices.empty()) vertices = landmarks_with(landmarks, "waist");
@@ -78,7 +124,13 @@ struct Finder {
       marks.top_m = top == nullptr ? 0.0 : top->length_m;
       for (const sim::Index v : vertices) marks.top->add(positions_m[v]);
       marks.top_height_m = mean_of(vertices, positions_m).y;
+      marks.neck_base_m = vertices == hooded ? marks.top->lower.y : marks.top->upper.y;
       find_front(vertices, marks);
+      if (vertices == hooded) face_front(hooded, marks);
+      if (top != nullptr && vertices == top->vertices) {
+        const double below_m = collar_m(*top);
+        if (below_m > 0.0) marks.neck_base_m = top->range.lower.y - below_m;
+      }
     }
   }
 
@@ -190,7 +242,7 @@ GarmentMarks marks_of(const sim::Garment& garment, std::span<const sim::Vec3> po
   const std::vector<GarmentPart> parts = parts_of(mesh, garment.adjacency);
   const GarmentPart& part = *std::ranges::max_element(parts, {}, &GarmentPart::area_m2);
   const Opening* const top = top_opening(part);
-  const Finder finder{landmarks, part, positions_m};
+  const Finder finder{landmarks, mesh, part};
   GarmentMarks marks;
   finder.find_hem_and_cuffs(top, marks);
   finder.find_top(top, marks);

@@ -19,6 +19,7 @@ struct GarmentMarks {
   bool is_worn_at_waist = false;
   bool is_open_in_front = false;       ///< from the neck to the hem, as a jacket; it goes around no trunk
   double top_height_m = 0.0;           ///< mean of its vertices
+  double neck_base_m = 0.0;            ///< height of its upper end, or where a hood or a stand collar ends
   double top_m = 0.0;                  ///< around; 0: it is no opening
   std::optional<double> hem_height_m;  ///< mean of its vertices; empty: it has none
   double hem_m = 0.0;                  ///< around

@@ -41,6 +41,39 @@ sim::Mesh skirt_of(const std::function<double(double height_m)>& radius_m) {
   return mesh;
 }
 
+TEST(GarmentMarks, KnowJacketsAndHoodsByTheirNecks) {
+  const auto marks = [](const sim::Mesh& mesh) {
+    return marks_of(sim::make_garment(mesh), mesh.positions, {});
+  };
+  const sim::Mesh jacket = test::jacket();
+  const GarmentMarks open = marks(jacket);
+  EXPECT_TRUE(open.is_open_in_front);
+  EXPECT_FALSE(open.is_worn_at_waist);
+  EXPECT_EQ(open.cuffs.size(), 2U);
+  EXPECT_TRUE(open.legs.empty()) << "its sleeves are none";
+  EXPECT_FALSE(open.hem_height_m);
+  ASSERT_TRUE(open.top);
+  EXPECT_NEAR(open.neck_base_m, sim::extent_of(jacket.positions).upper.y, 1e-9);
+  EXPECT_FALSE(marks(test::shirt()).is_open_in_front);
+  sim::Mesh hoodie = test::hoodie();
+  EXPECT_NEAR(marks(hoodie).neck_base_m, 0.7, 0.051) << "its top is at 1.08";
+  EXPECT_EQ(marks(hoodie).front, sim::Vec3(0.0, 0.0, 1.0));
+  for (sim::Vec3& p : hoodie.positions) {
+    p = {-p.x, p.y, -p.z};
+  }
+  EXPECT_EQ(marks(hoodie).front, sim::Vec3(0.0, 0.0, -1.0)) << "where its face is";
+}
+
+TEST(GarmentMarks, MeasureFromBelowAStandCollar) {
+  const auto base_m = [](double collar_m) {
+    const sim::Mesh mesh = skirt_of([=](double height_m) { return height_m > 0.56 - collar_m ? 0.1 : 0.2; });
+    return marks_of(sim::make_garment(mesh), mesh.positions, {}).neck_base_m;
+  };
+  EXPECT_NEAR(base_m(0.07), 0.49, 0.011);
+  EXPECT_NEAR(base_m(0.0), 0.55, 1e-9);
+  EXPECT_NEAR(base_m(0.3), 0.55, 1e-9) << "no collar is so high";
+}
+
 TEST(GarmentMarks, KnowTheFrontByHowFarTheNecklineDips) {
   const auto is_known = [](double slope) {
     sim::Mesh mesh = skirt_of([](double) { return 0.2; });

@@ -119,6 +119,17 @@ TEST_F(Wearing, AShirtOfAManIsWornByAWoman) {
   EXPECT_TRUE(scene_crossings(cloth, worn.scene.surroundings.bodies, 0.0).back().pairs.empty());
 }
 
+TEST_F(Wearing, WhatTheShouldersCrossBeginsAboveThem) {
+  const Fitting worn = put(shirt([](const sim::Vec3& p) {
+                             const double beside_m = std::clamp(std::abs(p.x) - 0.1, 0.0, 0.1);
+                             return p - sim::Vec3(0.0, 1.5 * beside_m, 0.0);
+                           }),
+                           "female_34");
+  ASSERT_GE(worn.said.size(), 2U);
+  EXPECT_CONTAINS(worn.said[1], " cm above that");
+  EXPECT_EQ(worn.crossings(-1.5), 0U);
+}
+
 // A scan has no joints.
 TEST_F(Wearing, ABodyWithoutJointsGrowsFromThoseOfItsShape) {
   const Fitting person = put(tshirt, "female_34");

@@ -209,11 +209,6 @@ class Render {
   }
 
   void fit_camera(std::span<const FrameInWork> gathered) {
-    const int last = gathered.empty() ? 0 : gathered.back().record.frame;
-    if (last < job_.frames.back()) {
-      run_.progress.hide();
-      fmt::print(stderr, "taut: stopped after frame {} of {}; pictures up to it are drawn\n", last, job_.frames.back());
-    }
     FittedView fitted(run_.scene, run_.simulation->garment());
     for (const FrameInWork& frame : gathered) {
       if (frame.positions.empty()) continue;

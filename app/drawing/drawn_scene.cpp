@@ -308,6 +308,9 @@ SceneFormat<DrawnScene> drawn_scene_format() {
        switch_key<DrawnScene>("picture.smooth", MEMBER(picture.smooth),
                               "draws a smooth surface along the simulated vertices, at most 4 mm from them; "
                               "false: the simulated triangles"),
+       switch_key<DrawnScene>(
+           "picture.wrinkles", MEMBER(picture.wrinkles),
+           "draws, where cloth is shorter than at rest, the small wrinkles that its mesh cannot show"),
        choice_key<DrawnScene>("picture.stretch_of", named(all_stretch_of), MEMBER(picture.stretch_of),
                               "what the colours show the stretch of: at each vertex the largest of the "
                               "springs there, or of the triangles in any direction"),

@@ -110,6 +110,7 @@ struct PictureStyle {
   renderer::PictureSettings settings;
   SurfaceLook surface = SurfaceLook::shaded;
   bool wireframe = false;  ///< the springs drawn over the surface
+  bool wrinkles = true;    ///< where cloth is shortened, those that the mesh is too coarse for
   bool smooth = true;      ///< a smooth surface along the vertices instead of the simulated triangles
   StretchOf stretch_of = StretchOf::surface;
   /// Stretch at the two ends of the colours; empty: shown_stretch_range().

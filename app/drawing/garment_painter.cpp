@@ -175,6 +175,7 @@ GarmentPainter::GarmentPainter(renderer::SceneRenderer& renderer, const DrawnSce
       bodies_(scene.surroundings.bodies) {
   const renderer::Box reach = expected_reach(scene, garment, pins);
   surface_.set_freedom(rooms_.freedom());
+  surface_.set_wrinkled(style_.wrinkles && style_.surface == SurfaceLook::shaded);
   camera_ = scene_camera(scene, reach, aspect_of(style_.settings));
   look_from(camera_, shortest_edge_px(style_));
   if (scene.camera.follow) followed_from_ = mean_of(garment.mesh.positions);

@@ -80,6 +80,19 @@ float mean_edge_m(const sim::Garment& garment) {
   return static_cast<float>(sum_m / static_cast<double>(std::max<std::size_t>(garment.adjacency.edges.size(), 1)));
 }
 
+// Wrinkles are about two bending lengths long. The mesh shows those of four edges and more, and what is drawn of
+// shorter ones has no more than this of it.
+constexpr float bending_lengths = 2.0F;
+constexpr float shown_edges = 4.0F;
+constexpr float least_edges = 2.5F, most_edges = 3.5F;
+
+/// The bending length is the edge of a square of cloth whose weight bends it much (Peirce 1930).
+float wavelength_m(const sim::Material& material, float edge_m) {
+  const double bending_length_m = std::cbrt(material.bending_rigidity_n_m / (material.areal_density_kg_per_m2 * 9.81));
+  const float wanted_m = bending_lengths * static_cast<float>(bending_length_m);
+  return wanted_m > shown_edges * edge_m ? 0.0F : std::clamp(wanted_m, least_edges * edge_m, most_edges * edge_m);
+}
+
 // Flexural springs lie under the structural ones they skip along: wider, they show on both sides.
 constexpr float flexural_width = 2.5F;
 
@@ -192,6 +205,7 @@ GarmentSurface::GarmentSurface(const sim::Garment& garment, std::vector<glm::vec
       cloth_coordinates_(cloth_coordinates(garment, corner_coordinates_)),
       colour_of_triangle_(std::move(colour_of_triangle)),
       edge_m_(mean_edge_m(garment)),
+      wavelength_m_(wavelength_m(garment.material, edge_m_)),
       sewing_(sewing_of(garment, corner_coordinates_)) {}
 
 void GarmentSurface::set_detail(float pixels_per_m, std::optional<float> shortest_edge_px) {
@@ -211,6 +225,12 @@ void GarmentSurface::make() {
   surface_.emplace(rest_positions_, triangles_, detail_.levels, freedom_, detail_.rim ? sewing_.rim_radius_m : 0.0F);
   surface_->place(rest_positions_);
   material_coordinates_ = surface_->positions();
+  wrinkles_.reset();
+  if (is_wrinkled_ && is_refined() && wavelength_m_ > 0.0F) {
+    wrinkles_.emplace(rest_positions_, triangles_, wavelength_m_);
+    wrinkles_->refine(std::span(material_coordinates_).first(surface_->mesh().vertex_count()),
+                      surface_->mesh().parents());
+  }
   fine_corner_coordinates_ = fine_corner_values(corner_coordinates_);
   fine_colour_of_triangle_.clear();
   if (!colour_of_triangle_.empty()) {
@@ -249,7 +269,7 @@ std::vector<glm::vec2> GarmentSurface::fine_corner_values(std::span<const glm::v
 }
 
 void GarmentSurface::place(std::span<const glm::vec3> positions, std::span<const float> rooms_m) {
-  surface_->place(positions, rooms_m);
+  surface_->place(positions, rooms_m, wrinkles_ ? wrinkles_->heights(positions) : std::span<const float>());
 }
 
 renderer::SurfaceView GarmentSurface::view() const {

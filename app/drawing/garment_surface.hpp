@@ -3,6 +3,7 @@
 #include "app/drawing/drawn_scene.hpp"
 #include "app/models/garment_loading.hpp"
 #include "renderer/surface/lines.hpp"
+#include "renderer/surface/wrinkles.hpp"
 
 namespace taut::app {
 
@@ -37,6 +38,9 @@ class GarmentSurface {
 
   /// See renderer::SmoothSurface.
   void set_freedom(const renderer::SurfaceFreedom& freedom) { freedom_ = freedom; }
+
+  /// Draws the wrinkles that cloth has where it is shortened and its mesh cannot show them.
+  void set_wrinkled(bool is_wrinkled) { is_wrinkled_ = is_wrinkled; }
 
   /// Mean length of the simulated edges at rest.
   float edge_m() const { return edge_m_; }
@@ -74,9 +78,12 @@ class GarmentSurface {
   std::vector<std::uint32_t> colour_of_triangle_;
   float edge_m_;
   renderer::SurfaceFreedom freedom_;
+  bool is_wrinkled_ = false;
+  float wavelength_m_;  ///< of wrinkles; 0: the mesh shows them
   GarmentSewing sewing_;
   Detail detail_;
   std::optional<renderer::SmoothSurface> surface_;
+  std::optional<renderer::Wrinkles> wrinkles_;
   std::vector<glm::vec3> material_coordinates_;
   std::vector<glm::vec2> fine_corner_coordinates_;
   std::vector<std::uint32_t> fine_colour_of_triangle_;

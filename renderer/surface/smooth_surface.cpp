@@ -132,7 +132,44 @@ void SmoothSurface::fair(std::span<const glm::vec3> coarse_positions) {
   }
 }
 
-void SmoothSurface::place(std::span<const glm::vec3> coarse_positions, std::span<const float> rooms) {
+// Where the coarse triangles are, and how far each vertex may be from there, is that of its parents.
+void SmoothSurface::raise(std::span<const glm::vec3> coarse_positions, std::span<const float> rooms,
+                          std::span<const float> heights) {
+  const std::size_t count = mesh_.vertex_count();
+  flat_.assign(coarse_positions.begin(), coarse_positions.end());
+  free_.assign(coarse_positions.size(), std::numeric_limits<float>::infinity());
+  if (!rooms.empty()) free_.assign(rooms.begin(), rooms.end());
+  interpolate(std::span(mesh_.parents()), flat_);
+  for (const auto& [a, b] : mesh_.parents()) free_.push_back(std::min(free_[a], free_[b]));
+  raised_.resize(count);
+  for (std::size_t v = 0; v < count; ++v) {
+    const float left = std::max(free_[v] - glm::distance(positions_[v], flat_[v]), 0.0F);
+    raised_[v] = std::clamp(heights[v], -left, left);
+  }
+  // Per triangle the gradient of its heights times its area, so that a vertex gets their mean.
+  slopes_.assign(count, glm::vec3{0.0F});
+  flat_.assign(count, glm::vec3{0.0F});  // x: areas
+  const std::vector<std::uint32_t>& corners = mesh_.triangles();
+  for (std::size_t i = 0; i + 2 < corners.size(); i += 3) {
+    const std::uint32_t a = corners[i], b = corners[i + 1], c = corners[i + 2];
+    const glm::vec3 ab = positions_[b] - positions_[a], ac = positions_[c] - positions_[a];
+    const glm::vec3 normal = glm::cross(ab, ac);
+    const float area = glm::length(normal);
+    const glm::vec3 along = (raised_[b] - raised_[a]) * ac - (raised_[c] - raised_[a]) * ab;
+    const glm::vec3 slope = area > 0.0F ? glm::cross(along, normal) / area : glm::vec3{0.0F};
+    for (const std::uint32_t v : {a, b, c}) {
+      slopes_[v] += slope;
+      flat_[v].x += area;
+    }
+  }
+  for (std::size_t v = 0; v < count; ++v) {
+    positions_[v] += raised_[v] * normals_[v];
+    normals_[v] = normalised(flat_[v].x * normals_[v] - slopes_[v], normals_[v]);
+  }
+}
+
+void SmoothSurface::place(std::span<const glm::vec3> coarse_positions, std::span<const float> rooms,
+                          std::span<const float> heights) {
   const std::size_t count = mesh_.coarse_vertex_count();
   assert(coarse_positions.size() == count && (rooms.empty() || rooms.size() == count));
   if (rooms.empty()) {
@@ -145,6 +182,7 @@ void SmoothSurface::place(std::span<const glm::vec3> coarse_positions, std::span
   const std::span<glm::vec3> coarse = std::span(positions_).first(count);
   vertex_normals(coarse, coarse_triangles_, std::span(normals_).first(count));
   for (const RefinedMesh::Level& level : mesh_.levels()) place(level);
+  if (!heights.empty()) raise(coarse_positions, rooms, heights);
   if (rim_) rim_->place(positions_, normals_);
   for (std::size_t v = first_parted_; v < positions_.size(); ++v) {
     const std::uint32_t first = parents_[v - count][0];

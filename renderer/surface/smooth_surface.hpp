@@ -42,8 +42,10 @@ class SmoothSurface {
 
   /// Fills positions and normals for coarse vertices at these positions, one for each. `rooms`: how far the
   /// surface may leave the triangles around each, in fairing and bulge together; none: as far as it is free.
-  /// Layers do not meet that are at each vertex more than twice its room apart.
-  void place(std::span<const glm::vec3> coarse_positions, std::span<const float> rooms = {});
+  /// Layers do not meet that are at each vertex more than twice its room apart. `heights`: how far vertices of mesh()
+  /// are moved along their normals, within what is left of the rooms; none: not at all.
+  void place(std::span<const glm::vec3> coarse_positions, std::span<const float> rooms = {},
+             std::span<const float> heights = {});
   /// One for each vertex of mesh(), then of the rim and then of part_vertices(); the normals have unit
   /// length.
   const std::vector<glm::vec3>& positions() const { return positions_; }
@@ -53,6 +55,7 @@ class SmoothSurface {
   void find_neighbours(std::span<const glm::vec3> rest_positions);
   void fair(std::span<const glm::vec3> coarse_positions);
   void place(const RefinedMesh::Level& level);
+  void raise(std::span<const glm::vec3> coarse_positions, std::span<const float> rooms, std::span<const float> heights);
 
   std::vector<std::uint32_t> coarse_triangles_;
   RefinedMesh mesh_;
@@ -66,8 +69,9 @@ class SmoothSurface {
   std::size_t first_parted_ = 0;  // of positions_
   std::vector<glm::vec3> positions_;
   std::vector<glm::vec3> normals_;
-  std::vector<float> rooms_;               // of each vertex of mesh_, what is left of it
-  std::vector<glm::vec3> faired_, means_;  // scratch
+  std::vector<float> rooms_;                               // of each vertex of mesh_, what is left of it
+  std::vector<glm::vec3> faired_, means_, flat_, slopes_;  // scratch
+  std::vector<float> free_, raised_;                       // scratch
 };
 
 }  // namespace taut::renderer

@@ -80,17 +80,19 @@ float mean_edge_m(const sim::Garment& garment) {
   return static_cast<float>(sum_m / static_cast<double>(std::max<std::size_t>(garment.adjacency.edges.size(), 1)));
 }
 
-// Wrinkles are about two bending lengths long. The mesh shows those of four edges and more, and what is drawn of
-// shorter ones has no more than this of it.
+// Wrinkles are about two bending lengths long. The mesh shows those of four edges and more; one whose edges are nearly
+// as long as wrinkles does not know where they are.
 constexpr float bending_lengths = 2.0F;
 constexpr float shown_edges = 4.0F;
+constexpr float unknown_edges = 1.2F;
 constexpr float least_edges = 2.5F, most_edges = 3.5F;
 
 /// The bending length is the edge of a square of cloth whose weight bends it much (Peirce 1930).
 float wavelength_m(const sim::Material& material, float edge_m) {
   const double bending_length_m = std::cbrt(material.bending_rigidity_n_m / (material.areal_density_kg_per_m2 * 9.81));
   const float wanted_m = bending_lengths * static_cast<float>(bending_length_m);
-  return wanted_m > shown_edges * edge_m ? 0.0F : std::clamp(wanted_m, least_edges * edge_m, most_edges * edge_m);
+  const bool is_drawn = wanted_m > unknown_edges * edge_m && wanted_m < shown_edges * edge_m;
+  return !is_drawn ? 0.0F : std::clamp(wanted_m, least_edges * edge_m, most_edges * edge_m);
 }
 
 // Flexural springs lie under the structural ones they skip along: wider, they show on both sides.

@@ -155,7 +155,7 @@ def test_hand(page, expected):
     assert 0.1 < stretch <= bound == 1.0, page.text('stretch')
     assert found[str(frame + 30)] != expected[str(frame + 30)], 'the hand has moved nothing'
     ActionChains(page.browser).release().perform()
-    page.wait('the words', lambda: page.text('verdict') == 'Steered by you: start over to compare')
+    page.wait('the words', lambda: page.text('verdict') == 'Steered by you: nothing to compare')
 
 
 def test_colours(page):

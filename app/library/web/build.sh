@@ -2,7 +2,7 @@
 # Builds the page and the npm package. Usage: build.sh TAUT TAUT_IMPORT OUT
 # Then OUT/page is the page, whole: any file server shows it, and a browser opens it from the disk. OUT/taut-cloth is the package.
 set -euo pipefail
-taut=$1 importer=$2 out=$3
+taut=$(realpath "$1") importer=$(realpath "$2") out=$(realpath -m "$3")
 here=$(cd "$(dirname "$0")" && pwd)
 assets=$here/../../../assets
 for tool in emcmake esbuild; do

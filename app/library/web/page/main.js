@@ -8,12 +8,13 @@ const byId = (id) => document.getElementById(id);
 const stage = new Stage(byId('stage'));
 const promises = new Promises();
 const chosen = { scene: 'hang', size: 5280 };
-let worker, latest, frames = 0, isSteered = false, isReady = false, isAsked = false, times = [];
+let worker, run = 0, latest, isSteered = false, isReady = false, asked = 0, times = [];
 
 window.addEventListener('load', () => {
   // From a file a page may not start a worker's file, but one of text.
   worker = new Worker(URL.createObjectURL(new Blob([globalThis.tautEngine], { type: 'text/javascript' })));
-  worker.onmessage = ({ data }) => answers[data.is](data);
+  // Frames may still come of the cloth before.
+  worker.onmessage = ({ data }) => data.run === run && answers[data.is](data);
   start();
 });
 
@@ -25,7 +26,8 @@ function air() {
 }
 
 function start() {
-  isReady = isSteered = isAsked = false;
+  isReady = isSteered = false;
+  asked = 0;
   latest = undefined;
   const fabric = byId('fabric').value, bound = byId('bound').value, wind = air();
   const settings = { 'solver.max_stretch': bound, ...(fabric ? { 'cloth.fabric': fabric } : {}) };
@@ -33,7 +35,7 @@ function start() {
   promises.begin(Number(bound), isUsual ? natives[`${chosen.scene}-${chosen.size}-${wind.speed}`] : undefined);
   notice(chosen.scene === 'walk' ? 'Dressing the mannequin …' : 'Making the cloth …');
   stage.view(chosen.scene);
-  worker.postMessage({ do: 'start', scene: chosen.scene, size: chosen.size, wind, settings });
+  worker.postMessage({ do: 'start', run: ++run, scene: chosen.scene, size: chosen.size, wind, settings });
 }
 
 const answers = {
@@ -41,23 +43,25 @@ const answers = {
     stage.begin(triangles, body);
     stage.show(shape, bodyShape);
     isReady = true;
-    frames = 0;
     times = [];
     notice('');
+    ask();
     byId('build').textContent = build;
     document.body.dataset.state = `${chosen.scene}-${info.triangle_count}`;
   },
   frame(data) {
-    isAsked = false;
+    --asked;
     latest = data;
-    ++frames;
+    setTimeout(ask, due - performance.now());
     promises.add(data.frame, isSteered);
     note(data);
   },
   failed({ text, at }) {
-    isAsked = false;
     notice(at === 'step' ? `This frame could not be made: ${text}` : text);
-    if (at === 'step') worker.postMessage({ do: 'release' });
+    if (at !== 'step') return;
+    --asked;
+    worker.postMessage({ do: 'release' });
+    setTimeout(ask, 500);
   },
 };
 
@@ -66,24 +70,35 @@ function note({ ms, frame, memory }) {
   times.push({ now, ms });
   if (times.length > 60) times.shift();
   const rate = (times.length - 1) / (now - times[0].now) * 1000;
-  const mean = times.reduce((sum, time) => sum + time.ms, 0) / times.length;
+  const mean = meanMs();
   if (frame.frame % 15 === 0) byId('speed').textContent = `${mean.toFixed(1)} ms a frame, ${rate.toFixed(0)} a second`;
   Object.assign(document.body.dataset, { ms: mean, rate, memory, frame: frame.frame, hash: frame.state_hash });
 }
 
-// Frames of 1/60 s, however often the screen wants a picture, and one is in work at most.
+// A frame each 1/60 s, however often the screen wants a picture. Where drawing takes long several are asked for at once;
+// where simulating does, few, so that what the hand does is seen soon.
+const FRAME_MS = 1000 / 60, MOST_ASKED = 8, QUICK_MS = 0.7 * FRAME_MS;
 let due = 0;
-function onPicture(now) {
+function ask() {
+  if (!isReady || document.hidden) return;
+  const now = performance.now(), most = meanMs() < QUICK_MS ? MOST_ASKED : 2;
+  due = Math.max(due, now - most * FRAME_MS);
+  while (asked < most && due <= now) {
+    due += FRAME_MS;
+    ++asked;
+    worker.postMessage({ do: 'step', isColoured: byId('colours').checked });
+  }
+  if (asked === 0) setTimeout(ask, due - now);
+}
+const meanMs = () => times.reduce((sum, time) => sum + time.ms, 0) / times.length;
+
+function onPicture() {
   requestAnimationFrame(onPicture);
   if (latest) stage.show(latest.shape, latest.bodyShape);
   latest = undefined;
-  if (isReady && !isAsked && now - due > -4 && !document.hidden) {
-    due = Math.max(due + 1000 / 60, now);
-    isAsked = true;
-    worker.postMessage({ do: 'step' });
-  }
   stage.draw();
 }
+document.addEventListener('visibilitychange', ask);
 
 function steer(message) {
   if (!isReady) return;

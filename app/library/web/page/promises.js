@@ -38,9 +38,9 @@ export class Promises {
       this.#say(this.hasDiffered ? 'differs' : 'same',
         this.hasDiffered ? 'Other bits than on our machine' : '✓ The same bits as on our machine');
     } else if (isSteered) {
-      this.#say('', 'Steered by you: start over to compare');
+      this.#say('', 'Steered by you: nothing to compare');
     } else {
-      this.#say('', this.natives ? 'We stopped here: start over to compare' : 'Compared at winds of 0, 1 and 10 m/s, 1 %, as made');
+      this.#say('', this.natives ? 'We computed no further' : 'Compared as made, in 0, 1 and 10 m/s');
     }
   }
 

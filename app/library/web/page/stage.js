@@ -2,10 +2,12 @@
 import * as THREE from 'three';
 
 const VIEWS = { hang: { target: [0, 1.31, 0], distance: 2.95, azimuth: 0.62, elevation: 0.2, ground: 0.72 },
-  walk: { target: [0, 1.0, 0], distance: 4.3, azimuth: 0.5, elevation: 0.12, ground: 0 } };
+  walk: { target: [0, 0.93, 0], distance: 4.75, azimuth: 0.5, elevation: 0.12, ground: 0 } };
 // Shadows are looked up a little off the cloth, on the side of the light: it would shade itself in stripes.
 const OFF_CLOTH_M = 0.007;
-const SIDE_OF_CLOTH = 'diffuseColor.rgb = gl_FrontFacing ? diffuseColor.rgb : diffuseColor.rgb * inside;';
+// The side that is seen is that of the smooth normal: by triangles it would be jagged where the cloth turns away.
+const SIDE = 'float side = dot(vNormal, vViewPosition) < 0.0 ? -1.0 : 1.0;';
+const COLOUR_OF_SIDE = 'if (side < 0.0) diffuseColor.rgb *= inside;';
 
 export class Stage {
   constructor(canvas) {
@@ -58,8 +60,11 @@ export class Stage {
         `vec3 away = objectNormal * sign(dot(objectNormal, keyPlace - worldPosition.xyz));
         worldPosition.xyz += ${OFF_CLOTH_M} * away;
         #include <shadowmap_vertex>`)}`;
-      shader.fragmentShader = `uniform vec3 inside;\n${shader.fragmentShader.replace('#include <color_fragment>',
-        `#include <color_fragment>\n${SIDE_OF_CLOTH}`)}`;
+      const { fragmentShader } = shader;
+      shader.fragmentShader = `uniform vec3 inside;\n${fragmentShader
+        .replace('#include <color_fragment>', `#include <color_fragment>\n${SIDE}\n${COLOUR_OF_SIDE}`)
+        .replace('#include <normal_fragment_begin>', `vec3 normal = side * normalize(vNormal);
+          vec3 geometryNormal = normal;`)}`;
     };
     return material;
   }
@@ -131,7 +136,7 @@ export class Stage {
   show(shape, body) {
     this.#put(this.cloth.geometry, 'position', shape.positions);
     this.#put(this.cloth.geometry, 'normal', shape.normals);
-    if (this.bound) this.#put(this.cloth.geometry, 'color', stretchColours(shape.stretch, this.bound));
+    if (this.bound && shape.stretch) this.#put(this.cloth.geometry, 'color', stretchColours(shape.stretch, this.bound));
     if (body) {
       this.#put(this.body.geometry, 'position', body.positions);
       this.#put(this.body.geometry, 'normal', body.normals);

@@ -1,13 +1,15 @@
-// The simulation, on a thread of its own. A frame is made each time the page asks for one.
+// The simulation, on a thread of its own: a frame each time the page asks for one.
 import { load } from '../package/index.js';
 import { Hand } from './hand.js';
 import { addNormals } from './normals.js';
 
-let taut, cloth, hand, wind, body, before;
+const loading = load();
+let taut, run, cloth, hand, wind, body, before;
 
 // Only shapes of these settings are computed by the program too, for the page to compare.
 function start({ scene, size, wind: air, settings }) {
   cloth?.close();
+  cloth = undefined;
   cloth = taut.cloth({ scene: scene === 'walk' ? 'tshirt-walk' : 'tshirt-gravity',
     settings: { 'garment.file': `tshirt_${size}`, 'wind.speed': air.speed, 'wind.direction': air.direction, ...settings } });
   const triangles = cloth.triangles();
@@ -15,13 +17,13 @@ function start({ scene, size, wind: air, settings }) {
   hand = new Hand(before, triangles);
   wind = null;
   body = cloth.info.body_count > 0 ? cloth.bodyTriangles(0) : null;
-  self.postMessage({ is: 'started', info: cloth.info, triangles, rest: before.slice(), shape: shape(before.slice(), triangles),
+  self.postMessage({ is: 'started', run, info: cloth.info, triangles, shape: shape(before.slice(), triangles, true),
     body: body?.triangles, build: taut.buildInfo, bodyShape: bodyShape() });
 }
 
-function shape(positions, triangles) {
-  return { positions, normals: addNormals(positions, triangles, new Float32Array(positions.length)),
-    stretch: Float32Array.from(cloth.stretch()) };
+function shape(positions, triangles, isColoured) {
+  const normals = addNormals(positions, triangles, new Float32Array(positions.length));
+  return isColoured ? { positions, normals, stretch: Float32Array.from(cloth.stretch()) } : { positions, normals };
 }
 
 function bodyShape() {
@@ -30,7 +32,7 @@ function bodyShape() {
   return { positions, normals: addNormals(positions, body.triangles, new Float32Array(positions.length)) };
 }
 
-function step({ triangles }) {
+function step({ isColoured }) {
   if (wind) cloth.setWind(...wind);
   wind = null;
   const began = performance.now();
@@ -41,9 +43,9 @@ function step({ triangles }) {
   const positions = cloth.positions();
   hand.moved(before, positions);
   before = positions.slice();
-  const made = shape(positions, triangles), around = bodyShape();
+  const made = shape(positions, hand.triangles, isColoured), around = bodyShape();
   const lent = [made, around].filter(Boolean).flatMap((arrays) => Object.values(arrays)).map((array) => array.buffer);
-  self.postMessage({ is: 'frame', frame, ms, shape: made, bodyShape: around, memory: taut.memoryBytes }, lent);
+  self.postMessage({ is: 'frame', run, frame, ms, shape: made, bodyShape: around, memory: taut.memoryBytes }, lent);
 }
 
 const answers = {
@@ -55,15 +57,16 @@ const answers = {
     hand.release();
     cloth.setForces([], []);
   },
-  step({}) { step({ triangles: hand.triangles }); },
+  step,
 };
 
 self.onmessage = async ({ data }) => {
   try {
-    taut ??= await load();
-    answers[data.do](data);
+    taut = await loading;
+    run = data.run ?? run;
+    if (data.do === 'start' || cloth) answers[data.do](data);
   } catch (error) {
     // The cloth is as it was before the frame: without the hand it can go on.
-    self.postMessage({ is: 'failed', text: error.message, at: data.do });
+    self.postMessage({ is: 'failed', run, text: error.message, at: data.do });
   }
 };

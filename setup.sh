@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # Installs every system package Taut needs, on Debian 12 or newer and its relatives. Run it again at any
 # time: when all is there it does nothing. With --blender also Blender, for the tests behind TAUT_BLENDER_TESTS, with
-# --bench Bullet, for the race behind TAUT_BENCH, with --farms GNU parallel, snakemake and a Slurm, for those on farms, the last behind TAUT_SLURM_TESTS.
+# --bench Bullet, for the race behind TAUT_BENCH, with --farms GNU parallel, snakemake and a Slurm, for those on farms, the last behind TAUT_SLURM_TESTS,
+# with --web emscripten and Chromium, for the page.
 set -euo pipefail
 
 packages=(
@@ -57,6 +58,7 @@ packages=(
   lintian             # judges them
   git                 # tests/fresh_machine.sh clones with it
   debootstrap         # and makes a bare Debian
+  patchelf            # has the libraries of a wheel find each other
   xdotool             # keys and pointer for a window
   xvfb                # a display for it
   xauth               # what xvfb-run asks for and no package brings
@@ -64,6 +66,16 @@ packages=(
 
 packages_of_blender=(
   blender
+)
+packages_of_web=(
+  emscripten          # the engine as WebAssembly
+  node-acorn          # what its linker asks for and does not bring
+  libboost-dev        # whole numbers of any length, there
+  esbuild
+  libjs-three         # draws the page
+  chromium            # and the tests drive it
+  chromium-driver
+  python3-selenium
 )
 packages_of_bench=(
   libbullet-dev       # what tests/bench compares with
@@ -79,8 +91,9 @@ for wanted in "$@"; do
     --blender) packages+=("${packages_of_blender[@]}") ;;
     --bench) packages+=("${packages_of_bench[@]}") ;;
     --farms) packages+=("${packages_of_farms[@]}") ;;
+    --web) packages+=("${packages_of_web[@]}") ;;
     *)
-      echo "usage: setup.sh [--blender] [--bench] [--farms]" >&2
+      echo "usage: setup.sh [--blender] [--bench] [--farms] [--web]" >&2
       exit 2
       ;;
   esac

@@ -1,8 +1,6 @@
 #include "app/base/files.hpp"
 
-#include <dlfcn.h>
 #include <fcntl.h>
-#include <link.h>
 #include <unistd.h>
 
 #include <fstream>
@@ -139,16 +137,6 @@ void write_file(const fs::path& path, std::span<const std::uint8_t> bytes) {
                (folder.number() >= 0 ? temporary.filename() : temporary).c_str(), 0);
     throw;
   }
-}
-
-std::filesystem::path own_file() {
-  Dl_info info{};
-  void* map = nullptr;
-  const bool is_known = ::dladdr1(reinterpret_cast<void*>(&own_file), &info, &map, RTLD_DL_LINKMAP) != 0;
-  // The name of the program itself is left empty there.
-  const char* name = is_known && map != nullptr ? static_cast<link_map*>(map)->l_name : "";
-  std::error_code error;
-  return std::filesystem::canonical(*name != '\0' ? name : "/proc/self/exe", error);
 }
 
 std::vector<std::filesystem::path> folders_above(const std::filesystem::path& file) {

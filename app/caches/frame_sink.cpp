@@ -11,7 +11,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::array<const char*, 5> endings = {".obj", ".pc2", ".mdd", ".glb", ".pvd"};
+constexpr std::array<const char*, 6> endings = {".obj", ".pc2", ".mdd", ".glb", ".usda", ".pvd"};
 
 [[noreturn]] void refuse(const std::string& name, const std::string& reason) {
   throw UsageError("output '" + name + "': " + reason);
@@ -69,8 +69,9 @@ const char* const export_help =
     "write the shape of each of these frames, in metres with y up and in the vertices, faces and groups of "
     "the model's file; the name's ending says how: shapes/{frame:04}.obj, or end.obj for the last of them; "
     "clip.pc2 or clip.mdd, with clip.obj beside it, the rest shape that they move (in Blender import that, "
-    "and add a Mesh Cache modifier: Forward +Y, Up +Z); clip.glb, which plays in any viewer; clip.pvd for "
-    "ParaView, with the simulated triangles and their stretch; bodies are not written";
+    "and add a Mesh Cache modifier: Forward +Y, Up +Z); clip.glb, which plays in any viewer; clip.usda, which is USD "
+    "as "
+    "text; clip.pvd for ParaView, with the simulated triangles and their stretch; bodies are not written";
 
 bool is_clip(const std::string& name) { return !name.empty() && fs::path(name).extension() != ".obj"; }
 
@@ -78,15 +79,16 @@ void require_export(const ExportSettings& settings, const fs::path& garment) {
   const fs::path name = settings.name;
   const std::string ending = name.extension();
   if (std::ranges::find(endings, ending) == endings.end()) {
-    refuse(settings.name, "expected a file name that ends in .obj, .pc2, .mdd, .glb or .pvd");
+    refuse(settings.name, "expected a file name that ends in .obj, .pc2, .mdd, .glb, .usda or .pvd");
   }
   if (ending != ".obj" && OutputPattern(settings.name, ending).has_field()) {
     refuse(settings.name, "one " + ending + " holds all frames; expected a name without {frame}");
   }
-  if (ending == ".glb" && settings.can_be_resumed) {
+  if ((ending == ".glb" || ending == ".usda") && settings.can_be_resumed) {
     refuse(settings.name,
-           "a .glb is written when the run is over and cannot be gone on with; expected no --checkpoint and "
-           "no --resume, or .pc2, .mdd, .pvd or one .obj for each frame");
+           "a " + ending +
+               " is written when the run is over and cannot be gone on with; expected no --checkpoint and "
+               "no --resume, or .pc2, .mdd, .pvd or one .obj for each frame");
   }
   for (const fs::path& file : files_of(settings)) {
     std::error_code error;
@@ -109,9 +111,10 @@ std::unique_ptr<FrameSink> open_sink(const ExportSettings& settings, const Garme
     const PointCacheFormat format = ending == ".pc2" ? PointCacheFormat::pc2 : PointCacheFormat::mdd;
     return make_point_cache_sink(format, settings, loaded, start);
   }
-  return ending == ".glb"   ? make_gltf_sink(settings, loaded)
-         : ending == ".pvd" ? make_vtk_sink(settings)
-                            : make_obj_sink(settings, loaded);
+  return ending == ".glb"    ? make_gltf_sink(settings, loaded)
+         : ending == ".usda" ? make_usd_sink(settings, loaded)
+         : ending == ".pvd"  ? make_vtk_sink(settings)
+                             : make_obj_sink(settings, loaded);
 }
 
 fs::path obj_beside(const fs::path& cache) { return fs::path(cache).replace_extension(".obj"); }

@@ -50,7 +50,7 @@ class FrameSink {
 /// Whether one file of this name holds all frames, to be played.
 bool is_clip(const std::string& name);
 
-/// Throws UsageError if a name has another ending than .obj, .pc2, .mdd, .glb or .pvd, if its format cannot
+/// Throws UsageError if a name has another ending than .obj, .pc2, .mdd, .glb, .usda or .pvd, if its format cannot
 /// be resumed and shall be, or if files of this name would replace `garment`, the file that is simulated.
 /// Makes the folder; throws InputError if that cannot be written to. Call it before a long run.
 void require_export(const ExportSettings& settings, const std::filesystem::path& garment);
@@ -62,6 +62,9 @@ int most_frames(const std::string& name, const GarmentInScene& loaded);
 /// on. Throws InputError if what an earlier run left is not of this one.
 std::unique_ptr<FrameSink> open_sink(const ExportSettings& settings, const GarmentInScene& loaded,
                                      const WrittenMoment& start);
+
+/// How cloth looks in formats that say it: those of jersey.
+inline constexpr float cloth_roughness = 0.9F, cloth_sheen = 0.4F, cloth_sheen_roughness = 0.5F;
 
 // The formats behind open_sink(), which see. `loaded` must outlive them.
 
@@ -75,6 +78,10 @@ std::unique_ptr<FrameSink> make_gltf_sink(const ExportSettings& settings, const 
 
 /// How many frames that is.
 int most_gltf_frames(const GarmentInScene& loaded);
+
+/// USD as text: the faces of the model's file, their points as time samples, the first of its materials. It is under
+/// another name until the end.
+std::unique_ptr<FrameSink> make_usd_sink(const ExportSettings& settings, const GarmentInScene& loaded);
 
 /// A PVD collection and a folder beside it with a VTP file for each frame: the simulated mesh with the
 /// stretch of its triangles and vertices, and the smallest distance of the frame.
@@ -94,6 +101,7 @@ class WrittenCloth {
   explicit WrittenCloth(const GarmentInScene& loaded);
 
   std::size_t vertices() const { return mesh_vertex_.size(); }
+  const FileFaces& faces() const { return faces_; }
   /// Returns the position of every vertex, in m, from those of the mesh. A vertex that no remaining triangle
   /// uses is where the file has it.
   std::vector<sim::Vec3> positions(std::span<const sim::Vec3> mesh_m) const;

@@ -111,8 +111,11 @@ void Session::apply_targets(sim::Surroundings& surroundings) const {
       led.by_m.push_back(target_m - now_m);
     }
   }
-  led.from_s = from_s;
-  led.until_s = from_s + (led.vertices.empty() ? 0.0 : simulation_.frame_time_s());
+  // Times of nothing would be a change, which wakes cloth at rest.
+  if (!led.vertices.empty()) {
+    led.from_s = from_s;
+    led.until_s = from_s + simulation_.frame_time_s();
+  }
   for (const auto& [number, lent] : lent_) {
     if (lent.target_m) {
       auto& mesh = std::get<sim::BodyMesh>(surroundings.bodies[number].shape);

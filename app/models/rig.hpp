@@ -33,7 +33,7 @@ struct RigBone {
 
 /// How much of a vertex's movement is that of a bone.
 struct RigInfluence {
-  std::size_t vertex = 0;
+  std::uint64_t vertex = 0;  ///< as wide on every machine: pages read what others encode
   sim::Index bone = 0;
   double weight = 0.0;
 };

@@ -1,8 +1,10 @@
 #!/usr/bin/env python3
 """The program writes each format, is stopped and goes on; the files are read here.   files.py PROGRAM FOLDER"""
+import ast
 import base64
 import json
 import pathlib
+import re
 import shutil
 import signal
 import struct
@@ -110,6 +112,44 @@ def expect_gltf():
         moved = [tuple(a + b for a, b in zip(*pair)) for pair in zip(rest, vectors(targets[frame]['POSITION']))]
         shape = positions_of(folder / ('shapes/%02d.obj' % frame))
         expect(close(sorted(moved), sorted(shape), 2e-7), 'glTF: frame %d' % frame)
+    sheen = scene['materials'][0]['extensions']['KHR_materials_sheen']
+    expect(scene['extensionsUsed'] == ['KHR_materials_sheen'] and 0 < min(sheen['sheenColorFactor']) <= 1 and
+           0 < sheen['sheenRoughnessFactor'] <= 1, 'no sheen in glTF')
+
+
+def usd_value(text, name):
+    """What stands behind NAME = on its line, or in the braces that begin there, by its keys."""
+    found = re.search(r'\b%s = (.*)' % re.escape(name), text)
+    expect(found, 'USD: no ' + name)
+    if found.group(1) != '{':
+        return ast.literal_eval(found.group(1).split(' (')[0] if found.group(1).endswith(' (') else found.group(1))
+    return ast.literal_eval('{' + text[found.end():text.index('}', found.end())] + '}')
+
+
+def expect_usd():
+    text = (folder / 'clip.usda').read_text()
+    expect(text.startswith('#usda 1.0\n'), 'USD: ' + text[:20])
+    open_brackets = []
+    for bracket in re.sub(r'"[^"]*"', '', text):
+        if bracket in '([{':
+            open_brackets.append(bracket)
+        elif bracket in ')]}':
+            expect(open_brackets and open_brackets.pop() + bracket in ('()', '[]', '{}'), 'USD: unpaired ' + bracket)
+    expect(not open_brackets, 'USD: open %s' % open_brackets)
+    expect(usd_value(text, 'endTimeCode') == FRAMES and usd_value(text, 'timeCodesPerSecond') == 60 and
+           usd_value(text, 'upAxis') == 'Y' and usd_value(text, 'metersPerUnit') == 1, 'USD: its head')
+    counts, corners = usd_value(text, 'faceVertexCounts'), usd_value(text, 'faceVertexIndices')
+    faces = [[int(word.split('/')[0]) - 1 for word in line.split()[1:]] for line in MODEL.splitlines() if line.startswith('f ')]
+    expect(counts == [4] * len(faces) and corners == sum(faces, []), 'USD: the faces')
+    expect(len(usd_value(text, 'primvars:st')) == len(corners), 'USD: texture coordinates')
+    points, extents = usd_value(text, 'points.timeSamples'), usd_value(text, 'extent.timeSamples')
+    expect(list(points) == list(range(FRAMES + 1)) == list(extents), 'USD: frames %s' % list(points))
+    for frame in (0, 7, FRAMES):
+        shape = positions_of(folder / ('shapes/%02d.obj' % frame))
+        expect(close(points[frame], shape, 2e-7), 'USD: frame %d' % frame)
+        expect(close(extents[frame], [tuple(map(end, zip(*shape))) for end in (min, max)], 2e-7), 'USD: extent %d' % frame)
+    expect('rel material:binding = </Garment/Cloth>' in text and 'def Material "Cloth"' in text, 'USD: its material')
+    expect(0 < usd_value(text, 'inputs:sheen') <= 1, 'USD: no sheen')
 
 
 def expect_same_after_a_stop(name, grows, *more):
@@ -155,15 +195,17 @@ folder.mkdir(parents=True)
 (folder / 'strip.mtl').write_text('newmtl cloth\nmap_Kd print.png\n')
 (folder / 'print.png').write_bytes(PRINT)
 run('--export', 'shapes/{frame:02}.obj')
-for ending in ('pc2', 'mdd', 'glb', 'pvd'):
+for ending in ('pc2', 'mdd', 'glb', 'usda', 'pvd'):
     said = run('--export', 'clip.' + ending, *(('--stats', 'run.jsonl') if ending == 'pvd' else ()))
     expect('wrote clip.%s, 41 frames' % ending in said, said)
 expect_point_caches()
 expect_vtk([json.loads(line) for line in (folder / 'run.jsonl').read_text().splitlines() if '"frame"' in line])
 expect_gltf()
+expect_usd()
 expect_render_exports()
 expect_same_after_a_stop('clip.pc2', frames_in('clip.pc2', 32, 48 * ROWS), 'clip.obj')
 expect_same_after_a_stop('clip.mdd', frames_in('clip.mdd', 8 + 4 * 41, 48 * ROWS), 'clip.obj')
 expect_same_after_a_stop('clip.pvd', lambda: len(list((folder / 'clip').glob('*.vtp'))), 'clip/*.vtp')
 expect('cannot be gone on with' in run('--export', 'clip.glb', '--checkpoint', 'run.checkpoint', code=2), 'a .glb that shall be resumed')
+expect('cannot be gone on with' in run('--export', 'clip.usda', '--checkpoint', 'run.checkpoint', code=2), 'a .usda that shall be resumed')
 sys.exit(1 if failures else 0)

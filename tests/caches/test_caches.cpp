@@ -210,7 +210,7 @@ TEST_F(Caches, NamesAreRefusedWithWhatIsExpected) {
   };
   EXPECT_EQ(refusal("deeper/clip.pc2", true), "");
   EXPECT_EQ(refusal("deeper/{frame:04}.obj", true), "");
-  EXPECT_CONTAINS(refusal("clip.abc"), "ends in .obj, .pc2, .mdd, .glb or .pvd");
+  EXPECT_CONTAINS(refusal("clip.abc"), "ends in .obj, .pc2, .mdd, .glb, .usda or .pvd");
   EXPECT_CONTAINS(refusal("clip-{frame}.mdd"), "one .mdd holds all frames; expected a name without {frame}");
   EXPECT_CONTAINS(refusal("clip.glb", true), "expected no --checkpoint and no --resume, or .pc2");
   EXPECT_CONTAINS(refusal("model.obj"), "it would replace the garment's own file");

@@ -215,6 +215,17 @@ TEST(Library, MeshesOfFilesAndOfArraysHaveTheSameBitsInAnyOrder) {
   EXPECT_EQ(cloth.result, TAUT_OK) << cloth.error();
 }
 
+TEST(Library, RestsWhenTheProgramDoes) {
+  const TemporaryFolder folder;
+  OwnCloth cloth("pinned-9x9-5");
+  TautFrame frame{};
+  for (const std::uint64_t hash : hashes_of_program(folder, "pinned-9x9-5", 100)) {
+    frame = cloth.step();
+    ASSERT_EQ(frame.state_hash, hash) << frame.frame;
+  }
+  EXPECT_EQ(frame.is_asleep, 1);
+}
+
 // Whoever leads what stands still, as a loop over frames does, leads nothing.
 class LedNowhere : public testing::TestWithParam<double> {};
 

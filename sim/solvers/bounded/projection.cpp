@@ -29,8 +29,10 @@ double shorten(const AnyLanes& lanes, const std::vector<std::uint32_t>& blocks, 
   for (const auto [begin, end, again] : lanes.sweep) {
     const auto first = std::lower_bound(blocks.begin(), blocks.end(), begin);
     const auto last = std::lower_bound(first, blocks.end(), end);
-    kernels.shorten(lanes, std::span(first, last), squared_bound, factor, rows.data());
-    shortened += static_cast<std::size_t>(last - first);
+    const auto found = std::span(blocks).subspan(static_cast<std::size_t>(first - blocks.begin()),
+                                                 static_cast<std::size_t>(last - first));
+    kernels.shorten(lanes, found, squared_bound, factor, rows.data());
+    shortened += found.size();
   }
   return static_cast<double>(shortened);
 }

@@ -17,7 +17,16 @@ import pathlib
 from ctypes import POINTER, byref, c_char, c_char_p, c_double, c_int32, c_int64, c_size_t, c_uint32, c_uint64, c_void_p
 from typing import Callable, NamedTuple, Optional, Sequence
 
-import numpy as np
+try:
+    import numpy as np
+except ImportError:
+    class _NoNumpy:
+        """Scenes, settings, steps, saved states and Cloth.shape() do without."""
+
+        def __getattr__(self, _name):
+            raise Error(3, 'arrays need numpy, which is not installed')
+
+    np = _NoNumpy()
 
 ABI_VERSION = 1
 
@@ -74,7 +83,8 @@ _Cloth = _struct(id=c_uint64)
 
 def _load() -> ctypes.CDLL:
     above = pathlib.Path(__file__).resolve().parents
-    beside = [above[3] / 'libtaut.so'] if len(above) > 3 else []
+    # That of a wheel, and that which was installed with this file.
+    beside = [above[0] / 'lib' / f'libtaut.so.{ABI_VERSION}', *([above[3] / 'libtaut.so'] if len(above) > 3 else [])]
     names = [os.environ.get('TAUT_LIBRARY', ''), *(str(file) for file in beside if file.exists()),
              f'libtaut.so.{ABI_VERSION}']
     library = ctypes.CDLL(next(filter(None, names)))
@@ -334,6 +344,15 @@ class Cloth:
         kept: list = []
         self._call('set_positions', byref(_points(positions, kept)))
 
+    def shape(self) -> tuple[list, list]:
+        """The positions and the triangles as lists of three numbers each, which need no numpy."""
+        info = self.info
+        numbers = (c_double * (3 * info.vertex_count))()
+        self._call('get_positions', byref(_Points(ctypes.addressof(numbers), info.vertex_count, 24, 1)))
+        corners = (c_uint32 * (3 * info.triangle_count))()
+        self._call('get_triangles', corners, len(corners))
+        return list(zip(*[iter(numbers)] * 3)), list(zip(*[iter(corners)] * 3))
+
     @property
     def stretch(self) -> np.ndarray:
         """At each vertex the largest surface stretch of its triangles."""
@@ -386,8 +405,9 @@ class Cloth:
 
 def _value(value) -> str:
     """As TOML; texts stay as they are."""
-    if isinstance(value, (bool, np.bool_)):
-        return str(bool(value)).lower()
-    if isinstance(value, (list, tuple, np.ndarray)):
+    value = value.tolist() if hasattr(value, 'tolist') else value  # of numpy
+    if isinstance(value, bool):
+        return str(value).lower()
+    if isinstance(value, (list, tuple)):
         return '[' + ', '.join(repr(v) if isinstance(v, str) else _value(v) for v in value) + ']'
     return str(value)

@@ -1,0 +1,18 @@
+#include <dlfcn.h>
+#include <link.h>
+
+#include "app/base/files.hpp"
+
+namespace taut::app {
+
+std::filesystem::path own_file() {
+  Dl_info info{};
+  void* map = nullptr;
+  const bool is_known = ::dladdr1(reinterpret_cast<void*>(&own_file), &info, &map, RTLD_DL_LINKMAP) != 0;
+  // The name of the program itself is left empty there.
+  const char* name = is_known && map != nullptr ? static_cast<link_map*>(map)->l_name : "";
+  std::error_code error;
+  return std::filesystem::canonical(*name != '\0' ? name : "/proc/self/exe", error);
+}
+
+}  // namespace taut::app

@@ -1,0 +1,138 @@
+#include <fstream>
+
+#include "app/base/counted.hpp"
+#include "app/base/errors.hpp"
+#include "app/base/files.hpp"
+#include "app/caches/frame_sink.hpp"
+#include "app/models/surface_colours.hpp"
+
+namespace taut::app {
+namespace {
+
+/// Items in one line, each as `text_of` says it.
+template <class Items, class TextOf> std::string listed(const Items& items, const TextOf& text_of) {
+  std::string text = "[";
+  for (const auto& item : items) {
+    if (text.size() > 1) text += ", ";
+    text += text_of(item);
+  }
+  return text + ']';
+}
+
+template <class Numbers> std::string numbers_text(const Numbers& numbers) {
+  return listed(numbers, [](auto number) { return fmt::format("{}", number); });
+}
+
+// In single precision, as USD has points: the shortest digits that give the same bits back.
+std::string text_of(const glm::vec3& v) { return fmt::format("({}, {}, {})", v.x, v.y, v.z); }
+
+/// A surface for every renderer, and one of MaterialX, whose standard surface has the sheen that the other lacks.
+std::string material_text(const SurfaceMaterial& material) {
+  glm::vec3 colour;
+  for (int k = 0; k < 3; ++k) colour[k] = srgb_to_linear(std::clamp(material.base_colour[k], 0.0F, 1.0F));
+  return fmt::format(R"(
+    def Material "Cloth"
+    {{
+        token outputs:surface.connect = </Garment/Cloth/Preview.outputs:surface>
+        token outputs:mtlx:surface.connect = </Garment/Cloth/Standard.outputs:surface>
+
+        def Shader "Preview"
+        {{
+            uniform token info:id = "UsdPreviewSurface"
+            color3f inputs:diffuseColor = {0}
+            float inputs:roughness = {1}
+            token outputs:surface
+        }}
+
+        def Shader "Standard"
+        {{
+            uniform token info:id = "ND_standard_surface_surfaceshader"
+            color3f inputs:base_color = {0}
+            float inputs:specular_roughness = {1}
+            float inputs:sheen = {2}
+            color3f inputs:sheen_color = (1, 1, 1)
+            float inputs:sheen_roughness = {3}
+            token outputs:surface
+        }}
+    }}
+)",
+                     text_of(colour), cloth_roughness, cloth_sheen, cloth_sheen_roughness);
+}
+
+class UsdSink final : public FrameSink {
+ public:
+  UsdSink(const ExportSettings& settings, const GarmentInScene& loaded)
+      : settings_(settings), loaded_(loaded), cloth_(loaded), incomplete_(temporary_name(settings.name)) {}
+
+  ~UsdSink() override {
+    std::error_code error;
+    if (file_.is_open()) std::filesystem::remove(incomplete_, error);
+  }
+
+  void write(int frame, const WrittenMoment& moment) override {
+    if (!settings_.frames.contains(frame)) return;
+    if (!file_.is_open()) begin();
+    const std::vector<sim::Vec3> positions_m = cloth_.positions(moment.state.current);
+    glm::vec3 low(positions_m.front()), high = low;
+    for (const sim::Vec3& p : positions_m) {
+      low = glm::min(low, glm::vec3(p));
+      high = glm::max(high, glm::vec3(p));
+    }
+    file_ << fmt::format("            {}: {},\n", frame,
+                         listed(positions_m, [](const sim::Vec3& p) { return text_of(glm::vec3(p)); }));
+    extents_ += fmt::format("            {}: [{}, {}],\n", frame, text_of(low), text_of(high));
+    last_ = frame;
+    if (!file_) fail_to_write(settings_.name, std::generic_category().message(errno));
+  }
+
+  std::string finish() override {
+    if (!file_.is_open()) return "wrote nothing";
+    file_ << "        }\n        float3[] extent.timeSamples = {\n"
+          << extents_ << "        }\n    }\n"
+          << material_text(loaded_.colours.materials.empty() ? SurfaceMaterial{} : loaded_.colours.materials.front())
+          << "}\n";
+    file_.close();
+    if (!file_) fail_to_write(settings_.name, std::generic_category().message(errno));
+    put_in_place(incomplete_, settings_.name);
+    return fmt::format("wrote {}, {}", settings_.name,
+                       counted(static_cast<std::size_t>(last_ - settings_.frames.first + 1), "frame"));
+  }
+
+ private:
+  /// All that does not move, up to the points.
+  void begin() {
+    file_.open(incomplete_, std::ios::binary | std::ios::trunc);
+    const FileFaces& faces = cloth_.faces();
+    file_ << fmt::format(
+        "#usda 1.0\n(\n    defaultPrim = \"Garment\"\n    metersPerUnit = 1\n    upAxis = \"Y\"\n"
+        "    startTimeCode = {}\n    endTimeCode = {}\n    timeCodesPerSecond = {}\n)\n\n"
+        "def Xform \"Garment\"\n{{\n    def Mesh \"Surface\" (\n        prepend apiSchemas = [\"MaterialBindingAPI\"]\n"
+        "    )\n    {{\n        uniform token subdivisionScheme = \"none\"\n        uniform bool doubleSided = 1\n"
+        "        rel material:binding = </Garment/Cloth>\n        int[] faceVertexCounts = {}\n"
+        "        int[] faceVertexIndices = {}\n",
+        settings_.frames.first, settings_.frames.last, settings_.frame_rate_hz, numbers_text(faces.corner_counts),
+        numbers_text(faces.corners));
+    if (!faces.corner_uv.empty()) {
+      const auto text = [](const glm::vec2& uv) { return fmt::format("({}, {})", uv.x, uv.y); };
+      file_ << "        texCoord2f[] primvars:st = " << listed(faces.corner_uv, text)
+            << " (\n            interpolation = \"faceVarying\"\n        )\n";
+    }
+    file_ << "        point3f[] points.timeSamples = {\n";
+  }
+
+  ExportSettings settings_;
+  const GarmentInScene& loaded_;
+  WrittenCloth cloth_;
+  std::filesystem::path incomplete_;
+  std::ofstream file_;
+  std::string extents_;  ///< of the frames so far
+  int last_ = 0;
+};
+
+}  // namespace
+
+std::unique_ptr<FrameSink> make_usd_sink(const ExportSettings& settings, const GarmentInScene& loaded) {
+  return std::make_unique<UsdSink>(settings, loaded);
+}
+
+}  // namespace taut::app

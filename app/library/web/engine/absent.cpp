@@ -1,0 +1,27 @@
+#include "app/base/errors.hpp"
+#include "app/base/files.hpp"
+#include "app/bodies/body_loading.hpp"
+#include "app/fitting/fitted_mesh.hpp"
+#include "app/models/garment_import.hpp"
+#include "app/sewing/sewn_scene.hpp"
+
+// The parts of libtaut that a page does without, as the libraries behind them are not there. Those that are asked for
+// say so; a sewing pattern is a model that is not read.
+namespace taut::app {
+
+std::filesystem::path own_file() { return {}; }
+
+sim::Mesh remesh(const sim::Mesh& /*surface*/, double /*edge_m*/) {
+  throw InputError("garment.mesh: no mesh of its own is made in a page; expected 'model'");
+}
+
+std::string why_unreadable(const std::filesystem::path& /*path*/) { return ""; }
+
+std::optional<double> unit_of_3mf(const std::filesystem::path& /*path*/) { return std::nullopt; }
+
+std::vector<std::string> sew_and_load_bodies(Scene& scene, std::span<const Override> overrides,
+                                             const std::function<void(const std::string&)>& /*stage*/) {
+  return load_bodies(scene, overrides);
+}
+
+}  // namespace taut::app

@@ -1,0 +1,22 @@
+#include "app/models/import_process.hpp"
+
+#include "app/base/errors.hpp"
+#include "app/base/files.hpp"
+
+// Models are files that hold what taut-import answered where the page was built: a page has no processes and no assimp.
+namespace taut::app {
+
+ModelArrays read_model_in_process(const std::filesystem::path& path, const ImportLimits& /*limits*/,
+                                  ReadParts /*parts*/) {
+  const std::string bytes = read_text_file(path);
+  std::uint64_t length = 0;
+  constexpr std::size_t header = 1 + sizeof(length);
+  if (bytes.size() >= header) std::memcpy(&length, bytes.data() + 1, sizeof(length));
+  if (bytes.size() < header || length != bytes.size() - header ||
+      bytes.front() != static_cast<char>(ImportAnswer::arrays)) {
+    throw InputError("it is not what taut-import answers; in a page, give a garment as positions and faces");
+  }
+  return decode(bytes.substr(header));
+}
+
+}  // namespace taut::app

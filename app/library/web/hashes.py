@@ -1,0 +1,34 @@
+"""The program's hashes of the states that the page begins with, for the page to compare: of the first frame and of each second.
+
+usage: hashes.py TAUT OUT
+"""
+import json
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+SECONDS = {1028: 20, 5280: 10, 10600: 5}
+WINDS = {'hang': [0, 1, 10], 'walk': [0, 1]}
+SCENES = {'hang': 'tshirt-gravity', 'walk': 'tshirt-walk'}
+
+
+def hashes(taut, scene, size, wind, frames, folder):
+    stats = pathlib.Path(folder) / 'stats.jsonl'
+    settings = [f'garment.file=tshirt_{size}', f'wind.speed={wind}', 'wind.direction=[0.3, 0.0, 1.0]']
+    sets = [part for setting in settings for part in ('--set', setting)]
+    subprocess.run([taut, 'simulate', SCENES[scene], *sets, '--frames', str(frames), '--stats', stats],
+                   check=True, stdout=subprocess.DEVNULL)
+    rows = map(json.loads, stats.read_text().splitlines())
+    return {row['frame']: row['state_hash'] for row in rows
+            if 'frame' in row and row['frame'] > 0 and (row['frame'] == 1 or row['frame'] % 60 == 0)}
+
+
+def main(taut, out):
+    with tempfile.TemporaryDirectory() as folder:
+        table = {f'{scene}-{size}-{wind}': hashes(taut, scene, size, wind, 60 * seconds, folder)
+                 for scene, winds in WINDS.items() for wind in winds for size, seconds in SECONDS.items()}
+    pathlib.Path(out).write_text(json.dumps(table, indent=1) + '\n')
+
+
+main(*sys.argv[1:])

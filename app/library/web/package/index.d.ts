@@ -1,0 +1,107 @@
+/** Cloth that keeps a bound on its stretch and crosses nothing. Units: metres, kilograms, seconds, newtons; y is up. */
+
+/** Loads the engine with the scenes and models that come with it. Everything is part of the package. */
+export function load(): Promise<Taut>;
+
+export interface Taut {
+  readonly version: string;
+  readonly buildInfo: string;
+  /** Names for ClothOptions.scene. */
+  readonly scenes: string[];
+  /** Names for the key cloth.fabric. */
+  readonly fabrics: string[];
+  /** What all its cloths take together. */
+  readonly memoryBytes: number;
+  /** Makes a cloth. Throws TautError. */
+  cloth(options: ClothOptions): Cloth;
+}
+
+export type Numbers = ArrayLike<number>;
+export type Setting = string | number | boolean | Setting[];
+
+/** One of scene, text, and positions with triangles. */
+export interface ClothOptions {
+  /** The name of a scene that comes with Taut. */
+  scene?: string;
+  /** A scene as TOML. */
+  text?: string;
+  /** A garment at rest: three numbers a vertex, and three vertices a triangle. */
+  positions?: Numbers;
+  triangles?: Numbers;
+  /** Where its vertices begin; otherwise as at rest. */
+  start?: Numbers;
+  /** Keys of scenes: { 'solver.max_stretch': 0.01, 'cloth.fabric': 'silk' }. */
+  settings?: Record<string, Setting>;
+  /** Told what was guessed, repaired or chosen. */
+  log?: (line: string) => void;
+}
+
+/** What a frame is worth: TautFrame of taut.h. */
+export interface Frame {
+  frame: number;
+  time_s: number;
+  max_edge_stretch: number;
+  max_surface_stretch: number;
+  /** Infinity: nothing is nearer than twice the cloth's thickness. */
+  smallest_distance_m: number;
+  /** 16 hexadecimal digits: of all bits of positions and velocities, the same on every machine. */
+  state_hash: string;
+  substeps: number;
+  is_bound_kept: boolean;
+  is_contact_kept: boolean;
+  is_asleep: boolean;
+  measured_crossings: number;
+  left_out_share: number;
+}
+
+export interface Info {
+  frame: number;
+  time_s: number;
+  frame_rate_hz: number;
+  max_stretch: number;
+  vertex_count: number;
+  triangle_count: number;
+  edge_count: number;
+  pin_count: number;
+  body_count: number;
+  crossings_at_start: number;
+}
+
+/** Every call may throw TautError and has changed nothing then. */
+export class Cloth {
+  private constructor();
+  /** As it was made. */
+  readonly info: Info;
+  /** One frame on, 1/60 s unless the scene says otherwise. */
+  step(): Frame;
+  /** Changes a setting while the cloth moves: set('cloth.fabric', 'silk'). */
+  set(key: string, value: string | number): void;
+  setWind(x: number, y: number, z: number): void;
+  setGravity(x: number, y: number, z: number): void;
+  /** Forces in N on these vertices until the next call. */
+  setForces(vertices: Numbers, forces: Numbers): void;
+  /** The vertices that only movePins() moves. */
+  pins: Uint32Array;
+  /** Where these pins are at the end of the next frame. */
+  movePins(vertices: Numbers, targets: Numbers): void;
+  positions<Out extends Float32Array | Float64Array = Float32Array>(out?: Out): Out;
+  setPositions(positions: Numbers): void;
+  /** At each vertex the largest surface stretch of its triangles. */
+  stretch(): Float64Array;
+  triangles(): Uint32Array;
+  /** The mesh of a body of the scene, by its number. */
+  bodyTriangles(body: number): { triangles: Uint32Array; vertex_count: number };
+  /** Where that is at the end of the last frame; `out` has three numbers a vertex. */
+  bodyPositions<Out extends Float32Array | Float64Array>(body: number, out: Out): Out;
+  readonly stateHash: string;
+  /** All that is needed to go on with the same bits. */
+  save(): Uint8Array;
+  restore(bytes: Uint8Array): void;
+  /** Ends the cloth; every later call throws. */
+  close(): void;
+}
+
+export class TautError extends Error {
+  /** The number of the result in taut.h. */
+  readonly result: number;
+}

@@ -1,0 +1,199 @@
+// Joins the picture, the panel and the simulation's worker.
+import fabrics from 'generated/fabrics.json';
+import natives from 'generated/hashes.json';
+import { Promises } from './promises.js';
+import { Stage } from './stage.js';
+
+const byId = (id) => document.getElementById(id);
+const stage = new Stage(byId('stage'));
+const promises = new Promises();
+const chosen = { scene: 'hang', size: 5280 };
+let worker, run = 0, latest, isSteered = false, isReady = false, asked = 0, times = [];
+
+window.addEventListener('load', () => {
+  // From a file a page may not start a worker's file, but one of text.
+  worker = new Worker(URL.createObjectURL(new Blob([globalThis.tautEngine], { type: 'text/javascript' })));
+  // Frames may still come of the cloth before.
+  worker.onmessage = ({ data }) => data.run === run && answers[data.is](data);
+  start();
+});
+
+function air() {
+  const speed = Number(byId('wind').value), from = Number(byId('direction').value) * Math.PI / 180;
+  // At 17 degrees it is the direction of the program's scenes, to the last bit.
+  const direction = byId('direction').value === '17' ? [0.3, 0.0, 1.0] : [Math.sin(from), 0, Math.cos(from)];
+  return { speed, direction };
+}
+
+function start() {
+  isReady = isSteered = false;
+  asked = 0;
+  latest = undefined;
+  const fabric = byId('fabric').value, bound = byId('bound').value, wind = air();
+  const settings = { 'solver.max_stretch': bound, ...(fabric ? { 'cloth.fabric': fabric } : {}) };
+  const isUsual = fabric === '' && bound === '0.01' && byId('direction').value === '17';
+  promises.begin(Number(bound), isUsual ? natives[`${chosen.scene}-${chosen.size}-${wind.speed}`] : undefined);
+  notice(chosen.scene === 'walk' ? 'Dressing the mannequin …' : 'Making the cloth …');
+  stage.view(chosen.scene);
+  worker.postMessage({ do: 'start', run: ++run, scene: chosen.scene, size: chosen.size, wind, settings });
+}
+
+const answers = {
+  started({ info, triangles, shape, body, bodyShape, build }) {
+    stage.begin(triangles, body);
+    stage.show(shape, bodyShape);
+    isReady = true;
+    times = [];
+    notice('');
+    ask();
+    byId('build').textContent = build;
+    document.body.dataset.state = `${chosen.scene}-${info.triangle_count}`;
+  },
+  frame(data) {
+    --asked;
+    latest = data;
+    setTimeout(ask, due - performance.now());
+    promises.add(data.frame, isSteered);
+    note(data);
+  },
+  failed({ text, at }) {
+    notice(at === 'step' ? `This frame could not be made: ${text}` : text);
+    if (at !== 'step') return;
+    --asked;
+    worker.postMessage({ do: 'release' });
+    setTimeout(ask, 500);
+  },
+};
+
+function note({ ms, frame, memory }) {
+  const now = performance.now();
+  times.push({ now, ms });
+  if (times.length > 60) times.shift();
+  const rate = (times.length - 1) / (now - times[0].now) * 1000;
+  const mean = meanMs();
+  if (frame.frame % 15 === 0) byId('speed').textContent = `${mean.toFixed(1)} ms a frame, ${rate.toFixed(0)} a second`;
+  Object.assign(document.body.dataset, { ms: mean, rate, memory, frame: frame.frame, hash: frame.state_hash });
+}
+
+// A frame each 1/60 s, however often the screen wants a picture. Where drawing takes long several are asked for at once;
+// where simulating does, few, so that what the hand does is seen soon.
+const FRAME_MS = 1000 / 60, MOST_ASKED = 8, QUICK_MS = 0.7 * FRAME_MS;
+let due = 0;
+function ask() {
+  if (!isReady || document.hidden) return;
+  const now = performance.now(), most = meanMs() < QUICK_MS ? MOST_ASKED : 2;
+  due = Math.max(due, now - most * FRAME_MS);
+  while (asked < most && due <= now) {
+    due += FRAME_MS;
+    ++asked;
+    worker.postMessage({ do: 'step', isColoured: byId('colours').checked });
+  }
+  if (asked === 0) setTimeout(ask, due - now);
+}
+const meanMs = () => times.reduce((sum, time) => sum + time.ms, 0) / times.length;
+
+function onPicture() {
+  requestAnimationFrame(onPicture);
+  if (latest) stage.show(latest.shape, latest.bodyShape);
+  latest = undefined;
+  stage.draw();
+}
+document.addEventListener('visibilitychange', ask);
+
+function steer(message) {
+  if (!isReady) return;
+  isSteered = true;
+  worker.postMessage(message);
+}
+
+function notice(text) {
+  byId('notice').textContent = text || byId('notice').textContent;
+  byId('notice').classList.toggle('gone', !text);
+}
+
+// The panel.
+
+const SIDES = ['behind', 'the right', 'the front', 'the left'];
+function showWind() {
+  const { speed } = air(), from = Number(byId('direction').value);
+  byId('wind-value').textContent = `${speed.toFixed(1)} m/s`;
+  byId('direction-value').textContent = `${SIDES[(Math.round(-from / 90) + 4) % 4]} (${from}°)`;
+}
+for (const id of ['wind', 'direction']) {
+  byId(id).addEventListener('input', () => {
+    showWind();
+    const { speed, direction } = air(), length = Math.hypot(...direction);
+    steer({ do: 'wind', velocity: direction.map((value) => speed * value / length) });
+  });
+}
+for (const key of ['scene', 'size']) {
+  byId(key).addEventListener('click', ({ target }) => {
+    if (!target.value) return;
+    for (const button of byId(key).children) button.classList.toggle('chosen', button === target);
+    chosen[key] = key === 'size' ? Number(target.value) : target.value;
+    start();
+  });
+}
+byId('fabric').append(new Option('as it was made', ''), ...Object.keys(fabrics).filter((name) => name)
+  .map((name) => new Option(name, name)));
+byId('fabric').addEventListener('change', () => {
+  stage.dress(fabrics[byId('fabric').value]);
+  start();
+});
+byId('bound').addEventListener('change', ({ target }) => {
+  promises.bound = Number(target.value);
+  if (stage.bound) stage.colourBy(promises.bound);
+  steer({ do: 'set', key: 'solver.max_stretch', value: target.value });
+});
+byId('colours').addEventListener('change', ({ target }) => stage.colourBy(target.checked ? promises.bound : undefined));
+byId('restart').addEventListener('click', start);
+
+// The hand: on the cloth it pulls, beside it it turns the picture; two fingers move nearer.
+
+const fingers = new Map();
+let isHolding = false;
+const canvas = byId('stage');
+canvas.addEventListener('pointerdown', (event) => {
+  canvas.setPointerCapture(event.pointerId);
+  fingers.set(event.pointerId, event);
+  const grip = fingers.size === 1 && isReady ? stage.grip(event.clientX, event.clientY) : null;
+  if (grip) steer({ do: 'hold', ...grip });
+  else if (isHolding) steer({ do: 'release' });
+  isHolding = Boolean(grip);
+  canvas.classList.toggle('holding', isHolding);
+});
+canvas.addEventListener('pointermove', (event) => {
+  const before = fingers.get(event.pointerId);
+  if (!before) return;
+  const spread = () => {
+    const [a, b] = [...fingers.values()];
+    return Math.hypot(a.clientX - b.clientX, a.clientY - b.clientY);
+  };
+  const wide = fingers.size === 2 ? spread() : 0;
+  fingers.set(event.pointerId, event);
+  if (isHolding) {
+    const point = stage.handAt(event.clientX, event.clientY);
+    if (point) steer({ do: 'drag', point });
+  } else if (fingers.size === 2) {
+    stage.zoom(wide / (spread() || 1));
+  } else {
+    stage.turn((event.clientX - before.clientX) * 0.006, (event.clientY - before.clientY) * 0.006);
+  }
+});
+for (const end of ['pointerup', 'pointercancel']) {
+  canvas.addEventListener(end, (event) => {
+    fingers.delete(event.pointerId);
+    if (isHolding) steer({ do: 'release' });
+    isHolding = false;
+    canvas.classList.remove('holding');
+  });
+}
+canvas.addEventListener('wheel', (event) => {
+  event.preventDefault();
+  stage.zoom(Math.exp(event.deltaY * 0.001));
+}, { passive: false });
+
+stage.dress(fabrics['']);
+stage.view(chosen.scene);
+showWind();
+requestAnimationFrame(onPicture);

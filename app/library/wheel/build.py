@@ -1,0 +1,109 @@
+"""Makes a wheel of libtaut: its Python, the library with all it needs that a Linux of the tag has not, the program that
+reads models, and scenes.
+
+usage: build.py LIBRARY IMPORTER SOURCES VERSION OUT
+"""
+import base64
+import hashlib
+import pathlib
+import shutil
+import subprocess
+import sys
+import tempfile
+import zipfile
+
+# Debian 12 has the glibc 2.36; the policy of this tag names what every Linux has besides.
+TAG = 'py3-none-manylinux_2_36_x86_64'
+EVERYWHERE = {'linux-vdso.so.1', 'libc.so.6', 'libm.so.6', 'libstdc++.so.6', 'libgcc_s.so.1', 'libz.so.1',
+              'ld-linux-x86-64.so.2'}
+ASSETS = ['scenes/tshirt*.toml', 'garments/tshirt_[0-9]*', 'bodies/mannequin_male_40.glb', 'fabrics/*.toml', 'motions/*.bvh',
+          'textures/print.png']
+METADATA = '''Metadata-Version: 2.1
+Name: taut-cloth
+Version: {version}
+Summary: Cloth that keeps a bound on its stretch and crosses nothing
+License: MIT
+Requires-Python: >=3.9
+Provides-Extra: arrays
+Requires-Dist: numpy; extra == 'arrays'
+Description-Content-Type: text/markdown
+
+'''
+WHEEL = f'Wheel-Version: 1.0\nGenerator: taut\nRoot-Is-Purelib: false\nTag: {TAG}\n'
+
+
+def needed(file):
+    """The libraries of other projects that the program or library loads."""
+    lines = subprocess.run(['ldd', file], check=True, capture_output=True, text=True).stdout.splitlines()
+    parts = [line.split() for line in lines]
+    return {part[0]: part[2] for part in parts if '=>' in part and part[0] not in EVERYWHERE}
+
+
+def put_binaries(library, importer, package):
+    libraries, programs = package / 'lib', package / 'libexec' / 'taut'
+    libraries.mkdir(parents=True)
+    programs.mkdir(parents=True)
+    copies = {libraries / library.name.split('.0.')[0]: library, programs / importer.name: importer}
+    for name, file in (needed(library) | needed(importer)).items():
+        copies[libraries / name] = file
+    for copy, file in copies.items():
+        shutil.copy(file, copy)
+        subprocess.run(['strip', '--strip-unneeded', copy], check=True)
+        place = '$ORIGIN' if copy.parent == libraries else '$ORIGIN/../../lib'
+        subprocess.run(['patchelf', '--set-rpath', place, copy], check=True)
+
+
+def put_texts(sources, version, package, info):
+    library = sources / 'app' / 'library'
+    shutil.copy(library / 'python' / 'taut' / '__init__.py', package / '__init__.py')
+    for file in (library / 'wheel' / 'taut_cloth').glob('*.py'):
+        shutil.copy(file, package / file.name)
+    for pattern in ASSETS:
+        for file in sorted((sources / 'assets').glob(pattern)):
+            to = package / 'share' / 'taut' / file.relative_to(sources / 'assets')
+            to.parent.mkdir(parents=True, exist_ok=True)
+            shutil.copy(file, to)
+    info.mkdir()
+    licences = info / 'licenses'
+    licences.mkdir()
+    shutil.copy(sources / 'LICENSE', licences / 'LICENSE')
+    shutil.copy(sources / 'assets' / 'patterns' / 'tshirt' / 'LICENSE', licences / 'LICENSE.garments')
+    for name in (file.name for file in (package / 'lib').iterdir() if not file.name.startswith('libtaut')):
+        owner = subprocess.run(['dpkg', '-S', f'*/{name}'], check=True, capture_output=True, text=True).stdout
+        of_debian = owner.split(':')[0]
+        shutil.copy(f'/usr/share/doc/{of_debian}/copyright', licences / f'{of_debian}.copyright')
+    (info / 'METADATA').write_text(METADATA.format(version=version) + (library / 'wheel' / 'README.md').read_text())
+    (info / 'WHEEL').write_text(WHEEL)
+
+
+def write_wheel(folder, record, wheel):
+    lines = []
+    with zipfile.ZipFile(wheel, 'w', zipfile.ZIP_DEFLATED, compresslevel=9) as archive:
+        for file in sorted(path for path in folder.rglob('*') if path.is_file()):
+            name, content = str(file.relative_to(folder)), file.read_bytes()
+            digest = base64.urlsafe_b64encode(hashlib.sha256(content).digest()).rstrip(b'=').decode()
+            lines.append(f'{name},sha256={digest},{len(content)}\n')
+            entry = zipfile.ZipInfo(name)
+            is_program = '/libexec/' in name
+            entry.external_attr = (0o100755 if is_program else 0o100644) << 16
+            entry.compress_type = zipfile.ZIP_DEFLATED
+            archive.writestr(entry, content, compresslevel=9)
+        archive.writestr(record, ''.join(lines) + f'{record},,\n')
+
+
+def main(library, importer, sources, version, out):
+    library, importer, sources, out = map(pathlib.Path, (library, importer, sources, out))
+    if not shutil.which('patchelf'):
+        raise SystemExit("build.py: there is no 'patchelf'; ./setup.sh installs it")
+    with tempfile.TemporaryDirectory() as folder:
+        package = pathlib.Path(folder) / 'taut_cloth'
+        info = f'taut_cloth-{version}.dist-info'
+        put_binaries(library, importer, package)
+        put_texts(sources, version, package, pathlib.Path(folder) / info)
+        out.mkdir(parents=True, exist_ok=True)
+        wheel = out / f'taut_cloth-{version}-{TAG}.whl'
+        write_wheel(pathlib.Path(folder), f'{info}/RECORD', wheel)
+    print(f'wrote {wheel}, {wheel.stat().st_size / 1e6:.1f} MB')
+
+
+main(*sys.argv[1:])

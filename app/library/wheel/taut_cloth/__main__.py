@@ -1,0 +1,33 @@
+"""Simulates the T-shirt, or another scene, and draws it to a PNG: python3 -m taut_cloth [-o FILE] [--wind SPEED]."""
+import argparse
+import time
+
+import taut_cloth
+from taut_cloth import picture
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(prog='python3 -m taut_cloth', description=__doc__.split(':')[0] + '.')
+    parser.add_argument('scene', nargs='?', default='tshirt-gravity', help='one of: ' + ', '.join(taut_cloth.scenes()))
+    parser.add_argument('-o', '--output', default='tshirt.png')
+    parser.add_argument('--wind', type=float, metavar='SPEED', help='in m/s, from behind')
+    parser.add_argument('--frames', type=int, default=120, help='of 1/60 s each')
+    parser.add_argument('--set', action='append', default=[], metavar='KEY=VALUE', help='any key of a scene')
+    given = parser.parse_args()
+    settings = dict(pair.split('=', 1) for pair in given.set)
+    if given.wind is not None:
+        settings.update({'wind.speed': given.wind, 'wind.direction': [0.3, 0.0, 1.0]})
+    began = time.monotonic()
+    try:
+        with taut_cloth.Cloth(given.scene, settings=settings) as cloth:
+            frame = cloth.step(given.frames)
+            taken = time.monotonic() - began
+            picture.write_png(given.output, *picture.draw(*cloth.shape()))
+    except taut_cloth.Error as error:
+        parser.exit(1, f'taut_cloth: {error}\n')
+    print(f'{given.frames} frames in {taken:.1f} s: the largest stretch is {100 * frame.max_surface_stretch:.3f} %, '
+          f'{frame.measured_crossings} triangles cross, the state is {frame.state_hash:016x}')
+    print(f'wrote {given.output}')
+
+
+main()

@@ -1,0 +1,47 @@
+#!/usr/bin/env bash
+# The wheel in a virtual environment with nothing else in it, without a network: it simulates and draws, with the bits of the
+# program, and in Debian's Python its arrays are numpy's. Usage: wheel.sh FOLDER_OF_WHEEL TAUT
+set -euo pipefail
+wheel=$(echo "$1"/taut_cloth-*.whl)
+taut=$2
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+cd "$folder"
+fail() { echo "wheel.sh: $*" >&2; exit 1; }
+[ "$(stat -c %s "$wheel")" -lt 8000000 ] || fail "the wheel has $(stat -c %s "$wheel") bytes, expected fewer than 8000000"
+
+unset TAUT_LIBRARY TAUT_IMPORTER TAUT_ASSETS PYTHONPATH
+/usr/bin/python3 -m venv bare
+unshare -n bare/bin/pip install --quiet --no-index "$wheel"
+# What the build machine has installed must not stand in for what is missing.
+libraries=$(echo bare/lib/python3*/site-packages/taut_cloth/lib)
+for file in "$libraries"/* "$libraries"/../libexec/taut/taut-import; do
+  ldd "$file" | awk '$3 ~ /^\// && $3 !~ /taut_cloth/ {print $1}' |
+    grep -Ev '^(libc|libm|libstdc\+\+|libgcc_s|libz)\.so' && fail "$file needs more than every Linux has"
+done
+unshare -n bare/bin/python3 -m taut_cloth --wind 10 --frames 60 -o shirt.png --set garment.file=tshirt_1028 | tee said.txt
+"$taut" simulate tshirt-gravity --set garment.file=tshirt_1028 --set wind.speed=10 --set 'wind.direction=[0.3, 0.0, 1.0]' \
+  --frames 60 --stats stats.csv >/dev/null
+hash=$(tail -n 1 stats.csv | grep -oE '\b[0-9a-f]{16}\b') || fail "no hash in the statistics"
+grep -q "$hash" said.txt || fail "the program has the state $hash"
+[ "$(file -b shirt.png | cut -d, -f1,2)" = 'PNG image data, 640 x 640' ] || fail "$(file shirt.png)"
+cp shirt.png "$1/"
+
+PYTHONPATH=$(dirname "$(dirname "$libraries")") /usr/bin/python3 - <<'END'
+import numpy, taut_cloth
+with taut_cloth.Cloth('tshirt', settings={'wind.direction': numpy.array([0.0, 0.0, 1.0])}) as cloth:
+    start = cloth.positions()
+    assert isinstance(start, numpy.ndarray) and start.shape == (cloth.info.vertex_count, 3)
+    cloth.step(5)
+    assert numpy.allclose(cloth.positions(), cloth.shape()[0], atol=0) and (cloth.positions() != start).any()
+END
+bare/bin/python3 - <<'END'
+import taut_cloth
+with taut_cloth.Cloth('tshirt') as cloth:
+    try:
+        cloth.positions()
+    except taut_cloth.Error as error:
+        assert 'numpy' in str(error), error
+    else:
+        raise SystemExit('arrays without numpy')
+END

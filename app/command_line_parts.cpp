@@ -58,10 +58,6 @@ void add_index(CLI::App& command, const Options& options, const std::string& mea
   command.add_option("--index", options->index, meaning)->check(CLI::NonNegativeNumber);
 }
 
-void add_chunk(CLI::App& command, const Options& options, const std::string& meaning) {
-  command.add_option("--chunk", options->chunk, meaning)->check(CLI::Range(1, 1000000));
-}
-
 void add_plan(CLI::App& sweep, const Options& options) {
   CLI::App* command =
       add(sweep, options, SweepAction::plan, "plan", "Check a study and make the folder in which its runs are made");
@@ -81,9 +77,6 @@ void add_plan(CLI::App& sweep, const Options& options) {
 void add_run(CLI::App& sweep, const Options& options) {
   CLI::App* command = add(sweep, options, SweepAction::run, "run", "Make runs that are not done yet");
   add_index(*command, options, "one run, from 0");
-  command->add_option("--task", options->task, "the runs of one task (default: $SLURM_ARRAY_TASK_ID)");
-  add_chunk(*command, options, "runs of a task (default 1)");
-  command->add_option("--offset", options->offset, "added to the number of the task")->capture_default_str();
   CLI::Option* all = command->add_flag("--all", options->all, "all runs");
   command->add_option("--jobs", options->jobs, "with --all: so many at a time (default: the processors)")
       ->needs(all)
@@ -102,25 +95,9 @@ void add_merge(CLI::App& sweep, const Options& options) {
   command->footer("Examples:\n  taut sweep merge sweep\n");
 }
 
-void add_submit(CLI::App& sweep, const Options& options) {
-  CLI::App* command = add(sweep, options, SweepAction::submit, "submit", "Hand the runs over to Slurm");
-  command->add_flag("--slurm", options->slurm, "the one farm it knows")->required();
-  command->add_flag("--missing", options->missing, "only what is missing");
-  command->add_flag("--dry-run", options->dry_run, "print what would be handed over");
-  add_chunk(*command, options, "runs of a task (default: as few as make 10000 tasks)");
-  command->add_option("--mem", options->memory, "memory of a task of Slurm")->capture_default_str();
-  command->add_option("--sbatch", options->sbatch, "one more option of sbatch; can be repeated")
-      ->allow_extra_args(false);
-  command->footer(
-      "An array of tasks, several where it would be too long for this Slurm, and a job after them that makes "
-      "the\ntable. Runs that were stopped, killed or lost are handed over again with --missing.\n\n"
-      "Examples:\n  taut sweep submit sweep --slurm --sbatch=--time=60 --sbatch=--partition=day\n"
-      "  taut sweep submit sweep --slurm --missing\n  taut sweep submit sweep --slurm --dry-run\n");
-}
-
 void add_rest(CLI::App& sweep, const Options& options) {
   CLI::App* status = add(sweep, options, SweepAction::status, "status", "Say how many runs are done");
-  status->add_flag("--missing", options->missing, "print which are not, as ranges for sbatch --array");
+  status->add_flag("--missing", options->missing, "print which are not, as ranges such as sbatch --array takes");
   status->footer("Examples:\n  taut sweep status sweep\n  taut sweep status sweep --missing\n");
 
   CLI::App* show = add(sweep, options, SweepAction::show, "show", "Print the scene of a run");
@@ -204,7 +181,6 @@ std::function<int()> add_sweep(CLI::App& app) {
   add_run(*sweep, options);
   add_rest(*sweep, options);
   add_merge(*sweep, options);
-  add_submit(*sweep, options);
   sweep->footer(
       "taut sweep COMMAND --help says more.\n\nExamples:\n  taut sweep plan study.toml -o sweep\n"
       "  taut sweep run sweep --all\n  taut sweep merge sweep\n");

@@ -258,15 +258,6 @@ std::string GltfSink::finish() {
 
 }  // namespace
 
-int most_gltf_frames(const GarmentInScene& loaded) {
-  const SplitVertices vertices(loaded);
-  int most = 0;
-  for (int step = 1 << 15; step > 0; step /= 2) {
-    most += bytes_of(most + step, vertices) <= most_bytes ? step : 0;
-  }
-  return most;
-}
-
 std::unique_ptr<FrameSink> make_gltf_sink(const ExportSettings& settings, const GarmentInScene& loaded) {
   return std::make_unique<GltfSink>(settings, loaded);
 }

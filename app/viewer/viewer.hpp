@@ -109,9 +109,8 @@ class Viewer {
   /// the last call, divided by the number of processors.
   void note_times(double draw_ms, double panel_ms, double simulate_ms, double busy_s);
   void tell(const std::string& text, bool is_error) { app::tell(state_, text, is_error); }
-  /// Completes the recording of pictures and the clip, where there is one. Returns what was written, which is
-  /// also shown as messages.
-  std::vector<std::string> finish_recordings();
+  /// Completes the recording, where there is one. Returns what was written, which is also shown as a message.
+  std::optional<std::string> finish_recording();
 
  private:
   void take(const SessionEvent& event);
@@ -139,11 +138,6 @@ class Viewer {
   void show_whole_garment();
   void see_from(const Side& side);
   void start_or_stop_recording();
-  template <class Recording> std::string told_end(const Recording& finish);
-  std::optional<std::string> finish_pictures();
-  void start_or_stop_clip();
-  void follow_clip();
-  std::optional<std::string> finish_clip(const std::string& reason);
   void save_scene();
   void export_shape();
   void load_asked();
@@ -184,7 +178,6 @@ class Viewer {
   bool is_ended_ = false;
   std::optional<ClothOfScene> own_cloth_;  ///< of the scene as it was opened; empty: it is being opened
   std::optional<WindowRecorder> recorder_;
-  std::unique_ptr<ClipRecorder> clip_;
   std::string clipboard_;
 };
 

@@ -72,7 +72,6 @@ void Viewer::perform(Action action) {
       {Action::record, [&] { start_or_stop_recording(); }},
       {Action::save_scene, [&] { save_scene(); }},
       {Action::export_shape, [&] { export_shape(); }},
-      {Action::record_clip, [&] { start_or_stop_clip(); }},
       {Action::copy_camera, copy},
       {Action::show_keys, [&] { state_.show_keys = !state_.show_keys; }},
       {Action::close_keys, [&] { state_.show_keys = false; }},

@@ -49,7 +49,7 @@ class WindowViewer {
  private:
   // Nobody can see messages any more, but the terminal is there.
   void finish() {
-    for (const std::string& outcome : viewer_.finish_recordings()) fmt::print("{}\n", outcome);
+    if (const auto outcome = viewer_.finish_recording()) fmt::print("{}\n", *outcome);
     finish_record();
   }
 

@@ -84,20 +84,6 @@ void lay_out_label(const char* name, const Snapshot& garment, const ViewerState&
   ImGui::End();
 }
 
-// The list of formats makes way for how far it is.
-void lay_out_clip(ViewerState& state, float button_px) {
-  action_button(state, state.clip ? "Stop X" : "Clip X", Action::record_clip, "keep.clip", button_px);
-  ImGui::SameLine();
-  if (state.clip) {
-    ImGui::Text("%d to %s", state.clip->frames, state.clip->file.c_str());
-    note_place(state, "keep.clip_frames");
-    return;
-  }
-  ImGui::SetNextItemWidth(button_px);
-  kind_list(state, "of shapes", "keep.clip_format", all_clip_formats, state.clip_format);
-}
-
-/// Whether the panel is shown. A window that is too narrow has none.
 bool panel_fits(const WindowLayout& layout) {
   return layout.has_panel && layout.width_px > 2 * panel_width(layout) - panel_width(layout) / 2;
 }
@@ -157,7 +143,7 @@ constexpr std::array hints = {
     Hint{"compare",
          "Show the same garment a second time by another solver, in the same wind. Both begin anew and go on "
          "frame by frame together: the slower one holds both back. Hands, pins and the time bar act on both; "
-         "scenes, shapes and clips are written of the left one."},
+         "scenes and shapes are written of the left one."},
     Hint{"compare.none", "One garment alone."},
     Hint{"solver.ideal", "Hooke's springs alone: cloth stretches under its weight, and vibrates."},
     Hint{"solver.provot", "Hooke's springs, pulled back where they exceed the threshold (Provot 1995)."},
@@ -182,16 +168,6 @@ constexpr std::array hints = {
     Hint{"keep.video", "Record to a video, an MP4 file. Needs ffmpeg."},
     Hint{"keep.pictures", "Record to a folder of PNG pictures."},
     Hint{"keep.shape", "Write the cloth as it is now as an OBJ file, with the faces of its model."},
-    Hint{"keep.clip",
-         "Write the shape of every frame that is simulated from now on, as other programs read it, whatever "
-         "is drawn; once more ends it. Going back, starting again or another scene ends it too."},
-    Hint{"keep.clip_frames", "Frames of the clip so far, and the file that they go to."},
-    Hint{"keep.clip_format", "The format of the clip."},
-    Hint{"keep.clip_format.PC2", "A point cache, and the rest shape that it moves as an OBJ file. For Blender."},
-    Hint{"keep.clip_format.MDD", "LightWave's point cache, and the rest shape that it moves as an OBJ file."},
-    Hint{"keep.clip_format.glTF", "One GLB file with all shapes and an animation, which plays in any viewer."},
-    Hint{"keep.clip_format.VTK", "A PVD file and one VTP file a frame, with the triangles' stretch. For ParaView."},
-    Hint{"keep.clip_format.OBJ", "One OBJ file a frame."},
     Hint{"time.pause", "Stop and go on. Key: space."},
     Hint{"time.step", "One frame, 1/60 s as scenes have it. Key: full stop."},
     Hint{"time.reset", "Start again, with the scene's pins and the present settings. Key: R."},
@@ -322,7 +298,6 @@ void lay_out_keeping(ViewerState& state) {
   note_place(state, "keep.pictures");
   ImGui::SameLine();
   action_button(state, "Shape E", Action::export_shape, "keep.shape", ImGui::GetContentRegionAvail().x);
-  lay_out_clip(state, width);
 }
 
 std::string hint_for(const std::string& name) {

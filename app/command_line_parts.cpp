@@ -94,10 +94,6 @@ void add_rest(CLI::App& sweep, const Options& options) {
   show->get_option("--index")->required();
   show->footer(footer_of("sweep show"));
 
-  CLI::App* check = add(sweep, options, SweepAction::check, "check",
-                        "Make one run, write nothing, and print host, program and last state, to compare machines");
-  add_index(*check, options, "the run (default 0)");
-  check->footer(footer_of("sweep check"));
 }
 
 }  // namespace

@@ -125,7 +125,7 @@ struct FabricsOptions {
 };
 
 /// The task of `taut sweep`.
-enum class SweepAction { plan, run, status, merge, check, show };
+enum class SweepAction { plan, run, status, merge, show };
 
 /// Options of `taut sweep`. Each of its commands uses some.
 struct SweepOptions {

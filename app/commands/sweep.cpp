@@ -113,10 +113,6 @@ int run(const SweepOptions& options) {
       return status(options, sweep);
     case SweepAction::merge:
       return merge(sweep);
-    case SweepAction::check:
-      require_index(sweep, options.index.value_or(0));
-      fmt::print("{} {} {}\n", host_name(), program_hash(), hash_of_run(sweep, options.index.value_or(0)));
-      return 0;
     default:
       require_index(sweep, *options.index);
       fmt::print("{}", scene_text(sweep.scene(*options.index), GarmentNaming::full_path));

@@ -230,20 +230,6 @@ Attempt attempt_run(const Sweep& sweep, std::size_t run, const ProgressCallback&
   return there ? *there : SweepRun(sweep, run).go(report);
 }
 
-std::string hash_of_run(const Sweep& sweep, std::size_t run) {
-  Loaded loaded = Loaded::of(sweep.scene(run));
-  FrameOutputs outputs;
-  try {
-    outputs.start_frame = go_to_start(loaded.scene, loaded.simulation);
-    run_frames(loaded.simulation, loaded.scene.frames, outputs);
-  } catch (const PromiseBroken&) {
-    // It ends there on every machine.
-  } catch (const sim::Diverged&) {
-    // As well.
-  }
-  return hash_text(sim::hash(loaded.simulation.state()));
-}
-
 void WorstEnd::add(AttemptEnd end) {
   const bool has_to_be_tried_again = end == AttemptEnd::stopped || end == AttemptEnd::busy;
   if (has_to_be_tried_again || code_ == exit_can_be_resumed) {

@@ -27,9 +27,6 @@ struct Attempt {
 /// written, and what `report` throws.
 Attempt attempt_run(const Sweep& sweep, std::size_t run, const ProgressCallback& report = {});
 
-/// Simulates a run and returns the hash of its last state, also where it breaks a promise. Writes nothing.
-std::string hash_of_run(const Sweep& sweep, std::size_t run);
-
 /// The exit code of the program for several attempts: 75 if one has to be tried again, else 1 if one failed,
 /// else 3 if one is broken.
 class WorstEnd {

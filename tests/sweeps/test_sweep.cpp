@@ -170,14 +170,13 @@ TEST_F(SweepTest, ABrokenPromiseIsAResult) {
   EXPECT_EQ(attempt_run(sweep, 3).end, AttemptEnd::broken) << "found again";
 }
 
-TEST_F(SweepTest, ARunThatCannotGoOnEndsInTheSameBits) {
+TEST_F(SweepTest, ARunThatCannotGoOnIsBroken) {
   const Sweep sweep = planned("scene = \"" TAUT_TESTS_FOLDER
                               "/contact/closing_spheres.toml\"\n[axes]\nwind.speed = "
                               "[0]\ngarment.grid.columns = [7]\ngarment.grid.rows = [7]\n");
   const Attempt attempt = attempt_run(sweep, 0);
   EXPECT_EQ(attempt.end, AttemptEnd::broken);
   EXPECT_CONTAINS(attempt.what, "something would cross");
-  EXPECT_EQ((*result_of(sweep, 0))["state_hash"], hash_of_run(sweep, 0));
 }
 
 TEST_F(SweepTest, WhatFailedIsSaidAndTriedAgain) {
@@ -214,7 +213,6 @@ TEST_F(SweepTest, AStoppedRunGoesOnWithTheSameBits) {
   for (const char* name : {"state_hash", "frames", "max_stretch", "smallest_distance"}) {
     EXPECT_EQ((*result_of(sweep, 0))[name], (*result_of(whole, 0))[name]) << name;
   }
-  EXPECT_EQ((*result_of(whole, 0))["state_hash"], hash_of_run(whole, 0));
 }
 
 TEST_F(SweepTest, ADamagedCheckpointIsNotUsed) {

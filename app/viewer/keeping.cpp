@@ -70,23 +70,10 @@ RunCheckpoint kept_moment(const ViewerState& state, const DrawnScene& kept) {
       kept.name, scene_text(kept), state.shown->record.frame, {}, sim::encode(simulation.save(), simulation.garment())};
 }
 
-std::string camera_text(const renderer::Camera& camera) {
-  const auto point = [](const glm::vec3& p) { return fmt::format("[{}, {}, {}]", p.x, p.y, p.z); };
-  return fmt::format("[camera]\neye = {}\ntarget = {}\nfield_of_view = {}\n", point(camera.eye), point(camera.target),
-                     glm::degrees(static_cast<double>(camera.vertical_fov_rad)));
-}
-
-WindowRecorder::WindowRecorder(const fs::path& folder, const std::string& stem, RecordingKind kind, int width_px,
-                               int height_px)
-    : width_px_(even(width_px)), height_px_(even(height_px)) {
-  const bool is_video = kind == RecordingKind::video;
-  target_ = free_name(folder, stem, is_video ? ".mp4" : "-frames");
-  if (is_video) {
-    prepare_folder_of(target_);
-    video_ = std::make_unique<VideoWriter>(target_, VideoSettings{width_px_, height_px_, rate_hz, true});
-  } else {
-    prepare_folder_of(target_ / "frame.png");
-  }
+WindowRecorder::WindowRecorder(const fs::path& folder, const std::string& stem, int width_px, int height_px)
+    : file_(free_name(folder, stem, ".mp4")), width_px_(even(width_px)), height_px_(even(height_px)) {
+  prepare_folder_of(file_);
+  video_ = std::make_unique<VideoWriter>(file_, VideoSettings{width_px_, height_px_, rate_hz, true});
 }
 
 void WindowRecorder::add(const renderer::Image& picture, double elapsed_s) {
@@ -95,19 +82,12 @@ void WindowRecorder::add(const renderer::Image& picture, double elapsed_s) {
   }
   const renderer::Image part = cropped(picture, width_px_, height_px_);
   owed_s_ += frames_ == 0 ? 1.0 / rate_hz : std::min(elapsed_s, 1.0);
-  for (; owed_s_ >= 1.0 / rate_hz; owed_s_ -= 1.0 / rate_hz) {
-    if (video_) {
-      video_->add(part);
-    } else {
-      write_file(target_ / fmt::format("frame_{:05}.png", frames_), renderer::encode_png(part));
-    }
-    ++frames_;
-  }
+  for (; owed_s_ >= 1.0 / rate_hz; owed_s_ -= 1.0 / rate_hz, ++frames_) video_->add(part);
 }
 
 std::string WindowRecorder::finish() {
-  if (video_) video_->finish();
-  return fmt::format("wrote {}, {}", target_.string(), counted(frames_, "frame"));
+  video_->finish();
+  return fmt::format("wrote {}, {}", file_.string(), counted(frames_, "frame"));
 }
 
 }  // namespace taut::app

@@ -20,15 +20,11 @@ bool is_pristine(const ViewerState& state);
 /// The state that is shown, for start.checkpoint of the kept scene. It holds no hand.
 RunCheckpoint kept_moment(const ViewerState& state, const DrawnScene& kept);
 
-/// The camera as a section of a scene file.
-std::string camera_text(const renderer::Camera& camera);
-
-/// Writes what the scene shows to a video, or to a folder of pictures, in real time.
+/// Writes what the scene shows to a video, in real time.
 class WindowRecorder {
  public:
-  /// The target's name is that of free_name(). Throws InputError if it cannot be written.
-  WindowRecorder(const std::filesystem::path& folder, const std::string& stem, RecordingKind kind, int width_px,
-                 int height_px);
+  /// The file's name is that of free_name(). Throws InputError if it cannot be written.
+  WindowRecorder(const std::filesystem::path& folder, const std::string& stem, int width_px, int height_px);
 
   /// Adds the picture as often as `elapsed_s` at rate_hz requires; that may be never. Throws InputError;
   /// std::invalid_argument if the picture has another size.
@@ -43,7 +39,7 @@ class WindowRecorder {
   static constexpr double rate_hz = 30.0;
 
  private:
-  std::filesystem::path target_;  ///< the video, or the folder of pictures
+  std::filesystem::path file_;
   std::unique_ptr<VideoWriter> video_;
   int width_px_;
   int height_px_;

@@ -315,10 +315,6 @@ void Viewer::note_times(double draw_ms, double panel_ms, double simulate_ms, dou
   state_.measurements.panel_ms.add(static_cast<float>(panel_ms));
 }
 
-std::optional<std::string> Viewer::take_clipboard() {
-  return clipboard_.empty() ? std::nullopt : std::optional(std::exchange(clipboard_, {}));
-}
-
 void Viewer::save_scene() {
   const std::filesystem::path file = free_name(keep_folder_, state_.scene.name, ".toml");
   DrawnScene scene = kept_scene(state_, area_of_one());
@@ -343,7 +339,7 @@ void Viewer::start_or_stop_recording() {
     return;
   }
   const ViewArea area = scene_area(layout());
-  recorder_.emplace(keep_folder_, state_.scene.name, state_.recording_kind, area.width_px, area.height_px);
+  recorder_.emplace(keep_folder_, state_.scene.name, area.width_px, area.height_px);
   state_.is_recording = true;
   tell("recording; F10 ends it", false);
 }

@@ -102,8 +102,6 @@ class Viewer {
   bool wants_screenshot() const { return screenshot_; }
   /// Takes a picture of the scene, with its legends.
   void take_picture(const renderer::Image& picture);
-  /// Text for the clipboard; each text is returned once.
-  std::optional<std::string> take_clipboard();
   /// Takes measured times, for display. `draw_ms` and `panel_ms` belong to this frame. `simulate_ms` is
   /// processor time of the last simulated frame. `busy_s` is the processor time that this program used since
   /// the last call, divided by the number of processors.
@@ -178,7 +176,6 @@ class Viewer {
   bool is_ended_ = false;
   std::optional<ClothOfScene> own_cloth_;  ///< of the scene as it was opened; empty: it is being opened
   std::optional<WindowRecorder> recorder_;
-  std::string clipboard_;
 };
 
 /// Opens a window and returns when the user closes it. All input is recorded to `record_to` unless that is

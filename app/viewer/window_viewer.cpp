@@ -61,7 +61,6 @@ class WindowViewer {
       SessionFrame frame = viewer_.update({queue_.take_frame(), next_elapsed_s(), std::nullopt, std::nullopt});
       panel_ms_ = laying_out.elapsed_ms();
       if (recorder_) recorder_->add(frame);
-      if (const auto text = viewer_.take_clipboard()) window_->set_clipboard(*text);
       name_window();
       show();
     }

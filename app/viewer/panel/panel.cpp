@@ -192,25 +192,13 @@ void lay_out_labels(const ViewerState& state, const ViewArea& area, float scale)
 
 void lay_out_keeping(ViewerState& state) {
   ImGui::Separator();
-  const float width = (ImGui::GetContentRegionAvail().x - 2.0F * ImGui::GetStyle().ItemSpacing.x) / 3.0F;
+  const float width = 0.5F * (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x);
   action_button(state, "Picture F12", Action::screenshot, "keep.screenshot", width);
   ImGui::SameLine();
   action_button(state, "Scene S", Action::save_scene, "keep.scene", width);
+  action_button(state, state.is_recording ? "Stop F10" : "Video F10", Action::record, "keep.video", width);
   ImGui::SameLine();
-  action_button(state, "Camera C", Action::copy_camera, "keep.camera", width);
-  action_button(state, state.is_recording ? "Stop F10" : "Record F10", Action::record, "keep.record", width);
-  ImGui::SameLine();
-  if (ImGui::RadioButton("video", state.recording_kind == RecordingKind::video)) {
-    state.recording_kind = RecordingKind::video;
-  }
-  note_place(state, "keep.video");
-  ImGui::SameLine();
-  if (ImGui::RadioButton("PNG", state.recording_kind == RecordingKind::pictures)) {
-    state.recording_kind = RecordingKind::pictures;
-  }
-  note_place(state, "keep.pictures");
-  ImGui::SameLine();
-  action_button(state, "Shape E", Action::export_shape, "keep.shape", ImGui::GetContentRegionAvail().x);
+  action_button(state, "Shape E", Action::export_shape, "keep.shape", width);
 }
 
 std::string hint_for(const std::string& name) {

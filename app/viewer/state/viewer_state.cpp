@@ -65,7 +65,7 @@ std::vector<Choice> choices_for(const BodySource& source, const std::shared_ptr<
 
 namespace keys = renderer::keys;
 
-constexpr std::array<KeyBinding, 30> bindings = {{
+constexpr std::array<KeyBinding, 29> bindings = {{
     {"Left drag", "on cloth: pull it; elsewhere: orbit"},
     {"Right drag", "move the view"},
     {"Wheel", "nearer to what is under the pointer, farther"},
@@ -89,7 +89,6 @@ constexpr std::array<KeyBinding, 30> bindings = {{
     {"F10", "record the scene, stop recording", keys::f10, Action::record},
     {"S", "save the settings as a scene file", 'S', Action::save_scene},
     {"E", "export the cloth as it is, as OBJ", 'E', Action::export_shape},
-    {"C", "copy the camera as TOML", 'C', Action::copy_camera},
     {"Tab", "panel on, off", keys::tab, Action::show_panel},
     {"H", "this sheet", 'H', Action::show_keys},
     {"Esc", "close a list, or this sheet", keys::escape, Action::close_keys},

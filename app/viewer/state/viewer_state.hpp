@@ -98,7 +98,6 @@ enum class Action {
   record,
   save_scene,
   export_shape,
-  copy_camera,
   show_keys,
   close_keys,
   show_panel,
@@ -145,9 +144,6 @@ struct HeldCloth {
   glm::dvec3 hand_m{0.0};  ///< where the hand wants the vertex, in metres
 };
 
-/// The format of a recording of the window.
-enum class RecordingKind { video, pictures };
-
 /// The state that the panel shows and changes. `scene` holds the settings from now on.
 struct ViewerState {
   DrawnScene scene;
@@ -156,9 +152,8 @@ struct ViewerState {
   bool show_panel = true;
   bool show_keys = false;
   bool paused = false;
-  double speed = 1.0;             ///< simulated seconds per second; below 1 is slow motion
-  std::optional<int> past_frame;  ///< frame of the past that is shown; empty: the newest
-  RecordingKind recording_kind = RecordingKind::video;
+  double speed = 1.0;                            ///< simulated seconds per second; below 1 is slow motion
+  std::optional<int> past_frame;                 ///< frame of the past that is shown; empty: the newest
   std::optional<sim::SolverKind> compared_with;  ///< of a second garment beside the first; empty: none
 
   // To be shown.

@@ -4,8 +4,8 @@
 
 #include <CLI/CLI.hpp>
 
-#include "app/base/counted.hpp"
 #include "app/base/errors.hpp"
+#include "app/base/words.hpp"
 #include "app/drawing/drawn_scene.hpp"
 
 namespace taut::app {
@@ -93,7 +93,6 @@ void add_rest(CLI::App& sweep, const Options& options) {
   add_index(*show, options, "the run, from 0");
   show->get_option("--index")->required();
   show->footer(footer_of("sweep show"));
-
 }
 
 }  // namespace

@@ -1,8 +1,8 @@
 #include "app/bodies/motion_opening.hpp"
 
-#include "app/base/counted.hpp"
 #include "app/base/errors.hpp"
 #include "app/base/interruption.hpp"
+#include "app/base/words.hpp"
 #include "app/bodies/bvh_frames.hpp"
 #include "app/bodies/point_cache.hpp"
 

@@ -1,8 +1,8 @@
 #include <thread>
 
-#include "app/base/counted.hpp"
 #include "app/base/errors.hpp"
 #include "app/base/files.hpp"
+#include "app/base/words.hpp"
 #include "app/commands/options.hpp"
 #include "app/sweeps/sweep_results.hpp"
 #include "app/sweeps/sweep_run.hpp"

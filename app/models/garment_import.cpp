@@ -5,9 +5,9 @@
 #include <fstream>
 #include <pugixml.hpp>
 
-#include "app/base/counted.hpp"
 #include "app/base/errors.hpp"
 #include "app/base/files.hpp"
+#include "app/base/words.hpp"
 #include "sim/mesh/polygons.hpp"
 
 namespace taut::app {

@@ -1,6 +1,6 @@
 #include "app/viewer/keeping.hpp"
 
-#include "app/base/counted.hpp"
+#include "app/base/words.hpp"
 #include "renderer/page/png.hpp"
 
 namespace taut::app {

@@ -1,7 +1,7 @@
 #include "app/viewer/state/viewer_state.hpp"
 
-#include "app/base/counted.hpp"
 #include "app/base/errors.hpp"
+#include "app/base/words.hpp"
 #include "app/bodies/body_loading.hpp"
 #include "app/bodies/motion_opening.hpp"
 #include "renderer/context/window.hpp"

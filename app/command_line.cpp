@@ -84,9 +84,7 @@ void add_body(CLI::App& command, std::vector<Override>& overrides) {
       {{"--body", "body.file",
         "a closed 3D model that cloth cannot enter, besides the scene's bodies; glTF, FBX and Collada "
         "may bring joints and animations"},
-       {"--body-motion", "body.motion",
-        "how the body moves: a PC2, MDD or BVH file, or OBJ files, as a folder or a pattern such as "
-        "body-%04d.obj"},
+       {"--body-motion", "body.motion", "how the body moves: a PC2, MDD or BVH file"},
        {"--body-clip", "body.clip", "which of its animations is played, or all at once, or none (default: the first)"},
        {"--body-fps", "body.frame_rate", "frames a second of its motion (default: what the file says, or else 60)"},
        {"--body-loop", "body.loop", "repeat its motion after its last frame (default: it stays there)", "true"},

@@ -2,9 +2,9 @@
 
 #include <CLI/CLI.hpp>
 
-#include "app/base/counted.hpp"
 #include "app/base/errors.hpp"
 #include "app/base/version.hpp"
+#include "app/base/words.hpp"
 #include "app/bodies/fit.hpp"
 #include "app/caches/frame_sink.hpp"
 #include "app/command_line_parts.hpp"
@@ -84,9 +84,7 @@ void add_body(CLI::App& command, std::vector<Override>& overrides) {
       {{"--body", "body.file",
         "a closed 3D model that cloth cannot enter, besides the scene's bodies; glTF, FBX and Collada "
         "may bring joints and animations"},
-       {"--body-motion", "body.motion",
-        "how the body moves: a PC2, MDD or BVH file, or OBJ files, as a folder or a pattern such as "
-        "body-%04d.obj"},
+       {"--body-motion", "body.motion", "how the body moves: a PC2, MDD or BVH file"},
        {"--body-clip", "body.clip", "which of its animations is played, or all at once, or none (default: the first)"},
        {"--body-fps", "body.frame_rate", "frames a second of its motion (default: what the file says, or else 60)"},
        {"--body-loop", "body.loop", "repeat its motion after its last frame (default: it stays there)", "true"},
@@ -144,9 +142,7 @@ std::function<int()> add_figures(CLI::App& app) {
       ->check(CLI::Range(0.1, 4.0))
       ->capture_default_str();
   add_backend(*command, options->backend);
-  command->footer(
-      "Examples:\n  taut figures\n  taut figures --only fig4 --output /tmp/figures\n"
-      "  taut figures --only fig5,fig6 --data figures --scale 0.5 --output small\n");
+  command->footer(footer_of("figures"));
   return [options] { return run(*options); };
 }
 
@@ -176,12 +172,7 @@ std::function<int()> add_render(CLI::App& app, std::span<const char* const> argu
        {"--supersampling", "picture.supersampling", "draw N times as wide and high and average, 1 to 8 (default 1)"}});
   add_set(*command, options->overrides);
   add_backend(*command, options->backend);
-  command->footer(
-      "Examples:\n  taut render tshirt-wind-10\n"
-      "  taut render cloth-fall --frames 0:120 --output 'frames/frame_{frame:04}.png'\n"
-      "  taut render cloth-fall --output fall.mp4 --export fall.glb\n"
-      "  taut render shirt.obj --wind 4@180 --stretch --resolution 4K\n"
-      "  taut render tshirt --view back --background none\n");
+  command->footer(footer_of("render"));
   return [options] { return run(*options); };
 }
 
@@ -206,14 +197,7 @@ std::function<int()> add_simulate(CLI::App& app) {
   command->add_option("--resume", options->resume,
                       "go on from such a file with the same bits, and save to it where --checkpoint names no "
                       "other; --stats and --export go on where they stopped");
-  command->footer(
-      "Examples:\n  taut simulate pinned-9x9-5\n"
-      "  taut simulate tshirt-gravity --frames :60 --set solver.substeps=40 --stats run.csv\n"
-      "  taut simulate my-dress.obj --quiet --export end.obj\n"
-      "  taut simulate my-dress.obj --export dress-in-wind.pc2 --wind 4\n"
-      "  taut simulate my-jacket.obj --untangle --verify\n"
-      "  taut simulate my-dress.obj --stats run.jsonl --checkpoint run.checkpoint\n"
-      "  taut simulate my-dress.obj --stats run.jsonl --resume run.checkpoint\n");
+  command->footer(footer_of("simulate"));
   return [options] { return run(*options); };
 }
 
@@ -249,11 +233,7 @@ std::function<int()> add_view(CLI::App& app) {
   command->add_option("--screenshot", options->screenshot, "a picture of the window after the script");
   command->add_option("--layout", options->layout, "where the panel's parts are after the script, as text");
   add_backend(*command, options->backend);
-  command->footer(
-      "Examples:\n  taut view\n  taut view my-dress.obj --wind 4\n"
-      "  taut view tshirt --compare provot\n"
-      "  taut view tshirt-gravity --record session.txt\n"
-      "  taut view --headless --script session.txt --screenshot window.png\n");
+  command->footer(footer_of("view"));
   return [options] { return run(*options); };
 }
 
@@ -269,10 +249,7 @@ std::function<int()> add_inspect(CLI::App& app) {
   command->add_option("-o,--output,--picture", options->picture,
                       "PNG file: the garment with its springs by kind, what holds it, its borders and defects");
   add_backend(*command, options->backend);
-  command->footer(
-      "Examples:\n  taut inspect shirt.obj\n  taut inspect shirt.obj --output shirt.png\n"
-      "  taut inspect my-jacket.obj --untangle\n  taut inspect shirt.stl --units mm --up z --json\n  taut "
-      "inspect --body mannequin.glb --body-motion walk.bvh\n");
+  command->footer(footer_of("inspect"));
   return [options] { return run(*options); };
 }
 
@@ -289,18 +266,10 @@ std::function<int()> add_fit(CLI::App& app) {
       ->capture_default_str();
   command->add_flag("--json", options->json, "for programs");
   add_backend(*command, options->backend);
-  command->footer(
-      "It is dressed as with --dress 90 where nothing else is said: the garment is moved to the body, which\n"
-      "grows into it. Ease is what the garment is larger than the body, at rest and along the cloth: too "
-      "small\n"
-      "below 0, " +
-      fit_thresholds() +
-      ". A garment whose girths are too small\neven when it is stretched is refused with exit code 1; one "
-      "that cannot be put on for another reason\nends the command with exit code 3. Both say where it is too "
-      "small.\n\n"
-      "Examples:\n  taut fit shirt.obj --body person.glb\n"
-      "  taut fit shirt.obj --body person.glb --body-motion stand.bvh --output shirt.png\n"
-      "  taut fit shirt.obj --body person.glb --json\n  taut fit tshirt-worn\n");
+  std::string footer = footer_of("fit");
+  const std::string thresholds = "{thresholds}";
+  footer.replace(footer.find(thresholds), thresholds.size(), fit_thresholds());
+  command->footer(footer);
   return [options] { return run(*options); };
 }
 
@@ -323,19 +292,7 @@ std::function<int()> add_sew(CLI::App& app) {
       ->capture_default_str();
   command->add_flag("--json", options->json, "for programs");
   add_backend(*command, options->backend);
-  command->footer(
-      "Panels are meshed, placed about the body while it is thin, and drawn together by threads along their\n"
-      "stitches; then the body grows into what was sewn, and that comes to rest. Nothing crosses anything\n"
-      "meanwhile, and nothing is longer than the bound, solver.max_stretch: here 1 %, or of a --fabric as far as\n"
-      "its threads let it, where nothing else is said.\n"
-      "The garment is at rest as it was cut: its texture coordinates are cm of the cloth, and a file beside it,\n"
-      "GARMENT.landmarks.toml, says so and names the vertices of its seams; its groups are named after panels.\n"
-      "A failure ends the command with exit code 3, and a picture of that moment: which seam stays\n"
-      "open, by how much and what is in the way, or where it is too small for the body.\n\n"
-      "Examples:\n  taut sew shirt.json --body person.obj -o shirt.obj --picture shirt.png\n"
-      "  taut sew dress.json --body person.glb --fabric silk\n"
-      "  taut sew shirt.json --over jacket.json --body person.glb -o outfit.obj\n"
-      "  taut simulate shirt.obj --body person.glb --body-motion walk.bvh --dress 90\n");
+  command->footer(footer_of("sew"));
   return [options] { return run(*options); };
 }
 
@@ -362,9 +319,7 @@ std::function<int()> add_fabrics(CLI::App& app) {
   command->add_option("-o,--output,--picture", options->picture,
                       "PNG file: the T-shirt in six of them, instead of the list");
   add_backend(*command, options->backend);
-  command->footer(
-      "Examples:\n  taut fabrics\n  taut fabrics denim > my.toml\n  taut fabrics --output fabrics.png\n"
-      "  taut render tshirt-wind-1 --fabric denim\n");
+  command->footer(footer_of("fabrics"));
   return [options] { return run(*options); };
 }
 
@@ -391,11 +346,7 @@ std::function<int()> add_bench(CLI::App& app) {
       ->check(CLI::Range(1, 1000000));
   command->add_flag("--csv", options->csv, "print a table (CSV) of all runs instead");
   command->add_flag("--quiet", options->quiet, "print neither progress nor the table");
-  command->footer(
-      "Ends with exit code 3 if a frame breaks a promise.\n\nExamples:\n"
-      "  taut bench                                   whether a shirt keeps up with the clock\n"
-      "  taut bench --bounds 0.05,0.01,0.001 --scenes wind-10   time against stretch\n"
-      "  taut bench --contact --runs 10               whether cloth crosses, stretches or does neither\n");
+  command->footer(footer_of("bench"));
   return [options] { return run(*options); };
 }
 
@@ -427,7 +378,7 @@ std::function<int()> add_help(CLI::App& app) {
   auto topic = std::make_shared<std::string>();
   CLI::App* command = app.add_subcommand("help", "Explain a command, the keys of scene files or the statistics");
   command->add_option("TOPIC", *topic, "a command, scene or stats (default: what commands there are)");
-  command->footer("Examples:\n  taut help render\n  taut help scene\n  taut help stats\n");
+  command->footer(footer_of("help"));
   return [&app, topic] {
     fmt::print("{}", help_about(app, *topic));
     return 0;
@@ -500,10 +451,7 @@ int run_command_line(std::span<const char* const> arguments) {
   CLI::App app("Taut simulates garments that do not over-stretch and draws them.", "taut");
   app.set_version_flag("--version", "taut " + program_version());
   app.require_subcommand(1);
-  app.footer(
-      "taut help COMMAND says more. Exit codes: 0 done, 1 bad input, 2 wrong usage, 3 a promised bound was "
-      "exceeded, a frame could not be made without a crossing, a frame did not keep what --verify checks or "
-      "the run diverged, 75 stopped, but saved: it can be resumed.");
+  app.footer(footer_of("taut"));
   const std::vector<std::function<int()>> commands = {add_figures(app),  add_render(app, arguments),
                                                       add_simulate(app), add_view(app),
                                                       add_inspect(app),  add_fit(app),

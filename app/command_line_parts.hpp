@@ -21,6 +21,10 @@ void add_resolution(CLI::App& command, std::vector<Override>& overrides);
 
 /// Values of `--resolution` and `--size`, for --help.
 extern const char* const size_help;
+/// assets/texts/help.toml.
+extern const char* const help_texts;
+/// The text below the options of a command, of assets/texts/help.toml.
+std::string footer_of(const std::string& command);
 
 /// Reads a size in pixels: "1280x720", "1280,720", or a name such as "1080p" or "4K". Throws UsageError with
 /// the option's name in front.

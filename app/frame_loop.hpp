@@ -25,12 +25,6 @@ template <class T> class BoundedQueue {
     return true;
   }
 
-  /// Whether a push would return at once.
-  bool has_room() {
-    const std::scoped_lock lock(mutex_);
-    return items_.size() < capacity_ || abandoned_;
-  }
-
   /// Waits for an item. Empty if the writer has called `close` and all items were taken.
   std::optional<T> pop() {
     std::unique_lock lock(mutex_);

@@ -2,10 +2,11 @@
 
 #include <random>
 
-#include "app/base/counted.hpp"
 #include "app/base/errors.hpp"
 #include "app/base/interruption.hpp"
+#include "app/base/ranks.hpp"
 #include "app/base/stopwatch.hpp"
+#include "app/base/words.hpp"
 #include "app/drawing/drawn_scene.hpp"
 #include "app/output/csv.hpp"
 #include "app/output/frame_verifier.hpp"

@@ -1,8 +1,8 @@
 #include "app/bodies/body_loading.hpp"
 
-#include "app/base/counted.hpp"
 #include "app/base/errors.hpp"
 #include "app/base/interruption.hpp"
+#include "app/base/words.hpp"
 #include "app/bodies/body_mesh.hpp"
 #include "app/bodies/motion_opening.hpp"
 #include "app/bodies/shape_rig.hpp"

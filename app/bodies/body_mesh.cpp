@@ -1,7 +1,7 @@
 #include "app/bodies/body_mesh.hpp"
 
-#include "app/base/counted.hpp"
 #include "app/base/errors.hpp"
+#include "app/base/words.hpp"
 #include "app/verify/crossing_pairs.hpp"
 #include "sim/mesh/extent.hpp"
 #include "sim/mesh/groups.hpp"

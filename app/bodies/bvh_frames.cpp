@@ -1,8 +1,8 @@
 #include "app/bodies/bvh_frames.hpp"
 
-#include "app/base/counted.hpp"
 #include "app/base/errors.hpp"
 #include "app/base/files.hpp"
+#include "app/base/words.hpp"
 #include "app/bodies/joint_names.hpp"
 #include "sim/mesh/elementary.hpp"
 

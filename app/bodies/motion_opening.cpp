@@ -1,8 +1,8 @@
 #include "app/bodies/motion_opening.hpp"
 
-#include "app/base/counted.hpp"
 #include "app/base/errors.hpp"
 #include "app/base/interruption.hpp"
+#include "app/base/words.hpp"
 #include "app/bodies/bvh_frames.hpp"
 #include "app/bodies/point_cache.hpp"
 
@@ -220,12 +220,10 @@ std::shared_ptr<const sim::BodyFrames> looped(std::shared_ptr<const sim::BodyFra
 OpenedMotion open_motion(const BodySource& source, const std::shared_ptr<const Rig>& rig, ModelAxis up) {
   if (source.motion.empty()) return open_clip(source, rig);
   const std::string ending = lower_case(source.motion.extension().string());
-  if (names_obj_sequence(source.motion)) return {source.motion, open_obj_sequence(source.motion)};
   if (ending == ".pc2") return {source.motion, open_pc2(source.motion)};
   if (ending == ".mdd") return {source.motion, open_mdd(source.motion)};
   if (ending == ".bvh") return open_bvh(source, rig, up);
-  throw InputError("'" + source.motion.string() +
-                   "': expected a motion that ends in .pc2, .mdd or .bvh, or a folder or pattern of OBJ files");
+  throw InputError("'" + source.motion.string() + "': expected a motion that ends in .pc2, .mdd or .bvh");
 }
 
 }  // namespace taut::app

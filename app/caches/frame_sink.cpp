@@ -99,11 +99,6 @@ void require_export(const ExportSettings& settings, const fs::path& garment) {
   }
 }
 
-int most_frames(const std::string& name, const GarmentInScene& loaded) {
-  constexpr int of_an_hour = 3600 * 60;  // an MDD has a time for each ahead of the first
-  return fs::path(name).extension() == ".glb" ? most_gltf_frames(loaded) : of_an_hour;
-}
-
 std::unique_ptr<FrameSink> open_sink(const ExportSettings& settings, const GarmentInScene& loaded,
                                      const WrittenMoment& start) {
   const std::string ending = fs::path(settings.name).extension();

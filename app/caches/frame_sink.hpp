@@ -27,8 +27,6 @@ struct WrittenMoment {
 
   WrittenMoment(const sim::Simulation& simulation)
       : garment(simulation.garment()), state(simulation.state()), report(simulation.frame_report()) {}
-  WrittenMoment(const sim::Garment& of, const sim::Checkpoint& checkpoint)
-      : garment(of), state(checkpoint.state), report(checkpoint.report) {}
 };
 
 /// Where the frames of a run go: files that other programs read. All functions throw InputError if something
@@ -55,8 +53,6 @@ bool is_clip(const std::string& name);
 /// Makes the folder; throws InputError if that cannot be written to. Call it before a long run.
 void require_export(const ExportSettings& settings, const std::filesystem::path& garment);
 
-/// The most frames of this garment that a file with the name's ending can hold.
-int most_frames(const std::string& name, const GarmentInScene& loaded);
 
 /// Opens what the name's ending says. `loaded` must outlive the sink. `start` is where the run begins or goes
 /// on. Throws InputError if what an earlier run left is not of this one.
@@ -76,8 +72,6 @@ std::unique_ptr<FrameSink> make_point_cache_sink(PointCacheFormat format, const 
 /// memory until the end. Throws InputError if they would be more than a gibibyte.
 std::unique_ptr<FrameSink> make_gltf_sink(const ExportSettings& settings, const GarmentInScene& loaded);
 
-/// How many frames that is.
-int most_gltf_frames(const GarmentInScene& loaded);
 
 /// USD as text: the faces of the model's file, their points as time samples, the first of its materials. It is under
 /// another name until the end.

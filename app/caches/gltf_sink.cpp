@@ -1,9 +1,9 @@
 #include <nlohmann/json.hpp>
 
-#include "app/base/counted.hpp"
 #include "app/base/errors.hpp"
 #include "app/base/files.hpp"
 #include "app/base/version.hpp"
+#include "app/base/words.hpp"
 #include "app/caches/frame_sink.hpp"
 #include "app/models/surface_colours.hpp"
 #include "renderer/page/png.hpp"
@@ -263,15 +263,6 @@ std::string GltfSink::finish() {
 }
 
 }  // namespace
-
-int most_gltf_frames(const GarmentInScene& loaded) {
-  const SplitVertices vertices(loaded);
-  int most = 0;
-  for (int step = 1 << 15; step > 0; step /= 2) {
-    most += bytes_of(most + step, vertices) <= most_bytes ? step : 0;
-  }
-  return most;
-}
 
 std::unique_ptr<FrameSink> make_gltf_sink(const ExportSettings& settings, const GarmentInScene& loaded) {
   return std::make_unique<GltfSink>(settings, loaded);

@@ -1,8 +1,8 @@
 #include <fstream>
 
-#include "app/base/counted.hpp"
 #include "app/base/errors.hpp"
 #include "app/base/files.hpp"
+#include "app/base/words.hpp"
 #include "app/caches/frame_sink.hpp"
 
 namespace taut::app {

@@ -1,8 +1,8 @@
 #include <pugixml.hpp>
 
 #include "app/base/base64.hpp"
-#include "app/base/counted.hpp"
 #include "app/base/files.hpp"
+#include "app/base/words.hpp"
 #include "app/caches/frame_sink.hpp"
 #include "sim/bytes.hpp"
 #include "sim/measures.hpp"

@@ -1,9 +1,9 @@
 #include "app/bench/bench.hpp"
 
-#include "app/base/counted.hpp"
 #include "app/base/errors.hpp"
 #include "app/base/interruption.hpp"
 #include "app/base/progress.hpp"
+#include "app/base/words.hpp"
 #include "app/bodies/body_loading.hpp"
 #include "app/commands/options.hpp"
 #include "app/drawing/drawn_scene.hpp"

@@ -125,7 +125,7 @@ struct FabricsOptions {
 };
 
 /// The task of `taut sweep`.
-enum class SweepAction { plan, run, status, merge, submit, check, show };
+enum class SweepAction { plan, run, status, merge, show };
 
 /// Options of `taut sweep`. Each of its commands uses some.
 struct SweepOptions {
@@ -133,16 +133,9 @@ struct SweepOptions {
   std::filesystem::path study;
   std::filesystem::path folder;  ///< of the sweep
   std::optional<std::size_t> index;
-  std::optional<std::size_t> task;   ///< of `chunk` runs; empty: what Slurm says
-  std::size_t offset = 0;            ///< added to the task
-  std::optional<std::size_t> chunk;  ///< empty: 1, or as few as make 10000 tasks
   bool all = false;
   unsigned jobs = 0;  ///< 0: one for each processor
   bool missing = false;
-  bool slurm = false;
-  bool dry_run = false;
-  std::string memory = "2G";
-  std::vector<std::string> sbatch;  ///< more arguments of sbatch
 };
 
 /// Makes the folder of a picture. Throws UsageError unless its name ends in .png.

@@ -1,7 +1,7 @@
-#include "app/base/counted.hpp"
 #include "app/base/errors.hpp"
 #include "app/base/files.hpp"
 #include "app/base/stopwatch.hpp"
+#include "app/base/words.hpp"
 #include "app/commands/run.hpp"
 #include "app/models/model_fitting.hpp"
 #include "app/output/output_pattern.hpp"

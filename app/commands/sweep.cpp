@@ -1,11 +1,9 @@
 #include <thread>
 
-#include "app/base/counted.hpp"
 #include "app/base/errors.hpp"
 #include "app/base/files.hpp"
+#include "app/base/words.hpp"
 #include "app/commands/options.hpp"
-#include "app/output/picture_record.hpp"
-#include "app/sweeps/farm.hpp"
 #include "app/sweeps/sweep_results.hpp"
 #include "app/sweeps/sweep_run.hpp"
 
@@ -34,31 +32,12 @@ void require_index(const Sweep& sweep, std::size_t index) {
   }
 }
 
-std::size_t task_of_slurm() {
-  const char* text = std::getenv("SLURM_ARRAY_TASK_ID");
-  const std::optional<std::size_t> task = number_in<std::size_t>(text != nullptr ? text : "");
-  if (!task) throw UsageError("expected --index, --task or --all, or $SLURM_ARRAY_TASK_ID as Slurm sets it");
-  return *task;
-}
-
-/// One run, or those of a task.
-int run_some(const SweepOptions& options, const Sweep& sweep) {
-  std::size_t first = options.index.value_or(0);
-  std::size_t last = first;
-  if (options.index) {
-    require_index(sweep, first);
-  } else {
-    const std::size_t chunk = options.chunk.value_or(1);
-    first = (options.offset + (options.task ? *options.task : task_of_slurm())) * chunk;
-    last = std::min(first + chunk, sweep.runs()) - 1;
-  }
+int run_one(const Sweep& sweep, std::size_t run) {
+  require_index(sweep, run);
+  const Attempt attempt = attempt_run(sweep, run);
+  say(run, attempt);
   WorstEnd worst;
-  for (std::size_t run = first; run <= last && run < sweep.runs(); ++run) {
-    const Attempt attempt = attempt_run(sweep, run);
-    say(run, attempt);
-    worst.add(attempt.end);
-    if (attempt.end == AttemptEnd::stopped) break;
-  }
+  worst.add(attempt.end);
   return worst.exit_code();
 }
 
@@ -120,68 +99,6 @@ int merge(const Sweep& sweep) {
   return 0;
 }
 
-/// Numbers in an array of this Slurm stay below it.
-std::size_t max_array_size() {
-  std::istringstream lines(output_of({"scontrol", "show", "config"}));
-  for (std::string line; std::getline(lines, line);) {
-    if (line.starts_with("MaxArraySize")) {
-      return std::strtoull(line.c_str() + line.find('=') + 1, nullptr, 10);
-    }
-  }
-  throw InputError("'scontrol show config' does not say MaxArraySize");
-}
-
-std::string submitted(const std::vector<std::string>& command, bool is_dry_run) {
-  if (is_dry_run) {
-    fmt::print("{}\n", shell_line(command));
-    return "JOB";
-  }
-  const std::string job = output_of(command);
-  return job.substr(0, job.find_first_of(";\n"));
-}
-
-/// Writes a script, or prints it.
-void hand_out(const std::filesystem::path& file, const std::string& text, bool is_dry_run) {
-  if (is_dry_run) {
-    fmt::print("# {}\n{}\n", file.string(), text);
-    return;
-  }
-  prepare_folder_of(file);
-  write_text_file(file, text);
-}
-
-int submit(const SweepOptions& options, const Sweep& sweep) {
-  const FarmSettings settings = {options.chunk.value_or(usual_chunk(sweep.runs())), options.memory, options.sbatch};
-  constexpr std::size_t usual_array_size = 1001;
-  const SweepStatus status = status_of(sweep);
-  if (status.missing.size() < sweep.runs() && !options.missing) {
-    throw UsageError("{} of {} are there already; --missing submits the others", sweep.runs() - status.missing.size(),
-                     counted(sweep.runs(), "run"));
-  }
-  const std::filesystem::path folder = std::filesystem::absolute(sweep.folder) / "slurm";
-  hand_out(folder / "task.sh", slurm_script(sweep, settings), options.dry_run);
-  hand_out(folder / "merge.sh", merge_script(sweep), options.dry_run);
-  const std::size_t most = options.dry_run ? usual_array_size : max_array_size();
-  std::string jobs;
-  for (const ArrayJob& array : array_jobs(status.missing, settings.chunk, most)) {
-    jobs += ':' + submitted({"sbatch", "--parsable", "--array=" + array.tasks, (folder / "task.sh").string(),
-                             std::to_string(array.offset)},
-                            options.dry_run);
-  }
-  if (jobs.empty()) {
-    fmt::print("nothing is missing\n");
-    return 0;
-  }
-  const std::string merge = submitted({"sbatch", "--parsable", "--dependency=afterany" + jobs,
-                                       "--mem=" + settings.memory, (folder / "merge.sh").string()},
-                                      options.dry_run);
-  if (!options.dry_run) {
-    fmt::print("submitted {} as jobs {}, and job {} that makes the table\n", counted(status.missing.size(), "run"),
-               jobs.substr(1), merge);
-  }
-  return 0;
-}
-
 }  // namespace
 
 int run(const SweepOptions& options) {
@@ -190,21 +107,16 @@ int run(const SweepOptions& options) {
   switch (options.action) {
     case SweepAction::run:
       require_planned_program(sweep);
-      return options.all ? run_all(options, sweep) : run_some(options, sweep);
+      if (options.index.has_value() == options.all) throw UsageError("expected one of --index and --all");
+      return options.all ? run_all(options, sweep) : run_one(sweep, *options.index);
     case SweepAction::status:
       return status(options, sweep);
     case SweepAction::merge:
       return merge(sweep);
-    case SweepAction::check:
-      require_index(sweep, options.index.value_or(0));
-      fmt::print("{} {} {}\n", host_name(), program_hash(), hash_of_run(sweep, options.index.value_or(0)));
-      return 0;
-    case SweepAction::show:
+    default:
       require_index(sweep, *options.index);
       fmt::print("{}", scene_text(sweep.scene(*options.index), GarmentNaming::full_path));
       return 0;
-    default:
-      return submit(options, sweep);
   }
 }
 

@@ -53,10 +53,10 @@ void view_headless(const ViewOptions& options, const Session& session, const Dra
   try {
     play(session, viewer, recorder);
   } catch (const Interrupted&) {
-    viewer.viewer().finish_recordings();
+    viewer.viewer().finish_recording();
     throw;
   }
-  viewer.viewer().finish_recordings();
+  viewer.viewer().finish_recording();
   for (const Message& message : viewer.viewer().state().messages) {
     fmt::print("{}{}\n", message.is_error ? "error: " : "", message.text);
   }

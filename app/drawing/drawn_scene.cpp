@@ -160,17 +160,6 @@ std::optional<renderer::Box> box_in(const toml::node& value) {
   return lower && upper ? std::optional(renderer::Box{to_vec3(*lower), to_vec3(*upper)}) : std::nullopt;
 }
 
-std::optional<SpringBall> ball_in(const toml::node& value) {
-  const toml::array* list = value.as_array();
-  std::array<double, 4> numbers{};
-  for (std::size_t i = 0; i < numbers.size(); ++i) {
-    if (list == nullptr || list->size() != numbers.size() || !store(finite_number((*list)[i]), numbers[i])) {
-      return std::nullopt;
-    }
-  }
-  return numbers[3] > 0.0 ? std::optional(SpringBall{{numbers[0], numbers[1], numbers[2]}, numbers[3]}) : std::nullopt;
-}
-
 template <class Access> Key<DrawnScene> point_key(std::string name, Access access, std::string meaning) {
   return auto_key(
       std::move(name), "three numbers [x, y, z] or \"auto\"", access, std::move(meaning),
@@ -293,18 +282,8 @@ SceneFormat<DrawnScene> drawn_scene_format() {
            MEMBER(picture.surface), "what the cloth shows"),
        switch_key<DrawnScene>("picture.wireframe", MEMBER(picture.wireframe),
                               "draws the structural springs over the surface"),
-       choice_key<DrawnScene>("picture.springs", named(all_which_springs), MEMBER(picture.springs.which),
+       choice_key<DrawnScene>("picture.springs", named(all_which_springs), MEMBER(picture.springs),
                               "which springs are drawn over the surface"),
-       choice_key<DrawnScene, SpringColours>("picture.springs_by",
-                                             {{"kind", SpringColours::kind}, {"order", SpringColours::order}},
-                                             MEMBER(picture.springs.colours),
-                                             "what their colours mean: their kind, or the order in which the "
-                                             "paper's sweep corrects them, from dark to bright"),
-       auto_key("picture.springs_patch", "four numbers [x, y, z, radius], or \"auto\"", MEMBER(picture.springs.patch),
-                "springs are shown within this ball of the garment at rest; auto: everywhere", ball_in,
-                [](const SpringBall& ball) {
-                  return Json::array({ball.middle_m.x, ball.middle_m.y, ball.middle_m.z, ball.radius_m});
-                }),
        switch_key<DrawnScene>("picture.smooth", MEMBER(picture.smooth),
                               "draws a smooth surface along the simulated vertices, at most 4 mm from them; "
                               "false: the simulated triangles"),

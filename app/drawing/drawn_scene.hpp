@@ -40,29 +40,6 @@ enum class WhichSprings { none, structural, shear, flexural, all };
 inline constexpr std::array all_which_springs = {WhichSprings::none, WhichSprings::structural, WhichSprings::shear,
                                                  WhichSprings::flexural, WhichSprings::all};
 
-/// The meaning of the colours of springs.
-enum class SpringColours {
-  kind,
-  order,  ///< in which the paper's sweep corrects them, from dark to bright
-};
-
-/// A ball, in metres, of the garment at rest.
-struct SpringBall {
-  sim::Vec3 middle_m{0.0};
-  double radius_m = 0.0;
-
-  bool operator==(const SpringBall&) const = default;
-};
-
-/// The springs that a picture shows.
-struct ShownSprings {
-  WhichSprings which = WhichSprings::none;
-  SpringColours colours = SpringColours::kind;
-  std::optional<SpringBall> patch = std::nullopt;  ///< those with both ends in it; empty: everywhere
-
-  bool operator==(const ShownSprings&) const = default;
-};
-
 /// The background of a picture.
 enum class BackgroundKind {
   studio,       ///< a floor that runs into a wall
@@ -120,7 +97,7 @@ struct PictureStyle {
   std::filesystem::path texture;  ///< an image on the cloth; empty: the model's own colours; or no_texture
   Ground ground;
   Background background;
-  ShownSprings springs;
+  WhichSprings springs = WhichSprings::none;
   bool rest_outline = false;  ///< draws the garment's borders where they were modelled
   bool show_pins = true;
   bool show_wind = false;  ///< as arrows

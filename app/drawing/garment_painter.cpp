@@ -100,7 +100,7 @@ sim::Garment part_measured(const sim::Garment& garment, const PictureStyle& styl
 
 /// Looks that show what is simulated, not the model that follows it.
 bool shows_simulated(const PictureStyle& style) {
-  return style.surface != SurfaceLook::shaded || style.wireframe || style.springs.which != WhichSprings::none;
+  return style.surface != SurfaceLook::shaded || style.wireframe || style.springs != WhichSprings::none;
 }
 
 /// Colours of the triangles that are drawn.
@@ -219,7 +219,7 @@ void GarmentPainter::look_from(const renderer::Camera& camera, float shortest_ed
   const float seen_m = 2.0F * glm::distance(camera.eye, camera.target) * std::tan(0.5F * camera.vertical_fov_rad);
   // Springs lie on the simulated triangles.
   const bool is_smooth = style_.smooth && style_.surface != SurfaceLook::wireframe &&
-                         style_.springs.which == WhichSprings::none &&
+                         style_.springs == WhichSprings::none &&
                          !(model_ && model_->mesh.triangles.size() > most_smoothed);
   const float pixels_per_m = static_cast<float>(style_.settings.height_px) / seen_m;
   const std::optional<float> shortest = is_smooth ? std::optional(shortest_edge_px) : std::nullopt;
@@ -232,7 +232,7 @@ renderer::SurfaceView GarmentPainter::garment_view() {
   renderer::SurfaceView surface = surface_.view();
   surface.style = style_.cloth;
   const bool is_wireframe = style_.surface == SurfaceLook::wireframe;
-  if (is_wireframe || style_.springs.which != WhichSprings::none) {
+  if (is_wireframe || style_.springs != WhichSprings::none) {
     surface.style.outside_colour = pale_outside;
     surface.style.inside_colour = pale_inside;
     surface.base_colour_of_triangle = {};

@@ -98,12 +98,6 @@ float wavelength_m(const sim::Material& material, float edge_m) {
 // Flexural springs lie under the structural ones they skip along: wider, they show on both sides.
 constexpr float flexural_width = 2.5F;
 
-bool is_within(const std::optional<SpringBall>& patch, const sim::Garment& garment, const sim::Edge& ends) {
-  return !patch || std::ranges::all_of(ends, [&](sim::Index end) {
-    return glm::distance(garment.mesh.positions[end], patch->middle_m) <= patch->radius_m;
-  });
-}
-
 // Of cloth that is printed or dyed on its outside.
 constexpr renderer::Colour undyed_colour = renderer::rgb(0xE6E2DC);
 
@@ -297,27 +291,20 @@ void GarmentSurface::interpolate(std::vector<float>& values) const {
   renderer::interpolate(std::span(surface_->parents()), values);
 }
 
-bool shows(const ShownSprings& shown, sim::SpringKind kind) {
-  return shown.which == WhichSprings::all || std::strcmp(name_of(shown.which), sim::name_of(kind)) == 0;
+bool shows(WhichSprings shown, sim::SpringKind kind) {
+  return shown == WhichSprings::all || std::strcmp(name_of(shown), sim::name_of(kind)) == 0;
 }
 
-SpringLines::SpringLines(const sim::Garment& garment, const ShownSprings& shown, float width_px) {
+SpringLines::SpringLines(const sim::Garment& garment, WhichSprings shown, float width_px) {
   const sim::Springs& springs = garment.springs;
-  const auto last = static_cast<float>(std::max<std::size_t>(springs.size(), 2) - 1);
   for (const sim::SpringKind kind : {sim::SpringKind::flexural, sim::SpringKind::shear, sim::SpringKind::structural}) {
     if (!shows(shown, kind)) continue;
-    Lines& lines = lines_.emplace_back();
-    const bool is_under = shown.which == WhichSprings::all && kind == sim::SpringKind::flexural;
-    lines.width_px = is_under ? flexural_width * width_px : width_px;
-    for (std::size_t s = springs.begin_of(kind); s < springs.end_of(kind); ++s) {
-      if (!is_within(shown.patch, garment, springs.ends[s])) continue;
-      lines.springs.push_back(springs.ends[s]);
-      if (shown.colours == SpringColours::order) {
-        const renderer::Colour colour = renderer::colour_at(renderer::ColourMap::viridis, static_cast<float>(s) / last);
-        lines.colours.insert(lines.colours.end(), 2, colour);
-      }
-    }
-    if (shown.colours == SpringColours::kind) lines.colours = {spring_colour(kind)};
+    const bool is_under = shown == WhichSprings::all && kind == sim::SpringKind::flexural;
+    lines_.push_back({{springs.ends.begin() + static_cast<std::ptrdiff_t>(springs.begin_of(kind)),
+                       springs.ends.begin() + static_cast<std::ptrdiff_t>(springs.end_of(kind))},
+                      spring_colour(kind),
+                      is_under ? flexural_width * width_px : width_px,
+                      {}});
   }
 }
 
@@ -329,7 +316,8 @@ void SpringLines::add(std::span<const glm::vec3> positions, renderer::FrameView&
       lines.points.push_back(positions[ends[1]]);
     }
     if (!lines.points.empty()) {
-      frame.lines.push_back({.points = lines.points, .colours = lines.colours, .width_px = lines.width_px});
+      frame.lines.push_back(
+          {.points = lines.points, .colours = std::span(&lines.colour, 1), .width_px = lines.width_px});
     }
   }
 }

@@ -105,7 +105,7 @@ inline const renderer::Colour pale_inside = renderer::rgb(0xF3DFC0);
 class SpringLines {
  public:
   /// `width_px` is that of structural and shear springs, in pixels of the picture.
-  SpringLines(const sim::Garment& garment, const ShownSprings& shown, float width_px);
+  SpringLines(const sim::Garment& garment, WhichSprings shown, float width_px);
 
   /// Adds the lines for these positions, in metres, one per vertex. They refer to this object and are valid
   /// until its next call.
@@ -114,8 +114,8 @@ class SpringLines {
  private:
   struct Lines {
     std::vector<sim::Edge> springs;
-    std::vector<renderer::Colour> colours;  ///< two per spring, or one for all
-    float width_px = 1.0F;
+    renderer::Colour colour;
+    float width_px;
     std::vector<glm::vec3> points;
   };
 
@@ -123,7 +123,7 @@ class SpringLines {
 };
 
 /// Whether springs of this kind are shown.
-bool shows(const ShownSprings& shown, sim::SpringKind kind);
+bool shows(WhichSprings shown, sim::SpringKind kind);
 
 /// Base colours on the triangles of a garment, as renderer::SurfaceView has them. No base colours: those of
 /// the cloth. Its texture coordinates, if it has any, say where it is sewn too.

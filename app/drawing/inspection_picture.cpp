@@ -1,6 +1,6 @@
 #include "app/drawing/inspection_picture.hpp"
 
-#include "app/base/counted.hpp"
+#include "app/base/words.hpp"
 #include "app/bodies/wearing.hpp"
 #include "app/drawing/framing.hpp"
 #include "app/drawing/garment_painter.hpp"

@@ -1,5 +1,5 @@
-#include "app/base/counted.hpp"
 #include "app/base/errors.hpp"
+#include "app/base/words.hpp"
 #include "app/drawing/plots/plot.hpp"
 #include "app/figures/figures.hpp"
 #include "app/output/csv.hpp"

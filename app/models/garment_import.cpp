@@ -1,8 +1,8 @@
 #include "app/models/garment_import.hpp"
 
-#include "app/base/counted.hpp"
 #include "app/base/errors.hpp"
 #include "app/base/files.hpp"
+#include "app/base/words.hpp"
 #include "sim/mesh/polygons.hpp"
 
 namespace taut::app {

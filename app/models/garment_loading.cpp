@@ -1,7 +1,7 @@
 #include "app/models/garment_loading.hpp"
 
-#include "app/base/counted.hpp"
 #include "app/base/errors.hpp"
+#include "app/base/words.hpp"
 #include "app/models/hanger.hpp"
 #include "app/models/model_fitting.hpp"
 #include "sim/mesh/subdivide.hpp"

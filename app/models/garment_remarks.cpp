@@ -1,6 +1,6 @@
 #include "app/models/garment_remarks.hpp"
 
-#include "app/base/counted.hpp"
+#include "app/base/words.hpp"
 #include "app/models/hanger.hpp"
 #include "app/models/model_fitting.hpp"
 #include "app/verify/solid_bodies.hpp"

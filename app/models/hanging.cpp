@@ -1,6 +1,6 @@
 #include "app/models/hanging.hpp"
 
-#include "app/base/counted.hpp"
+#include "app/base/words.hpp"
 #include "app/models/hanger.hpp"
 #include "app/models/placement.hpp"
 #include "sim/mesh/topology.hpp"

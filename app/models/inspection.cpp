@@ -1,6 +1,6 @@
 #include "app/models/inspection.hpp"
 
-#include "app/base/counted.hpp"
+#include "app/base/words.hpp"
 #include "app/models/hanger.hpp"
 #include "app/models/model_fitting.hpp"
 

@@ -1,6 +1,6 @@
 #include "app/models/mending.hpp"
 
-#include "app/base/counted.hpp"
+#include "app/base/words.hpp"
 #include "app/verify/solid_bodies.hpp"
 #include "sim/mesh/groups.hpp"
 #include "sim/mesh/point_cells.hpp"

@@ -1,6 +1,6 @@
 #include "app/models/model_fitting.hpp"
 
-#include "app/base/counted.hpp"
+#include "app/base/words.hpp"
 #include "sim/mesh/welding.hpp"
 
 namespace taut::app {

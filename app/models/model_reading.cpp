@@ -8,9 +8,9 @@
 #include <assimp/Importer.hpp>
 #include <cctype>
 
-#include "app/base/counted.hpp"
 #include "app/base/errors.hpp"
 #include "app/base/files.hpp"
+#include "app/base/words.hpp"
 #include "app/models/garment_import.hpp"
 #include "app/models/obj_reading.hpp"
 

@@ -88,15 +88,6 @@ struct Rig {
   bool empty() const { return nodes.empty(); }
 };
 
-class ArrayReader;
-class ArrayWriter;
-
-/// The rig as bytes (array_coding.hpp), for another process of this program.
-void encode(const Rig& rig, ArrayWriter& out);
-
-/// The same back. Nothing is trusted: every index is compared with what is there. Throws std::runtime_error.
-Rig decode_rig(ArrayReader& in);
-
 /// Returns what moves the vertices of a scene of the assimp library; empty if nothing does. Vertices are in
 /// the order in which a walk down the tree of nodes meets them. Throws InputError with the reason, without
 /// the file's name, if bones or animations mean a name that several nodes have.

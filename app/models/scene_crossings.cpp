@@ -1,7 +1,7 @@
 #include "app/models/scene_crossings.hpp"
 
-#include "app/base/counted.hpp"
 #include "app/base/interruption.hpp"
+#include "app/base/words.hpp"
 #include "app/verify/solid_bodies.hpp"
 #include "sim/untangle/untangle.hpp"
 

@@ -9,33 +9,6 @@
 namespace taut::app {
 namespace {
 
-void require_colours(bool is_so) {
-  if (!is_so) throw std::runtime_error("the colours of a model are not as expected");
-}
-
-TextureImage take_image(ArrayReader& in) {
-  TextureImage image;
-  image.width_px = in.take<std::uint32_t>();
-  image.height_px = in.take<std::uint32_t>();
-  image.rgba = std::make_shared<const std::vector<std::uint8_t>>(in.take_list<std::vector<std::uint8_t>>());
-  require_colours(image.width_px > 0 && image.height_px > 0 &&
-                  image.rgba->size() == std::uint64_t{4} * image.width_px * image.height_px);
-  return image;
-}
-
-SurfaceMaterial take_material(ArrayReader& in) {
-  SurfaceMaterial material;
-  material.name = in.take_list<std::string>();
-  material.base_colour = in.take<glm::vec3>();
-  material.map = in.take<sim::Index>();
-  material.map_file = in.take_list<std::string>();
-  return material;
-}
-
-bool are_below(const std::vector<sim::Index>& indices, std::size_t count) {
-  return std::ranges::all_of(indices, [&](sim::Index index) { return index < count; });
-}
-
 /// Sources of new triangles in old ones: per triangle the face, per corner the corner; none of it where a
 /// triangle is new.
 struct Sources {
@@ -164,42 +137,6 @@ TextureImage read_map(const SurfaceMaterial& material, const fs::path& folder, c
 }
 
 }  // namespace
-
-void encode(const SurfaceColours& colours, ArrayWriter& out) {
-  out.put_list(colours.corner_uv);
-  out.put_list(colours.material_of_face);
-  put_all(colours.materials, out, [&](const SurfaceMaterial& material) {
-    out.put_list(material.name);
-    out.put(material.base_colour);
-    out.put(material.map);
-    out.put_list(material.map_file);
-  });
-  put_all(colours.maps, out, [&](const TextureImage& image) {
-    out.put(image.width_px);
-    out.put(image.height_px);
-    out.put_list(*image.rgba);
-  });
-  put_all(colours.remarks, out, [&](const std::string& remark) { out.put_list(remark); });
-}
-
-SurfaceColours decode_colours(ArrayReader& in, std::size_t corners, std::size_t faces) {
-  SurfaceColours colours;
-  colours.corner_uv = in.take_list<std::vector<glm::vec2>>();
-  colours.material_of_face = in.take_list<std::vector<sim::Index>>();
-  take_all(colours.materials, in, [&](SurfaceMaterial& material) { material = take_material(in); });
-  take_all(colours.maps, in, [&](TextureImage& image) { image = take_image(in); });
-  take_all(colours.remarks, in, [&](std::string& remark) { remark = in.take_list<std::string>(); });
-  require_colours(colours.corner_uv.empty() || colours.corner_uv.size() == corners);
-  require_colours(colours.material_of_face.empty() || colours.material_of_face.size() == faces);
-  require_colours(are_below(colours.material_of_face, colours.materials.size()));
-  for (const SurfaceMaterial& material : colours.materials) {
-    require_colours(material.map == no_map || material.map < colours.maps.size());
-  }
-  for (glm::vec2& uv : colours.corner_uv) {
-    uv = std::isfinite(uv.x) && std::isfinite(uv.y) ? uv : glm::vec2(0.0F);
-  }
-  return colours;
-}
 
 SurfaceColours cut_colours(SurfaceColours colours, std::span<const std::uint32_t> corner_counts,
                            std::span<const sim::Index> corners, std::span<const sim::Triangle> triangles) {

@@ -2,7 +2,6 @@
 
 #include <filesystem>
 
-#include "app/models/array_coding.hpp"
 #include "sim/mesh/mesh.hpp"
 
 namespace taut::app {
@@ -39,10 +38,6 @@ struct SurfaceColours {
   std::vector<std::string> libraries;  ///< the files of an OBJ that say more of its materials, as it names them
   std::vector<std::string> remarks;    ///< which images are missing, one line each
 };
-
-void encode(const SurfaceColours& colours, ArrayWriter& out);
-/// Throws std::runtime_error on lengths or indices that do not fit, which `corners` and `faces` say.
-SurfaceColours decode_colours(ArrayReader& in, std::size_t corners, std::size_t faces);
 
 /// Returns the colours of `triangles`, into which faces with these corners were cut: each face into two fewer
 /// than it has corners, one face after the other.

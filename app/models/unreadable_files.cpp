@@ -3,7 +3,7 @@
 #include <fstream>
 #include <pugixml.hpp>
 
-#include "app/base/counted.hpp"
+#include "app/base/words.hpp"
 #include "app/models/garment_import.hpp"
 
 namespace taut::app {

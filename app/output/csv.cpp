@@ -1,8 +1,8 @@
 #include "app/output/csv.hpp"
 
-#include "app/base/counted.hpp"
 #include "app/base/errors.hpp"
 #include "app/base/files.hpp"
+#include "app/base/words.hpp"
 
 namespace taut::app {
 namespace {

@@ -1,7 +1,7 @@
 #include "app/output/frame_record.hpp"
 
-#include "app/base/counted.hpp"
 #include "app/base/errors.hpp"
+#include "app/base/words.hpp"
 
 namespace taut::app {
 namespace {

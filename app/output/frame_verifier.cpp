@@ -1,6 +1,6 @@
 #include "app/output/frame_verifier.hpp"
 
-#include "app/base/counted.hpp"
+#include "app/base/words.hpp"
 
 namespace taut::app {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <regex>
 
-#include "app/base/counted.hpp"
 #include "app/base/errors.hpp"
+#include "app/base/words.hpp"
 
 namespace taut::app {
 namespace {

@@ -1,8 +1,8 @@
 #include "app/output/picture_record.hpp"
 
-#include "app/base/counted.hpp"
 #include "app/base/errors.hpp"
 #include "app/base/version.hpp"
+#include "app/base/words.hpp"
 #include "app/scene/scene_format.hpp"
 
 namespace taut::app {

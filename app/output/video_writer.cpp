@@ -6,10 +6,10 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
-#include "app/base/counted.hpp"
 #include "app/base/errors.hpp"
 #include "app/base/files.hpp"
 #include "app/base/interruption.hpp"
+#include "app/base/words.hpp"
 
 namespace taut::app {
 namespace {

@@ -3,7 +3,7 @@
 #include <fmt/args.h>
 #include <toml++/toml.h>
 
-#include "app/base/counted.hpp"
+#include "app/base/words.hpp"
 #include "app/drawing/plots/axis.hpp"
 #include "app/report/report.hpp"
 

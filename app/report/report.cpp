@@ -7,8 +7,8 @@
 #include <thread>
 
 #include "app/base/base64.hpp"
-#include "app/base/counted.hpp"
 #include "app/base/version.hpp"
+#include "app/base/words.hpp"
 #include "app/drawing/drawing.hpp"
 #include "renderer/page/png.hpp"
 

@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "app/base/counted.hpp"
+#include "app/base/words.hpp"
 
 namespace taut::app {
 

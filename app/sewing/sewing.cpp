@@ -1,7 +1,7 @@
 #include "app/sewing/sewing.hpp"
 
-#include "app/base/counted.hpp"
 #include "app/base/interruption.hpp"
+#include "app/base/words.hpp"
 #include "app/bodies/fit.hpp"
 #include "app/bodies/wearing.hpp"
 #include "app/models/obj_writing.hpp"

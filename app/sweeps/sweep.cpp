@@ -106,28 +106,13 @@ void read_axes(const toml::table& table, const std::string& section, const Sourc
 /// Names of files that are there become full paths, which mean the same in any folder.
 std::string full_name(const std::string& name, const Source& source) {
   const fs::path file = beside(source, name);
-  const bool is_there = fs::exists(file) || file.string().find('%') != std::string::npos;
-  return name.empty() || !is_there ? name : fs::absolute(file).lexically_normal().string();
+  return name.empty() || !fs::exists(file) ? name : fs::absolute(file).lexically_normal().string();
 }
 
-/// All that belongs to a file that a scene names: what it needs beside it, what is in it if it is a folder,
-/// the files of a pattern such as body-%04d.obj.
+/// All that belongs to a file that a scene names: itself and what it needs beside it.
 std::vector<fs::path> files_of(const fs::path& named) {
   constexpr std::array belongings = {".landmarks.toml", ".mtl", ".bin", ".png", ".jpg"};
-  std::vector<fs::path> files;
-  const std::string name = named.filename().string();
-  const std::size_t field = name.find('%');
-  if (fs::is_directory(named) || field != std::string::npos) {
-    const std::string start = fs::is_directory(named) ? "" : name.substr(0, field);
-    for (const auto& entry : fs::directory_iterator(fs::is_directory(named) ? named : named.parent_path())) {
-      if (entry.is_regular_file() && entry.path().filename().string().starts_with(start)) {
-        files.push_back(entry.path());
-      }
-    }
-    std::ranges::sort(files);
-    return files;
-  }
-  files.push_back(named);
+  std::vector<fs::path> files = {named};
   for (const char* ending : belongings) {
     const fs::path other = named.parent_path() / (named.stem().string() + ending);
     if (other != named && fs::is_regular_file(other)) files.push_back(other);
@@ -143,7 +128,6 @@ class Inputs {
     if (!fs::path(full).is_absolute()) return full;
     std::string& name = names_[full];
     if (name.empty()) {
-      const bool is_folder = fs::is_directory(full);
       const std::vector<fs::path> files = files_of(full);
       std::uint64_t hash = sim::fnv1a_of_nothing;
       for (const fs::path& file : files) {
@@ -151,7 +135,7 @@ class Inputs {
       }
       const fs::path folder = fs::path(inputs_folder) / hash_text(hash);
       for (const fs::path& file : files) copies.emplace_back(file, folder / file.filename());
-      name = (is_folder ? folder : folder / fs::path(full).filename()).string();
+      name = (folder / fs::path(full).filename()).string();
     }
     return name;
   }

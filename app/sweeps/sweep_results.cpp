@@ -8,6 +8,7 @@
 #include "app/models/surface_colours.hpp"
 #include "app/output/csv.hpp"
 #include "app/report/report.hpp"
+#include "app/sweeps/sweep_run.hpp"
 
 namespace taut::app {
 namespace {
@@ -113,7 +114,9 @@ SweepStatus status_of(const Sweep& sweep) {
     }
     if (result == nullptr || !is_final(*result)) status.missing.push_back(run);
   });
-  const std::set<std::string> locked = stems_of(sweep, ".lock");
+  std::set<std::string> locked = stems_of(sweep, ".lock");
+  std::erase_if(locked,
+                [&](const std::string& stem) { return !RunLock::is_anybodys(sweep.file(std::stoul(stem), ".lock")); });
   const std::set<std::string> saved = stems_of(sweep, ".checkpoint");
   status.working = locked.size();
   status.stopped = static_cast<std::size_t>(

@@ -1,15 +1,12 @@
 #include "app/sweeps/sweep_run.hpp"
 
 #include <fcntl.h>
-#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <csignal>
 #include <fstream>
 
 #include "app/base/files.hpp"
-#include "app/base/stopwatch.hpp"
 #include "app/bodies/body_loading.hpp"
 #include "app/bodies/wearing.hpp"
 #include "app/drawing/framing.hpp"
@@ -66,8 +63,8 @@ renderer::Image draw(Loaded& run) {
 
 class SweepRun {
  public:
-  SweepRun(const Sweep& sweep, std::size_t run, RunLock& lock)
-      : sweep_(sweep), run_(run), lock_(lock), checkpoint_(sweep.file(run, ".checkpoint")) {
+  SweepRun(const Sweep& sweep, std::size_t run)
+      : sweep_(sweep), run_(run), checkpoint_(sweep.file(run, ".checkpoint")) {
     saved_.scene_name = sweep.scene_hash(run) + ' ' + sweep.program;
   }
 
@@ -108,7 +105,6 @@ class SweepRun {
     outputs.report = [&](const FrameRecord& record) {
       saved_.frame = record.frame;
       saved_.summary.add(record);
-      lock_.beat();
       if (record.frame % checkpoint_every == 0 && record.frame < frames) save();
       if (report) report(static_cast<double>(record.frame) / frames);
     };
@@ -164,7 +160,6 @@ class SweepRun {
 
   const Sweep& sweep_;
   std::size_t run_;
-  RunLock& lock_;
   std::filesystem::path checkpoint_;
   RunCheckpoint saved_;
   std::optional<Loaded> loaded_;
@@ -195,64 +190,31 @@ void remove_unfinished(const Sweep& sweep, std::size_t run) {
 
 namespace fs = std::filesystem;
 
-std::string this_job() {
-  const char* job = std::getenv("SLURM_JOB_ID");
-  return job != nullptr && *job != '\0' ? job : "-";
+/// A lock on a whole file that others may not have. It belongs to the descriptor and ends with it, however its process
+/// ends, also on a machine that shares the file.
+struct flock whole_file() {
+  struct flock lock {};
+  lock.l_type = F_WRLCK;
+  lock.l_whence = SEEK_SET;
+  return lock;
 }
 
-std::string owner_in(const fs::path& file) {
+std::string text_in(const fs::path& file) {
   std::ifstream in(file);
-  std::string owner;
-  std::getline(in, owner);
-  return owner;
+  return {std::istreambuf_iterator<char>(in), {}};
 }
 
-/// Whether a process of this machine is gone, or has ended and was not waited for.
-bool is_over(pid_t process) {
-  if (::kill(process, 0) != 0) return errno == ESRCH;
-  std::ifstream in("/proc/" + std::to_string(process) + "/stat");
-  std::string line;
-  std::getline(in, line);
-  const std::size_t name_end = line.rfind(") ");  // the name may have anything in it
-  return name_end != std::string::npos && line.find_first_of("ZX", name_end + 2) == name_end + 2;
+/// Where files cannot be locked everybody has the lock.
+bool take(const Descriptor& file) {
+  struct flock lock = whole_file();
+  return ::fcntl(file.number(), F_OFD_SETLK, &lock) == 0 || (errno != EAGAIN && errno != EACCES);
 }
 
-bool has_ended(const std::string& owner) {
-  std::istringstream in(owner);
-  std::string host, job;
-  pid_t process = 0;
-  in >> host >> process >> job;
-  // A job that was put back in the queue has the same number, in another process.
-  const bool is_this_job = job != "-" && job == this_job() && process != ::getpid();
-  return is_this_job || (host == host_name() && process > 0 && is_over(process));
-}
-
-/// Both times are of the file's machine: clocks may differ.
-bool is_stale(const fs::path& lock, const fs::path& just_written) {
-  std::error_code error;
-  const auto touched = fs::last_write_time(lock, error);
-  return !error && fs::last_write_time(just_written, error) - touched > RunLock::stale_after;
-}
-
-/// Puts `own` in the place of a lock that was left behind. Of several that try only one does: they queue at
-/// what was left, and who comes later finds that another lock is there. Where files cannot be locked nobody
-/// queues, and the last one has it.
-bool take_over(const fs::path& own, const fs::path& lock) {
-  const Descriptor left(::open(lock.c_str(), O_RDWR | O_CLOEXEC));
-  if (::flock(left.number(), LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) return false;
+/// Whether the file is still there by its name: who had it before may have removed it meanwhile.
+bool is_named(const Descriptor& file, const fs::path& name) {
   struct stat opened {
   }, named{};
-  if (::fstat(left.number(), &opened) != 0 || ::stat(lock.c_str(), &named) != 0 || opened.st_ino != named.st_ino ||
-      !(has_ended(owner_in(lock)) || is_stale(lock, own))) {
-    return false;
-  }
-  return ::rename(own.c_str(), lock.c_str()) == 0;
-}
-
-/// Where there are no hard links.
-bool take_without_link(const fs::path& own, const fs::path& lock) {
-  return ::renameat2(AT_FDCWD, own.c_str(), AT_FDCWD, lock.c_str(), RENAME_NOREPLACE) == 0 ||
-         (errno == EINVAL && ::rename(own.c_str(), lock.c_str()) == 0);
+  return ::fstat(file.number(), &opened) == 0 && ::stat(name.c_str(), &named) == 0 && opened.st_ino == named.st_ino;
 }
 
 }  // namespace
@@ -260,26 +222,12 @@ bool take_without_link(const fs::path& own, const fs::path& lock) {
 Attempt attempt_run(const Sweep& sweep, std::size_t run, const ProgressCallback& report) {
   if (const auto there = earlier(sweep, run)) return *there;
   prepare_folder_of(sweep.file(run, ".json"));
-  RunLock lock(sweep.file(run, ".lock"));
+  const RunLock lock(sweep.file(run, ".lock"));
   if (!lock.is_held()) return {AttemptEnd::busy, lock.owner() + " works on it"};
   remove_unfinished(sweep, run);
   // It may have come while this process waited for nothing but a file system.
   const auto there = earlier(sweep, run);
-  return there ? *there : SweepRun(sweep, run, lock).go(report);
-}
-
-std::string hash_of_run(const Sweep& sweep, std::size_t run) {
-  Loaded loaded = Loaded::of(sweep.scene(run));
-  FrameOutputs outputs;
-  try {
-    outputs.start_frame = go_to_start(loaded.scene, loaded.simulation);
-    run_frames(loaded.simulation, loaded.scene.frames, outputs);
-  } catch (const PromiseBroken&) {
-    // It ends there on every machine.
-  } catch (const sim::Diverged&) {
-    // As well.
-  }
-  return hash_text(sim::hash(loaded.simulation.state()));
+  return there ? *there : SweepRun(sweep, run).go(report);
 }
 
 void WorstEnd::add(AttemptEnd end) {
@@ -304,33 +252,27 @@ void require_planned_program(const Sweep& sweep) {
 }
 
 RunLock::RunLock(fs::path file)
-    : file_(std::move(file)), owner_(host_name() + ' ' + std::to_string(::getpid()) + ' ' + this_job()) {
-  const fs::path own = file_.string() + '-' + host_name() + '-' + std::to_string(::getpid());
-  write_text_file(own, owner_ + '\n');
-  std::error_code error;
-  // The answer of a network file system may be lost, and it says to the second try that the name is taken.
-  bool is_taken = ::link(own.c_str(), file_.c_str()) == 0 || fs::hard_link_count(own, error) == 2;
-  const std::string other = owner_in(file_);
-  if (!is_taken) is_taken = fs::exists(file_, error) ? take_over(own, file_) : take_without_link(own, file_);
-  is_held_ = is_taken && owner_in(file_) == owner_;
-  owner_ = is_held_ ? owner_ : other;
-  fs::remove(own, error);
-  touched_ = std::chrono::steady_clock::now();
+    : file_(std::move(file)), descriptor_(::open(file_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666)) {
+  if (descriptor_.number() < 0) {
+    throw InputError("cannot write '{}': {}", file_.string(), std::generic_category().message(errno));
+  }
+  is_held_ = take(descriptor_) && is_named(descriptor_, file_);
+  owner_ = is_held_ ? host_name() + ' ' + std::to_string(::getpid()) : text_in(file_);
+  if (is_held_ &&
+      (::ftruncate(descriptor_.number(), 0) != 0 || ::write(descriptor_.number(), owner_.data(), owner_.size()) < 0)) {
+    throw InputError("cannot write '{}': {}", file_.string(), std::generic_category().message(errno));
+  }
 }
 
 RunLock::~RunLock() {
-  if (is_held_ && owner_in(file_) == owner_) {
-    std::error_code ignored;
-    fs::remove(file_, ignored);
-  }
+  std::error_code ignored;
+  if (is_held_) fs::remove(file_, ignored);
 }
 
-void RunLock::beat() {
-  constexpr std::chrono::seconds often_enough{20};
-  if (const auto now = std::chrono::steady_clock::now(); now - touched_ > often_enough) {
-    ::utimensat(AT_FDCWD, file_.c_str(), nullptr, 0);  // now, by the clock of the file's machine
-    touched_ = now;
-  }
+bool RunLock::is_anybodys(const fs::path& file) {
+  const Descriptor opened(::open(file.c_str(), O_RDONLY | O_CLOEXEC));
+  struct flock lock = whole_file();
+  return ::fcntl(opened.number(), F_OFD_GETLK, &lock) == 0 && lock.l_type != F_UNLCK;
 }
 
 }  // namespace taut::app

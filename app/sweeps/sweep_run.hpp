@@ -1,7 +1,6 @@
 #pragma once
 
-#include <chrono>
-
+#include "app/base/child_process.hpp"
 #include "app/base/job_runner.hpp"
 #include "app/sweeps/sweep.hpp"
 
@@ -28,9 +27,6 @@ struct Attempt {
 /// written, and what `report` throws.
 Attempt attempt_run(const Sweep& sweep, std::size_t run, const ProgressCallback& report = {});
 
-/// Simulates a run and returns the hash of its last state, also where it breaks a promise. Writes nothing.
-std::string hash_of_run(const Sweep& sweep, std::size_t run);
-
 /// The exit code of the program for several attempts: 75 if one has to be tried again, else 1 if one failed,
 /// else 3 if one is broken.
 class WorstEnd {
@@ -45,16 +41,11 @@ class WorstEnd {
 /// Throws InputError unless this is the program that the sweep was planned for.
 void require_planned_program(const Sweep& sweep);
 
-/// A file that says who works on a run, so that others leave it alone. Made by a hard link, which works on
-/// network file systems too. It saves work and nothing depends on it: results are the same whoever makes
-/// them, and are renamed into place.
-///
-/// A lock that was left behind is taken over: at once where its process was one of this machine or of the
-/// same job of Slurm, which has ended, else when it was not touched for stale_after.
+/// A file that says who works on a run and is locked meanwhile, so that others leave it alone. The lock ends with its
+/// process, however that ends. It saves work and nothing depends on it: results are the same whoever makes them, and
+/// are renamed into place.
 class RunLock {
  public:
-  static constexpr std::chrono::minutes stale_after{10};
-
   /// Tries to take the lock. Throws InputError if the file cannot be written.
   explicit RunLock(std::filesystem::path file);
   ~RunLock();
@@ -62,16 +53,16 @@ class RunLock {
   RunLock& operator=(const RunLock&) = delete;
 
   bool is_held() const { return is_held_; }
-  /// Who has it: "HOST PROCESS JOB"; JOB is that of Slurm, or -.
+  /// Who has it: "HOST PROCESS".
   const std::string& owner() const { return owner_; }
-  /// Touches the file now and then. Call it at least every minute.
-  void beat();
+  /// Whether a process holds the lock of this file.
+  static bool is_anybodys(const std::filesystem::path& file);
 
  private:
   std::filesystem::path file_;
+  Descriptor descriptor_;
   std::string owner_;
   bool is_held_ = false;
-  std::chrono::steady_clock::time_point touched_;
 };
 
 }  // namespace taut::app

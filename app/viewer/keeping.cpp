@@ -1,6 +1,6 @@
 #include "app/viewer/keeping.hpp"
 
-#include "app/base/counted.hpp"
+#include "app/base/words.hpp"
 #include "renderer/page/png.hpp"
 
 namespace taut::app {
@@ -38,23 +38,6 @@ sim::Surroundings surroundings_of(const ViewerState& state) {
   return settled(state.scene.surroundings, *state.shown->loaded);
 }
 
-namespace fs = std::filesystem;
-
-constexpr std::size_t most_waiting = 8;
-
-fs::path file_in(const fs::path& folder, ClipFormat format, const std::string& scene) {
-  constexpr std::array endings = {".pc2", ".mdd", ".glb", ".pvd", "_{frame:04}.obj"};
-  return free_name(folder, scene, "-clip") / (scene + endings[static_cast<std::size_t>(format)]);
-}
-
-WrittenMoment moment_of(const Snapshot& snapshot) { return {*snapshot.garment, *snapshot.checkpoint}; }
-
-// A simulation that goes back or starts again changes it; one that goes on does not.
-std::int64_t frames_not_advanced(const Snapshot& snapshot) {
-  const std::int64_t failed = snapshot.stopped ? 1 : 0;
-  return static_cast<std::int64_t>(snapshot.advances) - snapshot.record.frame - failed;
-}
-
 }  // namespace
 
 DrawnScene kept_scene(const ViewerState& state, const ViewArea& area) {
@@ -87,23 +70,10 @@ RunCheckpoint kept_moment(const ViewerState& state, const DrawnScene& kept) {
       kept.name, scene_text(kept), state.shown->record.frame, {}, sim::encode(simulation.save(), simulation.garment())};
 }
 
-std::string camera_text(const renderer::Camera& camera) {
-  const auto point = [](const glm::vec3& p) { return fmt::format("[{}, {}, {}]", p.x, p.y, p.z); };
-  return fmt::format("[camera]\neye = {}\ntarget = {}\nfield_of_view = {}\n", point(camera.eye), point(camera.target),
-                     glm::degrees(static_cast<double>(camera.vertical_fov_rad)));
-}
-
-WindowRecorder::WindowRecorder(const fs::path& folder, const std::string& stem, RecordingKind kind, int width_px,
-                               int height_px)
-    : width_px_(even(width_px)), height_px_(even(height_px)) {
-  const bool is_video = kind == RecordingKind::video;
-  target_ = free_name(folder, stem, is_video ? ".mp4" : "-frames");
-  if (is_video) {
-    prepare_folder_of(target_);
-    video_ = std::make_unique<VideoWriter>(target_, VideoSettings{width_px_, height_px_, rate_hz, true});
-  } else {
-    prepare_folder_of(target_ / "frame.png");
-  }
+WindowRecorder::WindowRecorder(const fs::path& folder, const std::string& stem, int width_px, int height_px)
+    : file_(free_name(folder, stem, ".mp4")), width_px_(even(width_px)), height_px_(even(height_px)) {
+  prepare_folder_of(file_);
+  video_ = std::make_unique<VideoWriter>(file_, VideoSettings{width_px_, height_px_, rate_hz, true});
 }
 
 void WindowRecorder::add(const renderer::Image& picture, double elapsed_s) {
@@ -112,91 +82,12 @@ void WindowRecorder::add(const renderer::Image& picture, double elapsed_s) {
   }
   const renderer::Image part = cropped(picture, width_px_, height_px_);
   owed_s_ += frames_ == 0 ? 1.0 / rate_hz : std::min(elapsed_s, 1.0);
-  for (; owed_s_ >= 1.0 / rate_hz; owed_s_ -= 1.0 / rate_hz) {
-    if (video_) {
-      video_->add(part);
-    } else {
-      write_file(target_ / fmt::format("frame_{:05}.png", frames_), renderer::encode_png(part));
-    }
-    ++frames_;
-  }
+  for (; owed_s_ >= 1.0 / rate_hz; owed_s_ -= 1.0 / rate_hz, ++frames_) video_->add(part);
 }
 
 std::string WindowRecorder::finish() {
-  if (video_) video_->finish();
-  return fmt::format("wrote {}, {}", target_.string(), counted(frames_, "frame"));
-}
-
-ClipRecorder::ClipRecorder(const fs::path& folder, ClipFormat format, const SnapshotPtr& first)
-    : first_(first),
-      newest_(first),
-      file_(file_in(folder, format, first->loaded->scene.name)),
-      next_(first->record.frame),
-      queue_(most_waiting) {
-  const DrawnScene& scene = first->loaded->scene;
-  frames_ = {next_, next_ + most_frames(file_, *first->loaded) - 1};
-  const ExportSettings settings = {file_, frames_, scene.simulation.frame_rate_hz};
-  require_export(settings, scene.garment.file);
-  sink_ = open_sink(settings, *first->loaded, moment_of(*first));
-  thread_ = std::thread([this] { write(); });
-}
-
-ClipRecorder::~ClipRecorder() {
-  queue_.close();
-  if (thread_.joinable()) thread_.join();
-}
-
-fs::path ClipRecorder::file() const { return OutputPattern(file_, file_.extension()).path_of(newest_->record.frame); }
-
-bool ClipRecorder::leads_on(const Snapshot& newest) const {
-  return newest.loaded == first_->loaded && frames_not_advanced(newest) == frames_not_advanced(*first_);
-}
-
-std::string ClipRecorder::follow(const SnapshotPtr& newest, SimulationHost& simulation) {
-  const bool goes_on = leads_on(*newest);
-  newest_ = goes_on ? newest : newest_;
-  if (!take(simulation, false)) {
-    return "; it ended as frames could not be written as fast as they were simulated";
-  }
-  return !goes_on                   ? "; it ended as the simulation began elsewhere"
-         : newest->stopped          ? "; it ended as the simulation stopped"
-         : !frames_.contains(next_) ? "; it ended as such a file holds no more"
-                                    : "";
-}
-
-// Returns whether all frames are still there. One that `waits` takes them all.
-bool ClipRecorder::take(SimulationHost& simulation, bool waits) {
-  const int last = std::min(newest_->record.frame, frames_.last);
-  for (; next_ <= last && (waits || queue_.has_room()); ++next_) {
-    SnapshotPtr snapshot = simulation.past_frame(newest_, next_);
-    if (snapshot->record.frame != next_) return false;
-    if (!queue_.push(std::move(snapshot))) rethrow();
-  }
-  return true;
-}
-
-void ClipRecorder::write() {
-  try {
-    while (const std::optional<SnapshotPtr> snapshot = queue_.pop()) {
-      sink_->write((*snapshot)->record.frame, moment_of(**snapshot));
-    }
-  } catch (...) {
-    failure_ = std::current_exception();
-    queue_.abandon();
-  }
-}
-
-// Ends the thread first.
-void ClipRecorder::rethrow() {
-  queue_.close();
-  thread_.join();
-  if (failure_) std::rethrow_exception(failure_);
-}
-
-std::string ClipRecorder::finish(SimulationHost& simulation) {
-  take(simulation, true);
-  rethrow();
-  return sink_->finish();
+  video_->finish();
+  return fmt::format("wrote {}, {}", file_.string(), counted(frames_, "frame"));
 }
 
 }  // namespace taut::app

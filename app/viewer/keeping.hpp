@@ -20,15 +20,11 @@ bool is_pristine(const ViewerState& state);
 /// The state that is shown, for start.checkpoint of the kept scene. It holds no hand.
 RunCheckpoint kept_moment(const ViewerState& state, const DrawnScene& kept);
 
-/// The camera as a section of a scene file.
-std::string camera_text(const renderer::Camera& camera);
-
-/// Writes what the scene shows to a video, or to a folder of pictures, in real time.
+/// Writes what the scene shows to a video, in real time.
 class WindowRecorder {
  public:
-  /// The target's name is that of free_name(). Throws InputError if it cannot be written.
-  WindowRecorder(const std::filesystem::path& folder, const std::string& stem, RecordingKind kind, int width_px,
-                 int height_px);
+  /// The file's name is that of free_name(). Throws InputError if it cannot be written.
+  WindowRecorder(const std::filesystem::path& folder, const std::string& stem, int width_px, int height_px);
 
   /// Adds the picture as often as `elapsed_s` at rate_hz requires; that may be never. Throws InputError;
   /// std::invalid_argument if the picture has another size.
@@ -43,52 +39,12 @@ class WindowRecorder {
   static constexpr double rate_hz = 30.0;
 
  private:
-  std::filesystem::path target_;  ///< the video, or the folder of pictures
+  std::filesystem::path file_;
   std::unique_ptr<VideoWriter> video_;
   int width_px_;
   int height_px_;
   int frames_ = 0;
   double owed_s_ = 0.0;
-};
-
-/// Writes every frame that is simulated, once and in order, for other programs. It writes on a thread of its
-/// own; frames that wait for it are those that the window can look back on anyway.
-class ClipRecorder {
- public:
-  /// Begins with the frame of `first`. The file has the name of the scene and is in a new folder, with the
-  /// name of free_name(). Throws as require_export() and open_sink() do.
-  ClipRecorder(const std::filesystem::path& folder, ClipFormat format, const SnapshotPtr& first);
-  /// Leaves nothing that is not complete.
-  ~ClipRecorder();
-  ClipRecorder(const ClipRecorder&) = delete;
-  ClipRecorder& operator=(const ClipRecorder&) = delete;
-
-  /// Takes the frames that led to `newest`. Returns why the clip ends here, to be appended to what finish()
-  /// returns; empty: it goes on. Throws InputError if a frame could not be written.
-  std::string follow(const SnapshotPtr& newest, SimulationHost& simulation);
-  /// Takes the frames that still wait and completes what was written. Returns what that is, for people.
-  /// Throws InputError.
-  std::string finish(SimulationHost& simulation);
-
-  /// Where the newest frame goes.
-  std::filesystem::path file() const;
-  int frames() const { return newest_->record.frame - frames_.first + 1; }
-
- private:
-  bool leads_on(const Snapshot& newest) const;
-  bool take(SimulationHost& simulation, bool waits);
-  void write();
-  void rethrow();
-
-  SnapshotPtr first_;
-  SnapshotPtr newest_;  ///< of those that `first_` led to
-  std::filesystem::path file_;
-  FrameRange frames_;                ///< that it can hold
-  int next_;                         ///< frame to be taken
-  std::unique_ptr<FrameSink> sink_;  ///< of the thread until it has ended
-  BoundedQueue<SnapshotPtr> queue_;
-  std::exception_ptr failure_;  ///< of the thread
-  std::thread thread_;
 };
 
 }  // namespace taut::app

@@ -100,7 +100,6 @@ SessionFrame Viewer::update(SessionFrame frame) {
 
   const std::uint64_t advances_before = state_.newest->advances;
   note_snapshot(simulation_.begin_frame(frame.elapsed_s, frame.pace));
-  follow_clip();
   note_speed(advances_before);
   warn();
   interface_.begin_frame(layout().width_px, layout().height_px, frame.elapsed_s);
@@ -304,7 +303,7 @@ void Viewer::note_changes(const SessionFrame& frame) {
   for (Message& message : state_.messages) message.left_s -= frame.elapsed_s;
   const std::size_t gone = std::erase_if(state_.messages, [](const Message& message) { return message.left_s <= 0.0; });
   const bool is_changing = (!state_.paused && moves(*state_.newest)) || !frame.events.empty() || gone > 0 ||
-                           hands_.is_busy() || recorder_ || clip_ || !key_actions_.empty() || is_hint_due(state_);
+                           hands_.is_busy() || recorder_ || !key_actions_.empty() || is_hint_due(state_);
   frames_since_input_ = !frame.events.empty() || hands_.is_busy() ? 0 : frames_since_input_ + 1;
   still_frames_ = is_changing ? 0 : still_frames_ + 1;
 }
@@ -314,10 +313,6 @@ void Viewer::note_times(double draw_ms, double panel_ms, double simulate_ms, dou
   state_.measurements.worked_ms = simulate_ms;
   state_.measurements.draw_ms.add(static_cast<float>(draw_ms));
   state_.measurements.panel_ms.add(static_cast<float>(panel_ms));
-}
-
-std::optional<std::string> Viewer::take_clipboard() {
-  return clipboard_.empty() ? std::nullopt : std::optional(std::exchange(clipboard_, {}));
 }
 
 void Viewer::save_scene() {
@@ -340,70 +335,24 @@ void Viewer::export_shape() {
 
 void Viewer::start_or_stop_recording() {
   if (recorder_) {
-    finish_pictures();
+    finish_recording();
     return;
   }
   const ViewArea area = scene_area(layout());
-  recorder_.emplace(keep_folder_, state_.scene.name, state_.recording_kind, area.width_px, area.height_px);
+  recorder_.emplace(keep_folder_, state_.scene.name, area.width_px, area.height_px);
   state_.is_recording = true;
   tell("recording; F10 ends it", false);
 }
 
-// Completes a recording and says what was written, or why it was not.
-template <class Recording> std::string Viewer::told_end(const Recording& finish) {
-  std::string outcome;
-  if (const std::string error = attempt([&] { outcome = finish(); }); !error.empty()) return error;
-  tell(outcome, false);
-  return outcome;
-}
-
-std::optional<std::string> Viewer::finish_pictures() {
+std::optional<std::string> Viewer::finish_recording() {
   if (!recorder_) return std::nullopt;
   state_.is_recording = false;
-  const std::string outcome = told_end([this] { return recorder_->finish(); });
+  std::string outcome;
+  const std::string error = attempt([&] { outcome = recorder_->finish(); });
   recorder_.reset();
+  if (!error.empty()) return error;
+  tell(outcome, false);
   return outcome;
-}
-
-void Viewer::start_or_stop_clip() {
-  if (clip_) {
-    finish_clip("");
-  } else if (state_.shown != state_.newest) {
-    tell("this is past: Space goes on from here, then X begins a clip", false);
-  } else {
-    clip_ = std::make_unique<ClipRecorder>(keep_folder_, state_.clip_format, state_.newest);
-    tell("a clip begins in " + clip_->file().string() + "; X ends it", false);
-    follow_clip();
-  }
-}
-
-void Viewer::follow_clip() {
-  if (!clip_) return;
-  std::string end;
-  const std::string error = attempt([&] {
-    end = clip_->follow(state_.newest, simulation_);
-    state_.clip = {clip_->file().filename(), clip_->frames()};
-  });
-  if (!error.empty()) {
-    clip_.reset();
-    state_.clip.reset();
-  } else if (!end.empty()) {
-    finish_clip(end);
-  }
-}
-
-std::optional<std::string> Viewer::finish_clip(const std::string& reason) {
-  state_.clip.reset();
-  const std::unique_ptr<ClipRecorder> clip = std::move(clip_);
-  return clip ? std::optional(told_end([&] { return clip->finish(simulation_) + reason; })) : std::nullopt;
-}
-
-std::vector<std::string> Viewer::finish_recordings() {
-  std::vector<std::string> outcomes;
-  for (auto& outcome : {finish_pictures(), finish_clip("")}) {
-    if (outcome) outcomes.push_back(*outcome);
-  }
-  return outcomes;
 }
 
 void Viewer::take_picture(const renderer::Image& picture) {
@@ -414,7 +363,7 @@ void Viewer::take_picture(const renderer::Image& picture) {
       tell("wrote " + file.string(), false);
     });
   }
-  if (recorder_ && !attempt([&] { recorder_->add(picture, elapsed_s_); }).empty()) finish_pictures();
+  if (recorder_ && !attempt([&] { recorder_->add(picture, elapsed_s_); }).empty()) finish_recording();
 }
 
 }  // namespace taut::app

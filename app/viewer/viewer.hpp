@@ -102,16 +102,13 @@ class Viewer {
   bool wants_screenshot() const { return screenshot_; }
   /// Takes a picture of the scene, with its legends.
   void take_picture(const renderer::Image& picture);
-  /// Text for the clipboard; each text is returned once.
-  std::optional<std::string> take_clipboard();
   /// Takes measured times, for display. `draw_ms` and `panel_ms` belong to this frame. `simulate_ms` is
   /// processor time of the last simulated frame. `busy_s` is the processor time that this program used since
   /// the last call, divided by the number of processors.
   void note_times(double draw_ms, double panel_ms, double simulate_ms, double busy_s);
   void tell(const std::string& text, bool is_error) { app::tell(state_, text, is_error); }
-  /// Completes the recording of pictures and the clip, where there is one. Returns what was written, which is
-  /// also shown as messages.
-  std::vector<std::string> finish_recordings();
+  /// Completes the recording, where there is one. Returns what was written, which is also shown as a message.
+  std::optional<std::string> finish_recording();
 
  private:
   void take(const SessionEvent& event);
@@ -139,11 +136,6 @@ class Viewer {
   void show_whole_garment();
   void see_from(const Side& side);
   void start_or_stop_recording();
-  template <class Recording> std::string told_end(const Recording& finish);
-  std::optional<std::string> finish_pictures();
-  void start_or_stop_clip();
-  void follow_clip();
-  std::optional<std::string> finish_clip(const std::string& reason);
   void save_scene();
   void export_shape();
   void load_asked();
@@ -184,8 +176,6 @@ class Viewer {
   bool is_ended_ = false;
   std::optional<ClothOfScene> own_cloth_;  ///< of the scene as it was opened; empty: it is being opened
   std::optional<WindowRecorder> recorder_;
-  std::unique_ptr<ClipRecorder> clip_;
-  std::string clipboard_;
 };
 
 /// Opens a window and returns when the user closes it. All input is recorded to `record_to` unless that is

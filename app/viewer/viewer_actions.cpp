@@ -48,10 +48,6 @@ void Viewer::perform(Action action) {
     state_.past_frame.reset();
     ask(Reset{});
   };
-  const auto copy = [&] {
-    clipboard_ = camera_text(state_.camera.camera());
-    tell("copied the camera", false);
-  };
   const std::map<Action, std::function<void()>> work = {
       {Action::pause, [&] { pause(!state_.paused); }},
       {Action::step, step},
@@ -72,8 +68,6 @@ void Viewer::perform(Action action) {
       {Action::record, [&] { start_or_stop_recording(); }},
       {Action::save_scene, [&] { save_scene(); }},
       {Action::export_shape, [&] { export_shape(); }},
-      {Action::record_clip, [&] { start_or_stop_clip(); }},
-      {Action::copy_camera, copy},
       {Action::show_keys, [&] { state_.show_keys = !state_.show_keys; }},
       {Action::close_keys, [&] { state_.show_keys = false; }},
       {Action::show_panel, [&] { state_.show_panel = !state_.show_panel; }},

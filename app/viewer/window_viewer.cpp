@@ -49,7 +49,7 @@ class WindowViewer {
  private:
   // Nobody can see messages any more, but the terminal is there.
   void finish() {
-    for (const std::string& outcome : viewer_.finish_recordings()) fmt::print("{}\n", outcome);
+    if (const auto outcome = viewer_.finish_recording()) fmt::print("{}\n", *outcome);
     finish_record();
   }
 
@@ -61,7 +61,6 @@ class WindowViewer {
       SessionFrame frame = viewer_.update({queue_.take_frame(), next_elapsed_s(), std::nullopt, std::nullopt});
       panel_ms_ = laying_out.elapsed_ms();
       if (recorder_) recorder_->add(frame);
-      if (const auto text = viewer_.take_clipboard()) window_->set_clipboard(*text);
       name_window();
       show();
     }

@@ -83,7 +83,6 @@ class GlfwWindow final : public Window {
   bool is_asked_to_close() const override { return glfwWindowShouldClose(handle_) == GLFW_TRUE; }
   bool is_lost() const override { return reset_status_ != nullptr && reset_status_() != GL_NO_ERROR; }
   void set_title(const std::string& title) override { glfwSetWindowTitle(handle_, title.c_str()); }
-  void set_clipboard(const std::string& text) override { glfwSetClipboardString(handle_, text.c_str()); }
 
  private:
   using ResetStatus = unsigned (*)();

@@ -134,8 +134,6 @@ class Window : public Context {
   virtual bool is_lost() const = 0;
   /// Sets the title; UTF-8.
   virtual void set_title(const std::string& title) = 0;
-  /// Puts UTF-8 text on the system clipboard.
-  virtual void set_clipboard(const std::string& text) = 0;
 };
 
 /// Opens a window with a current OpenGL 3.3 core context. Throws ContextError when there is no display or no

@@ -7,7 +7,8 @@
 #include <numeric>
 #include <tuple>
 
-#include "app/base/counted.hpp"
+#include "app/base/ranks.hpp"
+#include "app/base/words.hpp"
 #include "app/base/interruption.hpp"
 #include "app/base/stopwatch.hpp"
 #include "app/drawing/drawn_scene.hpp"

@@ -83,7 +83,7 @@ TEST_F(PointCaches, OneFrameIsSaid) {
 TEST_F(PointCaches, OtherEndingsAreRefused) {
   EXPECT_CONTAINS(
       error_of(source_of("walk.abc", "x")),
-      "walk.abc': expected a motion that ends in .pc2, .mdd or .bvh, or a folder or pattern of OBJ");
+      "walk.abc': expected a motion that ends in .pc2, .mdd or .bvh");
 }
 
 TEST_F(PointCaches, AFileThatShrinksDuringTheRunIsNamed) {
@@ -148,40 +148,6 @@ TEST_F(PointCaches, SeveralThreadsMayAskAtOnce) {
   }
   threads.clear();
   EXPECT_EQ(wrong, (std::array<int, 4>{}));
-}
-
-TEST_F(PointCaches, ObjFilesAreFramesInTheOrderOfTheirNumbers) {
-  BodySource source = source_of("unused", "x");
-  std::filesystem::create_directories(folder / "walk");
-  for (const int k : {2, 10, 1, 3, 4, 5, 6, 7, 8, 9}) {
-    std::string text = tetrahedron;
-    text.replace(0, 3, "v 0." + std::to_string(k));
-    folder.write("walk/body-" + std::to_string(k) + ".obj", text);
-  }
-  folder.write("walk/notes.txt", "not a frame");
-  for (const char* name : {"walk", "walk/body-%d.obj"}) {
-    source.motion = folder / name;
-    const auto frames = open_obj_sequence(source.motion);
-    ASSERT_EQ(frames->frames(), 10U) << name;
-    EXPECT_EQ(frames->vertices(), 4U);
-    std::vector<sim::Vec3> positions(4);
-    frames->read(4, positions);
-    EXPECT_EQ(positions[0], sim::Vec3(0.5, 0, 0));
-    EXPECT_EQ(load(source).mesh().frames->count(), 10U);
-    EXPECT_CONTAINS(load(source).said(),
-                    "its motion does not say how fast it is: 60 frames a second are taken");
-  }
-  std::filesystem::remove(folder / "walk/body-7.obj");
-  EXPECT_CONTAINS(error_of(source), "found 'body-8.obj' after number 6, expected number 7");
-  folder.write("walk/body-7.obj", "v 0 0 0\nv 0 0 1\n");
-  EXPECT_CONTAINS(error_of(source), "body-7.obj': found 2 vertices, expected the 4 of '");
-  folder.write("walk/body-7.obj", "v 0 zero 0\n");
-  EXPECT_CONTAINS(error_of(source), "body-7.obj': line 1: found 'zero'");
-  source.motion = folder / "walk/other-%d.obj";
-  EXPECT_CONTAINS(error_of(source), "other-%d.obj': found no such files");
-  std::filesystem::create_directories(folder / "empty");
-  source.motion = folder / "empty";
-  EXPECT_CONTAINS(error_of(source), "empty': found no OBJ file with a number at the end of its name");
 }
 
 }  // namespace

@@ -168,7 +168,7 @@ int fuzz(double seconds, unsigned seed) {
       settled_mb = resident_mb();
     }
   }
-  viewer.viewer().finish_recordings();
+  viewer.viewer().finish_recording();
   const double final_mb = resident_mb();
   fmt::print("{} frames, {:.0f} MB after 40 % of the time, {:.0f} MB at the end\n", frames, settled_mb,
              final_mb);

@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
 """A sweep on a Slurm of one machine that this test starts: a task is killed, one is stopped, one is put back in the
-queue, and one value cannot be kept. Nothing is lost.   slurm.py PROGRAM FOLDER"""
+queue, and one value cannot be kept. Nothing is lost. The scripts are those of the page.   slurm.py PROGRAM FOLDER README"""
 import csv
 import os
 import pathlib
+import re
 import shutil
 import signal
 import socket
@@ -40,7 +41,6 @@ bodies = [
   [{ shape = "sphere", centre = [0.0, 0.0, 2.0], radius = 0.1 }]]
 "wind.speed" = [2, 3, 4, 5, 6, 7, 8, 9, 10, 11]
 '''
-# Arrays may not be longer than this, so that two are needed.
 CONFIGURATION = '''ClusterName=taut
 SlurmctldHost={host}(127.0.0.1)
 SlurmUser=root
@@ -64,7 +64,6 @@ SelectTypeParameters=CR_Core
 AccountingStorageType=accounting_storage/none
 JobAcctGatherType=jobacct_gather/none
 ReturnToService=2
-MaxArraySize=30
 MailProg=/bin/true
 NodeName={host} NodeAddr=127.0.0.1 CPUs=2 RealMemory=2000 State=UNKNOWN
 PartitionName=main Nodes=ALL Default=YES MaxTime=INFINITE State=UP
@@ -102,6 +101,8 @@ def start_slurm():
     for name in ('state', 'spool', 'run', 'log'):
         (folder / name).mkdir()
     (folder / 'slurm.conf').write_text(CONFIGURATION.format(host=socket.gethostname().split('.')[0], folder=folder))
+    (folder / 'taut').symlink_to(program)
+    os.environ['PATH'] = '%s:%s' % (folder, os.environ['PATH'])
     os.environ['SLURM_CONF'] = str(folder / 'slurm.conf')
     munged = None
     if subprocess.run(['munge', '-n'], capture_output=True).returncode != 0:
@@ -135,6 +136,17 @@ def stop_slurm(munged):
     if munged is not None:
         os.killpg(munged.pid, signal.SIGTERM)
         munged.wait(timeout=20)
+
+
+def script(language):
+    return re.search('```%s\n(#!.*?)```' % language, pathlib.Path(sys.argv[3]).read_text(), re.DOTALL).group(1)
+
+
+def submit():
+    """The array, and the job after it that makes the table. Returns the number of the array."""
+    done = subprocess.run(['bash', 'submit.sh'], cwd=folder / 'farm', capture_output=True, text=True)
+    expect(done.returncode == 0, done.stdout + done.stderr)
+    return done.stdout.split()[0]
 
 
 def is_idle():
@@ -176,12 +188,9 @@ def test():
     (folder / 'study.toml').write_text(STUDY)
     for name in ('farm', 'alone'):
         sweep('plan', 'study.toml', '-o', name)
-    told = run('srun', '--mem=100M', '--ntasks=2', program, 'sweep', 'check', 'farm').splitlines()
-    expect(len(told) == 2 and len({line.split(maxsplit=1)[1] for line in told}) == 1, 'one run ended in %s' % told)
-
-    said = sweep('submit', 'farm', '--slurm', '--mem', '100M')
-    expect('submitted 40 runs as jobs ' in said and said.count(':') == 1, 'expected two arrays: ' + said)
-    disturb(said.split('jobs ')[1].split(':')[0])
+    (folder / 'farm/task.sh').write_text(script('bash').replace('--mem=2G', '--mem=100M'))
+    (folder / 'farm/submit.sh').write_text(script('sh'))
+    disturb(submit())
     wait_until(is_idle, 'the end of the queue')
     expect(file_of(10, '.checkpoint').exists(), 'the run that was stopped is not saved')
     missing = sweep('status', 'farm', '--missing').strip()
@@ -190,10 +199,9 @@ def test():
     expect(len(ends) == RUNS and ends.count('missing') == 2 and ends.count('broken') == BROKEN,
            'the table of the dependent job says %s' % ends)
 
-    sweep('submit', 'farm', '--slurm', code=2)
-    sweep('submit', 'farm', '--slurm', '--missing', '--mem', '100M')
+    submit()
     wait_until(is_idle, 'the end of the queue')
-    expect('nothing is missing' in sweep('submit', 'farm', '--slurm', '--missing'), 'something is still missing')
+    expect(sweep('status', 'farm', '--missing') == '\n', 'something is still missing')
     expect('0 being worked on, 0 stopped' in sweep('status', 'farm'), 'left behind: ' + sweep('status', 'farm'))
 
     sweep('run', 'alone', '--all', '--jobs', '2', code=3)

@@ -73,32 +73,28 @@ def two_at_once():
     sweep('run', 'twice', '--all')
 
 
-def tasks():
-    for task in range(2):
-        sweep('run', 'tasks', '--chunk', '4', env={**os.environ, 'SLURM_ARRAY_TASK_ID': str(task)})
-    expect(sweep('status', 'tasks', '--missing') == '\n', 'tasks left something out')
-    os.remove(folder / 'tasks/runs/000/000002.json')
+def one_by_one():
+    for index in range(6):
+        sweep('run', 'one', '--index', str(index))
+    expect(sweep('status', 'one', '--missing') == '\n', 'a run was left out')
+    os.remove(folder / 'one/runs/000/000002.json')
     # As a process leaves it that is killed while it writes.
-    (folder / 'tasks/runs/000/000002.json.part-elsewhere-1').write_text('{"index": 2')
-    expect(sweep('status', 'tasks', '--missing') == '2\n', 'what is missing is not said')
-    submitted = sweep('submit', 'tasks', '--slurm', '--missing', '--dry-run', '--chunk', '2', '--sbatch=--time=60')
-    expect('--array=1 ' in submitted and '#SBATCH --time=60' in submitted and 'afterany:JOB' in submitted, submitted)
-    expect("cannot start 'scontrol'" in sweep('submit', 'tasks', '--slurm', '--missing', code=1, env={'PATH': '/none'}),
-           'it does not say that there is no Slurm')
-    sweep('run', 'tasks', '--all')
+    (folder / 'one/runs/000/000002.json.part-elsewhere-1').write_text('{"index": 2')
+    expect(sweep('status', 'one', '--missing') == '2\n', 'what is missing is not said')
+    expect('expected one of --index and --all' in sweep('run', 'one', code=2), 'it does not ask which runs')
+    sweep('run', 'one', '--all')
 
 
 shutil.rmtree(folder, ignore_errors=True)
 folder.mkdir(parents=True)
 (folder / 'study.toml').write_text(STUDY)
-for name in ('stopped', 'twice', 'tasks'):
+for name in ('stopped', 'twice', 'one'):
     sweep('plan', 'study.toml', '-o', name)
 stops_and_goes_on()
 two_at_once()
-tasks()
-expect(rows('stopped') == rows('twice') == rows('tasks'), 'the same runs differ')
+one_by_one()
+expect(rows('stopped') == rows('twice') == rows('one'), 'the same runs differ')
 expect([row['end'] for row in rows('twice')] == ['done'] * 6, 'not all are done: %s' % rows('twice'))
-expect(sweep('check', 'twice', '--index', '1').split()[2] == rows('twice')[1]['state_hash'], 'the same run ends in another state')
 (folder / 'run.toml').write_text(sweep('show', 'twice', '--index', '3'))
 shown = subprocess.run([program, 'simulate', 'run.toml', '--json'], cwd=folder, capture_output=True, text=True)
 expect(json.loads(shown.stdout.splitlines()[-2])['state_hash'] == rows('twice')[3]['state_hash'],

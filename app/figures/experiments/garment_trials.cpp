@@ -1,6 +1,7 @@
-#include "app/base/counted.hpp"
 #include "app/base/interruption.hpp"
+#include "app/base/ranks.hpp"
 #include "app/base/stopwatch.hpp"
+#include "app/base/words.hpp"
 #include "app/figures/experiments/experiments.hpp"
 #include "app/frame_loop.hpp"
 #include "app/models/garment_loading.hpp"

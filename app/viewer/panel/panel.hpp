@@ -34,5 +34,7 @@ bool is_hint_due(const ViewerState& state);
 /// Explains an item of the panel, with its unit; a key of scenes as taut help scene does. Empty for other
 /// names.
 std::string hint_for(const std::string& name);
+/// assets/texts/hints.toml: those of the panel's own items, by name.
+extern const char* const hint_texts;
 
 }  // namespace taut::app

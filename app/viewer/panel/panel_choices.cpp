@@ -350,8 +350,8 @@ void lay_out_looks(ViewerState& state) {
   check("normals", state.show_normals, "look.normals");
   ImGui::SameLine(start + 2.0F * third);
   ImGui::SetNextItemWidth(third);
-  kind_list(state, "##springs", "look.springs", all_which_springs, picture.springs.which,
-            picture.springs.which == WhichSprings::none ? "springs" : nullptr);
+  kind_list(state, "##springs", "look.springs", all_which_springs, picture.springs,
+            picture.springs == WhichSprings::none ? "springs" : nullptr);
   if (picture.surface == SurfaceLook::stretch) {
     kind_list(state, "stretch of", "look.stretch_of", all_stretch_of, picture.stretch_of);
   }

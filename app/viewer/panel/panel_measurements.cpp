@@ -344,7 +344,7 @@ void lay_out_key_sheet(ViewerState& state, const ViewArea& area) {
 
 void lay_out_legends(const ViewerState& state, float scale) {
   const bool stretch = state.scene.picture.surface == SurfaceLook::stretch;
-  const bool springs = state.scene.picture.springs.which != WhichSprings::none;
+  const bool springs = state.scene.picture.springs != WhichSprings::none;
   if (!stretch && !springs) return;
   ImGui::SetNextWindowPos({10.0F * scale, 10.0F * scale});
   ImGui::SetNextWindowBgAlpha(0.6F);

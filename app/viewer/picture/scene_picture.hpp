@@ -98,7 +98,7 @@ class ScenePicture {
  private:
   // Inputs that a painter was made for, as painted_as() lists them.
   using PaintedAs = std::tuple<std::shared_ptr<const LoadedScene>, std::shared_ptr<const std::vector<sim::Index>>,
-                               SurfaceLook, StretchOf, std::array<double, 2>, std::string, bool, ShownSprings, int>;
+                               SurfaceLook, StretchOf, std::array<double, 2>, std::string, bool, WhichSprings, int>;
   // Inputs of the scene's picture, as look_of() lists them.
   using SceneLook = std::tuple<PaintedAs, std::shared_ptr<const sim::Checkpoint>, OrbitCamera, bool, bool,
                                std::optional<HandThread>, int, int>;

@@ -1,8 +1,8 @@
 #include "app/viewer/simulation/live_simulation.hpp"
 
-#include "app/base/counted.hpp"
 #include "app/base/errors.hpp"
 #include "app/base/stopwatch.hpp"
+#include "app/base/words.hpp"
 #include "app/bodies/wearing.hpp"
 #include "app/models/garment_remarks.hpp"
 #include "app/output/run_checkpoint.hpp"

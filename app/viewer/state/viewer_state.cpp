@@ -1,7 +1,7 @@
 #include "app/viewer/state/viewer_state.hpp"
 
-#include "app/base/counted.hpp"
 #include "app/base/errors.hpp"
+#include "app/base/words.hpp"
 #include "app/bodies/body_loading.hpp"
 #include "app/bodies/motion_opening.hpp"
 #include "renderer/context/window.hpp"
@@ -65,7 +65,7 @@ std::vector<Choice> choices_for(const BodySource& source, const std::shared_ptr<
 
 namespace keys = renderer::keys;
 
-constexpr std::array<KeyBinding, 31> bindings = {{
+constexpr std::array<KeyBinding, 29> bindings = {{
     {"Left drag", "on cloth: pull it; elsewhere: orbit"},
     {"Right drag", "move the view"},
     {"Wheel", "nearer to what is under the pointer, farther"},
@@ -89,8 +89,6 @@ constexpr std::array<KeyBinding, 31> bindings = {{
     {"F10", "record the scene, stop recording", keys::f10, Action::record},
     {"S", "save the settings as a scene file", 'S', Action::save_scene},
     {"E", "export the cloth as it is, as OBJ", 'E', Action::export_shape},
-    {"X", "export a clip: every frame from now on; end it", 'X', Action::record_clip},
-    {"C", "copy the camera as TOML", 'C', Action::copy_camera},
     {"Tab", "panel on, off", keys::tab, Action::show_panel},
     {"H", "this sheet", 'H', Action::show_keys},
     {"Esc", "close a list, or this sheet", keys::escape, Action::close_keys},
@@ -180,11 +178,6 @@ void Measurements::forget() {
   for (RecentValues* values : {&max_stretch, &max_surface_stretch, &convergence_mm, &simulate_ms}) {
     values->clear();
   }
-}
-
-const char* name_of(ClipFormat format) {
-  constexpr std::array names = {"PC2", "MDD", "glTF", "VTK", "OBJ"};
-  return names[static_cast<std::size_t>(format)];
 }
 
 const Snapshot* compared(const ViewerState& state) {

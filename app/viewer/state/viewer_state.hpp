@@ -98,8 +98,6 @@ enum class Action {
   record,
   save_scene,
   export_shape,
-  record_clip,
-  copy_camera,
   show_keys,
   close_keys,
   show_panel,
@@ -146,21 +144,6 @@ struct HeldCloth {
   glm::dvec3 hand_m{0.0};  ///< where the hand wants the vertex, in metres
 };
 
-/// The format of a recording of the window.
-enum class RecordingKind { video, pictures };
-
-/// The format of the shapes of a clip.
-enum class ClipFormat { pc2, mdd, gltf, vtk, obj };
-inline constexpr std::array all_clip_formats = {ClipFormat::pc2, ClipFormat::mdd, ClipFormat::gltf, ClipFormat::vtk,
-                                                ClipFormat::obj};
-const char* name_of(ClipFormat format);
-
-/// A clip that is being recorded.
-struct RunningClip {
-  std::string file;  ///< its name, without folders
-  int frames = 0;    ///< so far
-};
-
 /// The state that the panel shows and changes. `scene` holds the settings from now on.
 struct ViewerState {
   DrawnScene scene;
@@ -169,10 +152,8 @@ struct ViewerState {
   bool show_panel = true;
   bool show_keys = false;
   bool paused = false;
-  double speed = 1.0;             ///< simulated seconds per second; below 1 is slow motion
-  std::optional<int> past_frame;  ///< frame of the past that is shown; empty: the newest
-  RecordingKind recording_kind = RecordingKind::video;
-  ClipFormat clip_format = ClipFormat::pc2;
+  double speed = 1.0;                            ///< simulated seconds per second; below 1 is slow motion
+  std::optional<int> past_frame;                 ///< frame of the past that is shown; empty: the newest
   std::optional<sim::SolverKind> compared_with;  ///< of a second garment beside the first; empty: none
 
   // To be shown.
@@ -188,7 +169,6 @@ struct ViewerState {
   std::vector<Message> messages;
   std::string warning;  ///< shown while it applies; empty: none
   bool is_recording = false;
-  std::optional<RunningClip> clip;
 
   // Requests of this frame.
   std::vector<Action> asked;

@@ -1,4 +1,4 @@
-#include "app/base/counted.hpp"
+#include "app/base/words.hpp"
 
 #include <fmt/format.h>
 

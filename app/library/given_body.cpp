@@ -119,7 +119,8 @@ void Session::move_body(std::size_t body, const std::vector<sim::Vec3>& position
                           lent.places.file_vertex[v], way_m, app::furthest_in_frame_m);
     }
   }
-  lent_[body].target_m = std::move(target_m);
+  // To stand still is no change: it would wake cloth at rest.
+  lent_[body].target_m = target_m == now_m ? std::nullopt : std::optional(std::move(target_m));
 }
 
 void Session::place_body(std::size_t body, const std::vector<sim::Vec3>& positions_m) {

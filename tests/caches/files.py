@@ -122,7 +122,7 @@ def usd_value(text, name):
     found = re.search(r'\b%s = (.*)' % re.escape(name), text)
     expect(found, 'USD: no ' + name)
     if found.group(1) != '{':
-        return ast.literal_eval(found.group(1).split(' (')[0] if found.group(1).endswith(' (') else found.group(1))
+        return ast.literal_eval(found.group(1).removesuffix(' ('))
     return ast.literal_eval('{' + text[found.end():text.index('}', found.end())] + '}')
 
 

@@ -6,7 +6,7 @@ import zlib
 SIZE, FINE = 640, 2                  # pixels, and samples along each side of one
 EYE = (0.45, 0.16)                   # azimuth and elevation in radians
 LIGHT = (0.52, 0.72, 0.46)           # towards it, of length 1
-OUTSIDE, INSIDE = (0.050, 0.160, 0.392), (0.036, 0.115, 0.290)  # linear
+OUTSIDE, INSIDE = (0.050, 0.160, 0.392), (0.022, 0.075, 0.200)  # linear
 TOP, BOTTOM = (0.93, 0.93, 0.92), (0.62, 0.61, 0.60)
 
 
@@ -46,7 +46,7 @@ def _lit(normal, towards_eye):
     sky = 0.5 + 0.5 * n[1]
     fringe = (1.0 - abs(_dot(n, towards_eye))) ** 3 * (0.25 + 0.75 * sky)
     base = OUTSIDE if is_outside else INSIDE
-    return tuple(c * (1.9 * lamp + 0.75 * sky + 0.18) + 0.10 * fringe for c in base)
+    return tuple(c * (1.25 * lamp + 0.40 * sky + 0.12) + 0.08 * fringe for c in base)
 
 
 def _fill(a, b, c, put):
@@ -75,7 +75,7 @@ def draw(points, triangles):
     low, high = ([end(p[axis] for p in points) for axis in range(3)] for end in (min, max))
     middle = [(a + b) / 2 for a, b in zip(low, high)]
     ground = low[1] - 0.06
-    scale = 0.74 * size / max(high[1] - low[1], math.hypot(high[0] - low[0], high[2] - low[2]))
+    scale = 0.9 * size / max(high[1] - low[1], math.hypot(high[0] - low[0], high[2] - low[2]))
 
     def seen(point):
         off = _minus(point, middle)

@@ -277,13 +277,18 @@ std::function<int()> add_sew(CLI::App& app) {
   auto options = std::make_shared<SewOptions>();
   CLI::App* command = app.add_subcommand("sew", "Sew a pattern on a body, to a garment that is worn");
   command->add_option("PATTERN", options->pattern, "a sewing pattern in the JSON of GarmentCode")->required();
-  command->add_option("--over", options->over, "a pattern that is worn over it, of the same fabric; can be repeated")
+  command->add_option("--over", options->over, "a pattern that is worn over it; can be repeated")
+      ->allow_extra_args(false);
+  command
+      ->add_option("--over-fabric", options->over_fabrics,
+                   "what that is made of; as often as --over, in the same order (default: the same fabric)")
       ->allow_extra_args(false);
   add_keys(*command, options->overrides, {fabric_option});
   add_body(*command, options->overrides);
   add_set(*command, options->overrides);
   command->add_option("-o,--output", options->output, "OBJ file of the garment (default PATTERN.obj, here)");
   command->add_option("--picture", options->picture, "PNG file: it worn, from the front and from behind");
+  command->add_option("--steps", options->steps, "PNG file: its pattern, placed, half closed and worn, side by side");
   command->add_option("--triangles", options->triangles, "about so many")
       ->check(CLI::Range(100, 200000))
       ->capture_default_str();

@@ -18,17 +18,19 @@ void raise_to_least_mass(std::vector<double>& masses) {
   for (double& mass : masses) mass = std::max(mass, least_mass * mean);
 }
 
-std::vector<double> lumped_masses(const Mesh& mesh, double density) {
+std::vector<double> lumped_masses(const Garment& garment) {
+  const Mesh& mesh = garment.mesh;
+  const auto density = [&](Index v) { return garment.material_at(v).areal_density_kg_per_m2; };
   std::vector<double> masses(mesh.positions.size(), 0.0);
   // Grid cells share their mass among four corners: by triangles, the arbitrary choice of the diagonal
   // would make two of them twice as heavy.
   for (std::size_t q = 0; q < mesh.quads.size(); ++q) {
     for (const Index v : mesh.quads[q]) {
-      masses[v] += density * (area(mesh, 2 * q) + area(mesh, 2 * q + 1)) / 4.0;
+      masses[v] += density(v) * (area(mesh, 2 * q) + area(mesh, 2 * q + 1)) / 4.0;
     }
   }
   for (std::size_t t = 2 * mesh.quads.size(); t < mesh.triangles.size(); ++t) {
-    for (const Index v : mesh.triangles[t]) masses[v] += density * area(mesh, t) / 3.0;
+    for (const Index v : mesh.triangles[t]) masses[v] += density(v) * area(mesh, t) / 3.0;
   }
   raise_to_least_mass(masses);
   return masses;
@@ -62,18 +64,42 @@ Garment make_garment(Mesh mesh, const MappingSettings& mapping, const Material& 
   garment.adjacency = make_adjacency(garment.mesh);
   garment.springs = map_to_springs(garment.mesh, garment.adjacency, mapping);
   garment.triangles_at_rest = triangles_at_rest(garment.mesh);
-  garment.masses_kg = lumped_masses(garment.mesh, material.areal_density_kg_per_m2);
   garment.material = material;
+  garment.masses_kg = lumped_masses(garment);
   return garment;
 }
 
 Garment with_material(Garment garment, const Material& material) {
   require_usable(material);
-  if (material.areal_density_kg_per_m2 != garment.material.areal_density_kg_per_m2) {
-    garment.masses_kg = lumped_masses(garment.mesh, material.areal_density_kg_per_m2);
-  }
+  const bool weighs_else = material.areal_density_kg_per_m2 != garment.material.areal_density_kg_per_m2;
   garment.material = material;
+  if (weighs_else) garment.masses_kg = lumped_masses(garment);
   return garment;
+}
+
+Garment with_others(Garment garment, std::vector<std::uint8_t> material_of, std::vector<Material> others) {
+  for (const Material& other : others) {
+    require_usable(other);
+    if (has_law(other) != has_law(garment.material)) {
+      throw std::invalid_argument("either all materials of cloth have tensile and shear stiffness, or none");
+    }
+    if (!(garment.material.bending_rigidity_n_m > 0.0)) {
+      throw std::invalid_argument("the bending rigidity of cloth of several materials must be above 0");
+    }
+  }
+  for (const Material& other : others) {
+    garment.material.thickness_m = std::max(garment.material.thickness_m, other.thickness_m);
+  }
+  garment.material_of = std::move(material_of);
+  garment.others = std::move(others);
+  garment.masses_kg = lumped_masses(garment);
+  return garment;
+}
+
+double least_density_kg_per_m2(const Garment& garment) {
+  double least = garment.material.areal_density_kg_per_m2;
+  for (const Material& other : garment.others) least = std::min(least, other.areal_density_kg_per_m2);
+  return least;
 }
 
 }  // namespace taut::sim

@@ -57,6 +57,15 @@ struct Garment {
   /// Per triangle, the direction of the warp in the plane of TriangleAtRest, of length 1. Empty: as upright as
   /// it can be.
   std::vector<Vec2> warps = {};
+  /// Cloth of several materials, as layers that are worn over each other are: per vertex, the number of its own
+  /// in `others`, from 1, or 0 for `material`. Empty: all is of `material`. `bounded` tells them apart by weight,
+  /// bending and tension; distance, of the thickest, friction and resistance to compression are those of `material`.
+  std::vector<std::uint8_t> material_of = {};
+  std::vector<Material> others = {};
+
+  const Material& material_at(Index vertex) const {
+    return material_of.empty() || material_of[vertex] == 0 ? material : others[material_of[vertex] - 1];
+  }
 };
 
 /// Maps the mesh to springs and gives each vertex its mass. Each triangle spreads its mass evenly over its
@@ -67,6 +76,13 @@ Garment make_garment(Mesh mesh, const MappingSettings& mapping = {}, const Mater
 
 /// The same garment made of another material. Throws as make_garment does.
 Garment with_material(Garment garment, const Material& material);
+
+/// The same garment with vertices of other materials. Throws as make_garment does, and if one of them has a law and
+/// another has none, or if the garment's own bends by itself.
+Garment with_others(Garment garment, std::vector<std::uint8_t> material_of, std::vector<Material> others);
+
+/// The least areal density of any of its cloth.
+double least_density_kg_per_m2(const Garment& garment);
 
 /// Moves the garment to where several simulations and observers can share it without copies.
 inline std::shared_ptr<const Garment> share(Garment garment) {

@@ -6,6 +6,7 @@
 #include "app/bodies/body_mesh.hpp"
 #include "app/bodies/motion_opening.hpp"
 #include "app/bodies/shape_rig.hpp"
+#include "app/models/landmarks.hpp"
 #include "sim/mesh/extent.hpp"
 
 namespace taut::app {
@@ -215,9 +216,10 @@ std::vector<RigPose> poses_shown(const BodySource& source, const Rig& rig, const
 
 /// Keeps parts of the body apart that close in on each other, so that cloth has room between them. Returns
 /// whether any do.
-bool make_room(std::span<const RigPose> poses, const FileVertexPlaces& places, LoadedMesh& loaded, ReadBody& body) {
+bool make_room(std::span<const RigPose> poses, const FileVertexPlaces& places, int garments, LoadedMesh& loaded,
+               ReadBody& body) {
   std::optional<RoomForCloth> room =
-      poses.empty() ? std::nullopt : leave_room(*body.rig, poses, places, loaded.mesh.triangles);
+      poses.empty() ? std::nullopt : leave_room(*body.rig, poses, places, loaded.mesh.triangles, garments);
   if (room) {
     body.remarks.push_back(
         fmt::format("parts of it come near each other: {} stay back by up to {:.1f} cm, so that cloth has room",
@@ -277,7 +279,7 @@ ReadBody body_of(const BodySource& source, ImportedModel model, const ShownTime&
     if (body.rig->influences.empty() && (!motion.frames || motion.frames->pose(0))) {
       take_joints_of_shape(source, loaded, measures, !motion.frames, places, body);
     }
-    if (make_room(poses_shown(source, *body.rig, motion.frames.get(), shown), places, loaded, body)) {
+    if (make_room(poses_shown(source, *body.rig, motion.frames.get(), shown), places, shown.garments, loaded, body)) {
       motion = open_motion(source, body.rig, loaded.places.placement.up);
     }
   }
@@ -300,9 +302,10 @@ ReadBody body_of(const BodySource& source, ImportedModel model, const ShownTime&
   return body;
 }
 
-std::vector<std::string> load_bodies(Scene& scene) {
+std::vector<std::string> load_bodies(Scene& scene, int garments) {
   const double frame_rate_hz = scene.simulation.frame_rate_hz;
-  const ShownTime shown = {scene.frames / frame_rate_hz, frame_rate_hz};
+  const ShownTime shown = {scene.frames / frame_rate_hz, frame_rate_hz,
+                           std::max(garments, garments_worn(scene.garment.model()))};
   std::vector<std::string> all;
   scene.wearers.resize(scene.surroundings.bodies.size());
   for (std::size_t k = 0; k < scene.surroundings.bodies.size(); ++k) {

@@ -14,7 +14,8 @@ namespace taut::app {
 /// - on a motion of another number of vertices, or in which a vertex jumps by more than a metre in a frame
 /// that the run shows; of later frames PlacedFrames throws it when they are asked for;
 /// - on a body that is to be dressed and whose vertices follow no joints.
-std::vector<std::string> load_bodies(Scene& scene);
+/// It leaves room for so many garments over each other, or as many as the scene's is (garments_worn()).
+std::vector<std::string> load_bodies(Scene& scene, int garments = 1);
 
 /// Frames in which a body grows into its clothes where nobody says how many.
 inline constexpr int usual_dressing_frames = 90;
@@ -40,10 +41,11 @@ struct ReadBody {
 /// file.
 std::shared_ptr<const Rig> read_rig(const std::filesystem::path& file);
 
-/// How long a body is shown, from 0 s, and at what rate.
+/// How long a body is shown, from 0 s, at what rate, and in how many garments over each other.
 struct ShownTime {
   double duration_s = 0.0;
   double frame_rate_hz = 60.0;
+  int garments = 1;
 };
 
 /// Reads one body. Throws as load_bodies() does.

@@ -8,8 +8,8 @@ namespace taut::app {
 /// Returns a body that is thin: each vertex of the pose is moved most of the way to the nearest points of the
 /// bones it follows, weighted as it follows them. A bone goes from a joint to each joint below it that
 /// vertices follow; without one it is the joint itself. In the file's unit and axes, per vertex of the rig.
-/// Throws InputError if vertices follow no joint.
-std::vector<sim::Vec3> thin_shape(const Rig& rig, const RigPose& pose);
+/// Neck and head keep their shape where asked for. Throws InputError if vertices follow no joint.
+std::vector<sim::Vec3> thin_shape(const Rig& rig, const RigPose& pose, bool keeps_head = false);
 
 /// A body that is to be dressed, as load_bodies() keeps it.
 struct Wearer {
@@ -31,8 +31,9 @@ std::vector<sim::Vec3> placed_m(const FileVertexPlaces& places, const std::vecto
 
 /// Returns the frames of a body that grows into what it wears and then goes on with its motion. Vertices go
 /// straight, slowly at both ends. It begins in the first of `poses`, goes through them one after the other as
-/// it grows, and ends in its own; without any it grows in its own.
-std::shared_ptr<const sim::BodyFrames> growing(const Wearer& wearer, std::span<const RigPose> poses = {});
+/// it grows, and ends in its own; without any it grows in its own. See thin_shape().
+std::shared_ptr<const sim::BodyFrames> growing(const Wearer& wearer, std::span<const RigPose> poses = {},
+                                               bool keeps_head = false);
 
 /// A bone that is turned about the joint at its begin.
 struct TurnedBone {
@@ -62,9 +63,9 @@ struct RoomForCloth {
 /// Leaves room for cloth where parts of a body close in on each other in one of these poses, as arms do at the
 /// armpits and legs at the crotch. As the body grows from its bones, a vertex stops where another surface comes
 /// near before it; it stays so much nearer to its bones in all poses. Heads, hands and feet leave none within
-/// themselves. Empty if nothing comes near. The triangles are those of the mesh whose vertices `places` finds in the
-/// file.
+/// themselves. So many garments are worn over each other. Empty if nothing comes near. The triangles are those of the
+/// mesh whose vertices `places` finds in the file.
 std::optional<RoomForCloth> leave_room(const Rig& rig, std::span<const RigPose> poses, const FileVertexPlaces& places,
-                                       std::span<const sim::Triangle> triangles);
+                                       std::span<const sim::Triangle> triangles, int garments);
 
 }  // namespace taut::app

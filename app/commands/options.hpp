@@ -101,9 +101,11 @@ struct FitOptions {
 struct SewOptions {
   std::filesystem::path pattern;
   std::vector<std::filesystem::path> over;  ///< patterns that are worn over it, inner ones first
+  std::vector<std::string> over_fabrics;    ///< of these, one for each or none
   std::vector<Override> overrides;
   std::filesystem::path output;   ///< OBJ file; empty: PATTERN.obj
   std::filesystem::path picture;  ///< PNG file; empty: none, but for one of what cannot be sewn
+  std::filesystem::path steps;    ///< PNG file; empty: none
   int triangles = 4000;           ///< about so many
   int frames = 600;               ///< at most, from when it is worn until it rests
   bool json = false;

@@ -9,6 +9,7 @@
 #include "app/commands/options.hpp"
 #include "app/drawing/inspection_picture.hpp"
 #include "app/models/landmarks.hpp"
+#include "app/scene/scene_format.hpp"
 #include "app/scene/scene_key.hpp"
 #include "app/sewing/sewing.hpp"
 #include "renderer/page/png.hpp"
@@ -31,8 +32,12 @@ DrawnScene scene_of(const SewOptions& options) {
   DrawnScene scene = find_scene(options.pattern.string(), overrides);
   // As worn garments may (taut fit).
   if (sim::has_law(scene.material) && !sets(options.overrides, "solver.max_stretch")) {
-    scene.simulation.solver.bounded.max_stretch =
-        std::max({usual_bound, scene.material.warp_limit, scene.material.weft_limit});
+    double& bound = scene.simulation.solver.bounded.max_stretch;
+    bound = std::max({usual_bound, scene.material.warp_limit, scene.material.weft_limit});
+    for (const std::string& fabric : options.over_fabrics) {
+      const sim::Material over = material_of(fabric, "--over-fabric");
+      bound = std::max({bound, over.warp_limit, over.weft_limit});
+    }
   }
   return scene;
 }
@@ -46,6 +51,18 @@ void write_picture(const std::filesystem::path& file, const DrawnScene& scene, c
   write_file(file, renderer::encode_png(draw_fit({scene, garment, worn_m, sewn.time_s, fit, title, measured,
                                                   describe_tightness(scene, garment, worn_m, fit)},
                                                  backend)));
+}
+
+void write_steps(const std::filesystem::path& file, const DrawnScene& scene, const SewnGarment& sewn,
+                 const std::string& backend) {
+  std::vector<GarmentMoment> moments;
+  for (const SewingStep& step : sewn.steps) {
+    const bool is_flat = moments.empty();
+    moments.push_back(
+        {step.name, step.garment, step.positions_m, is_flat ? std::nullopt : std::optional<double>(step.time_s)});
+  }
+  moments.push_back({"worn", sewn.sewn.garment, sewn.sewn.garment.mesh.positions, sewn.time_s});
+  write_file(file, renderer::encode_png(draw_moments(scene, moments, backend)));
 }
 
 [[noreturn]] void end_failed(const SewOptions& options, const DrawnScene& scene, const SewingFailed& error) {
@@ -71,12 +88,17 @@ int run(const SewOptions& asked) {
   }
   prepare_folder_of(options.output);
   if (!options.picture.empty()) prepare_png(options.picture);
+  if (!options.steps.empty()) prepare_png(options.steps);
+  if (!options.over_fabrics.empty() && options.over_fabrics.size() != options.over.size()) {
+    throw UsageError(fmt::format("--over-fabric: found {} of them for {} --over, expected one for each or none",
+                                 options.over_fabrics.size(), options.over.size()));
+  }
   std::FILE* const remarks = options.json ? stderr : stdout;
-  print_body_remarks(scene, load_bodies(scene), remarks);
+  print_body_remarks(scene, load_bodies(scene, static_cast<int>(options.over.size()) + 1), remarks);
   Progress progress(scene.name);
   const std::clock_t began = std::clock();
   try {
-    const SewnGarment sewn = sew(scene, {options.triangles, options.frames, options.over},
+    const SewnGarment sewn = sew(scene, {options.triangles, options.frames, options.over, options.over_fabrics},
                                  [&](const std::string& stage) { progress.begin(stage); });
     const double took_s = static_cast<double>(std::clock() - began) / CLOCKS_PER_SEC;
     write_text_file(options.output, obj_of(sewn));
@@ -89,6 +111,7 @@ int run(const SewOptions& asked) {
         100.0 * sewn.max_stretch);
     progress.begin("drawing it");
     if (!options.picture.empty()) write_picture(options.picture, scene, sewn, measured, options.backend);
+    if (!options.steps.empty()) write_steps(options.steps, scene, sewn, options.backend);
     progress.hide();
     print_body_remarks(scene, sewn.remarks, remarks);
     if (options.json) {

@@ -204,24 +204,28 @@ constexpr float fit_legend_px = 275.0F;
 constexpr float fit_header_px = border_px + 3.4F * text_px;
 constexpr float fit_page_px = 2.0F * border_px + 2.0F * fit_panel_px + fit_gap_px + fit_legend_px;
 
-/// `turned_rad` is how far the camera goes around from the front.
-renderer::Image draw_side(OffscreenRenderer& offscreen, const WornGarment& worn, float turned_rad) {
-  DrawnScene scene = worn.scene;
-  const sim::Vec3 front = front_of_dressed(scene);
+/// Looks at the positions from `turned_rad` around from the front.
+void look_from_front(const sim::Vec3& front, std::span<const sim::Vec3> positions_m, float turned_rad,
+                     DrawnScene& scene) {
   renderer::Framing& framing = scene.camera.framing;
   framing.azimuth_rad = static_cast<float>(std::atan2(front.x, front.z)) + turned_rad;
   framing.elevation_rad = 0.05F;
   framing.vertical_fov_rad = 0.35F;
   scene.camera.eye.reset();
-  scene.camera.box = renderer::bounding_box(to_float(worn.positions_m));
+  scene.camera.box = renderer::bounding_box(to_float({positions_m.begin(), positions_m.end()}));
   PictureStyle& style = scene.picture;
   style.settings.width_px = static_cast<int>(fit_panel_px);
   style.settings.height_px = static_cast<int>(fit_panel_height_px);
   style.settings.supersampling = 2;
-  style.surface = SurfaceLook::stretch;
   style.ground.kind = GroundKind::none;
   style.legend = false;
   style.show_pins = false;
+}
+
+renderer::Image draw_side(OffscreenRenderer& offscreen, const WornGarment& worn, float turned_rad) {
+  DrawnScene scene = worn.scene;
+  look_from_front(front_of_dressed(scene), worn.positions_m, turned_rad, scene);
+  scene.picture.surface = SurfaceLook::stretch;
   return draw_marked(offscreen.renderer(), scene, worn.garment, {}, worn.positions_m, worn.time_s, {}, true);
 }
 
@@ -309,6 +313,30 @@ renderer::Image draw_blocked(renderer::SceneRenderer& renderer, const DrawnScene
   }
   canvas.image(0.0F, header_px, draw(scene));
   canvas.image(width_px, header_px, draw(from_near(scene, simulation, blocked.place_m)));
+  return canvas.to_image();
+}
+
+renderer::Image draw_moments(const DrawnScene& scene, std::span<const GarmentMoment> moments,
+                             const std::string& backend) {
+  OffscreenRenderer offscreen(backend);
+  const float height_px = fit_panel_height_px + 1.6F * row_px;
+  const auto count = static_cast<float>(moments.size());
+  renderer::Canvas canvas(static_cast<int>(count * (fit_panel_px + fit_gap_px) - fit_gap_px),
+                          static_cast<int>(height_px));
+  renderer::TextStyle caption = text_style(1.3F * text_px);
+  caption.horizontal = renderer::HorizontalAlign::centre;
+  float x_px = 0.0F;
+  for (const GarmentMoment& moment : moments) {
+    DrawnScene shown = scene;
+    look_from_front(moment.time_s ? front_of_dressed(scene) : sim::Vec3(0.0, 0.0, 1.0), moment.positions_m, 0.0F,
+                    shown);
+    if (!moment.time_s) shown.surroundings.bodies.clear();
+    canvas.image(x_px, 0.0F,
+                 draw_marked(offscreen.renderer(), shown, moment.garment, {}, moment.positions_m,
+                             moment.time_s.value_or(0.0), {}, true));
+    canvas.text(x_px + 0.5F * fit_panel_px, fit_panel_height_px + row_px, moment.name, caption);
+    x_px += fit_panel_px + fit_gap_px;
+  }
   return canvas.to_image();
 }
 

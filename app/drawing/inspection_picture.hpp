@@ -37,4 +37,16 @@ struct WornGarment {
 /// girths and ease below. `backend` as in renderer::create_context. Throws renderer::ContextError.
 renderer::Image draw_fit(const WornGarment& worn, const std::string& backend);
 
+/// A moment of a garment, for a row of them.
+struct GarmentMoment {
+  std::string name;
+  const sim::Garment& garment;
+  const std::vector<sim::Vec3>& positions_m;
+  std::optional<double> time_s;  ///< at which bodies are drawn; empty: without them
+};
+
+/// Draws moments beside each other, from the front, as the scene's cloth looks. Throws as draw_fit() does.
+renderer::Image draw_moments(const DrawnScene& scene, std::span<const GarmentMoment> moments,
+                             const std::string& backend);
+
 }  // namespace taut::app

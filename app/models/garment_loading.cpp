@@ -4,6 +4,7 @@
 #include "app/base/words.hpp"
 #include "app/models/hanger.hpp"
 #include "app/models/model_fitting.hpp"
+#include "app/scene/scene_format.hpp"
 #include "sim/mesh/subdivide.hpp"
 #include "sim/mesh/welding.hpp"
 
@@ -385,6 +386,41 @@ void untangle(const Scene& scene, LoadedGarment& loaded, const StageReport& begi
   loaded.start_m = std::move(start_m);
 }
 
+/// Makes layers of fabrics of their own, as the file beside the garment says: groups whose names begin so.
+sim::Garment of_fabrics(sim::Garment garment, const Scene& scene, const LoadedGarment& loaded) {
+  const std::filesystem::path& model = scene.garment.model();
+  const auto fabrics =
+      scene.garment.is_grid() || model.empty() ? decltype(fabrics_of_layers(model)){} : fabrics_of_layers(model);
+  if (fabrics.empty()) return garment;
+  const std::string where = "'" + landmarks_path(model).string() + "': fabrics";
+  if (loaded.file_faces.empty()) throw InputError("{}: expected a garment that is simulated as it was read", where);
+  std::vector<std::uint8_t> layer_of(garment.mesh.positions.size(), 0);
+  std::vector<sim::Material> others;
+  const FileFaces& faces = loaded.file_faces;
+  for (const auto& [group, name] : fabrics) {
+    others.push_back(material_of(name, where));
+    std::size_t corner = 0, section = 0, found = 0;
+    bool is_of_group = false;
+    for (std::size_t face = 0; face < faces.corner_counts.size(); ++face) {
+      for (; section < faces.sections.size() && faces.sections[section].first_face <= face; ++section) {
+        is_of_group = faces.sections[section].line.starts_with("g " + group);
+      }
+      for (std::size_t k = 0; k < faces.corner_counts[face]; ++k, ++corner) {
+        const std::optional<sim::Index> v = loaded.file_vertices.find(faces.corners[corner]);
+        if (!is_of_group || !v) continue;
+        layer_of[*v] = static_cast<std::uint8_t>(others.size());
+        ++found;
+      }
+    }
+    if (found == 0) throw InputError("{}: found no group of the garment that begins with '{}'", where, group);
+  }
+  try {
+    return sim::with_others(std::move(garment), std::move(layer_of), std::move(others));
+  } catch (const std::invalid_argument& error) {
+    throw InputError("{}: {}; expected a fabric for all (--fabric)", where, error.what());
+  }
+}
+
 }  // namespace
 
 LoadedGarment load_garment(const Scene& scene, const StageReport& begin) {
@@ -410,7 +446,7 @@ LoadedGarment load_garment(const Scene& scene, const StageReport& begin) {
     garment.warps = loaded.following ? warps_below(garment.mesh, loaded.following->mesh, loaded.colours.corner_uv)
                                      : sim::warps_of(garment.mesh, loaded.colours.corner_uv);
   }
-  loaded.garment = sim::share(std::move(garment));
+  loaded.garment = sim::share(of_fabrics(std::move(garment), scene, loaded));
   if (const std::optional<std::string> reason = beyond_contact(scene, *loaded.garment)) {
     throw InputError(*reason);
   }

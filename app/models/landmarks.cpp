@@ -12,6 +12,8 @@ namespace {
 // one. A larger value could take a neighbouring vertex, which is millimetres away.
 constexpr double same_point_m = 1e-5;
 
+constexpr int most_layers = 8;
+
 // Everything one landmark needs to be found.
 struct Search {
   Source source;
@@ -184,6 +186,34 @@ bool is_at_rest_as_cut(const std::filesystem::path& garment) {
          "is_cut: found " + to_text(*value) + ", expected true or false, and metres_per_uv beside it");
   }
   return value != nullptr && value->value_or(false);
+}
+
+int garments_worn(const std::filesystem::path& garment) {
+  const std::filesystem::path path = landmarks_path(garment);
+  const toml::table file = garment.empty() ? toml::table() : file_at(path);
+  const toml::node* value = file.get("layers");
+  const std::optional<std::int64_t> layers = value == nullptr ? std::optional<std::int64_t>(1) : whole_number(*value);
+  if (!layers || *layers < 1 || *layers > most_layers) {
+    fail({path.string(), false}, line_of(*value),
+         fmt::format("layers: found {}, expected a whole number from 1 to {}", to_text(*value), most_layers));
+  }
+  return static_cast<int>(*layers);
+}
+
+std::vector<std::pair<std::string, std::string>> fabrics_of_layers(const std::filesystem::path& garment) {
+  const std::filesystem::path path = landmarks_path(garment);
+  const toml::table file = file_at(path);
+  const toml::node* value = file.get("fabrics");
+  std::vector<std::pair<std::string, std::string>> fabrics;
+  if (value == nullptr) return fabrics;
+  const Source source = {path.string(), false};
+  if (!value->is_table()) fail(source, line_of(*value), "fabrics: expected a table of groups = fabric");
+  for (const auto& [group, name] : entries_of(*value->as_table())) {
+    const std::optional<std::string> text = text_in(*name);
+    if (!text) fail(source, line_of(*name), "fabrics." + group + ": found " + to_text(*name) + ", expected a text");
+    fabrics.emplace_back(group, *text);
+  }
+  return fabrics;
 }
 
 NearestVertex nearest_vertex(std::span<const sim::Vec3> positions, const sim::Vec3& point_m) {

@@ -26,6 +26,14 @@ std::optional<double> known_metres_per_uv(const std::filesystem::path& garment);
 /// coordinates, in the same scale. Throws InputError likewise.
 bool is_at_rest_as_cut(const std::filesystem::path& garment);
 
+/// How many garments over each other the same file says that it is, layers = 2; 1 if it says nothing. Throws
+/// InputError likewise.
+int garments_worn(const std::filesystem::path& garment);
+
+/// The fabrics of its layers in the same file: for groups of the garment whose names begin so, that of a name or a
+/// file (find_fabric()). Throws InputError likewise.
+std::vector<std::pair<std::string, std::string>> fabrics_of_layers(const std::filesystem::path& garment);
+
 /// The vertex nearest to a point, and its distance.
 struct NearestVertex {
   sim::Index vertex = 0;

@@ -208,6 +208,12 @@ SceneFormat<Scene> undrawn_format() {
   return format;
 }
 
+sim::Material material_of(const std::string& fabric, const std::string& option) {
+  Scene scene;
+  apply_overrides(undrawn_format(), std::vector<Override>{{"cloth.fabric", fabric, option}}, scene);
+  return scene.material;
+}
+
 void require_one_garment(const toml::table& file, const Source& source) {
   const toml::node* garment = file.get("garment");
   const bool has_file = static_cast<bool>(file["garment"]["file"]);

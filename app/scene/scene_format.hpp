@@ -22,6 +22,9 @@ SceneFormat<Scene> simulation_format();
 /// The same for reading alone: the sections of pictures, which DrawnScene has, are passed over in files.
 SceneFormat<Scene> undrawn_format();
 
+/// The material that a fabric sets. Throws UsageError, with this option in it, if there is none of that name or file.
+sim::Material material_of(const std::string& fabric, const std::string& option);
+
 /// Sets a key of one body: "body.file" adds a body that is a model, named after its file, and every other
 /// "body.KEY" sets the key of [[bodies]] for the last body that is one. Returns false if the name does not
 /// begin with "body.". Throws by `fail`.

@@ -2,6 +2,7 @@
 
 #include "app/base/interruption.hpp"
 #include "app/bodies/wearing.hpp"
+#include "app/fitting/surface_tree.hpp"
 #include "app/models/garment_loading.hpp"
 #include "app/models/scene_crossings.hpp"
 #include "app/output/frame_record.hpp"
@@ -101,10 +102,20 @@ SewnPieces join_pieces(const CutPieces& pieces, const std::vector<Index>& set_of
   return sewn;
 }
 
+SurfaceTree tree_of(const sim::Body& body, double time_s) {
+  return {mesh_positions_m(body, time_s), std::get<sim::BodyMesh>(body.shape).data->triangles};
+}
+
+bool accept_all(const SurfacePoint&) { return true; }
+
 class Closing {
  public:
   Closing(const CutPieces& pieces, const Scene& scene, double time_s)
-      : pieces_(pieces), scene_(scene), time_s_(time_s), joined_(pieces.flat_m.size()) {
+      : pieces_(pieces),
+        scene_(scene),
+        time_s_(time_s),
+        body_tree_(tree_of(scene.surroundings.bodies[dressed_body(scene).body], time_s)),
+        joined_(pieces.flat_m.size()) {
     scene_.material.thickness_m = std::min(scene_.material.thickness_m, thickest_m);
     // Laws of threads matter when cloth carries something.
     scene_.material.tensile_warp_n_per_m = scene_.material.tensile_weft_n_per_m = scene_.material.shear_n_per_m = 0.0;
@@ -130,6 +141,7 @@ class Closing {
     double widest_m = std::numeric_limits<double>::infinity();
     int since = 0;
     const int budget = most_steps * static_cast<int>(pieces_.layer_of.back() + 1);
+    if (report) report(share_joined(), sewn_.garment, now_m());
     int next_join = first_join, between_joins = frames_between_joins;
     for (int frame = 1; steps_ <= budget && since < patience && !is_closed(); ++frame, ++since) {
       throw_if_interrupted();
@@ -154,7 +166,7 @@ class Closing {
         widest_m = gap_m;
         since = 0;
       }
-      if (report) report(share_joined());
+      if (report) report(share_joined(), sewn_.garment, now_m());
     }
     find_gap();
     keep_shape();
@@ -298,17 +310,13 @@ class Closing {
   /// Draws layers that are sewn to the body, where they are in the way of none that are sewn over them.
   void draw_in_layers(std::vector<sim::HeldVertex>& held) const {
     if (layer_ == 0) return;
-    const sim::Body& body = scene_.surroundings.bodies[dressed_body(scene_).body];
-    const std::vector<Vec3> body_m = mesh_positions_m(body, time_s_);
     std::vector<char> is_done(now_m().size(), 0);
     for (Index v = 0; v < pieces_.flat_m.size(); ++v) {
       const Index n = sewn_.vertex_of[v];
       if (pieces_.layer_of[pieces_.panel_of[v]] < layer_ && std::exchange(is_done[n], 1) == 0) {
-        const auto nearer = [&](const Vec3& a, const Vec3& b) {
-          return glm::distance(a, at(v)) < glm::distance(b, at(v));
-        };
+        const auto nearest = body_tree_.nearest(at(v), std::numeric_limits<double>::infinity(), accept_all);
         const double pull_n = inwards_m_per_s2 * sewn_.garment.masses_kg[n];
-        held.push_back({n, *std::ranges::min_element(body_m, nearer), pull_n / inwards_from_m, pull_n});
+        held.push_back({n, nearest->place_m, pull_n / inwards_from_m, pull_n});
       }
     }
   }
@@ -436,6 +444,7 @@ class Closing {
   const CutPieces& pieces_;
   Scene scene_;
   double time_s_;
+  SurfaceTree body_tree_;
   sim::Groups joined_;  ///< vertices of the pieces that are one
   std::vector<double> panel_masses_kg_;
   double strength_ = 1.0;                          ///< of all threads

@@ -18,8 +18,10 @@ struct SewnPieces {
   std::string reason = {};  ///< what is in the way
 };
 
-/// Called in every frame with what share of the vertices of seams are sewn.
-using SewingReport = std::function<void(double share)>;
+/// Called before the first frame and in every frame, with what share of the vertices of seams are sewn, and with the
+/// pieces as they are joined and lie.
+using SewingReport =
+    std::function<void(double share, const sim::Garment& garment, const std::vector<sim::Vec3>& positions_m)>;
 
 /// Draws the seams of pieces together that begin where they are placed, among the bodies of the scene as they
 /// are at `time_s`, without gravity: each vertex of a seam is pulled to the middle of those that it is sewn

@@ -47,6 +47,19 @@ void push_ease_together(const SewingPattern& pattern, CutPieces& pieces) {
   }
 }
 
+void require_placed(const SewingPattern& pattern) {
+  const PatternPanel& first = pattern.panels.front();
+  const bool is_any_placed = std::ranges::any_of(pattern.panels, [&](const PatternPanel& panel) {
+    return panel.translation_m != first.translation_m || panel.rotation != first.rotation;
+  });
+  if (pattern.panels.size() > 1 && !is_any_placed) {
+    throw InputError(
+        "found all {} panels of the pattern at {} m, turned alike; expected translations and rotations that place them "
+        "about a body",
+        pattern.panels.size(), describe_point(first.translation_m));
+  }
+}
+
 /// A body that goes evenly from one shape to another.
 class FramesBetween final : public sim::BodyFrames {
  public:
@@ -90,6 +103,7 @@ double thin_time_s(const Scene& scene) {
 
 std::vector<std::string> bring_to_body(const SewingPattern& pattern, const Scene& scene, CutPieces& pieces) {
   const Wearer& wearer = wearer_of(scene);
+  require_placed(pattern);
   std::vector<std::string> said;
   const Vec3 shift = move_to_height(pattern, wearer, pieces, said);
   push_ease_together(pattern, pieces);
@@ -105,8 +119,10 @@ std::vector<std::string> place_pieces(CutPieces& pieces, Scene& scene) {
   wearer.motion = std::make_shared<const FramesBetween>(
       wearer.full_m, own_shape_m(scene.body_sources[b], {1.0, frame_rate_hz}), frame_rate_hz);
   wearer.rate_hz = frame_rate_hz;
-  std::get<sim::BodyMesh>(body.shape).frames =
-      growing(wearer, turning_back(*wearer.rig, wearer.pose, turned_limbs(wearer, pieces)));
+  // Limbs turn while they are thin: sleeves are cut for arms that hang, and pull at shoulders otherwise.
+  std::vector<RigPose> poses = turning_back(*wearer.rig, wearer.pose, turned_limbs(wearer, pieces));
+  poses.insert(poses.end(), poses.size(), wearer.pose);
+  std::get<sim::BodyMesh>(body.shape).frames = growing(wearer, poses, true);
   const std::size_t moved = part_and_draw_in(body, thin_time_s(scene), *wearer.measures.neck_m, pieces);
   if (moved == 0) return {};
   return {fmt::format("{} of its {} pieces crossed another or the body where they were placed: moved apart", moved,

@@ -7,6 +7,7 @@
 #include "app/models/obj_writing.hpp"
 #include "app/models/scene_crossings.hpp"
 #include "app/output/run_checkpoint.hpp"
+#include "app/scene/scene_format.hpp"
 #include "app/scene/scene_key.hpp"
 #include "app/sewing/placing.hpp"
 #include "app/verify/stretch.hpp"
@@ -36,11 +37,48 @@ constexpr double of_one_limb = 0.6;  ///< of a girth, at most
   throw SewingFailed(message, std::move(garment));
 }
 
+/// Makes outer layers of their own fabrics.
+sim::Garment of_fabrics(sim::Garment cloth, const SewnGarment& garment) {
+  if (garment.over_fabrics.empty()) return cloth;
+  std::vector<sim::Material> others;
+  for (const std::string& fabric : garment.over_fabrics) others.push_back(material_of(fabric, "--over-fabric"));
+  std::vector<std::uint8_t> layer_of(cloth.mesh.positions.size());
+  for (std::size_t v = 0; v < garment.pieces.flat_m.size(); ++v) {
+    layer_of[garment.sewn.vertex_of[v]] =
+        static_cast<std::uint8_t>(garment.pieces.layer_of[garment.pieces.panel_of[v]]);
+  }
+  try {
+    return sim::with_others(std::move(cloth), std::move(layer_of), std::move(others));
+  } catch (const std::invalid_argument& error) {
+    throw InputError("--over-fabric: {}; expected a fabric for all (--fabric)", error.what());
+  }
+}
+
+/// Says in which panel it is stretched most, and beside which seam.
+std::string describe_tightest(const SewnGarment& garment) {
+  const sim::Mesh& mesh = garment.sewn.garment.mesh;
+  const std::vector<double> stretch = sim::triangle_surface_stretch(garment.sewn.garment, mesh.positions);
+  const auto t = static_cast<std::size_t>(std::ranges::max_element(stretch) - stretch.begin());
+  const Vec3 at_m = mesh.positions[mesh.triangles[t][0]];
+  std::size_t nearest = 0;
+  double least_m = std::numeric_limits<double>::infinity();
+  for (std::size_t s = 0; s < garment.pieces.seams.size(); ++s) {
+    for (const auto& [a, b] : garment.pieces.seams[s]) {
+      const double off_m = glm::distance(mesh.positions[garment.sewn.vertex_of[a]], at_m);
+      nearest = off_m < least_m ? s : nearest;
+      least_m = std::min(least_m, off_m);
+    }
+  }
+  const sim::Index panel = garment.pieces.panel_of[garment.pieces.triangles[t][0]];
+  return fmt::format("it is tightest in the panel '{}', beside the seam of {}", garment.pattern.panels[panel].name,
+                     garment.pattern.describe(garment.pattern.stitches[nearest]));
+}
+
 /// Lets the body grow into what was sewn, and that come to rest.
 void wear(const Scene& scene, const SewingSettings& settings, const std::function<void(const std::string&)>& stage,
           SewnGarment& garment) {
   SewnPieces& sewn = garment.sewn;
-  sewn.garment = sim::with_material(std::move(sewn.garment), scene.material);
+  sewn.garment = of_fabrics(sim::with_material(std::move(sewn.garment), scene.material), garment);
   // As of any garment that begins where it lies.
   sewn.garment.parted_m.clear();
   RunSettings run = scene.simulation;
@@ -57,8 +95,8 @@ void wear(const Scene& scene, const SewingSettings& settings, const std::functio
   const auto refuse = [&](const std::exception& error) {
     keep();
     const std::string tight = describe_tightness(scene, sewn.garment, sewn.garment.mesh.positions, fit);
-    throw SewingFailed("its seams are closed, but it cannot be worn: " + (error.what() + describe_misfit(fit)) +
-                           (tight.empty() ? "" : "; " + tight),
+    throw SewingFailed("its seams are closed, but it cannot be worn: " + (error.what() + describe_misfit(fit)) + "; " +
+                           describe_tightest(garment) + (tight.empty() ? "" : "; " + tight),
                        std::move(garment));
   };
   try {
@@ -121,12 +159,26 @@ CutPieces cut(const std::filesystem::path& file, const SewingPattern& pattern, i
   }
 }
 
+/// Keeps the pattern and how it is placed, and the first moment in which half of it is closed.
+void keep_step(double share, const sim::Garment& now, const std::vector<Vec3>& positions_m, SewnGarment& garment) {
+  constexpr double half = 0.5;
+  if (garment.steps.empty()) {
+    std::vector<Vec3> flat_m;
+    for (const sim::Vec2& at : garment.pieces.flat_m) flat_m.emplace_back(at, 0.0);
+    garment.steps = {{"the pattern", now, std::move(flat_m), garment.time_s},
+                     {"placed", now, positions_m, garment.time_s}};
+  } else if (garment.steps.size() == 2 && share >= half) {
+    garment.steps.push_back({"half closed", now, positions_m, garment.time_s});
+  }
+}
+
 }  // namespace
 
 SewnGarment sew(Scene& scene, const SewingSettings& settings, const std::function<void(const std::string&)>& stage) {
   SewnGarment garment;
   std::vector<std::filesystem::path> files = {scene.garment.file};
   files.insert(files.end(), settings.over.begin(), settings.over.end());
+  garment.over_fabrics = settings.over_fabrics;
   stage("meshing its panels");
   for (const std::filesystem::path& file : files) {
     SewingPattern pattern = read_sewing_pattern(file);
@@ -138,15 +190,19 @@ SewnGarment sew(Scene& scene, const SewingSettings& settings, const std::functio
       garment.pattern = std::move(pattern);
       garment.pieces = std::move(pieces);
     } else {
-      add_pattern(file.stem().string(), std::move(pattern), garment.pattern);
+      garment.over_names.push_back(file.stem().string());
+      add_pattern(garment.over_names.back(), std::move(pattern), garment.pattern);
       add_over(pieces, garment.pieces);
     }
   }
   for (std::string& remark : place_pieces(garment.pieces, scene)) garment.remarks.push_back(std::move(remark));
   garment.time_s = thin_time_s(scene);
-  garment.sewn = close_seams(garment.pieces, scene, garment.time_s, [&](double share) {
-    stage(fmt::format("drawing its seams together, {:.0f} % are closed", std::floor(100.0 * share)));
-  });
+  garment.sewn =
+      close_seams(garment.pieces, scene, garment.time_s,
+                  [&](double share, const sim::Garment& now, const std::vector<Vec3>& positions_m) {
+                    stage(fmt::format("drawing its seams together, {:.0f} % are closed", std::floor(100.0 * share)));
+                    keep_step(share, now, positions_m, garment);
+                  });
   if (garment.sewn.gap_m > 0.0) refuse_open(std::move(garment));
   wear(scene, settings, stage, garment);
   verify(scene, garment);
@@ -168,8 +224,15 @@ std::string obj_of(const SewnGarment& garment) {
 
 std::string landmarks_of(const SewnGarment& garment) {
   std::string text = "# As it is cut: lengths at rest are those of the texture coordinates, which are cm.\n" +
-                     fmt::format("metres_per_uv = {}\nis_cut = true\n\n", metres_per_uv_of_cut) +
-                     "# Vertices along its seams, from 0.\n[seams]\n";
+                     fmt::format("metres_per_uv = {}\nis_cut = true\n", metres_per_uv_of_cut);
+  if (!garment.over_names.empty()) {
+    text += fmt::format("\n# Garments that are worn over each other.\nlayers = {}\n", garment.over_names.size() + 1);
+  }
+  if (!garment.over_fabrics.empty()) text += "\n# Of groups whose names begin so.\n[fabrics]\n";
+  for (std::size_t k = 0; k < garment.over_fabrics.size(); ++k) {
+    text += toml_text(garment.over_names[k] + ".") + " = " + toml_text(garment.over_fabrics[k]) + "\n";
+  }
+  text += "\n# Vertices along its seams, from 0.\n[seams]\n";
   for (std::size_t s = 0; s < garment.pieces.seams.size(); ++s) {
     std::string vertices;
     for (const auto& [a, b] : garment.pieces.seams[s]) {

@@ -11,14 +11,26 @@ struct SewingSettings {
   int triangles = 4000;                          ///< about so many
   int frames = 600;                              ///< at most, from when it is worn until it rests
   std::vector<std::filesystem::path> over = {};  ///< patterns that are sewn over the scene's garment, inner ones first
+  std::vector<std::string> over_fabrics = {};    ///< theirs (find_fabric()); empty: that of the scene's garment
+};
+
+/// How a garment lay while it was sewn.
+struct SewingStep {
+  const char* name = "";
+  sim::Garment garment = {};
+  std::vector<sim::Vec3> positions_m = {};
+  double time_s = 0.0;  ///< of the bodies; the pattern lies where there are none
 };
 
 /// A pattern that was sewn on the body of a scene, as it rests there.
 struct SewnGarment {
   SewingPattern pattern = {};  ///< of all layers; panels of outer ones are called "FILE.NAME"
   CutPieces pieces = {};
+  std::vector<std::string> over_fabrics = {};
+  std::vector<std::string> over_names = {};
   SewnPieces sewn = {};
   std::vector<std::string> remarks = {};  ///< for people
+  std::vector<SewingStep> steps = {};     ///< its panels side by side, placed, half closed
   int frames = 0;                         ///< until it rested
   bool is_at_rest = false;
   double rms_speed_m_per_s = 0.0;  ///< in the last frame

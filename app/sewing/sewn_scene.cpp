@@ -5,6 +5,7 @@
 
 #include "app/base/errors.hpp"
 #include "app/base/files.hpp"
+#include "app/base/version.hpp"
 #include "app/bodies/body_loading.hpp"
 #include "app/models/landmarks.hpp"
 #include "app/sewing/sewing.hpp"
@@ -36,6 +37,7 @@ std::uint64_t fingerprint_of(const Scene& scene) {
   const BodySource& body = scene.body_sources[0];
   const sim::Material& m = scene.material;
   sim::ByteWriter bytes;
+  bytes.put_text(program_version());
   bytes.put_text(read_text_file(scene.garment.file));
   bytes.put_text(read_text_file(body.file));
   bytes.put(body.scale.value_or(0.0));

@@ -157,7 +157,7 @@ TEST_F(Dressing, ClothThatCrossesTheBodyWhenItHasGrownEndsTheRun) {
 }
 
 /// Two upright square tubes, each with a joint in its middle, whose walls are so far apart: legs, or fingers of a hand.
-std::optional<RoomForCloth> room_between(double gap_m, bool are_fingers = false) {
+std::optional<RoomForCloth> room_between(double gap_m, bool are_fingers = false, int garments = 1) {
   Rig rig;
   if (are_fingers) {
     rig.nodes.push_back({"LeftHand", no_node, glm::dmat4(1.0)});
@@ -190,7 +190,7 @@ std::optional<RoomForCloth> room_between(double gap_m, bool are_fingers = false)
   places.file_vertex.resize(rig.in_part.size());
   std::iota(places.file_vertex.begin(), places.file_vertex.end(), 0U);
   const std::vector<RigPose> poses = {stored_pose(rig)};
-  return leave_room(rig, poses, places, triangles);
+  return leave_room(rig, poses, places, triangles, garments);
 }
 
 TEST(RoomForCloth, IsLeftBetweenLimbsThatTouch) {
@@ -201,6 +201,8 @@ TEST(RoomForCloth, IsLeftBetweenLimbsThatTouch) {
   EXPECT_GT(room->most_m, 0.002);
   EXPECT_LT(room->most_m, 0.03);
   EXPECT_FALSE(room_between(0.001, true)) << "no cloth goes there";
+  EXPECT_FALSE(room_between(0.012));
+  EXPECT_TRUE(room_between(0.012, false, 2)) << "another garment is worn over it";
 }
 
 }  // namespace

@@ -15,6 +15,7 @@
 #include "app/models/garment_loading.hpp"
 #include "app/models/landmarks.hpp"
 #include "app/models/scene_crossings.hpp"
+#include "app/scene/scene_format.hpp"
 #include "app/sewing/placing.hpp"
 #include "app/sewing/sewing.hpp"
 #include "app/sewing/sewn_scene.hpp"
@@ -114,10 +115,10 @@ TEST_F(Sewing, SaysThatWhatWasSewnIsTooSmall) {
   Scene scene = scene_with(folder.write("skirt.json", skirt(30.0, 35.0)));
   scene.simulation.solver.max_substeps = 30;  // more would try harder, and longer
   const std::string message = test::message_of<SewingFailed>([&] { sewn(scene, 200); });
-  EXPECT_NE(message.find("its seams are closed, but it cannot be worn: while it is dressed"),
-            std::string::npos)
+  EXPECT_NE(message.find("its seams are closed, but it cannot be worn: while it is dressed"), std::string::npos)
       << message;
   EXPECT_NE(message.find("in a garment of 6"), std::string::npos) << message;
+  EXPECT_NE(message.find("; it is tightest in the panel '"), std::string::npos) << message;
 }
 
 TEST_F(Sewing, SaysWhichSeamStaysOpenAndByHowMuch) {
@@ -147,9 +148,23 @@ TEST_F(Sewing, PanelsThatBeginWithinTheBodyGoAroundIt) {
 TEST_F(Sewing, APatternIsWornOverAnother) {
   Scene scene = scene_with(folder.write("inner.json", skirt(40.0, 60.0)));
   const std::filesystem::path outer = folder.write("outer.json", skirt(48.0, 80.0));
-  const SewnGarment garment = sew(scene, {1200, 60, {outer}}, [](const std::string&) {});
+  scene.material = material_of("cotton", "--fabric");
+  const SewnGarment garment = sew(scene, {1200, 60, {outer}, {"denim"}}, [](const std::string&) {});
   const sim::Mesh& mesh = garment.sewn.garment.mesh;
   EXPECT_EQ(garment.pattern.panels[2].name, "outer.back");
+  Scene again;
+  again.material = scene.material;
+  again.garment.file = folder.write("sewn.obj", obj_of(garment));
+  folder.write("sewn.landmarks.toml", landmarks_of(garment));
+  EXPECT_EQ(garments_worn(again.garment.file), 2);
+  const LoadedGarment loaded = load_garment(again);
+  const sim::Index inner_vertex = mesh.triangles.front()[0], outer_vertex = mesh.triangles.back()[0];
+  EXPECT_EQ(loaded.garment->material_at(inner_vertex).areal_density_kg_per_m2, scene.material.areal_density_kg_per_m2);
+  EXPECT_EQ(loaded.garment->material_at(outer_vertex), material_of("denim", ""));
+  EXPECT_EQ(loaded.garment->masses_kg, garment.sewn.garment.masses_kg);
+  again.material = {};
+  EXPECT_NE(test::message_of<InputError>([&] { load_garment(again); }).find("expected a fabric for all (--fabric)"),
+            std::string::npos);
   EXPECT_EQ(sim::measure_topology(mesh, sim::make_adjacency(mesh)).components, 2u);
   EXPECT_LE(garment.max_stretch, 0.01 + 1e-6);
   for (const SceneCrossings& crossings :
@@ -158,8 +173,7 @@ TEST_F(Sewing, APatternIsWornOverAnother) {
   }
   // Whatever begins on a vertex of the inner one and goes outwards meets the outer one: it is around it.
   std::array<sim::Extent, 2> boxes;
-  const double middle_m =
-      0.5 * (sim::extent_of(mesh.positions).lower.y + sim::extent_of(mesh.positions).upper.y);
+  const double middle_m = 0.5 * (sim::extent_of(mesh.positions).lower.y + sim::extent_of(mesh.positions).upper.y);
   for (std::size_t v = 0; v < garment.pieces.flat_m.size(); ++v) {
     const sim::Vec3& at = mesh.positions[garment.sewn.vertex_of[v]];
     if (std::abs(at.y - middle_m) < 0.05) {
@@ -209,6 +223,39 @@ TEST_F(Sewing, ASleeveIsTurnedToTheArmWithItsCuff) {
   EXPECT_LT(glm::distance(boxes[1].middle(), boxes[2].middle()), 0.3) << "it is torn from the sleeve";
 }
 
+TEST_F(Sewing, SaysThatPanelsLieOnEachOther) {
+  const Scene scene = scene_with(folder.write("skirt.json", skirt(40.0, 60.0)));
+  const SewingPattern pattern = {{rectangle("front", 0.4, 0.6, {}), rectangle("back", 0.4, 0.6, {})},
+                                 {{{0, 1}, {1, 1}}}};
+  CutPieces pieces = cut_pieces(pattern, 300);
+  EXPECT_NE(test::message_of<InputError>([&] {
+              bring_to_body(pattern, scene, pieces);
+            }).find("found all 2 panels of the pattern at [0.00000, 0.00000, 0.00000] m, turned alike"),
+            std::string::npos);
+}
+
+TEST_F(Sewing, SeamsOfTheTShirtAreAsLongAsDrafted) {
+  const std::filesystem::path drafted = folder / "tshirt.json";
+  const std::string tshirt = (assets / "patterns/tshirt").string();
+  ASSERT_EQ(std::system(("python3 " + tshirt + "/as_json.py " + tshirt + "/teagan.toml > " + drafted.string()).c_str()),
+            0);
+  const SewingPattern pattern = read_sewing_pattern(drafted);
+  for (const int triangles : {1028, 5280, 10600}) {
+    const CutPieces pieces = cut_pieces(pattern, triangles);
+    ASSERT_EQ(pieces.seams.size(), 10u);
+    for (std::size_t s = 0; s < pieces.seams.size(); ++s) {
+      double first_m = 0.0, second_m = 0.0;
+      for (std::size_t k = 1; k < pieces.seams[s].size(); ++k) {
+        const auto& [a, b] = pieces.seams[s][k], &before = pieces.seams[s][k - 1];
+        first_m += glm::distance(pieces.flat_m[before.first], pieces.flat_m[a]);
+        second_m += glm::distance(pieces.flat_m[before.second], pieces.flat_m[b]);
+      }
+      EXPECT_NEAR(first_m, length_of(pattern.line_of(pattern.stitches[s].first)), 5e-4) << triangles;
+      EXPECT_NEAR(second_m, length_of(pattern.line_of(pattern.stitches[s].second)), 5e-4) << triangles;
+    }
+  }
+}
+
 TEST_F(Sewing, ShouldersAreFoundBelowAHood) {
   const Scene scene = scene_with(folder.write("skirt.json", skirt(40.0, 60.0)));
   const SewingPattern pattern = {
@@ -233,8 +280,7 @@ TEST_F(Sewing, LegsBeginInTrousersOnly) {
 
 TEST_F(Sewing, WhatIsSewnForASceneStaysWhereNobodyElseWrites) {
   const char* const given = std::getenv("TMPDIR");
-  const std::optional<std::string> before =
-      given != nullptr ? std::optional<std::string>(given) : std::nullopt;
+  const std::optional<std::string> before = given != nullptr ? std::optional<std::string>(given) : std::nullopt;
   Scene scene = scene_with(folder.write("skirt.json", skirt(40.0, 60.0)));
   std::filesystem::create_directory(folder / "temporary");
   const std::filesystem::path usual = folder / "temporary" / fmt::format("taut-{}", ::getuid());

@@ -84,9 +84,37 @@ TEST(Flexural, ASheetResistsRollingWithItsRigidityForEveryMesh) {
   EXPECT_NEAR(sum, 1.0, 0.15);
 }
 
+TEST(Flexural, LayersOfOtherMaterialsWeighAndBendAsTheseDo) {
+  const Mesh one = irregular_sheet(9, 1.0);
+  const auto count = static_cast<Index>(one.positions.size());
+  Mesh two = one;
+  for (const Vec3& p : one.positions) two.positions.push_back(p + Vec3(0, 0, 1));
+  for (const auto& [a, b, c] : one.triangles) two.triangles.push_back({count + a, count + b, count + c});
+  Material soft, stiff;
+  stiff.areal_density_kg_per_m2 = 3.0 * soft.areal_density_kg_per_m2;
+  stiff.bending_rigidity_n_m = 10.0 * soft.bending_rigidity_n_m;
+  stiff.thickness_m = 2.0 * soft.thickness_m;
+  std::vector<std::uint8_t> layer_of(2 * count, 0);
+  std::fill(layer_of.begin() + count, layer_of.end(), std::uint8_t{1});
+  const Garment layers = with_others(make_garment(two, {}, soft), layer_of, {stiff});
+  const Garment alone = make_garment(one, {}, stiff);
+  for (Index v = 0; v < count; ++v) EXPECT_DOUBLE_EQ(layers.masses_kg[count + v], alone.masses_kg[v]);
+  EXPECT_EQ(layers.material.thickness_m, stiff.thickness_m) << "the thickest is kept apart";
+  EXPECT_EQ(least_density_kg_per_m2(layers), soft.areal_density_kg_per_m2);
+  double own = 0.0, of_alone = 0.0;
+  for (const FlexuralElement& e : flexural_elements(layers)) {
+    own += e.vertices[2] < count ? 0.0 : e.stiffness_per_rigidity * soft.bending_rigidity_n_m;
+  }
+  for (const FlexuralElement& e : flexural_elements(alone)) {
+    of_alone += e.stiffness_per_rigidity * stiff.bending_rigidity_n_m;
+  }
+  EXPECT_NEAR(own, of_alone, 1e-9 * of_alone);
+  stiff.tensile_warp_n_per_m = stiff.tensile_weft_n_per_m = stiff.shear_n_per_m = 1000.0;
+  EXPECT_THROW(with_others(make_garment(two, {}, soft), layer_of, {stiff}), std::invalid_argument);
+}
+
 /// The same ratio from accelerations: -1/2 x . M a, because bending is linear.
-double cylinder_energy_ratio(const Garment& garment, Bending& bending, double rigidity_n_m,
-                             double axis_angle_rad) {
+double cylinder_energy_ratio(const Garment& garment, Bending& bending, double rigidity_n_m, double axis_angle_rad) {
   const Layout layout = make_layout(garment, make_pins(garment, {}));
   const std::vector<Vec3> positions = rolled(garment.mesh, axis_angle_rad);
   Float4Array rows(layout.row_count());

@@ -86,6 +86,11 @@ CoarseCloth coarsen(const Garment& fine, const std::vector<Index>& order) {
   }
   mesh.triangles = triangles_between(fine.mesh, coarse.cluster_of);
   coarse.garment = make_garment(std::move(mesh), {}, fine.material);
+  coarse.garment.others = fine.others;
+  if (!fine.material_of.empty()) coarse.garment.material_of.resize(masses_kg.size());
+  for (std::size_t v = 0; v < fine.material_of.size(); ++v) {
+    coarse.garment.material_of[coarse.cluster_of[v]] = fine.material_of[v];
+  }
   coarse.garment.masses_kg = std::move(masses_kg);
   return coarse;
 }

@@ -17,13 +17,14 @@ struct Law {
   float warp_limit, weft_limit, most;
 };
 
-Law law_of(const Material& m, double most) {
-  return {static_cast<float>(1.0 / m.tensile_warp_n_per_m),
-          static_cast<float>(1.0 / m.tensile_weft_n_per_m),
-          static_cast<float>(0.5 / m.shear_n_per_m),
-          static_cast<float>(m.warp_limit),
-          static_cast<float>(m.weft_limit),
-          static_cast<float>(most)};
+std::vector<Law> laws_of(const std::vector<Material>& materials, double most) {
+  std::vector<Law> laws;
+  for (const Material& m : materials) {
+    laws.push_back({static_cast<float>(1.0 / m.tensile_warp_n_per_m), static_cast<float>(1.0 / m.tensile_weft_n_per_m),
+                    static_cast<float>(0.5 / m.shear_n_per_m), static_cast<float>(m.warp_limit),
+                    static_cast<float>(m.weft_limit), static_cast<float>(most)});
+  }
+  return laws;
 }
 
 /// In axes turned by the angle with this cosine and sine.
@@ -117,18 +118,22 @@ Vec2 warp_of(const Garment& garment, Index triangle) {
 
 int follows_in(double frame_time_s) { return std::max(1, static_cast<int>(std::lround(follows_per_s * frame_time_s))); }
 
-Elasticity::Elasticity(const Garment& garment, const Layout& layout) : material_(garment.material) {
-  if (!sim::has_law(material_) || layout.surface.block_count() == 0) return;
+Elasticity::Elasticity(const Garment& garment, const Layout& layout) : materials_({garment.material}) {
+  materials_.insert(materials_.end(), garment.others.begin(), garment.others.end());
+  if (!sim::has_law(garment.material) || layout.surface.block_count() == 0) return;
   lanes_ = layout.surface;
   sums_.resize(lanes_.block_count());
   warps_.resize(lanes_.block_count());
   areas_m2_.resize(lanes_.lane_count());
+  material_of_.resize(lanes_.lane_count());
   areas_at_rows_m2_.resize(layout.row_count());
   for (std::size_t lane = 0; lane < lanes_.lane_count(); ++lane) {
     const SurfaceBlock& block = lanes_.blocks[lane / block_size];
     const std::size_t k = lane % block_size;
     if (lanes_.triangle[lane] == SurfaceLanes::no_triangle) continue;
     areas_m2_[lane] = 0.5F / (block.along_per_m[k] * block.across_per_m[k]);
+    const Index corner = garment.mesh.triangles[lanes_.triangle[lane]][0];
+    material_of_[lane] = garment.material_of.empty() ? 0 : garment.material_of[corner];
     const Vec2 warp = warp_of(garment, lanes_.triangle[lane]);
     warps_[lane / block_size].cosine[k] = static_cast<float>(warp.x);
     warps_[lane / block_size].sine[k] = static_cast<float>(warp.y);
@@ -147,11 +152,11 @@ void Elasticity::begin_attempt(const Layout& layout, const StartRows& start, con
 }
 
 void Elasticity::stretch_rest_shapes(const Layout& layout, const StartRows& start, ParallelKernels& kernels) {
-  const Law law = law_of(material_, most_);
+  const std::vector<Law> laws = laws_of(materials_, most_);
   for (std::size_t lane = 0; lane < lanes_.lane_count(); ++lane) {
     const std::size_t b = lane / block_size;
     const std::size_t k = lane % block_size;
-    const InPlane due = strain_by(law, in_plane(memory_.tension_n_per_m[b], k));
+    const InPlane due = strain_by(laws[material_of_[lane]], in_plane(memory_.tension_n_per_m[b], k));
     const InPlane rest = sum(due, in_plane(memory_.held_n_per_m[b], k), -sag_m_per_n(lane));
     stretch(layout.surface.blocks[b], k, turned(rest, warps_[b].cosine[k], -warps_[b].sine[k]), lanes_.blocks[b]);
   }
@@ -162,7 +167,7 @@ void Elasticity::stretch_rest_shapes(const Layout& layout, const StartRows& star
 // than tension over stiffness, and is not below 0. Along axes of its own it would let triangles that carry all
 // and slack ones lie side by side.
 void Elasticity::hold_back(const Layout& layout, const Float4Array& moved, double time_s) {
-  const Law law = law_of(material_, most_);
+  const std::vector<Law> laws = laws_of(materials_, most_);
   const auto taken = static_cast<float>(time_s / held_s);
   for (std::size_t lane = 0; lane < lanes_.lane_count(); ++lane) {
     const std::size_t b = lane / block_size;
@@ -172,7 +177,7 @@ void Elasticity::hold_back(const Layout& layout, const Float4Array& moved, doubl
     const InPlane strain =
         turned(strain_of(layout.surface.blocks[b], k, moved), warps_[b].cosine[k], warps_[b].sine[k]);
     const auto [cosine, sine] = principal_axes(tension);
-    const InPlane error = turned(sum(strain, strain_by(law, tension), -1.0F), cosine, sine);
+    const InPlane error = turned(sum(strain, strain_by(laws[material_of_[lane]], tension), -1.0F), cosine, sine);
     const InPlane held = turned(in_plane(memory_.held_n_per_m[b], k), cosine, sine);
     const float sag = sag_m_per_n(lane);
     const auto next = [&](float before, float too_long) {

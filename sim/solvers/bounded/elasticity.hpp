@@ -59,14 +59,15 @@ class Elasticity {
   /// About what a sweep of one time step leaves of a tension, as a strain.
   float sag_m_per_n(std::size_t lane) const { return 2.0F * squared_step_s2_ * lanes_.mobility_per_kg[lane]; }
 
-  Material material_;
+  std::vector<Material> materials_;
   float squared_step_s2_ = 0.0F;
   SurfaceLanes lanes_;
-  std::vector<Warps> warps_;       ///< by block
-  std::vector<float> areas_m2_;    ///< per lane, at rest; 0 in padding
-  std::vector<SurfaceSums> sums_;  ///< by block
-  Float4Array areas_at_rows_m2_;   ///< of the triangles at a row, in x
-  int steps_ = 0;                  ///< that sums_ are of
+  std::vector<Warps> warps_;               ///< by block
+  std::vector<float> areas_m2_;            ///< per lane, at rest; 0 in padding
+  std::vector<std::uint8_t> material_of_;  ///< per lane
+  std::vector<SurfaceSums> sums_;          ///< by block
+  Float4Array areas_at_rows_m2_;           ///< of the triangles at a row, in x
+  int steps_ = 0;                          ///< that sums_ are of
   ElasticMemory memory_;
   double most_ = 0.0;  ///< strain of a rest shape
 };

@@ -93,15 +93,19 @@ void scale_by_area(const Garment& garment, std::vector<FlexuralElement>& element
   double covered_m2 = 0.0;
   double total_m2 = 0.0;
   for (std::size_t v = 0; v < count.size(); ++v) {
-    const double area_m2 = garment.masses_kg[v] / garment.material.areal_density_kg_per_m2;
+    const double area_m2 = garment.masses_kg[v] / garment.material_at(static_cast<Index>(v)).areal_density_kg_per_m2;
     total_m2 += area_m2;
     covered_m2 += count[v] > 0.0 ? area_m2 : 0.0;
   }
   const double factor = garment.mesh.quads.empty() ? cylinder_factor : grid_factor;
   for (FlexuralElement& e : elements) {
     const Index v = e.vertices[2];
-    const double area_m2 = garment.masses_kg[v] / garment.material.areal_density_kg_per_m2;
+    const Material& own = garment.material_at(v);
+    const double area_m2 = garment.masses_kg[v] / own.areal_density_kg_per_m2;
     e.stiffness_per_rigidity *= factor * (total_m2 / covered_m2) * area_m2 / count[v];
+    if (!garment.others.empty()) {
+      e.stiffness_per_rigidity *= own.bending_rigidity_n_m / garment.material.bending_rigidity_n_m;
+    }
   }
 }
 

@@ -16,8 +16,11 @@ double cubed_bending_length_m3(double rigidity_n_m, double areal_density_kg_per_
 
 double fastest_element_per_s(const Garment& garment, double rigidity_n_m) {
   const double edge_m = mean_edge_m(garment.springs);
-  const double cubed_edges =
-      cubed_bending_length_m3(rigidity_n_m, garment.material.areal_density_kg_per_m2) / (edge_m * edge_m * edge_m);
+  double cubed_m3 = cubed_bending_length_m3(rigidity_n_m, garment.material.areal_density_kg_per_m2);
+  for (const Material& other : garment.others) {
+    cubed_m3 = std::max(cubed_m3, cubed_bending_length_m3(other.bending_rigidity_n_m, other.areal_density_kg_per_m2));
+  }
+  const double cubed_edges = cubed_m3 / (edge_m * edge_m * edge_m);
   const double edges = std::cbrt(cubed_edges);
   const double ratio = cubed_edges / std::pow(tuning::edges_in_bending_length, 3);
   const double rise = std::clamp(ratio * ratio, 1.0, std::max(tuning::rise_per_edge * edges, 1.0));
@@ -36,7 +39,7 @@ AirFlow air_flow(const Garment& garment, const Wind& wind, double time_s, double
   const double half_density = 0.5 * air_density_kg_per_m3;
   air.half_density_pressure = static_cast<float>(half_density * wind.pressure_coefficient);
   air.half_density_friction = static_cast<float>(half_density * wind.friction_coefficient);
-  air.time_per_density = static_cast<float>(interval_s / garment.material.areal_density_kg_per_m2);
+  air.time_per_density = static_cast<float>(interval_s / least_density_kg_per_m2(garment));
   air.per_time_step = static_cast<float>(1.0 / time_step_s);
   return air;
 }

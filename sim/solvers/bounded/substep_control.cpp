@@ -14,7 +14,7 @@ double acceleration(const Garment& garment, const Surroundings& surroundings) {
   const double speed = surroundings.forces.wind.speed_m_per_s;
   const double pressure = 0.5 * air_density_kg_per_m3 * speed * speed;
   return largest_gravity_m_per_s2(surroundings.forces) + rate * rate * glm::length(motion.amplitude_m) +
-         flag_drag * pressure / garment.material.areal_density_kg_per_m2;
+         flag_drag * pressure / least_density_kg_per_m2(garment);
 }
 
 int frames_in(double time_s, double frame_time_s) {

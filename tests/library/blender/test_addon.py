@@ -1,7 +1,8 @@
-"""The add-on in Blender, from its zip: blender -b --factory-startup --python-exit-code 3 --python test_addon.py -- ZIP TAUT
+"""The add-on in Blender, from its zip: blender -b --factory-startup --python-exit-code 3 --python test_addon.py -- ZIP TAUT ASSETS
 
 TAUT is the program, whose bits are compared with; $TAUT_LIBRARY is the library.
 """
+import json
 import os
 import pathlib
 import shutil
@@ -15,7 +16,7 @@ import bpy
 import numpy as np
 from mathutils import Matrix
 
-ZIP, TAUT = sys.argv[sys.argv.index('--') + 1:][:2]
+ZIP, TAUT, ASSETS = sys.argv[sys.argv.index('--') + 1:][:3]
 SIDE = 17
 
 
@@ -84,6 +85,29 @@ class AddOn(unittest.TestCase):
         bpy.context.scene.collection.children.link(bodies)
         bodies.objects.link(ball)
         return ball, bodies
+
+    def test_sews_a_pattern_on_a_person(self):
+        np.bool = bool  # which Blender 3.4's glTF names, and numpy no longer has
+        bpy.ops.import_scene.gltf(filepath=str(pathlib.Path(ASSETS) / 'bodies' / 'mannequin_female_34.glb'))
+        person = next(obj for obj in bpy.context.selected_objects if obj.type == 'MESH')
+        sides = [{'panel': name, 'edge': edge} for edge in (0, 2) for name in ('front', 'back')]
+        panel = {'vertices': [[-20, 0], [-30, -40], [30, -40], [20, 0]], 'rotation': [0, 0, 0],
+                 'edges': [{'endpoints': [k, (k + 1) % 4]} for k in range(4)]}
+        pattern = {'pattern': {'panels': {'front': {**panel, 'translation': [0, 105, 20]},
+                                          'back': {**panel, 'translation': [0, 105, -20]}},
+                               'stitches': [sides[:2], sides[2:]]}}
+        (self.folder / 'skirt.json').write_text(json.dumps(pattern))
+        with bpy.context.temp_override(object=person, active_object=person):
+            self.assertEqual(bpy.ops.taut.sew(filepath=str(self.folder / 'skirt.json')), {'FINISHED'})
+        skirt = bpy.data.objects['skirt']
+        height = world(skirt)[:, 2]
+        self.assertGreater(height.min(), 0.4)
+        self.assertLess(height.max(), 1.3)
+        self.assertEqual(list(skirt.taut.bodies.objects), [person])
+        with self.assertRaisesRegex(RuntimeError, 'skirt.json.*stitches'):
+            (self.folder / 'skirt.json').write_text('{"pattern": {"panels": {}}}')
+            with bpy.context.temp_override(object=person, active_object=person):
+                bpy.ops.taut.sew(filepath=str(self.folder / 'skirt.json'))
 
     def simulate(self, obj):
         (self.folder / 'made').mkdir(exist_ok=True)

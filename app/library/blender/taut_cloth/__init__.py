@@ -5,7 +5,7 @@
 """
 import bpy
 
-from . import live, operators, panel, settings
+from . import live, operators, panel, settings, sewing
 
 bl_info = {
     'name': 'Taut Cloth',
@@ -17,7 +17,8 @@ bl_info = {
     'category': 'Physics',
 }
 
-classes = (settings.TautPreferences, settings.TautSettings, operators.TAUT_OT_simulate, panel.TAUT_PT_cloth)
+classes = (settings.TautPreferences, settings.TautSettings, operators.TAUT_OT_simulate, sewing.TAUT_OT_sew,
+           panel.TAUT_PT_cloth)
 
 
 def register():

@@ -1,6 +1,7 @@
 import bpy
 
 from .operators import TAUT_OT_simulate
+from .sewing import TAUT_OT_sew
 
 
 class TAUT_PT_cloth(bpy.types.Panel):
@@ -28,6 +29,7 @@ class TAUT_PT_cloth(bpy.types.Panel):
         frames.prop(settings, 'frame_end')
         layout.operator(TAUT_OT_simulate.bl_idname)
         layout.prop(settings, 'live', toggle=True)
+        layout.operator(TAUT_OT_sew.bl_idname)
         # Labels do not wrap.
         for line in settings.message.splitlines():
             layout.label(text=line)

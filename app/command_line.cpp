@@ -137,7 +137,7 @@ std::function<int()> add_figures(CLI::App& app) {
   command->add_option("-o,--output", options->output, "folder for the pictures")->capture_default_str();
   command->add_option("--data", options->data,
                       "folder with the tables (CSV) of an earlier run: draw from those instead of simulating "
-                      "and measuring anew; no report");
+                      "and measuring anew");
   command->add_option("--scale", options->scale, "pictures this many times as wide and high, 0.1 to 4")
       ->check(CLI::Range(0.1, 4.0))
       ->capture_default_str();

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/figures/figure_options.hpp"
 #include "app/models/import_process.hpp"
 #include "app/scene/scene_file.hpp"
 #include "renderer/context/window.hpp"
@@ -7,16 +8,6 @@
 namespace taut::app {
 
 // Options of each command. Functions return the exit code of the program.
-
-/// Options of `taut figures`.
-struct FiguresOptions {
-  std::vector<std::string> only;  ///< names of figures; empty: all
-  std::filesystem::path output = "figures";
-  /// Folder with the tables of an earlier run, to draw from without simulating. Empty: simulate.
-  std::filesystem::path data;
-  float scale = 1.0F;            ///< times as many pixels each way
-  std::string backend = "auto";  ///< as in renderer::create_context, also below
-};
 
 /// Options of `taut bench`.
 struct BenchOptions {

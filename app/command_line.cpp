@@ -313,14 +313,11 @@ std::function<int()> add_scenes(CLI::App& app) {
 }
 
 std::function<int()> add_fabrics(CLI::App& app) {
-  auto options = std::make_shared<FabricsOptions>();
+  auto fabric = std::make_shared<std::string>();
   CLI::App* command = app.add_subcommand("fabrics", "List the fabrics that --fabric names");
-  command->add_option("FABRIC", options->fabric, "print this fabric's file");
-  command->add_option("-o,--output,--picture", options->picture,
-                      "PNG file: the T-shirt in six of them, instead of the list");
-  add_backend(*command, options->backend);
+  command->add_option("FABRIC", *fabric, "print this fabric's file");
   command->footer(footer_of("fabrics"));
-  return [options] { return run(*options); };
+  return [fabric] { return list_fabrics(*fabric); };
 }
 
 std::function<int()> add_bench(CLI::App& app) {

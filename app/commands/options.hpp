@@ -108,13 +108,6 @@ struct ImportModelOptions {
   int parts = 0;  ///< a ReadParts
 };
 
-/// Options of `taut fabrics`.
-struct FabricsOptions {
-  std::string fabric;             ///< one whose file is to be printed; empty: list them
-  std::filesystem::path picture;  ///< PNG file to draw instead of the list; empty: none
-  std::string backend = "auto";
-};
-
 /// The task of `taut sweep`.
 enum class SweepAction { plan, run, status, merge, show };
 
@@ -146,7 +139,8 @@ inline int run(const ImportModelOptions& options) {
   return serve_import(options.model, options.limits, static_cast<ReadParts>(options.parts));
 }
 int list_scenes();
-int run(const FabricsOptions& options);
+/// Prints the file of this fabric, or where it is empty a table of all.
+int list_fabrics(const std::string& fabric);
 int run(const SweepOptions& options);
 
 }  // namespace taut::app

@@ -121,14 +121,6 @@ DrawnFigures draw_figures(const FiguresOptions& options, std::vector<Figure> fig
   return std::move(writer).finish();
 }
 
-renderer::Image scaled_to_width(const renderer::Image& picture, int width_px) {
-  const int height_px =
-      static_cast<int>(std::lround(static_cast<double>(picture.height_px) * width_px / picture.width_px));
-  renderer::Canvas canvas(width_px, height_px);
-  canvas.image(0.0F, 0.0F, static_cast<float>(width_px), static_cast<float>(height_px), picture);
-  return canvas.to_image();
-}
-
 renderer::Image contact_sheet(std::span<const DrawnFigure> figures, float scale, const SheetLayout& layout) {
   const auto [columns, cell_px, title_px] = layout;
   const int gap_px = cell_px / 20;

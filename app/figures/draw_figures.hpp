@@ -34,7 +34,4 @@ struct SheetLayout {
 /// pixels each way.
 renderer::Image contact_sheet(std::span<const DrawnFigure> figures, float scale = 1.0F, const SheetLayout& layout = {});
 
-/// The picture scaled to this width; its proportions stay.
-renderer::Image scaled_to_width(const renderer::Image& picture, int width_px);
-
 }  // namespace taut::app

@@ -14,7 +14,7 @@ void draw_and_judge(const FiguresOptions& options) {
   ClaimResults results;
   std::vector<Figure> figures = all_figures(results);
   figures.push_back(figure8_of(results));
-  std::vector<Job> jobs = experiments(results);
+  std::vector<Job> jobs = experiments(results, Checking::promises);
   std::ranges::move(claim_experiments(results), std::back_inserter(jobs));
   const DrawnFigures drawn = draw_figures(options, std::move(figures), std::move(jobs));
   if (!options.only.empty() || !options.data.empty()) return;

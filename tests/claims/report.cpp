@@ -208,6 +208,15 @@ std::string promises_html(const std::vector<PromiseResult>& promises) {
   return html + "</table>\n";
 }
 
+// Its proportions stay.
+renderer::Image scaled_to_width(const renderer::Image& picture, int width_px) {
+  const int height_px =
+      static_cast<int>(std::lround(static_cast<double>(picture.height_px) * width_px / picture.width_px));
+  renderer::Canvas canvas(width_px, height_px);
+  canvas.image(0.0F, 0.0F, static_cast<float>(width_px), static_cast<float>(height_px), picture);
+  return canvas.to_image();
+}
+
 std::string png_url(const renderer::Image& picture) {
   return "data:image/png;base64," + base64(renderer::encode_png(picture));
 }

@@ -51,7 +51,7 @@ TEST(Figure8, ReadBackItGivesTheSameTable) {
 TEST(Figure8, TextsAreLargeEnoughInPrint) {
   ClaimResults results = results_with_losses();
   LazyOffscreenRenderer offscreen("auto", 0.02F);
-  EXPECT_GE(test::smallest_print_pt(figure8_of(results).draw(offscreen)), smallest_text_pt);
+  EXPECT_GE(test::smallest_print_pt(figure8_of(results).draw(offscreen)), test::smallest_text_pt);
 }
 
 TEST(Restart, PositionsAloneGoOnToTheSameBits) {

@@ -48,7 +48,7 @@ TEST(Figures, TextsAreLargeEnoughInPrint) {
     if (figure.read && figure.name != "fig7") {
       figure.read(TAUT_TESTS_FOLDER "/golden/figures");
     }
-    EXPECT_GE(test::smallest_print_pt(figure.draw(offscreen)), smallest_text_pt) << figure.name;
+    EXPECT_GE(test::smallest_print_pt(figure.draw(offscreen)), test::smallest_text_pt) << figure.name;
   }
 }
 
@@ -178,7 +178,7 @@ TEST(Recording, CountsWhatCrossesInEveryFrameWhereAskedTo) {
   EXPECT_GT(expected.crossing_pairs, 0U);
   for (const Recording& recording : {record_frames(
                                          scene, frames, [](double) {}, Checking::promises),
-                                     record_steps(scene, frames, 40, [](double) {}).frames}) {
+                                     record_steps(scene, frames, 40, [](double) {}, Checking::promises).frames}) {
     ASSERT_TRUE(recording.promises);
     EXPECT_EQ(recording.promises->frames, 6);
     EXPECT_EQ(recording.promises->crossing_pairs, expected.crossing_pairs);

@@ -50,11 +50,11 @@ void map_models(Results& results) {
   results.shirt_patch = patch_around(shirt, nearest_vertex(shirt.mesh.positions, chest_m).vertex, 2);
 }
 
-StepRecording record_fall(const ProgressCallback& report_progress) {
+StepRecording record_fall(const ProgressCallback& report_progress, Checking checking) {
   DrawnScene scene = find_scene(fall_scene, {});
   scene.simulation.rest.speed_m_per_s = fall_rest_m / fall_rest_s;
   scene.simulation.rest.frames = static_cast<int>(std::lround(fall_rest_s * scene.simulation.frame_rate_hz));
-  return record_steps(scene, fall_frames, followed_vertex(scene), report_progress);
+  return record_steps(scene, fall_frames, followed_vertex(scene), report_progress, checking);
 }
 
 void run_methods(Results& results, const ProgressCallback& report_progress) {
@@ -64,13 +64,6 @@ void run_methods(Results& results, const ProgressCallback& report_progress) {
       report_progress(static_cast<double>(results.methods.size()) / 6.0);
     }
   }
-}
-
-// The last frame of the scene, or of so many.
-void record(const std::string& scene_name, std::optional<int> frames, std::optional<Recording>& place,
-            const ProgressCallback& report_progress) {
-  const DrawnScene scene = find_scene(scene_name, {});
-  place = record_frames(scene, std::array{frames.value_or(scene.frames)}, report_progress, Checking::promises);
 }
 
 }  // namespace
@@ -101,14 +94,19 @@ SpringPatch patch_around(const sim::Garment& garment, sim::Index vertex, int rin
   return patch_of(garment, vertices, {garment.mesh.positions[vertex], right, glm::cross(normal, right)});
 }
 
-std::vector<Job> experiments(Results& results) {
+std::vector<Job> experiments(Results& results, Checking checking) {
   std::vector<Job> jobs = {
-      {"mapping", 0.1, [&](const ProgressCallback&) { map_models(results); }},
-      {fall_scene, 10.0, [&](const ProgressCallback& report) { results.fall = record_fall(report); }},
-      {"methods", 0.3, [&](const ProgressCallback& report) { run_methods(results, report); }}};
-  const auto add = [&jobs](const char* scene, double cost, std::optional<int> frames, std::optional<Recording>& place) {
-    jobs.push_back(
-        {scene, cost, [=, &place](const ProgressCallback& report) { record(scene, frames, place, report); }});
+      {"mapping", 0.1, [&results](const ProgressCallback&) { map_models(results); }},
+      {fall_scene, 10.0,
+       [&results, checking](const ProgressCallback& report) { results.fall = record_fall(report, checking); }},
+      {"methods", 0.3, [&results](const ProgressCallback& report) { run_methods(results, report); }}};
+  // The last frame of the scene, or of so many.
+  const auto add = [&jobs, checking](const char* name, double cost, std::optional<int> frames,
+                                     std::optional<Recording>& place) {
+    jobs.push_back({name, cost, [=, &place](const ProgressCallback& report) {
+                      const DrawnScene scene = find_scene(name, {});
+                      place = record_frames(scene, std::array{frames.value_or(scene.frames)}, report, checking);
+                    }});
   };
   for (std::size_t i = 0; i < pinned_scenes.size(); ++i) add(pinned_scenes[i], 0.1, {}, results.pinned[i]);
   add(shirt_scenes[0], 16.0, {}, results.shirts[0]);

@@ -97,7 +97,7 @@ struct Results {
 
 /// The simulations that figures need, by the names in Figure::needs. Each fills its own part of `results` and
 /// touches no other, so that they may run in parallel.
-std::vector<Job> experiments(Results& results);
+std::vector<Job> experiments(Results& results, Checking checking = Checking::none);
 
 // Scenes of figures 2 to 5.
 inline constexpr const char* fall_scene = "cloth-fall";

@@ -24,9 +24,8 @@ int inspect_bodies(const InspectOptions& options, const Scene& scene) {
   }
   Json bodies = Json::array();
   for (const BodySource& source : scene.body_sources) {
-    const BodyInspection body = inspect_body(source);
-    bodies.push_back(json_of(body));
-    fmt::print("{}", options.json ? "" : describe(body));
+    bodies.push_back(inspect_body(source));
+    fmt::print("{}", options.json ? "" : describe_body(bodies.back()));
   }
   fmt::print("{}", options.json ? Json({{"bodies", bodies}}).dump(2) + '\n' : "");
   return 0;

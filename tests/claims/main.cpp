@@ -31,7 +31,9 @@ int main(int argument_count, char** arguments) {
   using namespace taut::app;
   CLI::App app("All figures, and a report that judges the claims of the paper", "taut_claims");
   FiguresOptions options;
-  app.add_option("--only", options.only, "some of the figures; no report")->delimiter(',');
+  std::vector<std::string> names = figure_names();
+  names.emplace_back("fig8");
+  app.add_option("--only", options.only, "some of the figures; no report")->delimiter(',')->check(CLI::IsMember(names));
   app.add_option("--data", options.data, "folder with the tables of an earlier run, to draw from; no report");
   app.add_option("-o,--output", options.output, "folder for the pictures")->capture_default_str();
   app.add_option("--scale", options.scale, "pictures this many times as wide and high")->check(CLI::Range(0.1, 4.0));

@@ -137,7 +137,7 @@ std::function<int()> add_figures(CLI::App& app) {
   command->add_option("-o,--output", options->output, "folder for the pictures")->capture_default_str();
   command->add_option("--data", options->data,
                       "folder with the tables (CSV) of an earlier run: draw from those instead of simulating "
-                      "and measuring anew; no report");
+                      "and measuring anew");
   command->add_option("--scale", options->scale, "pictures this many times as wide and high, 0.1 to 4")
       ->check(CLI::Range(0.1, 4.0))
       ->capture_default_str();
@@ -318,14 +318,11 @@ std::function<int()> add_scenes(CLI::App& app) {
 }
 
 std::function<int()> add_fabrics(CLI::App& app) {
-  auto options = std::make_shared<FabricsOptions>();
+  auto fabric = std::make_shared<std::string>();
   CLI::App* command = app.add_subcommand("fabrics", "List the fabrics that --fabric names");
-  command->add_option("FABRIC", options->fabric, "print this fabric's file");
-  command->add_option("-o,--output,--picture", options->picture,
-                      "PNG file: the T-shirt in six of them, instead of the list");
-  add_backend(*command, options->backend);
+  command->add_option("FABRIC", *fabric, "print this fabric's file");
   command->footer(footer_of("fabrics"));
-  return [options] { return run(*options); };
+  return [fabric] { return list_fabrics(*fabric); };
 }
 
 std::function<int()> add_bench(CLI::App& app) {

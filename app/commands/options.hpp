@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/figures/figure_options.hpp"
 #include "app/models/import_process.hpp"
 #include "app/scene/scene_file.hpp"
 #include "renderer/context/window.hpp"
@@ -7,16 +8,6 @@
 namespace taut::app {
 
 // Options of each command. Functions return the exit code of the program.
-
-/// Options of `taut figures`.
-struct FiguresOptions {
-  std::vector<std::string> only;  ///< names of figures; empty: all
-  std::filesystem::path output = "figures";
-  /// Folder with the tables of an earlier run, to draw from without simulating. Empty: simulate.
-  std::filesystem::path data;
-  float scale = 1.0F;            ///< times as many pixels each way
-  std::string backend = "auto";  ///< as in renderer::create_context, also below
-};
 
 /// Options of `taut bench`.
 struct BenchOptions {
@@ -119,13 +110,6 @@ struct ImportModelOptions {
   int parts = 0;  ///< a ReadParts
 };
 
-/// Options of `taut fabrics`.
-struct FabricsOptions {
-  std::string fabric;             ///< one whose file is to be printed; empty: list them
-  std::filesystem::path picture;  ///< PNG file to draw instead of the list; empty: none
-  std::string backend = "auto";
-};
-
 /// The task of `taut sweep`.
 enum class SweepAction { plan, run, status, merge, show };
 
@@ -157,7 +141,8 @@ inline int run(const ImportModelOptions& options) {
   return serve_import(options.model, options.limits, static_cast<ReadParts>(options.parts));
 }
 int list_scenes();
-int run(const FabricsOptions& options);
+/// Prints the file of this fabric, or where it is empty a table of all.
+int list_fabrics(const std::string& fabric);
 int run(const SweepOptions& options);
 
 }  // namespace taut::app

@@ -1,18 +1,10 @@
-#include <thread>
-
 #include "app/base/errors.hpp"
-#include "app/base/job_runner.hpp"
+#include "app/base/files.hpp"
 #include "app/commands/options.hpp"
 #include "app/figures/pictures.hpp"
-#include "renderer/page/png.hpp"
 
 namespace taut::app {
 namespace {
-
-/// The garment in the picture, its fabric, and after how many frames.
-constexpr const char* pictured_scene = "tshirt-wind-1";
-constexpr std::array pictured = {"silk", "jersey", "cotton", "wool", "linen", "denim"};
-constexpr int pictured_frame = 150;
 
 void print_table(const std::vector<std::string>& names) {
   fmt::print("{:<8} {:>6} {:>6} {:>8} {:>6}\n{:<8} {:>6} {:>6} {:>8} {:>6}\n", "", "weight", "thick", "bending",
@@ -24,21 +16,6 @@ void print_table(const std::vector<std::string>& names) {
                1e3 * material.thickness_m, 1e6 * material.bending_rigidity_n_m, fabric.published_drape_text(),
                fabric.title);
   }
-}
-
-void write_picture(const FabricsOptions& options) {
-  std::vector<Recording> recordings(std::size(pictured));
-  std::vector<Job> jobs;
-  for (std::size_t k = 0; k < recordings.size(); ++k) {
-    jobs.push_back({pictured[k], 1.0, [&recordings, k](const ProgressCallback& report) {
-                      recordings[k] = record_frames(made_of(find_scene(pictured_scene, {}), pictured[k]),
-                                                    std::array{pictured_frame}, report);
-                    }});
-  }
-  run_jobs(jobs, std::max(1U, std::thread::hardware_concurrency()), [](std::size_t) {});
-  LazyOffscreenRenderer offscreen(options.backend, 1.0F);
-  write_file(options.picture, renderer::encode_png(to_image(draw_fabrics(recordings, offscreen))));
-  fmt::print("wrote {}\n", options.picture.string());
 }
 
 }  // namespace
@@ -59,21 +36,16 @@ int list_scenes() {
   return 0;
 }
 
-int run(const FabricsOptions& options) {
+int list_fabrics(const std::string& fabric) {
   const std::vector<std::string> names = built_in_fabrics();
   if (names.empty()) {
     throw InputError("no fabrics were found; set TAUT_ASSETS to the folder that holds fabrics/");
   }
-  if (!options.fabric.empty()) {
-    fmt::print("{}", read_text_file(find_fabric(options.fabric).file));
+  if (!fabric.empty()) {
+    fmt::print("{}", read_text_file(find_fabric(fabric).file));
     return 0;
   }
-  if (options.picture.empty()) {
-    print_table(names);
-    return 0;
-  }
-  prepare_png(options.picture);
-  write_picture(options);
+  print_table(names);
   return 0;
 }
 

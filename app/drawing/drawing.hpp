@@ -20,9 +20,6 @@ renderer::Image to_image(const Drawing& drawing, float scale = 1.0F);
 /// Width of a PDF page: two columns of a paper.
 inline constexpr float page_width_inches = 7.0F;
 
-/// The smallest text that can be read in print, in points of 1/72 inch.
-inline constexpr float smallest_text_pt = 7.0F;
-
 /// Writes a PDF page in which text and lines stay text and lines. Throws InputError as write_file does.
 void write_pdf(const std::filesystem::path& path, const Drawing& drawing, const std::string& title);
 

@@ -227,7 +227,7 @@ std::string figure3_csv(const Results& results) {
   return table.text();
 }
 
-void read_figure3(const std::filesystem::path& folder, Results& results) {
+void read_figure3(Results& results, const std::filesystem::path& folder) {
   const CsvFile table(folder / "fig3.csv", columns3);
   results.fall = results.fall ? std::move(results.fall) : StepRecording{};
   StepRecording& fall = *results.fall;
@@ -272,7 +272,7 @@ std::string figure6_csv(const Results& results) {
   return table.text();
 }
 
-void read_figure6(const std::filesystem::path& folder, Results& results) {
+void read_figure6(Results& results, const std::filesystem::path& folder) {
   const CsvFile table(folder / "fig6.csv", columns6);
   std::vector<FrameTimes>& times = results.frame_times;
   for (std::size_t row = 0; row < table.rows(); ++row) {
@@ -318,7 +318,7 @@ std::string figure7_csv(const Results& results) {
   return table.text();
 }
 
-void read_figure7(const std::filesystem::path& folder, Results& results) {
+void read_figure7(Results& results, const std::filesystem::path& folder) {
   const CsvFile table(folder / "fig7.csv", columns7);
   std::size_t row = 0;
   for (const double rate_hz : method_rates_hz) {

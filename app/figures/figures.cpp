@@ -9,7 +9,7 @@ namespace {
 // second.
 constexpr int frame_time_repeats = 15;
 
-void time_strong_shirts(const ProgressCallback& report_progress, Results& results) {
+void time_strong_shirts(Results& results, const ProgressCallback& report_progress) {
   measure_frame_times(frame_time_repeats, report_progress, results);
 }
 
@@ -29,25 +29,21 @@ template <auto recordings_of> std::string shapes_of(const Results& results) {
   return shapes_csv(recordings_of(results));
 }
 
-void read_fall(const std::filesystem::path& folder, Results& results) {
+void read_fall(Results& results, const std::filesystem::path& folder) {
   results.fall = results.fall ? std::move(results.fall) : StepRecording{};
   results.fall->frames = read_recording(folder, "fig2", fall_scene);
 }
 
-void read_pinned(const std::filesystem::path& folder, Results& results) {
+void read_pinned(Results& results, const std::filesystem::path& folder) {
   for (std::size_t i = 0; i < results.pinned.size(); ++i) {
     results.pinned[i] = read_recording(folder, "fig4", pinned_scenes[i]);
   }
 }
 
-void read_shirts(const std::filesystem::path& folder, Results& results) {
+void read_shirts(Results& results, const std::filesystem::path& folder) {
   for (std::size_t i = 0; i < results.shirts.size(); ++i) {
     results.shirts[i] = read_recording(folder, "fig5", shirt_scenes[i]);
   }
-}
-
-void time_methods(const ProgressCallback& report_progress, Results& results) {
-  results.trials_of(MethodTest::time) = make_trials(MethodTest::time, report_progress);
 }
 
 constexpr float panel_px = 1150.0F;
@@ -138,62 +134,57 @@ void draw_legend_row(renderer::Canvas& canvas, float centre_px, float y_px) {
 
 }  // namespace
 
-const std::vector<Figure>& all_figures() {
-  using enum Experiment;
-  static const std::vector<Figure> figures = {
-      {"fig1", "The mass-spring model and its types of springs, as the mapping makes them", {mapping}, draw_figure1},
+std::vector<Figure> all_figures(Results& results) {
+  const auto of = [&results](auto function) { return std::bind_front(function, std::ref(results)); };
+  return {
+      {"fig1",
+       "The mass-spring model and its types of springs, as the mapping makes them",
+       {"mapping"},
+       of(draw_figure1)},
       {"fig2",
        "A cloth falls under gravity, held by two corners",
-       {fall},
-       draw_figure2,
-       moments_of<falls_of>,
-       shapes_of<falls_of>,
-       read_fall},
-      {"fig3", "One mass point converges", {fall}, draw_figure3, figure3_csv, nullptr, read_figure3},
+       {fall_scene},
+       of(draw_figure2),
+       of(moments_of<falls_of>),
+       of(shapes_of<falls_of>),
+       of(read_fall)},
+      {"fig3", "One mass point converges", {fall_scene}, of(draw_figure3), of(figure3_csv), {}, of(read_figure3)},
       {"fig4",
        "Over-stretch of up to 5 % and up to 20 %, and where it is",
-       {pinned_5, pinned_20},
-       draw_figure4,
-       moments_of<pinned_of>,
-       shapes_of<pinned_of>,
-       read_pinned},
+       {pinned_scenes.begin(), pinned_scenes.end()},
+       of(draw_figure4),
+       of(moments_of<pinned_of>),
+       of(shapes_of<pinned_of>),
+       of(read_pinned)},
       {"fig5",
        "The T-shirt under gravity and in two winds",
-       {shirt_still, shirt_wind_1, shirt_wind_10},
-       draw_figure5,
-       moments_of<shirts_of>,
-       shapes_of<shirts_of>,
-       read_shirts},
+       {shirt_scenes.begin(), shirt_scenes.end()},
+       of(draw_figure5),
+       of(moments_of<shirts_of>),
+       of(shapes_of<shirts_of>),
+       of(read_shirts)},
       {"fig6",
        "What a frame costs for models of different precision",
        {},
-       draw_figure6,
-       figure6_csv,
-       nullptr,
-       read_figure6,
-       time_strong_shirts},
+       of(draw_figure6),
+       of(figure6_csv),
+       {},
+       of(read_figure6),
+       of(time_strong_shirts)},
       {"fig7",
        "Ideal springs, a threshold and the strong constraint: stretch and unrest",
-       {methods},
-       draw_figure7,
-       figure7_csv,
-       nullptr,
-       read_figure7},
-      {"fig8",
-       "The field in one figure: the methods the paper argues with, on the same shirts",
-       {methods_energy, methods_rest, methods_steps},
-       draw_figure8,
-       figure8_csv,
-       nullptr,
-       read_figure8,
-       time_methods},
+       {"methods"},
+       of(draw_figure7),
+       of(figure7_csv),
+       {},
+       of(read_figure7)},
   };
-  return figures;
 }
 
 std::vector<std::string> figure_names() {
+  Results none;
   std::vector<std::string> names;
-  for (const Figure& figure : all_figures()) names.push_back(figure.name);
+  for (const Figure& figure : all_figures(none)) names.push_back(figure.name);
   return names;
 }
 

@@ -385,16 +385,4 @@ DrawnScene made_of(DrawnScene scene, const std::string& fabric) {
   return scene;
 }
 
-Drawing draw_fabrics(std::span<const Recording> recordings, LazyOffscreenRenderer& offscreen) {
-  std::vector<Caption> captions;
-  for (const Recording& recording : recordings) {
-    const sim::Material& cloth = recording.scene.material;
-    captions.push_back({'\0', recording.scene.title,
-                        fmt::format("{:.0f} g/m², {:.3g} µN m", 1e3 * cloth.areal_density_kg_per_m2,
-                                    1e6 * cloth.bending_rigidity_n_m)});
-  }
-  const SheetStyle style{.columns = 3, .gap_px = 16.0F, .caption = {.text_px = 30.0F, .measured_px = 24.0F}};
-  return sheet_of_last(recordings, captions, {620, 560}, style, true, offscreen);
-}
-
 }  // namespace taut::app

@@ -104,7 +104,4 @@ DrawnScene made_of(DrawnScene scene, const std::string& fabric);
 Drawing sheet_of_last(std::span<const Recording> recordings, std::span<const Caption> captions, const PictureSize& size,
                       const SheetStyle& style, bool has_floor, LazyOffscreenRenderer& offscreen);
 
-/// One scene made of several fabrics, at the end of each recording. The scenes' titles stand below.
-Drawing draw_fabrics(std::span<const Recording> recordings, LazyOffscreenRenderer& offscreen);
-
 }  // namespace taut::app

@@ -5,9 +5,9 @@
 #include "app/base/errors.hpp"
 #include "app/base/files.hpp"
 #include "app/base/interruption.hpp"
+#include "app/figures/draw_figures.hpp"
 #include "app/models/surface_colours.hpp"
 #include "app/output/csv.hpp"
-#include "app/report/report.hpp"
 #include "app/sweeps/sweep_run.hpp"
 
 namespace taut::app {

@@ -8,7 +8,6 @@
 #include "app/figures/figures.hpp"
 #include "app/figures/pictures.hpp"
 #include "app/output/csv.hpp"
-#include "figures/made_trials.hpp"
 #include "temporary_folder.hpp"
 
 namespace taut::app {
@@ -28,12 +27,6 @@ TEST(FigureTables, HaveTheirColumnsAndARowForEveryMeasurement) {
   results.methods = {{sim::SolverKind::provot, 0.5, {0.125}, {0.25}, {}}};
   EXPECT_EQ(figure7_csv(results),
             "method,time_step_s,time_s,max_stretch,moved_rms_m\nprovot,0.5,0.5,0.125,0.25\n");
-  results.trials_of(MethodTest::steps) = {
-      {MethodTest::steps, sim::SolverKind::ideal, 1028, 5, 20, true, {{0.5, NAN, 0.25, 0.5, -1, 2, 0.125}}}};
-  EXPECT_EQ(figure8_csv(results),
-            "test,triangles,method,step_factor,substeps,time_s,frame_ms,max_stretch,max_surface_stretch,"
-            "energy_j,rms_speed_m_per_s,sunk_m\nsteps,1028,ideal,5,20,0.5,,0.25,0.5,-1,2,0.125\n"
-            "steps,1028,ideal,5,20,,,,,,,\n");
 }
 
 Results small_results() {
@@ -49,40 +42,30 @@ Results small_results() {
       results.methods.push_back(run_method(kind, rate_hz, 0.1));
     }
   }
-  test::make_up_trials(results);
-  for (const int factor : {2, 5}) {
-    MethodTrial& lost =
-        test::trial_in(results, {MethodTest::steps, sim::SolverKind::ideal, trial_shirt_triangles, factor});
-    lost.is_lost = true;
-    lost.frames.resize(factor == 2 ? 1 : 0);
-  }
   return results;
 }
 
 TEST(FigureTables, ReadBackTheyGiveTheSameTables) {
   const TemporaryFolder folder;
-  const Results results = small_results();
-  Results again;
-  for (const Figure& figure : all_figures()) {
-    if (figure.read == nullptr || figure.name == "fig5") {
+  Results results = small_results(), again;
+  const std::vector<Figure> written = all_figures(results), read = all_figures(again);
+  for (std::size_t i = 0; i < written.size(); ++i) {
+    if (!written[i].read || written[i].name == "fig5") {
       continue;
     }
-    write_text_file(folder / (figure.name + ".csv"), figure.csv(results));
-    if (figure.shapes_csv != nullptr) {
-      write_text_file(folder / (figure.name + "_shapes.csv"), figure.shapes_csv(results));
+    write_text_file(folder / (written[i].name + ".csv"), written[i].csv());
+    if (written[i].shapes_csv) {
+      write_text_file(folder / (written[i].name + "_shapes.csv"), written[i].shapes_csv());
     }
-    figure.read(folder / "", again);
-    EXPECT_TRUE(figure.csv(again) == figure.csv(results)) << figure.name;
-    if (figure.shapes_csv != nullptr) {
-      EXPECT_TRUE(figure.shapes_csv(again) == figure.shapes_csv(results)) << figure.name;
+    read[i].read(folder / "");
+    EXPECT_TRUE(read[i].csv() == written[i].csv()) << written[i].name;
+    if (written[i].shapes_csv) {
+      EXPECT_TRUE(read[i].shapes_csv() == written[i].shapes_csv()) << written[i].name;
     }
   }
   EXPECT_TRUE(again.fall->came_to_rest) << "a run that ends before its last frame";
   EXPECT_EQ(again.fall->vertex, followed_vertex(again.fall->frames.scene));
   EXPECT_TRUE(again.methods[0].diverged_at_s) << "a run that ends before its last step";
-  const MethodTrials& steps = again.trials_of(MethodTest::steps);
-  EXPECT_TRUE(trial_of(steps, sim::SolverKind::ideal, trial_shirt_triangles, 5).is_lost);
-  EXPECT_FALSE(trial_of(steps, sim::SolverKind::provot, trial_shirt_triangles, 5).is_lost);
 }
 
 // Along the diagonal of its cells a fifth longer, across it as at rest: edges grow by less than the surface.
@@ -131,7 +114,7 @@ TEST(FigureTables, WhatIsWrongWithOneIsSaidWithItsLine) {
     folder.write("fig4.csv", moments);
     folder.write("fig4_shapes.csv", positions);
     Results results;
-    const std::string error = test::message_of<InputError>([&] { all_figures()[3].read(folder / "", results); });
+    const std::string error = test::message_of<InputError>([&] { all_figures(results)[3].read(folder / ""); });
     return error.substr(error.find("fig4") == std::string::npos ? 0 : error.find("fig4"));
   };
   const std::string row = "a,pinned-9x9-5,1,0.1,0,0,0,0,0,0\n";
@@ -148,27 +131,6 @@ TEST(FigureTables, WhatIsWrongWithOneIsSaidWithItsLine) {
             "fig4.csv:2: frame: found '1.5', expected a whole number");
   EXPECT_EQ(error_with(head + row, shapes + "a,0,0,0,0\n"),
             "fig4_shapes.csv: panel a: found 1 vertices, expected 81, as the garment of pinned-9x9-5 has");
-}
-
-TEST(FigureTables, WhatIsWrongWithTrialsIsSaid) {
-  const TemporaryFolder folder;
-  Results results;
-  test::make_up_trials(results);
-  const std::string table = figure8_csv(results);
-  const auto error_with = [&](const std::string& text) {
-    folder.write("fig8.csv", text);
-    Results read;
-    const std::string error = test::message_of<InputError>([&] { read_figure8(folder / "", read); });
-    return error.substr(error.find("fig8.csv") == std::string::npos ? 0 : error.find("fig8.csv"));
-  };
-  const std::string head = table.substr(0, table.find('\n') + 1);
-  EXPECT_EQ(error_with(head + "time,128,magic,1,20,1,1,1,1,1,1,1\n"),
-            "fig8.csv:2: method: found 'magic', expected one of ideal, provot, implicit, vassilev, "
-            "fast-projection, strong, bounded");
-  EXPECT_EQ(error_with(head + "fly,128,ideal,1,20,1,1,1,1,1,1,1\n"),
-            "fig8.csv:2: test: found 'fly', expected one of time, energy, rest, steps");
-  EXPECT_EQ(error_with(table.substr(0, table.find("\nsteps,") + 1)),
-            "fig8.csv: found 0 trials of the test steps, expected 21");
 }
 
 }  // namespace

@@ -12,7 +12,7 @@
 #include "app/figures/figures.hpp"
 #include "app/models/garment_loading.hpp"
 #include "app/output/frame_verifier.hpp"
-#include "figures/made_trials.hpp"
+#include "smallest_print.hpp"
 #include "temporary_folder.hpp"
 
 namespace taut::app {
@@ -22,7 +22,7 @@ using sim::SpringKind;
 
 TEST(Figure1, ShowsTheSpringsTheMappingMade) {
   Results results;
-  job_of(Experiment::mapping, results).work([](double) {});
+  experiments(results).front().work([](double) {});
   const SpringPatch& grid = results.grid_patch;
   // 5x5 points: 2 * 5 * 4 edges, two diagonals in each of 16 cells, 2 * 5 * 3 springs that skip a point.
   EXPECT_EQ(grid.points_m.size(), 25U);
@@ -37,25 +37,18 @@ TEST(Figure1, ShowsTheSpringsTheMappingMade) {
 
 TEST(Figures, TextsAreLargeEnoughInPrint) {
   Results results;
-  job_of(Experiment::mapping, results).work([](double) {});
+  experiments(results).front().work([](double) {});
   for (const double rate_hz : method_rates_hz) {
     for (const sim::SolverKind kind : compared_methods) {
       results.methods.push_back(run_method(kind, rate_hz, 0.1));
     }
   }
-  test::make_up_trials(results);
-  test::trial_in(results, {MethodTest::steps, sim::SolverKind::ideal, trial_shirt_triangles, 5}).is_lost =
-      true;
   LazyOffscreenRenderer offscreen("auto", 0.02F);
-  for (const Figure& figure : all_figures()) {
-    if (figure.read != nullptr && figure.name != "fig7" && figure.name != "fig8") {
-      figure.read(TAUT_TESTS_FOLDER "/golden/figures", results);
+  for (const Figure& figure : all_figures(results)) {
+    if (figure.read && figure.name != "fig7") {
+      figure.read(TAUT_TESTS_FOLDER "/golden/figures");
     }
-    const Drawing drawing = figure.draw(results, offscreen);
-    renderer::Canvas canvas = renderer::Canvas::scaled(drawing.width_px, drawing.height_px, 0.02F);
-    drawing.draw(canvas);
-    const float inches = page_width_inches * canvas.smallest_text_px() / static_cast<float>(drawing.width_px);
-    EXPECT_GE(72.0F * inches, smallest_text_pt) << figure.name;
+    EXPECT_GE(test::smallest_print_pt(figure.draw(offscreen)), test::smallest_text_pt) << figure.name;
   }
 }
 
@@ -185,7 +178,7 @@ TEST(Recording, CountsWhatCrossesInEveryFrameWhereAskedTo) {
   EXPECT_GT(expected.crossing_pairs, 0U);
   for (const Recording& recording : {record_frames(
                                          scene, frames, [](double) {}, Checking::promises),
-                                     record_steps(scene, frames, 40, [](double) {}).frames}) {
+                                     record_steps(scene, frames, 40, [](double) {}, Checking::promises).frames}) {
     ASSERT_TRUE(recording.promises);
     EXPECT_EQ(recording.promises->frames, 6);
     EXPECT_EQ(recording.promises->crossing_pairs, expected.crossing_pairs);
@@ -203,12 +196,6 @@ TEST(Recording, EndsWhereTheClothIsAtRest) {
   EXPECT_LT(fall.moved_m.size(), 300U);
   EXPECT_TRUE(fall.frames.last().record.asleep);
   EXPECT_GT(fall.moved_m.back(), 0.0) << "cloth that is put to sleep is no convergence";
-}
-
-TEST(Restart, PositionsAloneGoOnToTheSameBits) {
-  const RestartRun run = run_restart(find_scene("pinned-9x9-5", {}), 10, 10);
-  EXPECT_EQ(run.uninterrupted_hash, run.restarted_hash);
-  EXPECT_NE(run.uninterrupted_hash, run_restart(find_scene("pinned-9x9-5", {}), 10, 11).uninterrupted_hash);
 }
 
 TEST(Methods, UnrestIsThatOfTheLastQuarter) {

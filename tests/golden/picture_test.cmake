@@ -4,8 +4,8 @@ function(taut_internal_picture_test test name)
   cmake_parse_arguments(PARSE_ARGV 2 arg "" "BASELINE;REASON" "LIMIT;DEFINITIONS;ARGUMENTS")
   add_test(NAME ${test}
     COMMAND ${CMAKE_COMMAND}
-            -DNAME=${name} -DTAUT=$<TARGET_FILE:taut> -DCOMPARE=$<TARGET_FILE:compare_pictures>
-            "-DARGUMENTS=${arg_ARGUMENTS}" "-DLIMIT=${arg_LIMIT}" "-DREASON=${arg_REASON}" ${arg_DEFINITIONS}
+            -DNAME=${name} -DTAUT=$<TARGET_FILE:taut> -DCLAIMS=$<TARGET_FILE:taut_claims>
+            -DCOMPARE=$<TARGET_FILE:compare_pictures> "-DARGUMENTS=${arg_ARGUMENTS}" "-DLIMIT=${arg_LIMIT}" "-DREASON=${arg_REASON}" ${arg_DEFINITIONS}
             -DBASELINE=${CMAKE_CURRENT_SOURCE_DIR}/baselines/${arg_BASELINE}.png
             -DOUTPUT_DIR=${CMAKE_CURRENT_BINARY_DIR}/${name}
             -DBUILD_DIR=${CMAKE_BINARY_DIR} -DFAILURES_PAGE=${picture_failures_page}
@@ -39,8 +39,8 @@ function(taut_add_inspect_test name)
   set_property(DIRECTORY APPEND PROPERTY TAUT_PICTURE_TESTS ${name})
 endfunction()
 
-# taut_add_figure_test(NAME FIGURE [PLOT] arguments of `taut figures`...): the same with a whole figure, or the
-# contact sheet; PLOT: nothing in it is drawn by OpenGL.
+# taut_add_figure_test(NAME FIGURE [PLOT] arguments of `taut figures`...): the same with a whole figure, fig8 of
+# `taut_claims`, or the contact sheet; PLOT: nothing in it is drawn by OpenGL.
 function(taut_add_figure_test name figure)
   cmake_parse_arguments(PARSE_ARGV 2 arg "PLOT" "" "")
   taut_internal_picture_test(picture.${name} ${name} BASELINE ${name}

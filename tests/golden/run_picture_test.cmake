@@ -1,5 +1,5 @@
 # Draws ARGUMENTS with TAUT (`taut render`, with VIEW `taut view --headless`, with INSPECT `taut inspect`, or with
-# FIGURE that one of `taut figures`) into OUTPUT_DIR and compares the picture with BASELINE through COMPARE.
+# FIGURE that one of `taut figures`, fig8 of CLAIMS) into OUTPUT_DIR and compares the picture with BASELINE through COMPARE.
 # A failure says what differs and how to accept it, and stands in FAILURES_PAGE until the test passes.
 # With MUST_DIFFER it is the other way round: the picture has to be told from the baseline.
 cmake_minimum_required(VERSION 3.25)
@@ -9,7 +9,12 @@ get_filename_component(baseline_name ${BASELINE} NAME_WE)
 set(actual ${OUTPUT_DIR}/actual.png)
 set(accept "tests/golden/accept.sh ${BUILD_DIR} ${NAME}")
 list(JOIN ARGUMENTS " " command)
-if(FIGURE)
+if(FIGURE STREQUAL fig8)
+  set(TAUT ${CLAIMS})
+  set(figures)
+  set(command "taut_claims ${command}")
+elseif(FIGURE)
+  set(figures figures)
   set(command "taut figures ${command}")
 elseif(VIEW)
   set(command "taut view --headless ${command}")
@@ -38,7 +43,7 @@ endfunction()
 
 file(REMOVE_RECURSE ${OUTPUT_DIR})
 if(FIGURE)
-  run_taut(${OUTPUT_DIR} figures ${ARGUMENTS} --output .)
+  run_taut(${OUTPUT_DIR} ${figures} ${ARGUMENTS} --output .)
   file(RENAME ${OUTPUT_DIR}/${FIGURE}.png ${actual})
 elseif(VIEW)
   run_taut(${OUTPUT_DIR} view --headless ${ARGUMENTS} --screenshot actual.png)

@@ -50,11 +50,11 @@ void map_models(Results& results) {
   results.shirt_patch = patch_around(shirt, nearest_vertex(shirt.mesh.positions, chest_m).vertex, 2);
 }
 
-StepRecording record_fall(const ProgressCallback& report_progress) {
+StepRecording record_fall(const ProgressCallback& report_progress, Checking checking) {
   DrawnScene scene = find_scene(fall_scene, {});
   scene.simulation.rest.speed_m_per_s = fall_rest_m / fall_rest_s;
   scene.simulation.rest.frames = static_cast<int>(std::lround(fall_rest_s * scene.simulation.frame_rate_hz));
-  return record_steps(scene, fall_frames, followed_vertex(scene), report_progress);
+  return record_steps(scene, fall_frames, followed_vertex(scene), report_progress, checking);
 }
 
 void run_methods(Results& results, const ProgressCallback& report_progress) {
@@ -65,91 +65,6 @@ void run_methods(Results& results, const ProgressCallback& report_progress) {
     }
   }
 }
-
-void run_stiffnesses(Results& results, const ProgressCallback& report_progress) {
-  for (const double factor : stiffness_factors) {
-    results.ideal_stiffnesses.push_back(
-        run_method(sim::SolverKind::ideal, method_rates_hz[0], methods_duration_s, factor));
-    report_progress(static_cast<double>(results.ideal_stiffnesses.size()) / stiffness_factors.size());
-  }
-}
-
-// The scene asks for everything but what is varied.
-StrongRun run_strong(const std::string& garment, DrawnScene scene, bool is_rigid, int frames,
-                     const ProgressCallback& report_progress) {
-  SolverChoice& solver = scene.simulation.solver;
-  if (is_rigid) solver.strong.rigidity = {};
-  StrongRun run = {garment,
-                   is_rigid,
-                   solver.substeps.value_or(0),
-                   solver.strong.iterations,
-                   {INFINITY, INFINITY},
-                   {INFINITY, INFINITY}};
-  try {
-    const Recording recording = record_frames(scene, std::array{frames}, report_progress);
-    run.stretch = {recording.last().record.stretch.max, recording.largest_stretch};
-    run.surface = recording.largest_surface_stretch;
-  } catch (const sim::Diverged&) {
-    // Infinite stretch says so.
-  }
-  return run;
-}
-
-void run_strong_shirts(Results& results, const ProgressCallback& report_progress) {
-  constexpr int frames = 45;
-  constexpr std::array<std::array<int, 2>, 4> settings = {{{1, 10}, {1, 50}, {1, 200}, {100, 1}}};
-  const DrawnScene cloth = find_scene(pinned_scenes[0], {});
-  results.strong_runs.push_back(run_strong("9x9 cloth", cloth, true, cloth.frames, report_progress));
-  for (const bool is_rigid : {false, true}) {
-    for (const auto& [substeps, sweeps] : settings) {
-      DrawnScene scene = strong_shirt_scene(model_sizes.back());
-      scene.simulation.solver.substeps = substeps;
-      scene.simulation.solver.strong.iterations = sweeps;
-      const auto before = static_cast<double>(results.strong_runs.size() - 1);
-      results.strong_runs.push_back(run_strong("shirt", scene, is_rigid, frames, [&](double fraction) {
-        report_progress((before + fraction) / (2.0 * settings.size()));
-      }));
-    }
-  }
-}
-
-// The last frame of the scene, or of so many.
-void record(const std::string& scene_name, std::optional<int> frames, std::optional<Recording>& place,
-            const ProgressCallback& report_progress) {
-  const DrawnScene scene = find_scene(scene_name, {});
-  place = record_frames(scene, std::array{frames.value_or(scene.frames)}, report_progress, Checking::promises);
-}
-
-template <MethodTest test> void run_trials(Results& results, const ProgressCallback& report_progress) {
-  results.trials_of(test) = make_trials(test, report_progress);
-}
-
-struct PlannedJob {
-  const char* name;
-  double cost;
-  void (*work)(Results&, const ProgressCallback&);
-};
-
-// In the order of Experiment.
-constexpr PlannedJob planned_jobs[] = {
-    {"mapping", 0.1, [](Results& r, const ProgressCallback&) { map_models(r); }},
-    {fall_scene, 10.0, [](Results& r, const ProgressCallback& report) { r.fall = record_fall(report); }},
-    {pinned_scenes[0], 0.1, [](auto& r, auto& report) { record(pinned_scenes[0], {}, r.pinned[0], report); }},
-    {pinned_scenes[1], 0.1, [](auto& r, auto& report) { record(pinned_scenes[1], {}, r.pinned[1], report); }},
-    {shirt_scenes[0], 16.0, [](auto& r, auto& report) { record(shirt_scenes[0], {}, r.shirts[0], report); }},
-    {shirt_scenes[1], 16.0, [](auto& r, auto& report) { record(shirt_scenes[1], {}, r.shirts[1], report); }},
-    {shirt_scenes[2], 26.0,
-     [](auto& r, auto& report) { record(shirt_scenes[2], strong_wind_frames, r.shirts[2], report); }},
-    {"methods", 0.3, run_methods},
-    {"methods: energy", 12.0, run_trials<MethodTest::energy>},
-    {"methods: rest", 22.0, run_trials<MethodTest::rest>},
-    {"methods: steps", 10.0, run_trials<MethodTest::steps>},
-    {"stiffnesses", 0.2, run_stiffnesses},
-    {"shirts by the paper's method", 14.0, run_strong_shirts},
-    {"garments of many kinds", 14.0, [](auto& r, auto& report) { r.garments = try_garments(report); }},
-    {"restart", 0.05,
-     [](Results& r, const ProgressCallback&) { r.restart = run_restart(find_scene("pinned-9x9-5", {}), 30, 60); }},
-};
 
 }  // namespace
 
@@ -179,10 +94,25 @@ SpringPatch patch_around(const sim::Garment& garment, sim::Index vertex, int rin
   return patch_of(garment, vertices, {garment.mesh.positions[vertex], right, glm::cross(normal, right)});
 }
 
-Job job_of(Experiment experiment, Results& results) {
-  const PlannedJob& planned = planned_jobs[static_cast<std::size_t>(experiment)];
-  return {planned.name, planned.cost,
-          [&results, &planned](const ProgressCallback& report_progress) { planned.work(results, report_progress); }};
+std::vector<Job> experiments(Results& results, Checking checking) {
+  std::vector<Job> jobs = {
+      {"mapping", 0.1, [&results](const ProgressCallback&) { map_models(results); }},
+      {fall_scene, 10.0,
+       [&results, checking](const ProgressCallback& report) { results.fall = record_fall(report, checking); }},
+      {"methods", 0.3, [&results](const ProgressCallback& report) { run_methods(results, report); }}};
+  // The last frame of the scene, or of so many.
+  const auto add = [&jobs, checking](const char* name, double cost, std::optional<int> frames,
+                                     std::optional<Recording>& place) {
+    jobs.push_back({name, cost, [=, &place](const ProgressCallback& report) {
+                      const DrawnScene scene = find_scene(name, {});
+                      place = record_frames(scene, std::array{frames.value_or(scene.frames)}, report, checking);
+                    }});
+  };
+  for (std::size_t i = 0; i < pinned_scenes.size(); ++i) add(pinned_scenes[i], 0.1, {}, results.pinned[i]);
+  add(shirt_scenes[0], 16.0, {}, results.shirts[0]);
+  add(shirt_scenes[1], 16.0, {}, results.shirts[1]);
+  add(shirt_scenes[2], 26.0, strong_wind_frames, results.shirts[2]);
+  return jobs;
 }
 
 sim::Index followed_vertex(const DrawnScene& scene) {
@@ -240,32 +170,6 @@ std::optional<Unrest> measure_unrest(const MethodRun& run) {
       std::minmax_element(run.max_stretch.begin() + static_cast<std::ptrdiff_t>(begin), run.max_stretch.end());
   const auto count = static_cast<double>(run.moved_rms_m.size() - begin);
   return Unrest{std::sqrt(squares / count) / run.time_step_s, *low, *high};
-}
-
-RestartRun run_restart(const DrawnScene& scene, int steps_before, int steps_after) {
-  const DrawnScene stepped = with_steps_as_frames(scene);
-  const LoadedGarment loaded = load_garment(stepped);
-  const sim::Garment& garment = *loaded.garment;
-  const sim::Pins pins = sim::make_pins(garment, loaded.pins);
-  const sim::Surroundings surroundings = settled(stepped.surroundings, loaded);
-  const double time_step_s = 1.0 / stepped.simulation.frame_rate_hz;
-  const auto go_on = [&](sim::State& state, int steps) {
-    const auto solver = sim::make_solver(solver_settings(stepped.simulation.solver));
-    for (int step = 0; step < steps; ++step) {
-      std::ignore = solver->advance_frame({garment, pins, surroundings, time_step_s, throw_if_interrupted}, state);
-      solver->keep_frame();
-    }
-  };
-  sim::State state = sim::make_state(garment);
-  go_on(state, steps_before);
-  // Nothing but positions goes over, and the length of the step that lies between them.
-  sim::State restarted = sim::make_state(garment);
-  restarted.previous = state.previous;
-  restarted.current = state.current;
-  restarted.time_step_s = state.time_step_s;
-  go_on(state, steps_after);
-  go_on(restarted, steps_after);
-  return {sim::hash(state), sim::hash(restarted), steps_before, steps_after};
 }
 
 }  // namespace taut::app

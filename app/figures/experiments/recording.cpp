@@ -84,15 +84,18 @@ DrawnScene with_steps_as_frames(DrawnScene scene) {
 }
 
 StepRecording record_steps(const DrawnScene& scene, std::span<const int> frames, sim::Index vertex,
-                           const ProgressCallback& report_progress) {
+                           const ProgressCallback& report_progress, Checking checking) {
   const int steps_in_frame = sim::equal_substeps(solver_settings(scene.simulation.solver));
   const DrawnScene stepped = with_steps_as_frames(scene);
   sim::Simulation simulation = make_simulation(stepped, load_garment(stepped));
   StepRecording recording{begin_recording(scene, simulation), simulation.frame_time_s(), vertex, {}, false};
   if (frames.front() == 0) keep(simulation, 0, recording.frames);
-  PromiseCounter counter(recording.frames);
-  FrameRecord start;
-  counter.count(simulation, start);
+  std::optional<PromiseCounter> counter;
+  if (checking == Checking::promises) {
+    counter.emplace(recording.frames);
+    FrameRecord start;
+    counter->count(simulation, start);
+  }
   for (int frame = 1; frame <= frames.back() && !recording.came_to_rest; ++frame) {
     for (int step = 0; step < steps_in_frame && !recording.came_to_rest; ++step) {
       simulation.advance_frame(throw_if_interrupted);
@@ -106,7 +109,7 @@ StepRecording record_steps(const DrawnScene& scene, std::span<const int> frames,
     record.time_s = simulation.state().time_s;
     measure_stretches(simulation, record);
     note_stretch(record, recording.frames);
-    counter.count(simulation, record);
+    if (counter) counter->count(simulation, record);
     if (recording.came_to_rest || std::ranges::binary_search(frames, frame)) {
       keep(simulation, frame, recording.frames);
     }

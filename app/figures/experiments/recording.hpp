@@ -56,10 +56,9 @@ struct StepRecording {
 };
 
 /// Simulates the scene until it is at rest, but not beyond the last of `frames`, which must be ascending. It
-/// keeps these frames. If the cloth comes to rest earlier, that moment replaces the frames after it. Every
-/// frame is checked for what is promised.
+/// keeps these frames. If the cloth comes to rest earlier, that moment replaces the frames after it.
 StepRecording record_steps(const DrawnScene& scene, std::span<const int> frames, sim::Index vertex,
-                           const ProgressCallback& report_progress);
+                           const ProgressCallback& report_progress, Checking checking = Checking::none);
 
 /// The scene with one time step per frame, where the steps keep their length. So each step becomes a frame.
 DrawnScene with_steps_as_frames(DrawnScene scene);

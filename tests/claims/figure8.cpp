@@ -1,8 +1,8 @@
 #include "app/base/errors.hpp"
 #include "app/base/words.hpp"
 #include "app/drawing/plots/plot.hpp"
-#include "app/figures/figures.hpp"
 #include "app/output/csv.hpp"
+#include "tests/claims/trials.hpp"
 
 namespace taut::app {
 namespace {
@@ -230,7 +230,7 @@ template <class Values> auto named(const CsvFile& table, std::size_t row, std::s
 }
 
 /// Adds a row to the trial it belongs to, which is the last one or a new one.
-void read_row(const CsvFile& table, std::size_t row, Results& results) {
+void read_row(const CsvFile& table, std::size_t row, ClaimResults& results) {
   MethodTrial next = {named(table, row, 0, all_method_tests),
                       named(table, row, 2, trial_methods),
                       table.whole_number(row, 1),
@@ -258,9 +258,27 @@ std::size_t trials_in(MethodTest test) {
                                                              : 1);
 }
 
+// Cost and effect of the methods of sections I and III, on the same meshes.
+Drawing draw_figure8(const ClaimResults& results, LazyOffscreenRenderer&) {
+  PlotSheet sheet;
+  sheet.plot = {.text_px = 38.0F, .marker_px = 13.0F};
+  sheet.row_gap_px = 30.0F;
+  const MethodTrials& steps = results.trials_of(MethodTest::steps);
+  std::vector<PlotPanel> panels = {
+      time_panel(results.trials_of(MethodTest::time)), energy_panel(results.trials_of(MethodTest::energy)),
+      rest_panel(results.trials_of(MethodTest::rest)), steps_panel(steps), sunk_panel(steps)};
+  const Area free = plot_area(sheet, panels.size());
+  Drawing drawing = draw_plot_sheet(std::move(panels), sheet);
+  drawing.draw = [=, draw_plots = drawing.draw](renderer::Canvas& canvas) {
+    draw_plots(canvas);
+    draw_methods(canvas, free, sheet);
+  };
+  return drawing;
+}
+
 }  // namespace
 
-std::string figure8_csv(const Results& results) {
+std::string figure8_csv(const ClaimResults& results) {
   CsvTable table(columns);
   for (const MethodTest test : all_method_tests) {
     for (const MethodTrial& trial : results.trials_of(test)) {
@@ -280,7 +298,7 @@ std::string figure8_csv(const Results& results) {
   return table.text();
 }
 
-void read_figure8(const std::filesystem::path& folder, Results& results) {
+void read_figure8(ClaimResults& results, const std::filesystem::path& folder) {
   const CsvFile table(folder / "fig8.csv", columns);
   for (std::size_t row = 0; row < table.rows(); ++row) read_row(table, row, results);
   for (const MethodTest test : all_method_tests) {
@@ -292,22 +310,19 @@ void read_figure8(const std::filesystem::path& folder, Results& results) {
   }
 }
 
-// Cost and effect of the methods of sections I and III, on the same meshes.
-Drawing draw_figure8(const Results& results, LazyOffscreenRenderer&) {
-  PlotSheet sheet;
-  sheet.plot = {.text_px = 38.0F, .marker_px = 13.0F};
-  sheet.row_gap_px = 30.0F;
-  const MethodTrials& steps = results.trials_of(MethodTest::steps);
-  std::vector<PlotPanel> panels = {
-      time_panel(results.trials_of(MethodTest::time)), energy_panel(results.trials_of(MethodTest::energy)),
-      rest_panel(results.trials_of(MethodTest::rest)), steps_panel(steps), sunk_panel(steps)};
-  const Area free = plot_area(sheet, panels.size());
-  Drawing drawing = draw_plot_sheet(std::move(panels), sheet);
-  drawing.draw = [=, draw_plots = drawing.draw](renderer::Canvas& canvas) {
-    draw_plots(canvas);
-    draw_methods(canvas, free, sheet);
+Figure figure8_of(ClaimResults& results) {
+  const auto time = [&results](const ProgressCallback& report) {
+    results.trials_of(MethodTest::time) = make_trials(MethodTest::time, report);
   };
-  return drawing;
+  const auto of = [&results](auto function) { return std::bind_front(function, std::ref(results)); };
+  return {"fig8",
+          "The field in one figure: the methods the paper argues with, on the same shirts",
+          {name_of(MethodTest::energy), name_of(MethodTest::rest), name_of(MethodTest::steps)},
+          of(draw_figure8),
+          of(figure8_csv),
+          nullptr,
+          of(read_figure8),
+          time};
 }
 
 }  // namespace taut::app

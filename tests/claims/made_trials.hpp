@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "app/figures/experiments/experiments.hpp"
+#include "tests/claims/trials.hpp"
 
 namespace taut::test {
 
@@ -15,14 +15,14 @@ struct WhichTrial {
 };
 
 /// That trial, to be changed.
-inline app::MethodTrial& trial_in(app::Results& results, const WhichTrial& which) {
+inline app::MethodTrial& trial_in(app::ClaimResults& results, const WhichTrial& which) {
   app::MethodTrials& trials = results.trials_of(which.test);
   const auto& found = app::trial_of(trials, which.kind, which.triangles, which.step_factor);
   return trials[static_cast<std::size_t>(&found - trials.data())];
 }
 
 /// Fills the trials of figure 8 with two frames each, by which every claim about them holds.
-inline void make_up_trials(app::Results& results) {
+inline void make_up_trials(app::ClaimResults& results) {
   using enum sim::SolverKind;
   const auto add = [&](app::MethodTest test, int triangles, int step_factor) {
     for (const sim::SolverKind kind : app::trial_methods) {

@@ -1,4 +1,4 @@
-#include "app/report/report.hpp"
+#include "tests/claims/report.hpp"
 
 #include <sys/utsname.h>
 
@@ -9,7 +9,6 @@
 #include "app/base/base64.hpp"
 #include "app/base/version.hpp"
 #include "app/base/words.hpp"
-#include "app/drawing/drawing.hpp"
 #include "renderer/page/png.hpp"
 
 namespace taut::app {
@@ -96,10 +95,6 @@ Json promise_json(const PromiseResult& result) {
                {"crossing_frames", result.counts.crossing_frames}};
   if (result.bound) json["bound"] = *result.bound;
   return json;
-}
-
-int height_in_cell(const renderer::Image& picture, int cell_px) {
-  return static_cast<int>(std::lround(static_cast<double>(picture.height_px) * cell_px / picture.width_px));
 }
 
 /// Reads the description of this machine.
@@ -213,6 +208,15 @@ std::string promises_html(const std::vector<PromiseResult>& promises) {
   return html + "</table>\n";
 }
 
+// Its proportions stay.
+renderer::Image scaled_to_width(const renderer::Image& picture, int width_px) {
+  const int height_px =
+      static_cast<int>(std::lround(static_cast<double>(picture.height_px) * width_px / picture.width_px));
+  renderer::Canvas canvas(width_px, height_px);
+  canvas.image(0.0F, 0.0F, static_cast<float>(width_px), static_cast<float>(height_px), picture);
+  return canvas.to_image();
+}
+
 std::string png_url(const renderer::Image& picture) {
   return "data:image/png;base64," + base64(renderer::encode_png(picture));
 }
@@ -240,7 +244,7 @@ std::string percent(double fraction) {
   return cell_html(std::isfinite(fraction) ? fmt::format("{:.3g} %", 100.0 * fraction) : "lost");
 }
 
-std::string row_html(const Results& results, sim::SolverKind kind) {
+std::string row_html(const ClaimResults& results, sim::SolverKind kind) {
   const MethodTrial& fine = trial_of(results.trials_of(MethodTest::time), kind, trial_meshes.back());
   const MethodTrials& steps = results.trials_of(MethodTest::steps);
   const MethodTrial& usual = trial_of(steps, kind);
@@ -257,11 +261,11 @@ std::string row_html(const Results& results, sim::SolverKind kind) {
 
 }  // namespace
 
-Report make_report(const Results& results, std::span<const DrawnFigure> figures, const std::string& gl_renderer) {
+Report make_report(const ClaimResults& results, const DrawnFigures& drawn) {
   const std::vector<Claim> claims = judge_claims(results);
   const std::vector<PromiseResult> promises = promise_results(results);
-  const Machine machine = this_machine(gl_renderer);
-  return {report_html(claims, promises, figures, machine, methods_html(results)),
+  const Machine machine = this_machine(drawn.gl_renderer);
+  return {report_html(claims, promises, drawn.figures, machine, methods_html(results)),
           claims_json(claims, promises, machine)};
 }
 
@@ -311,38 +315,6 @@ std::string claims_json(const std::vector<Claim>& claims, const std::vector<Prom
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
 }
 
-renderer::Image scaled_to_width(const renderer::Image& picture, int width_px) {
-  const int height_px =
-      static_cast<int>(std::lround(static_cast<double>(picture.height_px) * width_px / picture.width_px));
-  renderer::Canvas canvas(width_px, height_px);
-  canvas.image(0.0F, 0.0F, static_cast<float>(width_px), static_cast<float>(height_px), picture);
-  return canvas.to_image();
-}
-
-renderer::Image contact_sheet(std::span<const DrawnFigure> figures, float scale, const SheetLayout& layout) {
-  const auto [columns, cell_px, title_px] = layout;
-  const int gap_px = cell_px / 20;
-  const int title_height_px = static_cast<int>(std::lround(1.8F * title_px));
-  // Each goes to the column that is shortest so far.
-  std::vector<int> bottoms_px(static_cast<std::size_t>(columns), gap_px);
-  std::vector<std::pair<int, int>> corners;
-  for (const DrawnFigure& figure : figures) {
-    const auto shortest = std::ranges::min_element(bottoms_px);
-    const int column = static_cast<int>(shortest - bottoms_px.begin());
-    corners.emplace_back(gap_px + column * (cell_px + gap_px), *shortest);
-    *shortest += title_height_px + height_in_cell(figure.picture, cell_px) + gap_px;
-  }
-  renderer::Canvas canvas =
-      renderer::Canvas::scaled(gap_px + columns * (cell_px + gap_px), *std::ranges::max_element(bottoms_px), scale);
-  for (std::size_t i = 0; i < figures.size(); ++i) {
-    const auto x_px = static_cast<float>(corners[i].first), y_px = static_cast<float>(corners[i].second);
-    canvas.text(x_px, y_px + title_px, figures[i].name, text_style(title_px, palette::ink, true));
-    canvas.image(x_px, y_px + static_cast<float>(title_height_px), static_cast<float>(cell_px),
-                 static_cast<float>(height_in_cell(figures[i].picture, cell_px)), figures[i].picture);
-  }
-  return canvas.to_image();
-}
-
 std::string report_html(std::span<const Claim> claims, const std::vector<PromiseResult>& promises,
                         std::span<const DrawnFigure> figures, const Machine& machine, const std::string& methods) {
   std::string html = report_page;
@@ -361,7 +333,7 @@ std::string report_html(std::span<const Claim> claims, const std::vector<Promise
   return html;
 }
 
-std::string methods_html(const Results& results) {
+std::string methods_html(const ClaimResults& results) {
   std::string html = methods_text;
   const std::string place = "<!--rows-->\n";
   std::string rows;

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "app/report/claims.hpp"
-#include "renderer/page/image.hpp"
+#include "app/figures/draw_figures.hpp"
+#include "tests/claims/claims.hpp"
 
 namespace taut::app {
 
@@ -34,13 +34,6 @@ std::vector<PromiseResult> promise_results(const Results& results);
 /// In a sentence or two what was promised and what came of it.
 std::string describe(const std::vector<PromiseResult>& results);
 
-/// A figure that was drawn.
-struct DrawnFigure {
-  std::string name;
-  std::string title;
-  renderer::Image picture;
-};
-
 /// The report as a page for people and as JSON.
 struct Report {
   std::string html;
@@ -48,33 +41,19 @@ struct Report {
 };
 
 /// All experiments must have been made and all figures drawn.
-Report make_report(const Results& results, std::span<const DrawnFigure> figures, const std::string& gl_renderer);
+Report make_report(const ClaimResults& results, const DrawnFigures& drawn);
 
 /// All claims, and what is promised, as one JSON object.
 std::string claims_json(const std::vector<Claim>& claims, const std::vector<PromiseResult>& promises,
                         const Machine& machine);
 
 /// The text below figure 8: who made each of its methods for what, and a table of what was measured.
-std::string methods_html(const Results& results);
+std::string methods_html(const ClaimResults& results);
 
 /// The report as one HTML file with `methods` below the figures. Pictures are
 /// embedded, so it opens from any folder. The PDFs that it links to are expected beside it.
 std::string report_html(std::span<const Claim> claims, const std::vector<PromiseResult>& promises,
                         std::span<const DrawnFigure> figures, const Machine& machine, const std::string& methods = "");
-
-/// How pictures lie on a contact sheet.
-struct SheetLayout {
-  int columns = 3;
-  int cell_px = 800;  ///< width of a picture
-  float title_px = 30.0F;
-};
-
-/// All figures, small, on one picture, each in the column that is shortest so far. `scale` multiplies its
-/// pixels each way.
-renderer::Image contact_sheet(std::span<const DrawnFigure> figures, float scale = 1.0F, const SheetLayout& layout = {});
-
-/// The picture scaled to this width; its proportions stay.
-renderer::Image scaled_to_width(const renderer::Image& picture, int width_px);
 
 // assets/report, embedded when the program is built.
 

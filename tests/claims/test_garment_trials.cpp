@@ -6,9 +6,9 @@
 
 #include "app/base/errors.hpp"
 #include "app/drawing/drawn_scene.hpp"
-#include "app/figures/experiments/experiments.hpp"
 #include "app/models/garment_loading.hpp"
 #include "temporary_folder.hpp"
+#include "tests/claims/trials.hpp"
 
 namespace taut::app {
 namespace {

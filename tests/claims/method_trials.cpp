@@ -2,8 +2,8 @@
 #include "app/base/ranks.hpp"
 #include "app/base/stopwatch.hpp"
 #include "app/base/words.hpp"
-#include "app/figures/experiments/experiments.hpp"
 #include "app/models/garment_loading.hpp"
+#include "tests/claims/trials.hpp"
 
 namespace taut::app {
 namespace {

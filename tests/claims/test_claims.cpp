@@ -6,9 +6,9 @@
 #include <tuple>
 
 #include "app/base/base64.hpp"
-#include "app/report/report.hpp"
-#include "figures/made_trials.hpp"
+#include "claims/made_trials.hpp"
 #include "temporary_folder.hpp"
+#include "tests/claims/report.hpp"
 
 namespace taut::app {
 namespace {
@@ -37,8 +37,8 @@ Recording recording_at(double stretch) {
 }
 
 // Every claim holds by these.
-Results results_of_the_paper() {
-  Results results;
+ClaimResults results_of_the_paper() {
+  ClaimResults results;
   results.fall.emplace();
   results.fall->moved_m = {1.0, 1e-6};
   results.pinned = {recording_at(0.04), recording_at(0.19)};
@@ -70,12 +70,12 @@ Results results_of_the_paper() {
 
 using enum sim::SolverKind;
 
-MethodTrial& trial(Results& results, MethodTest test, sim::SolverKind kind) {
+MethodTrial& trial(ClaimResults& results, MethodTest test, sim::SolverKind kind) {
   return test::trial_in(results, {test, kind});
 }
 
-Results results_in_part() {
-  Results results = results_of_the_paper();
+ClaimResults results_in_part() {
+  ClaimResults results = results_of_the_paper();
   results.pinned[0]->largest_stretch = 0.067;
   results.strong_runs[0].surface = {0.2, 0.01};
   results.fall->moved_m = {1.0, 0.05};
@@ -99,8 +99,8 @@ Results results_in_part() {
   return results;
 }
 
-Results results_against_it() {
-  Results results = results_of_the_paper();
+ClaimResults results_against_it() {
+  ClaimResults results = results_of_the_paper();
   results.strong_runs[0].stretch = {8.48, 10.1};
   results.fall->moved_m = {1.0, 0.9};
   results.restart.restarted_hash = 6;
@@ -167,8 +167,8 @@ TEST(Verdicts, NeedTheirQuorum) {
   }
 }
 
-Verdict verdict_after(const std::string& id, const std::function<void(Results&)>& change) {
-  Results results = results_of_the_paper();
+Verdict verdict_after(const std::string& id, const std::function<void(ClaimResults&)>& change) {
+  ClaimResults results = results_of_the_paper();
   change(results);
   return claim_of(judge_claims(results), id).judgement.verdict;
 }
@@ -176,47 +176,47 @@ Verdict verdict_after(const std::string& id, const std::function<void(Results&)>
 TEST(Verdicts, ANumberThatIsLostProvesNothing) {
   for (const double lost : {NAN, INFINITY}) {
     EXPECT_EQ(verdict_after("stretch-bound",
-                            [=](Results& r) {
+                            [=](ClaimResults& r) {
                               r.strong_runs[0].stretch = {0.04, lost};
                             }),
               no);
     EXPECT_EQ(verdict_after("stretch-bound",
-                            [=](Results& r) {
+                            [=](ClaimResults& r) {
                               r.strong_runs[0].stretch = {lost, 0.04};
                             }),
               no);
     EXPECT_EQ(verdict_after("free-surface",
-                            [=](Results& r) {
+                            [=](ClaimResults& r) {
                               r.strong_runs[0].surface = {0.2, lost};
                             }),
               partly);
-    EXPECT_EQ(verdict_after("free-surface", [=](Results& r) { r.strong_runs[0].surface = {lost, 0.2}; }), no);
-    EXPECT_EQ(verdict_after("any-garment", [=](Results& r) { r.garments[0].strong.largest_stretch = lost; }),
+    EXPECT_EQ(verdict_after("free-surface", [=](ClaimResults& r) { r.strong_runs[0].surface = {lost, 0.2}; }), no);
+    EXPECT_EQ(verdict_after("any-garment", [=](ClaimResults& r) { r.garments[0].strong.largest_stretch = lost; }),
               no);
-    EXPECT_EQ(verdict_after("ideal-overstretches", [=](Results& r) { r.methods[2].max_stretch = {lost}; }),
+    EXPECT_EQ(verdict_after("ideal-overstretches", [=](ClaimResults& r) { r.methods[2].max_stretch = {lost}; }),
               no);
   }
-  EXPECT_EQ(verdict_after("real-time", [](Results& r) { r.frame_times[0].largest_stretch = NAN; }), yes)
+  EXPECT_EQ(verdict_after("real-time", [](ClaimResults& r) { r.frame_times[0].largest_stretch = NAN; }), yes)
       << "one setting of a model is enough";
-  EXPECT_EQ(verdict_after("any-garment", [](Results& r) { r.garments.clear(); }), no);
+  EXPECT_EQ(verdict_after("any-garment", [](ClaimResults& r) { r.garments.clear(); }), no);
 }
 
 TEST(Verdicts, LieOnTheirBounds) {
   const auto stretched = [](double on_the_way) {
-    return [=](Results& r) { r.strong_runs[0].stretch = {0.05, on_the_way}; };
+    return [=](ClaimResults& r) { r.strong_runs[0].stretch = {0.05, on_the_way}; };
   };
   EXPECT_EQ(verdict_after("stretch-bound", stretched(0.05)), yes);
   EXPECT_EQ(verdict_after("stretch-bound", stretched(0.051)), partly);
-  const auto moved_last = [](double last_m) { return [=](Results& r) { r.fall->moved_m = {1.0, last_m}; }; };
+  const auto moved_last = [](double last_m) { return [=](ClaimResults& r) { r.fall->moved_m = {1.0, last_m}; }; };
   EXPECT_EQ(verdict_after("convergence", moved_last(9e-4)), yes);
   EXPECT_EQ(verdict_after("convergence", moved_last(2e-3)), partly);
   EXPECT_EQ(verdict_after("convergence", moved_last(0.2)), no);
   for (const Mapping& bad :
        {Mapping{3, 1, 10, 9, 3, 0}, {3, 1, 10, 10, 0, 0}, {3, 1, 10, 10, 3, 1}, Mapping{}}) {
-    EXPECT_EQ(verdict_after("any-garment", [&](Results& r) { r.garments[0].mapping = bad; }), no);
+    EXPECT_EQ(verdict_after("any-garment", [&](ClaimResults& r) { r.garments[0].mapping = bad; }), no);
   }
   const auto growth_like = [](double power) {
-    return [=](Results& r) {
+    return [=](ClaimResults& r) {
       for (FrameTimes& time : r.frame_times) {
         time.frame_ms = {1e-3 * std::pow(time.triangles, power)};
       }
@@ -228,7 +228,7 @@ TEST(Verdicts, LieOnTheirBounds) {
 
 // What was once measured, and was called "holds with a condition".
 TEST(Claims, WhatTheLetterOfThePaperReachesIsNoBound) {
-  Results results = results_of_the_paper();
+  ClaimResults results = results_of_the_paper();
   results.pinned[0]->largest_stretch = 0.067;
   results.strong_runs = {{"shirt", false, 1, 10, {8.48, 10.1}},
                          {"shirt", false, 1, 50, {1.48, 2.1}},
@@ -246,7 +246,7 @@ TEST(Claims, WhatTheLetterOfThePaperReachesIsNoBound) {
 }
 
 TEST(Claims, BoundedHasALineOfItsOwnAndDecidesNothing) {
-  for (Results results : {results_of_the_paper(), results_in_part(), results_against_it()}) {
+  for (ClaimResults results : {results_of_the_paper(), results_in_part(), results_against_it()}) {
     const std::vector<Claim> before = judge_claims(results);
     for (std::optional<Recording>& run : results.shirts) {
       run->largest_stretch = 9.0;
@@ -303,7 +303,7 @@ TEST(Claims, FindingsSayTheNumbersThatDecide) {
 }
 
 TEST(Claims, WhatBoundedWasAskedToKeepFollowsFromTheScene) {
-  Results results = results_of_the_paper();
+  ClaimResults results = results_of_the_paper();
   for (const sim::BoundKind kind : sim::all_bound_kinds) {
     for (std::optional<Recording>& run : results.shirts) {
       run->scene.simulation.solver.bounded = {.bound = kind, .max_stretch = 0.02};
@@ -316,7 +316,7 @@ TEST(Claims, WhatBoundedWasAskedToKeepFollowsFromTheScene) {
 }
 
 TEST(Claims, WhatWasRefusedHasNoNumbers) {
-  Results results = results_of_the_paper();
+  ClaimResults results = results_of_the_paper();
   GarmentTrial refused;
   refused.file = "refused.obj";
   refused.refusal = "no reader knows this kind of file";
@@ -349,7 +349,7 @@ TEST(Claims, NumbersAreWrittenAsPeopleDo) {
 }
 
 TEST(Claims, JsonIsCompleteEvenWhereARunDiverged) {
-  Results results = results_of_the_paper();
+  ClaimResults results = results_of_the_paper();
   results.methods[4].diverged_at_s = 0.5;
   Machine machine;
   machine.processor = "a \"quoted\" one";
@@ -384,7 +384,7 @@ TEST(Report, IsOneFileWithPicturesInside) {
 }
 
 TEST(Report, SaysBelowFigure8WhatWasMeasuredOfEachMethod) {
-  Results results = results_of_the_paper();
+  ClaimResults results = results_of_the_paper();
   MethodTrial& longest =
       test::trial_in(results, {MethodTest::steps, ideal, trial_shirt_triangles, trial_step_factors.back()});
   longest.is_lost = true;
@@ -408,7 +408,7 @@ TEST(Report, LinksToTheFilesBesideIt) {
 }
 
 TEST(Report, ShowsEachVerdictAndWhatBoundedReaches) {
-  const auto html_of = [](const Results& results) { return report_html(judge_claims(results), {}, {}, {}); };
+  const auto html_of = [](const ClaimResults& results) { return report_html(judge_claims(results), {}, {}, {}); };
   const std::string pages[] = {html_of(results_of_the_paper()), html_of(results_in_part()),
                                html_of(results_against_it())};
   const Verdict verdicts[] = {yes, partly, no};
@@ -423,8 +423,8 @@ TEST(Report, ShowsEachVerdictAndWhatBoundedReaches) {
 }
 
 /// Of a bounded scene with contact that keeps both promises, and of one without contact.
-Results results_with_promises() {
-  Results results;
+ClaimResults results_with_promises() {
+  ClaimResults results;
   for (const std::size_t i : {1U, 2U}) {
     Recording& shirt = results.shirts[i].emplace();
     shirt.scene.name = i == 1 ? "apart" : "without contact";
@@ -441,7 +441,7 @@ Results results_with_promises() {
 }
 
 TEST(Report, SaysOfEveryCheckedSceneWhatIsPromisedAndKept) {
-  Results results = results_with_promises();
+  ClaimResults results = results_with_promises();
   const std::vector<PromiseResult> promises = promise_results(results);
   ASSERT_EQ(promises.size(), 3U) << "nobody has checked the other one";
   EXPECT_EQ(

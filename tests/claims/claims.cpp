@@ -1,11 +1,11 @@
-#include "app/report/claims.hpp"
+#include "tests/claims/claims.hpp"
 
 #include <fmt/args.h>
 #include <toml++/toml.h>
 
 #include "app/base/words.hpp"
 #include "app/drawing/plots/axis.hpp"
-#include "app/report/report.hpp"
+#include "tests/claims/report.hpp"
 
 namespace taut::app {
 namespace {
@@ -34,7 +34,7 @@ std::string setting_text(int substeps, int sweeps) {
 }
 
 // The cloth as figure 4 draws it is one of them.
-std::vector<StrongRun> all_strong_runs(const Results& results) {
+std::vector<StrongRun> all_strong_runs(const ClaimResults& results) {
   const Recording& cloth = *results.pinned[0];
   const SolverChoice& solver = cloth.scene.simulation.solver;
   std::vector<StrongRun> runs = {{"9x9 cloth, as in figure 4",
@@ -75,7 +75,7 @@ Cases cases_of(const std::vector<FrameTimes>& times) {
   return cases;
 }
 
-Tested test_stretch_bound(const Results& results) {
+Tested test_stretch_bound(const ClaimResults& results) {
   Tested tested;
   for (const StrongRun& run : all_strong_runs(results)) {
     const auto& [at_end, on_the_way] = run.stretch;
@@ -91,7 +91,7 @@ Tested test_stretch_bound(const Results& results) {
   return tested;
 }
 
-Tested test_free_surface(const Results& results) {
+Tested test_free_surface(const ClaimResults& results) {
   Tested tested;
   for (const StrongRun& run : all_strong_runs(results)) {
     const double springs = run.stretch.on_the_way;
@@ -106,7 +106,7 @@ Tested test_free_surface(const Results& results) {
   return tested;
 }
 
-Tested test_convergence(const Results& results) {
+Tested test_convergence(const ClaimResults& results) {
   const StepRecording& fall = *results.fall;
   const double peak_m = *std::ranges::max_element(fall.moved_m);
   const double last_m = fall.moved_m.back();
@@ -118,7 +118,7 @@ Tested test_convergence(const Results& results) {
             last_m < 0.1 * peak_m}}};
 }
 
-Tested test_no_velocity(const Results& results) {
+Tested test_no_velocity(const ClaimResults& results) {
   const RestartRun& restart = results.restart;
   const bool are_equal = restart.uninterrupted_hash == restart.restarted_hash;
   return {{{fmt::format("taken up after {} steps, {} steps later", restart.steps_before, restart.steps_after),
@@ -127,7 +127,7 @@ Tested test_no_velocity(const Results& results) {
 }
 
 // One setting of a model is enough.
-Tested test_real_time(const Results& results) {
+Tested test_real_time(const ClaimResults& results) {
   Tested tested = {cases_of(results.frame_times), cases_of(results.bounded_times)};
   std::map<int, bool> in_time;
   for (std::size_t i = 0; i < tested.cases.size(); ++i) {
@@ -141,7 +141,7 @@ Tested test_real_time(const Results& results) {
   return tested;
 }
 
-Tested test_growth(const Results& results) {
+Tested test_growth(const ClaimResults& results) {
   Tested tested;
   for (const int substeps : {1, 100}) {
     const TimeGrowth growth = measure_growth(results.frame_times, substeps);
@@ -172,7 +172,7 @@ Case case_of(const GarmentTrial& trial) {
           is_mapped && std::isfinite(trial.strong.largest_stretch)};
 }
 
-Tested test_any_garment(const Results& results) {
+Tested test_any_garment(const ClaimResults& results) {
   Tested tested;
   for (const GarmentTrial& trial : results.garments) {
     tested.cases.push_back(case_of(trial));
@@ -185,11 +185,11 @@ Tested test_any_garment(const Results& results) {
   return tested;
 }
 
-const MethodRun& method_run(const Results& results, std::size_t rate, sim::SolverKind kind) {
+const MethodRun& method_run(const ClaimResults& results, std::size_t rate, sim::SolverKind kind) {
   return results.methods[3 * rate + static_cast<std::size_t>(kind)];
 }
 
-Tested test_threshold_vibrates(const Results& results) {
+Tested test_threshold_vibrates(const ClaimResults& results) {
   Tested tested;
   for (std::size_t rate = 0; rate < method_rates_hz.size(); ++rate) {
     const auto speed_of = [&](sim::SolverKind kind) {
@@ -203,7 +203,7 @@ Tested test_threshold_vibrates(const Results& results) {
   return tested;
 }
 
-Tested test_ideal_overstretches(const Results& results) {
+Tested test_ideal_overstretches(const ClaimResults& results) {
   const auto settled = [](const MethodRun& run) {
     const auto unrest = measure_unrest(run);
     return unrest ? unrest->largest_stretch : INFINITY;
@@ -222,7 +222,7 @@ Tested test_ideal_overstretches(const Results& results) {
 // Methods that the paper argues with: neither its own method nor this program's.
 constexpr std::array others = {ideal, provot, implicit, vassilev, fast_projection};
 
-const MethodTrial& timed(const Results& results, sim::SolverKind kind, int triangles) {
+const MethodTrial& timed(const ClaimResults& results, sim::SolverKind kind, int triangles) {
   return trial_of(results.trials_of(MethodTest::time), kind, triangles);
 }
 
@@ -231,7 +231,8 @@ std::string mesh_name(int triangles) {
 }
 
 // Whether the fastest of the `slower` takes at least `least` times as long as `own`, per mesh.
-Tested test_speed(const Results& results, sim::SolverKind own, std::span<const sim::SolverKind> slower, double least) {
+Tested test_speed(const ClaimResults& results, sim::SolverKind own, std::span<const sim::SolverKind> slower,
+                  double least) {
   Tested tested;
   for (const int triangles : trial_meshes) {
     const auto ms_of = [&](sim::SolverKind kind) { return timed(results, kind, triangles).ranked_ms(0.5); };
@@ -246,18 +247,18 @@ Tested test_speed(const Results& results, sim::SolverKind own, std::span<const s
   return tested;
 }
 
-Tested test_large_steps(const Results& results) {
+Tested test_large_steps(const ClaimResults& results) {
   return test_speed(results, implicit, std::array{ideal}, significantly_faster);
 }
 
-Tested test_execution_speed(const Results& results) {
+Tested test_execution_speed(const ClaimResults& results) {
   Tested tested = test_speed(results, strong, others, 1.0);
   const double stretch = timed(results, strong, trial_meshes.back()).largest_stretch();
   tested.cases.push_back({mesh_name(trial_meshes.back()), {percent("stretched by", stretch)}, false, false, false});
   return tested;
 }
 
-Tested test_threshold_force(const Results& results) {
+Tested test_threshold_force(const ClaimResults& results) {
   const auto speed_of = [&](sim::SolverKind kind) {
     return trial_of(results.trials_of(MethodTest::rest), kind).last_speed_m_per_s();
   };
@@ -273,7 +274,7 @@ Tested test_threshold_force(const Results& results) {
   return tested;
 }
 
-Tested test_neighbours_stretch(const Results& results) {
+Tested test_neighbours_stretch(const ClaimResults& results) {
   Tested tested;
   for (const sim::SolverKind kind : {provot, fast_projection}) {
     Case one = {name_of(kind), {}};
@@ -289,7 +290,7 @@ Tested test_neighbours_stretch(const Results& results) {
   return tested;
 }
 
-Tested test_others_stretch(const Results& results) {
+Tested test_others_stretch(const ClaimResults& results) {
   const auto stretch_of = [&](sim::SolverKind kind) {
     return timed(results, kind, trial_meshes.back()).largest_stretch();
   };
@@ -302,7 +303,7 @@ Tested test_others_stretch(const Results& results) {
   return tested;
 }
 
-Tested test_robust(const Results& results) {
+Tested test_robust(const ClaimResults& results) {
   Tested tested;
   for (const sim::SolverKind kind : trial_methods) {
     for (const int factor : trial_step_factors) {
@@ -322,7 +323,7 @@ Tested test_robust(const Results& results) {
 struct Rule {
   const char* id;
   Quorum quorum;
-  Tested (*test)(const Results&);
+  Tested (*test)(const ClaimResults&);
 };
 
 constexpr std::array<Rule, 15> rules = {{{"stretch-bound", Quorum::all, test_stretch_bound},
@@ -466,7 +467,7 @@ Verdict verdict_of(std::span<const Case> cases, Quorum quorum) {
   return all > 0 && is_in_part ? Verdict::holds_in_part : Verdict::does_not_hold;
 }
 
-std::vector<Claim> judge_claims(const Results& results) {
+std::vector<Claim> judge_claims(const ClaimResults& results) {
   const toml::table all_texts = toml::parse(claim_texts);
   std::vector<Claim> claims;
   for (const auto& [id, quorum, test] : rules) {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/figures/experiments/experiments.hpp"
+#include "tests/claims/trials.hpp"
 
 namespace taut::app {
 
@@ -95,6 +95,6 @@ struct Claim {
 
 /// Judges all claims by what was measured. A number that is not finite, or that is not there, never helps a
 /// claim.
-std::vector<Claim> judge_claims(const Results& results);
+std::vector<Claim> judge_claims(const ClaimResults& results);
 
 }  // namespace taut::app

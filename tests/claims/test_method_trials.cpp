@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "app/figures/experiments/experiments.hpp"
+#include "tests/claims/trials.hpp"
 
 namespace taut::app {
 namespace {

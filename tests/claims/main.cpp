@@ -1,0 +1,51 @@
+#include <CLI/CLI.hpp>
+
+#include "app/base/errors.hpp"
+#include "app/base/files.hpp"
+#include "app/base/interruption.hpp"
+#include "tests/claims/report.hpp"
+
+// taut_claims: every figure of the paper, figure 8 and a report that judges the paper's claims by them.
+
+namespace taut::app {
+namespace {
+
+void draw_and_judge(const FiguresOptions& options) {
+  ClaimResults results;
+  std::vector<Figure> figures = all_figures(results);
+  figures.push_back(figure8_of(results));
+  std::vector<Job> jobs = experiments(results, Checking::promises);
+  std::ranges::move(claim_experiments(results), std::back_inserter(jobs));
+  const DrawnFigures drawn = draw_figures(options, std::move(figures), std::move(jobs));
+  if (!options.only.empty() || !options.data.empty()) return;
+  const Report report = make_report(results, drawn);
+  write_text_file(options.output / "claims.json", report.claims_json);
+  write_text_file(options.output / "report.html", report.html);
+  std::printf("wrote %s\n", (options.output / "report.html").c_str());
+}
+
+}  // namespace
+}  // namespace taut::app
+
+int main(int argument_count, char** arguments) {
+  using namespace taut::app;
+  CLI::App app("All figures, and a report that judges the claims of the paper", "taut_claims");
+  FiguresOptions options;
+  std::vector<std::string> names = figure_names();
+  names.emplace_back("fig8");
+  app.add_option("--only", options.only, "some of the figures; no report")->delimiter(',')->check(CLI::IsMember(names));
+  app.add_option("--data", options.data, "folder with the tables of an earlier run, to draw from; no report");
+  app.add_option("-o,--output", options.output, "folder for the pictures")->capture_default_str();
+  app.add_option("--scale", options.scale, "pictures this many times as wide and high")->check(CLI::Range(0.1, 4.0));
+  CLI11_PARSE(app, argument_count, arguments);
+  try {
+    watch_for_interruption();
+    draw_and_judge(options);
+    return 0;
+  } catch (const Interrupted& interrupted) {
+    end_by_signal(interrupted.signal);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "taut_claims: error: %s\n", error.what());
+    return 1;
+  }
+}

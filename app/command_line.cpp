@@ -225,7 +225,7 @@ std::function<int()> add_view(CLI::App& app) {
       "--size", [options](const std::string& text) { options->size = parse_size(text, "--size"); },
       std::string("of the window: ") + size_help);
   add_compare(*command, options->compared_with);
-  command->add_option("--keep", options->keep_folder, "folder for screenshots, videos, clips and saved scenes")
+  command->add_option("--keep", options->keep_folder, "folder for screenshots, videos and saved scenes")
       ->capture_default_str();
   command->add_option("--record", options->record, "write all input to this file, for --script");
   command->add_flag("--headless", options->headless, "no window: play a script and end");

@@ -5,7 +5,7 @@
 #include "app/base/interruption.hpp"
 #include "tests/claims/report.hpp"
 
-// taut_claims: every figure of the paper, figure 8 and a report that judges the paper's claims by them.
+// judge_claims: every figure of the paper, figure 8 and a report that judges the paper's claims by them.
 
 namespace taut::app {
 namespace {
@@ -29,7 +29,7 @@ void draw_and_judge(const FiguresOptions& options) {
 
 int main(int argument_count, char** arguments) {
   using namespace taut::app;
-  CLI::App app("All figures, and a report that judges the claims of the paper", "taut_claims");
+  CLI::App app("All figures, and a report that judges the claims of the paper", "judge_claims");
   FiguresOptions options;
   std::vector<std::string> names = figure_names();
   names.emplace_back("fig8");
@@ -45,7 +45,7 @@ int main(int argument_count, char** arguments) {
   } catch (const Interrupted& interrupted) {
     end_by_signal(interrupted.signal);
   } catch (const std::exception& error) {
-    std::fprintf(stderr, "taut_claims: error: %s\n", error.what());
+    std::fprintf(stderr, "judge_claims: error: %s\n", error.what());
     return 1;
   }
 }

@@ -4,7 +4,7 @@ function(taut_internal_picture_test test name)
   cmake_parse_arguments(PARSE_ARGV 2 arg "" "BASELINE;REASON" "LIMIT;DEFINITIONS;ARGUMENTS")
   add_test(NAME ${test}
     COMMAND ${CMAKE_COMMAND}
-            -DNAME=${name} -DTAUT=$<TARGET_FILE:taut> -DCLAIMS=$<TARGET_FILE:taut_claims>
+            -DNAME=${name} -DTAUT=$<TARGET_FILE:taut> -DCLAIMS=$<TARGET_FILE:judge_claims>
             -DCOMPARE=$<TARGET_FILE:compare_pictures> "-DARGUMENTS=${arg_ARGUMENTS}" "-DLIMIT=${arg_LIMIT}" "-DREASON=${arg_REASON}" ${arg_DEFINITIONS}
             -DBASELINE=${CMAKE_CURRENT_SOURCE_DIR}/baselines/${arg_BASELINE}.png
             -DOUTPUT_DIR=${CMAKE_CURRENT_BINARY_DIR}/${name}
@@ -40,7 +40,7 @@ function(taut_add_inspect_test name)
 endfunction()
 
 # taut_add_figure_test(NAME FIGURE [PLOT] arguments of `taut figures`...): the same with a whole figure, fig8 of
-# `taut_claims`, or the contact sheet; PLOT: nothing in it is drawn by OpenGL.
+# `judge_claims`, or the contact sheet; PLOT: nothing in it is drawn by OpenGL.
 function(taut_add_figure_test name figure)
   cmake_parse_arguments(PARSE_ARGV 2 arg "PLOT" "" "")
   taut_internal_picture_test(picture.${name} ${name} BASELINE ${name}

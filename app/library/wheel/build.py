@@ -1,7 +1,7 @@
 """Makes a wheel of libtaut: its Python, the library with all it needs that a Linux of the tag has not, the program that
-reads models, and scenes.
+reads models, and scenes. And an extension for Blender: the add-on with the library.
 
-usage: build.py LIBRARY IMPORTER SOURCES VERSION OUT
+usage: build.py LIBRARY IMPORTER ADD_ON SOURCES VERSION OUT
 """
 import base64
 import hashlib
@@ -91,7 +91,15 @@ def write_wheel(folder, record, wheel):
         archive.writestr(record, ''.join(lines) + f'{record},,\n')
 
 
-def main(library, importer, sources, version, out):
+def write_extension(package, addon, manifest, extension):
+    shutil.copy(addon, extension)
+    with zipfile.ZipFile(extension, 'a', zipfile.ZIP_DEFLATED, compresslevel=9) as archive:
+        archive.write(manifest, 'taut_cloth/blender_manifest.toml')
+        for file in sorted((package / 'lib').iterdir()):
+            archive.write(file, f'taut_cloth/lib/{file.name}')
+
+
+def main(library, importer, addon, sources, version, out):
     library, importer, sources, out = map(pathlib.Path, (library, importer, sources, out))
     if not shutil.which('patchelf'):
         raise SystemExit("build.py: there is no 'patchelf'; ./setup.sh installs it")
@@ -103,7 +111,10 @@ def main(library, importer, sources, version, out):
         out.mkdir(parents=True, exist_ok=True)
         wheel = out / f'taut_cloth-{version}-{TAG}.whl'
         write_wheel(pathlib.Path(folder), f'{info}/RECORD', wheel)
-    print(f'wrote {wheel}, {wheel.stat().st_size / 1e6:.1f} MB')
+        extension = out / f'taut_cloth_blender-{version}-linux-x64.zip'
+        write_extension(package, addon, sources / 'app' / 'library' / 'blender' / 'blender_manifest.toml', extension)
+    for file in (wheel, extension):
+        print(f'wrote {file}, {file.stat().st_size / 1e6:.1f} MB')
 
 
 main(*sys.argv[1:])

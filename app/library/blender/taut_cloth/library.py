@@ -1,4 +1,4 @@
-"""Finds libtaut, which is installed apart from the add-on."""
+"""Finds libtaut: the extension carries it, beside the add-on alone it is installed apart."""
 import importlib
 import os
 import pathlib
@@ -26,6 +26,9 @@ def places() -> list:
         return [bpy.path.abspath(addon.preferences.library)]
     if os.environ.get('TAUT_LIBRARY'):
         return [os.environ['TAUT_LIBRARY']]
+    carried = pathlib.Path(__file__).parent / 'lib' / 'libtaut.so.1'
+    if carried.exists():
+        return [str(carried)]
     program = shutil.which('taut')
     prefixes = [pathlib.Path(program).resolve().parent.parent] if program else []
     prefixes += [pathlib.Path.home() / '.local', pathlib.Path('/usr/local')]

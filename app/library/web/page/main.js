@@ -5,6 +5,7 @@ import { Promises } from './promises.js';
 import { Stage } from './stage.js';
 
 const byId = (id) => document.getElementById(id);
+window.addEventListener('error', ({ message }) => notice(message));
 const stage = new Stage(byId('stage'));
 const promises = new Promises();
 const chosen = { scene: 'hang', size: 5280 };

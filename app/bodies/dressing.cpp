@@ -15,6 +15,8 @@ constexpr double thinness = 0.9;
 constexpr double ends_at = 0.8;
 /// Poses that a turn goes through. Between two of them vertices go straight.
 constexpr int turning_steps = 8;
+/// From the base of the neck up, less and less of it gets thin where the head keeps its shape.
+constexpr double base_of_neck_m = 0.04;
 
 /// Per node, whether vertices follow it.
 std::vector<bool> followed(const Rig& rig) {
@@ -121,8 +123,9 @@ void turn_about(const Rig& rig, sim::Index joint, const glm::dvec4& rotation, Ri
   }
 }
 
-/// Room for two layers of usual cloth, with their distances to bodies and to each other: a garment lies on both sides.
-constexpr double room_of_garment_m = 0.008;
+/// Room for two layers of usual cloth, with their distances to bodies and to each other. Garments over each other
+/// lie in folds where limbs meet: two are caught there in less.
+constexpr double room_of_first_m = 0.008, room_of_more_m = 0.032;
 constexpr double faces_each_other = -0.2;  ///< the cosine between the normals, at most
 // As shares of the growth. Between two steps two limbs close in by less than the room.
 constexpr double thick_enough = 0.48;
@@ -189,27 +192,18 @@ std::vector<glm::dmat3> into_model(const Rig& rig, const RigPose& pose) {
   return transforms;
 }
 
-constexpr std::array head_joints = {"neck", "head"};
-
-/// Per node, the first of these joints that it is or hangs on, or else no_node.
-std::vector<sim::Index> with_what_hangs_on(const Rig& rig, std::span<const char* const> ends) {
+/// Per vertex of the file, the end of the body that it follows most: the head with the neck, a hand or a foot, with all
+/// that hangs on it. No cloth goes between lips, fingers or toes. no_node elsewhere.
+std::vector<sim::Index> ends_of_body(const Rig& rig) {
   std::vector<sim::Index> of_node(rig.nodes.size(), no_node);
   const std::map<std::string, sim::Index> joints = joint_nodes(rig);
-  for (const char* end : ends) {
+  for (const char* end : {"neck", "head", "left hand", "right hand", "left foot", "right foot"}) {
     if (const auto found = joints.find(end); found != joints.end()) of_node[found->second] = found->second;
   }
   for (sim::Index n = 0; n < of_node.size(); ++n) {
     const sim::Index parent = rig.nodes[n].parent;
     of_node[n] = parent != no_node && of_node[parent] != no_node ? of_node[parent] : of_node[n];
   }
-  return of_node;
-}
-
-/// Per vertex of the file, the end of the body that it follows most: the head with the neck, a hand or a foot, with all
-/// that hangs on it. No cloth goes between lips, fingers or toes. no_node elsewhere.
-std::vector<sim::Index> ends_of_body(const Rig& rig) {
-  const std::vector<sim::Index> of_node =
-      with_what_hangs_on(rig, std::array{"neck", "head", "left hand", "right hand", "left foot", "right foot"});
   std::vector<sim::Index> ends(rig.in_part.size(), no_node);
   for (const RigPart& part : rig.parts) {
     std::fill_n(ends.begin() + static_cast<std::ptrdiff_t>(part.first_vertex), part.vertices, of_node[part.node]);
@@ -226,7 +220,7 @@ std::vector<sim::Index> ends_of_body(const Rig& rig) {
 
 }  // namespace
 
-std::vector<sim::Vec3> thin_shape(const Rig& rig, const RigPose& pose, bool keeps_head) {
+std::vector<sim::Vec3> thin_shape(const Rig& rig, const RigPose& pose) {
   const std::vector<bool> is_followed = followed(rig);
   const std::vector<std::vector<sim::Vec3>> ends = ends_of_bones(rig, pose, is_followed);
   std::vector<sim::Vec3> full(rig.in_part.size());
@@ -242,16 +236,12 @@ std::vector<sim::Vec3> thin_shape(const Rig& rig, const RigPose& pose, bool keep
       on_bones[v] = nearest_on_bones(place_of(pose, joint), ends[joint], full[v]);
     }
   }
-  const std::vector<sim::Index> end_of_node =
-      with_what_hangs_on(rig, std::span(head_joints).first(keeps_head ? head_joints.size() : 0));
-  std::vector<double> kept(full.size(), 0.0);
   for (const RigInfluence& influence : rig.influences) {
     const sim::Index node = rig.bones[influence.bone].node;
     on_bones[influence.vertex] +=
         influence.weight * nearest_on_bones(place_of(pose, node), ends[node], full[influence.vertex]);
-    kept[influence.vertex] += end_of_node[node] != no_node ? influence.weight : 0.0;
   }
-  for (std::size_t v = 0; v < full.size(); ++v) full[v] = glm::mix(full[v], on_bones[v], thinness * (1.0 - kept[v]));
+  for (std::size_t v = 0; v < full.size(); ++v) full[v] = glm::mix(full[v], on_bones[v], thinness);
   return full;
 }
 
@@ -266,10 +256,13 @@ std::shared_ptr<const sim::BodyFrames> growing(const Wearer& wearer, std::span<c
   std::vector<sim::Vec3> full(wearer.rig->in_part.size());
   for (const RigPose& pose : poses) {
     pose_vertices(*wearer.rig, pose, full);
-    shapes.push_back(
-        {placed_m(wearer.places, thin_shape(*wearer.rig, pose, keeps_head)), placed_m(wearer.places, full)});
+    shapes.push_back({placed_m(wearer.places, thin_shape(*wearer.rig, pose)), placed_m(wearer.places, full)});
   }
-  shapes.push_back({placed_m(wearer.places, thin_shape(*wearer.rig, wearer.pose, keeps_head)), wearer.full_m});
+  shapes.push_back({placed_m(wearer.places, thin_shape(*wearer.rig, wearer.pose)), wearer.full_m});
+  for (std::size_t v = 0; v < wearer.full_m.size() && keeps_head; ++v) {
+    const double kept = std::clamp((wearer.full_m[v].y - wearer.measures.neck_m->y) / base_of_neck_m, 0.0, 1.0);
+    for (Grown& shape : shapes) shape.thin_m[v] = glm::mix(shape.thin_m[v], shape.full_m[v], kept);
+  }
   return std::make_shared<const GrowingFrames>(std::move(shapes), wearer);
 }
 
@@ -322,7 +315,7 @@ std::optional<RoomForCloth> leave_room(const Rig& rig, std::span<const RigPose> 
     std::vector<sim::Vec3> full(rig.in_part.size());
     pose_vertices(rig, pose, full);
     const Growth growth = {placed_m(places, thin_shape(rig, pose)), placed_m(places, full), triangles, ends,
-                           garments * room_of_garment_m};
+                           room_of_first_m + (garments - 1) * room_of_more_m};
     for (int step = 1; step <= steps; ++step) {
       const auto share_at = [](int s) { return thick_enough + (1.0 - thick_enough) * s / steps; };
       growth.stop_at(share_at(step), share_at(step - 1), most);

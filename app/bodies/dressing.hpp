@@ -8,8 +8,8 @@ namespace taut::app {
 /// Returns a body that is thin: each vertex of the pose is moved most of the way to the nearest points of the
 /// bones it follows, weighted as it follows them. A bone goes from a joint to each joint below it that
 /// vertices follow; without one it is the joint itself. In the file's unit and axes, per vertex of the rig.
-/// Neck and head keep their shape where asked for. Throws InputError if vertices follow no joint.
-std::vector<sim::Vec3> thin_shape(const Rig& rig, const RigPose& pose, bool keeps_head = false);
+/// Throws InputError if vertices follow no joint.
+std::vector<sim::Vec3> thin_shape(const Rig& rig, const RigPose& pose);
 
 /// A body that is to be dressed, as load_bodies() keeps it.
 struct Wearer {
@@ -31,7 +31,7 @@ std::vector<sim::Vec3> placed_m(const FileVertexPlaces& places, const std::vecto
 
 /// Returns the frames of a body that grows into what it wears and then goes on with its motion. Vertices go
 /// straight, slowly at both ends. It begins in the first of `poses`, goes through them one after the other as
-/// it grows, and ends in its own; without any it grows in its own. See thin_shape().
+/// it grows, and ends in its own; without any it grows in its own. Neck and head keep their shape where asked for.
 std::shared_ptr<const sim::BodyFrames> growing(const Wearer& wearer, std::span<const RigPose> poses = {},
                                                bool keeps_head = false);
 

@@ -326,10 +326,14 @@ renderer::Image draw_moments(const DrawnScene& scene, std::span<const GarmentMom
   renderer::TextStyle caption = text_style(1.3F * text_px);
   caption.horizontal = renderer::HorizontalAlign::centre;
   float x_px = 0.0F;
+  std::vector<sim::Vec3> about_body_m;
+  for (const GarmentMoment& moment : moments) {
+    if (moment.time_s) about_body_m.insert(about_body_m.end(), moment.positions_m.begin(), moment.positions_m.end());
+  }
   for (const GarmentMoment& moment : moments) {
     DrawnScene shown = scene;
-    look_from_front(moment.time_s ? front_of_dressed(scene) : sim::Vec3(0.0, 0.0, 1.0), moment.positions_m, 0.0F,
-                    shown);
+    look_from_front(moment.time_s ? front_of_dressed(scene) : sim::Vec3(0.0, 0.0, 1.0),
+                    moment.time_s ? about_body_m : moment.positions_m, 0.0F, shown);
     if (!moment.time_s) shown.surroundings.bodies.clear();
     canvas.image(x_px, 0.0F,
                  draw_marked(offscreen.renderer(), shown, moment.garment, {}, moment.positions_m,

@@ -23,6 +23,8 @@ constexpr double inwards_m_per_s2 = 10.0;  ///< of layers that are sewn, to the 
 constexpr double inwards_from_m = 0.05;    ///< nearer to it they are pulled less
 constexpr double slack_m = 0.001;          ///< nearer than this they pull less
 constexpr double stronger = 1.4;           ///< times as strong, as often as hardly anything could be joined
+constexpr double weaker = 0.5;             ///< times as strong, after a frame that cannot be made
+constexpr int most_blocked = 8;            ///< such frames
 constexpr double quick_enough = 0.05;      ///< of what is open
 constexpr double most_strength = 30.0;
 constexpr double drag_per_s = 10.0;   ///< of the air meanwhile
@@ -139,7 +141,7 @@ class Closing {
 
   SewnPieces run(const SewingReport& report) {
     double widest_m = std::numeric_limits<double>::infinity();
-    int since = 0;
+    int since = 0, blocked = 0;
     const int budget = most_steps * static_cast<int>(pieces_.layer_of.back() + 1);
     if (report) report(share_joined(), sewn_.garment, now_m());
     int next_join = first_join, between_joins = frames_between_joins;
@@ -147,7 +149,14 @@ class Closing {
       throw_if_interrupted();
       const std::vector<std::size_t> seams = pulled_seams(frame);
       pull(seams);
-      if (!advance()) break;
+      if (!advance()) {
+        // From rest, and pulled less, it may go on.
+        if (++blocked > most_blocked) break;
+        strength_ *= weaker;
+        keep_shape();
+        begin(std::move(sewn_));
+        continue;
+      }
       if (frame >= next_join) {
         const double before = share_joined();
         const bool any_joined = join_what_met(seams);
@@ -195,6 +204,7 @@ class Closing {
     try {
       simulation_->advance_frame(throw_if_interrupted);
       steps_ += simulation_->last_report().substeps;
+      sewn_.reason.clear();
     } catch (const sim::ContactBlocked& error) {
       sewn_.reason = error.what();
       return false;

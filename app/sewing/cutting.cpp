@@ -17,6 +17,7 @@ constexpr double coarsest_edge_m = 0.06;
 /// Steps along a curve are no longer than that it is shortened by so much.
 constexpr double most_shortened_m = 4e-4;
 constexpr double between_panels_m = 0.05;
+constexpr double layer_lift_m = 0.03;
 /// A seam is closed the shorter way round where that is by so much of its length, whatever other seams say.
 constexpr double beyond_doubt = 0.7;
 
@@ -135,11 +136,43 @@ class Facing {
   std::vector<bool> is_opposite_;  ///< to the parent
 };
 
+using Borders = std::vector<std::vector<std::vector<Index>>>;  ///< per panel and edge, its vertices
+
+/// How many corners say that a stitch closes ahead, less those that say back: a corner of one side, where the next
+/// edge is sewn on as well, comes to where that and the other side meet. `met` are vertices that seams make one.
+int ahead_by_corners(const SewingPattern& pattern, const Borders& borders, std::size_t stitch, const sim::Groups& met) {
+  sim::Groups groups = met;
+  const auto are_one = [&](Index v, Index w) { return groups.find(v) == groups.find(w); };
+  const auto border = [&](const PanelEdge& e) -> const std::vector<Index>& { return borders[e.panel][e.edge]; };
+  int ahead = 0;
+  const auto look = [&](const PanelEdge& own, const PanelEdge& other) {
+    const std::vector<Index>&own_line = border(own), &other_line = border(other);
+    const auto vote = [&](Index corner, bool at_front, bool at_back) {
+      if (at_front != at_back) ahead += at_front == (corner == own_line.front()) ? 1 : -1;
+    };
+    for (const Index corner : {own_line.front(), own_line.back()}) {
+      vote(corner, are_one(corner, other_line.front()), are_one(corner, other_line.back()));
+      for (std::size_t s = 0; s < pattern.stitches.size(); ++s) {
+        const auto& [first, second] = pattern.stitches[s];
+        for (const auto& [next, beyond] : {std::pair(first, second), std::pair(second, first)}) {
+          const std::vector<Index>&next_line = border(next), &beyond_line = border(beyond);
+          if (s == stitch || next.panel != own.panel || (next_line.front() != corner && next_line.back() != corner))
+            continue;
+          const auto meets = [&](Index v) { return are_one(v, beyond_line.front()) || are_one(v, beyond_line.back()); };
+          vote(corner, meets(other_line.front()), meets(other_line.back()));
+        }
+      }
+    }
+  };
+  look(pattern.stitches[stitch].first, pattern.stitches[stitch].second);
+  look(pattern.stitches[stitch].second, pattern.stitches[stitch].first);
+  return ahead;
+}
+
 /// Per stitch, the seam. Which way round it closes has to be told where a pattern says nothing: first for the
 /// seams in which one way is much shorter than the other, from which it is known which panels face the same
-/// side; for others their panels tell.
-std::vector<Seam> find_seams(const SewingPattern& pattern, const std::vector<std::vector<std::vector<Index>>>& borders,
-                             const CutPieces& pieces) {
+/// side; for others corners that meet tell, or else their panels.
+std::vector<Seam> find_seams(const SewingPattern& pattern, const Borders& borders, const CutPieces& pieces) {
   struct Way {
     double shorter;  ///< from -1, where it is surely closed ahead, to 1, where it is surely closed back
     std::size_t stitch;
@@ -161,15 +194,20 @@ std::vector<Seam> find_seams(const SewingPattern& pattern, const std::vector<std
   std::ranges::stable_sort(ways, [](const Way& a, const Way& b) { return std::abs(a.shorter) > std::abs(b.shorter); });
   Facing facing(pattern.panels.size());
   std::vector<Seam> seams(ways.size());
+  sim::Groups met(pieces.flat_m.size());
   for (const auto& [shorter, s] : ways) {
     const auto& [a, b] = pattern.stitches[s];
     // Borders of panels that face the same side run against each other.
     const std::optional<bool> opposite = facing.opposite(a.panel, b.panel);
-    const bool runs_back = opposite && std::abs(shorter) < beyond_doubt ? !*opposite : shorter > 0.0;
+    const int ahead = std::abs(shorter) < beyond_doubt ? ahead_by_corners(pattern, borders, s, met) : 0;
+    const bool is_told = opposite && std::abs(shorter) < beyond_doubt;
+    const bool runs_back = ahead != 0 ? ahead < 0 : is_told ? !*opposite : shorter > 0.0;
     facing.join(a.panel, b.panel, !runs_back);
     std::vector<Index> second = borders[b.panel][b.edge];
     if (runs_back) std::ranges::reverse(second);
     for (std::size_t k = 0; k < second.size(); ++k) seams[s].emplace_back(borders[a.panel][a.edge][k], second[k]);
+    met.join(seams[s].front().first, seams[s].front().second);
+    met.join(seams[s].back().first, seams[s].back().second);
   }
   return seams;
 }
@@ -267,7 +305,7 @@ CutPieces cut_pieces(const SewingPattern& pattern, int triangles) {
   CutPieces pieces;
   pieces.edge_m = edge_for(pattern, triangles);
   const auto steps = steps_of_edges(pattern, pieces.edge_m);
-  std::vector<std::vector<std::vector<Index>>> borders;
+  Borders borders;
   for (std::size_t p = 0; p < pattern.panels.size(); ++p) {
     borders.push_back(add_panel(pattern.panels[p], steps[p], pieces));
   }
@@ -288,7 +326,9 @@ void add_over(const CutPieces& over, CutPieces& pieces) {
   pieces.panel_triangles.pop_back();
   for (const Index first : over.panel_triangles) pieces.panel_triangles.push_back(triangles + first);
   pieces.flat_m.insert(pieces.flat_m.end(), over.flat_m.begin(), over.flat_m.end());
-  pieces.placed_m.insert(pieces.placed_m.end(), over.placed_m.begin(), over.placed_m.end());
+  // Shoulders of inner layers are in the way of those that begin as high.
+  const double lift_m = over.first_seams.empty() ? 0.0 : layer_lift_m * static_cast<double>(layer);
+  for (const Vec3& placed_m : over.placed_m) pieces.placed_m.push_back(placed_m + Vec3(0.0, lift_m, 0.0));
   pieces.is_turned.insert(pieces.is_turned.end(), over.is_turned.begin(), over.is_turned.end());
   pieces.layer_of.insert(pieces.layer_of.end(), over.panel_count(), layer);
   for (const Index panel : over.panel_of) pieces.panel_of.push_back(panels + panel);

@@ -134,7 +134,7 @@ Vec3 shift_of(const SewingPattern& pattern, const Wearer& wearer, CutPieces& pie
   const std::vector<ArmJoints> arms = arms_of(wearer.joints);
   if (!shoulders_m.empty() && !arms.empty()) {
     const double half_width_m = std::abs(arms[0].shoulder_m.x - shift.x);
-    const std::vector<Vec3> thin_m = placed_m(wearer.places, thin_shape(*wearer.rig, wearer.pose, true));
+    const std::vector<Vec3> thin_m = placed_m(wearer.places, thin_shape(*wearer.rig, wearer.pose));
     shift.y = above_shoulders_m + rise_over(shoulders_m, shift.x, thin_m, half_width_m);
   } else {
     shift.y = level_for(measures, upper_border_m(pattern, top_m), top_m + shift.y) - top_m;

@@ -95,9 +95,10 @@ void wear(const Scene& scene, const SewingSettings& settings, const std::functio
   const auto refuse = [&](const std::exception& error) {
     keep();
     const std::string tight = describe_tightness(scene, sewn.garment, sewn.garment.mesh.positions, fit);
-    throw SewingFailed("its seams are closed, but it cannot be worn: " + (error.what() + describe_misfit(fit)) + "; " +
-                           describe_tightest(garment) + (tight.empty() ? "" : "; " + tight),
-                       std::move(garment));
+    const std::string message =
+        "its seams are closed, but it cannot be worn: " + (error.what() + describe_misfit(fit)) + "; " +
+        describe_tightest(garment) + (tight.empty() ? "" : "; " + tight);
+    throw SewingFailed(message, std::move(garment));
   };
   try {
     stage("the body grows into it");

@@ -246,7 +246,8 @@ TEST_F(Sewing, SeamsOfTheTShirtAreAsLongAsDrafted) {
     for (std::size_t s = 0; s < pieces.seams.size(); ++s) {
       double first_m = 0.0, second_m = 0.0;
       for (std::size_t k = 1; k < pieces.seams[s].size(); ++k) {
-        const auto& [a, b] = pieces.seams[s][k], &before = pieces.seams[s][k - 1];
+        const auto& [a, b] = pieces.seams[s][k];
+        const auto& before = pieces.seams[s][k - 1];
         first_m += glm::distance(pieces.flat_m[before.first], pieces.flat_m[a]);
         second_m += glm::distance(pieces.flat_m[before.second], pieces.flat_m[b]);
       }

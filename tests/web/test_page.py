@@ -80,7 +80,7 @@ class Page:
     def data(self):
         return self.browser.execute_script('return {...document.body.dataset}')
 
-    def wait(self, what, holds, seconds=240):
+    def wait(self, what, holds, seconds=600):  # a machine without a GPU that does other work too
         end = time.monotonic() + seconds
         while not holds():
             assert time.monotonic() < end, f'{what}: not within {seconds} s; {self.data()}; {self.text("notice")}'

@@ -5,8 +5,8 @@ const VIEWS = { hang: { target: [0, 1.31, 0], distance: 2.95, azimuth: 0.62, ele
   walk: { target: [0, 0.93, 0], distance: 4.75, azimuth: 0.5, elevation: 0.12, ground: 0 } };
 // Shadows are looked up a little off the cloth, on the side of the light: it would shade itself in stripes.
 const OFF_CLOTH_M = 0.007;
-// The side that is seen is that of the smooth normal: by triangles it would be jagged where the cloth turns away.
-const SIDE = 'float side = dot(vNormal, vViewPosition) < 0.0 ? -1.0 : 1.0;';
+// The inside is seen where both the triangle and the smooth normal face away: by one of them it is jagged at folds.
+const SIDE = 'float side = !gl_FrontFacing && dot(vNormal, vViewPosition) < 0.0 ? -1.0 : 1.0;';
 const COLOUR_OF_SIDE = 'if (side < 0.0) diffuseColor.rgb *= inside;';
 
 export class Stage {

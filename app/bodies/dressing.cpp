@@ -15,8 +15,6 @@ constexpr double thinness = 0.9;
 constexpr double ends_at = 0.8;
 /// Poses that a turn goes through. Between two of them vertices go straight.
 constexpr int turning_steps = 8;
-/// From the base of the neck up, less and less of it gets thin where the head keeps its shape.
-constexpr double base_of_neck_m = 0.04;
 
 /// Per node, whether vertices follow it.
 std::vector<bool> followed(const Rig& rig) {
@@ -251,7 +249,7 @@ std::vector<sim::Vec3> placed_m(const FileVertexPlaces& places, const std::vecto
   return result_m;
 }
 
-std::shared_ptr<const sim::BodyFrames> growing(const Wearer& wearer, std::span<const RigPose> poses, bool keeps_head) {
+std::shared_ptr<const sim::BodyFrames> growing(const Wearer& wearer, std::span<const RigPose> poses) {
   std::vector<Grown> shapes;
   std::vector<sim::Vec3> full(wearer.rig->in_part.size());
   for (const RigPose& pose : poses) {
@@ -259,10 +257,6 @@ std::shared_ptr<const sim::BodyFrames> growing(const Wearer& wearer, std::span<c
     shapes.push_back({placed_m(wearer.places, thin_shape(*wearer.rig, pose)), placed_m(wearer.places, full)});
   }
   shapes.push_back({placed_m(wearer.places, thin_shape(*wearer.rig, wearer.pose)), wearer.full_m});
-  for (std::size_t v = 0; v < wearer.full_m.size() && keeps_head; ++v) {
-    const double kept = std::clamp((wearer.full_m[v].y - wearer.measures.neck_m->y) / base_of_neck_m, 0.0, 1.0);
-    for (Grown& shape : shapes) shape.thin_m[v] = glm::mix(shape.thin_m[v], shape.full_m[v], kept);
-  }
   return std::make_shared<const GrowingFrames>(std::move(shapes), wearer);
 }
 

@@ -31,9 +31,8 @@ std::vector<sim::Vec3> placed_m(const FileVertexPlaces& places, const std::vecto
 
 /// Returns the frames of a body that grows into what it wears and then goes on with its motion. Vertices go
 /// straight, slowly at both ends. It begins in the first of `poses`, goes through them one after the other as
-/// it grows, and ends in its own; without any it grows in its own. Neck and head keep their shape where asked for.
-std::shared_ptr<const sim::BodyFrames> growing(const Wearer& wearer, std::span<const RigPose> poses = {},
-                                               bool keeps_head = false);
+/// it grows, and ends in its own; without any it grows in its own.
+std::shared_ptr<const sim::BodyFrames> growing(const Wearer& wearer, std::span<const RigPose> poses = {});
 
 /// A bone that is turned about the joint at its begin.
 struct TurnedBone {

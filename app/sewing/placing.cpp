@@ -122,7 +122,7 @@ std::vector<std::string> place_pieces(CutPieces& pieces, Scene& scene) {
   // Limbs turn while they are thin: sleeves are cut for arms that hang, and pull at shoulders otherwise.
   std::vector<RigPose> poses = turning_back(*wearer.rig, wearer.pose, turned_limbs(wearer, pieces));
   poses.insert(poses.end(), poses.size(), wearer.pose);
-  std::get<sim::BodyMesh>(body.shape).frames = growing(wearer, poses, true);
+  std::get<sim::BodyMesh>(body.shape).frames = growing(wearer, poses);
   const std::size_t moved = part_and_draw_in(body, thin_time_s(scene), *wearer.measures.neck_m, pieces);
   if (moved == 0) return {};
   return {fmt::format("{} of its {} pieces crossed another or the body where they were placed: moved apart", moved,

@@ -92,7 +92,7 @@ timed() {
   timed "a bare Debian" make_debian
   if [ "$preset" = package ]; then
     timed "installing the package" on_the_machine \
-      'export DEBIAN_FRONTEND=noninteractive; { apt-get update && apt-get install -y ./taut_*.deb; } >/tmp/setup.log 2>&1 ||
+      'export DEBIAN_FRONTEND=noninteractive; { apt-get update && apt-get install -y ./*.deb; } >/tmp/setup.log 2>&1 ||
        { tail -n 30 /tmp/setup.log; exit 1; }'
     timed "running it" on_the_machine \
       'cd / && taut render tshirt-wind-10 --resolution 320x240 --output /tmp/a.png &&

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# package.sh CPACK BUILD: Debian's package has the program, the library and the add-on, and lintian finds no error in it
-# where lintian is there.
+# package.sh CPACK BUILD: Debian's packages have the program, the library, what other programs build with, the Python
+# module and the add-on, each in its own, and lintian finds no error in them where lintian is there.
 set -euo pipefail
 cpack=$1 build=$2
 folder=$(mktemp -d)
@@ -11,14 +11,32 @@ fail() {
 }
 
 "$cpack" --config "$build/CPackConfig.cmake" -G DEB -B "$folder" >"$folder/log.txt" 2>&1 || fail "$(cat "$folder/log.txt")"
-package=$(echo "$folder"/taut_*.deb)
-dpkg-deb --contents "$package" >"$folder/files.txt"
-for file in bin/taut lib/libtaut.so include/taut.h lib/pkgconfig/taut.pc lib/cmake/Taut/TautConfig.cmake \
-  libexec/taut/taut-import lib/python3/dist-packages/taut/__init__.py share/taut/taut_cloth.zip \
-  share/taut/csharp/Taut.cs share/taut/scenes/tshirt.toml share/doc/taut/copyright share/man/man1/taut.1.gz; do
-  grep -q " \./usr/$file" "$folder/files.txt" || fail "the package lacks /usr/$file"
-done
-! grep -v ' \./usr/\| \./$' "$folder/files.txt" || fail "the package has files outside /usr"
+
+# has PACKAGE FILE...: the package has these files, its own documents, and nothing that another has.
+: >"$folder/all.txt"
+has() {
+  local name=$1
+  shift
+  local file package
+  package=$(echo "$folder/$name"_*.deb)
+  [ -f "$package" ] || fail "there is no package $name"
+  dpkg-deb --contents "$package" >"$folder/files.txt"
+  for file in "$@" "share/doc/$name/copyright" "share/doc/$name/changelog.gz"; do
+    grep -q " \./usr/$file$" "$folder/files.txt" || fail "the package $name lacks /usr/$file"
+  done
+  ! grep -v ' \./usr/\| \./$' "$folder/files.txt" || fail "the package $name has files outside /usr"
+  grep '^-' "$folder/files.txt" | awk '{print $6}' >>"$folder/all.txt"
+  [ "$name" = libtaut ] || dpkg-deb --field "$package" Depends | grep -q "libtaut (= " ||
+    fail "the package $name does without libtaut of its version"
+}
+has taut bin/taut share/man/man1/taut.1.gz share/bash-completion/completions/taut
+has libtaut lib/libtaut.so libexec/taut/taut-import share/taut/scenes/tshirt.toml
+has libtaut-dev include/taut.h lib/pkgconfig/taut.pc lib/cmake/Taut/TautConfig.cmake share/taut/csharp/Taut.cs
+has python3-taut lib/python3/dist-packages/taut/__init__.py
+has blender-taut share/taut/taut_cloth.zip
+[ "$(ls "$folder"/*.deb | wc -l)" = 5 ] || fail "expected five packages, found $(ls "$folder"/*.deb)"
+twice=$(sort "$folder/all.txt" | uniq -d)
+[ -z "$twice" ] || fail "in two packages: $twice"
 if command -v lintian >/dev/null; then
-  lintian --fail-on error "$package" || fail "lintian finds errors"
+  lintian --fail-on error "$folder"/*.deb || fail "lintian finds errors"
 fi

@@ -14,24 +14,24 @@ set(what
 constraint: in no frame is anything longer than its bound, and nothing crosses
 anything.")
 # Its own depends are libraries that are loaded while it runs, which the linker does not know of.
-function(taut_package component name section summary text depends)
+function(taut_package component name section text depends)
   string(TOUPPER ${component} key)
   set(CPACK_DEBIAN_${key}_PACKAGE_NAME ${name} PARENT_SCOPE)
   set(CPACK_DEBIAN_${key}_PACKAGE_SECTION ${section} PARENT_SCOPE)
   set(CPACK_DEBIAN_${key}_PACKAGE_DEPENDS "${depends}" PARENT_SCOPE)
-  set(CPACK_COMPONENT_${key}_DESCRIPTION "${summary}\n${what}\n${text}" PARENT_SCOPE)
+  set(CPACK_COMPONENT_${key}_DESCRIPTION "${what}\n${text}" PARENT_SCOPE)
 endfunction()
-set(of_library "libtaut (= ${PROJECT_VERSION})")
-taut_package(program taut graphics "simulator of garments that do not over-stretch"
-  "The program draws with and without a display." "${of_library}, libegl1, libegl-mesa0, libgl1-mesa-dri, fonts-dejavu-core")
-taut_package(library libtaut libs "garments that do not over-stretch, as a library"
-  "With what reads models, and with scenes, garments, bodies and fabrics." "")
-taut_package(headers libtaut-dev libdevel "garments that do not over-stretch, for other programs"
-  "The header for C and C++, what pkg-config and CMake ask for, and C# sources." "${of_library}")
-taut_package(python python3-taut python "garments that do not over-stretch, for Python"
-  "The module taut." "${of_library}, python3")
-taut_package(addon blender-taut graphics "garments that do not over-stretch, in Blender"
-  "The add-on as Blender installs it: /usr/share/taut/taut_cloth.zip." "${of_library}")
+set(of_library "libtaut1 (= ${PROJECT_VERSION})")
+taut_package(program taut graphics
+  "This is the program, which draws with and without a display." "${of_library}, libegl1, libegl-mesa0, libgl1-mesa-dri, fonts-dejavu-core")
+taut_package(library libtaut1 libs
+  "This is the library, with what reads models, and with scenes, garments, bodies and fabrics." "")
+taut_package(headers libtaut-dev libdevel
+  "These are the header for C and C++, what pkg-config and CMake ask for, and C# sources." "${of_library}")
+taut_package(python python3-taut python
+  "This is the module taut of Python." "${of_library}, python3")
+taut_package(addon blender-taut graphics
+  "This is the add-on as Blender installs it: /usr/share/taut/taut_cloth.zip." "${of_library}")
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS "ffmpeg, libosmesa6")
 set(CPACK_DEBIAN_HEADERS_PACKAGE_SUGGESTS mono-runtime)
 set(CPACK_DEBIAN_PYTHON_PACKAGE_RECOMMENDS python3-numpy)

@@ -22,16 +22,16 @@ has() {
   [ -f "$package" ] || fail "there is no package $name"
   dpkg-deb --contents "$package" >"$folder/files.txt"
   for file in "$@" "share/doc/$name/copyright" "share/doc/$name/changelog.gz"; do
-    grep -q " \./usr/$file$" "$folder/files.txt" || fail "the package $name lacks /usr/$file"
+    grep -qE " \./usr/$file( -> .*)?$" "$folder/files.txt" || fail "the package $name lacks /usr/$file"
   done
   ! grep -v ' \./usr/\| \./$' "$folder/files.txt" || fail "the package $name has files outside /usr"
   grep '^-' "$folder/files.txt" | awk '{print $6}' >>"$folder/all.txt"
-  [ "$name" = libtaut ] || dpkg-deb --field "$package" Depends | grep -q "libtaut (= " ||
-    fail "the package $name does without libtaut of its version"
+  [ "$name" = libtaut1 ] || dpkg-deb --field "$package" Depends | grep -q "libtaut1 (= " ||
+    fail "the package $name does without libtaut1 of its version"
 }
 has taut bin/taut share/man/man1/taut.1.gz share/bash-completion/completions/taut
-has libtaut lib/libtaut.so libexec/taut/taut-import share/taut/scenes/tshirt.toml
-has libtaut-dev include/taut.h lib/pkgconfig/taut.pc lib/cmake/Taut/TautConfig.cmake share/taut/csharp/Taut.cs
+has libtaut1 lib/libtaut.so.1 libexec/taut/taut-import share/taut/scenes/tshirt.toml
+has libtaut-dev include/taut.h lib/libtaut.so lib/pkgconfig/taut.pc lib/cmake/Taut/TautConfig.cmake share/taut/csharp/Taut.cs
 has python3-taut lib/python3/dist-packages/taut/__init__.py
 has blender-taut share/taut/taut_cloth.zip
 [ "$(ls "$folder"/*.deb | wc -l)" = 5 ] || fail "expected five packages, found $(ls "$folder"/*.deb)"

@@ -8,6 +8,7 @@ set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_COMPONENTS_ALL program library headers python addon)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS ON)
 
 set(what
 "Triangles of any garment model become springs that are corrected by a strong
@@ -25,9 +26,9 @@ set(of_library "libtaut1 (= ${PROJECT_VERSION})")
 taut_package(program taut graphics
   "This is the program, which draws with and without a display." "${of_library}, libegl1, libegl-mesa0, libgl1-mesa-dri, fonts-dejavu-core")
 taut_package(library libtaut1 libs
-  "This is the library, with what reads models, and with scenes, garments, bodies and fabrics." "")
+  "This is the library, with what reads models,\nand with scenes, garments, bodies and fabrics." "")
 taut_package(headers libtaut-dev libdevel
-  "These are the header for C and C++, what pkg-config and CMake ask for, and C# sources." "${of_library}")
+  "These are the header for C and C++, what pkg-config and CMake ask for,\nand C# sources." "${of_library}")
 taut_package(python python3-taut python
   "This is the module taut of Python." "${of_library}, python3")
 taut_package(addon blender-taut graphics
@@ -38,7 +39,6 @@ set(CPACK_DEBIAN_PYTHON_PACKAGE_RECOMMENDS python3-numpy)
 set(CPACK_DEBIAN_ADDON_PACKAGE_RECOMMENDS blender)
 set(CPACK_DEBIAN_PYTHON_PACKAGE_ARCHITECTURE all)
 set(CPACK_DEBIAN_ADDON_PACKAGE_ARCHITECTURE all)
-set(CPACK_DEBIAN_LIBRARY_PACKAGE_GENERATE_SHLIBS ON)
 file(WRITE ${PROJECT_BINARY_DIR}/debian/triggers "activate-noawait ldconfig\n")
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_CONTROL_EXTRA ${PROJECT_BINARY_DIR}/debian/triggers)
 # Debian's own files beside what every installation has.

@@ -6,7 +6,8 @@ namespace taut::app {
 
 /// Writes values one after the other, as they are in memory, for another process of this program. A value is trivially
 /// copyable, a list of values, or of a type that says of what it consists: `fields(archive, value)` calls the archive
-/// with references to these, and serves for writing and for reading.
+/// with references to these, and serves for writing and for reading. A std::size_t takes eight bytes on every machine:
+/// pages read what others wrote.
 class ArrayWriter {
  public:
   template <class... Values> void operator()(const Values&... values) { (put(values), ...); }
@@ -15,7 +16,9 @@ class ArrayWriter {
 
  private:
   template <class T> void put(const T& value) {
-    if constexpr (std::is_trivially_copyable_v<T>) {
+    if constexpr (std::same_as<T, std::size_t> && sizeof(T) != sizeof(std::uint64_t)) {
+      put(std::uint64_t{value});
+    } else if constexpr (std::is_trivially_copyable_v<T>) {
       bytes.append(reinterpret_cast<const char*>(&value), sizeof(T));
     } else {
       fields(*this, value);
@@ -52,7 +55,11 @@ class ArrayReader {
 
  private:
   template <class T> void take(T& value) {
-    if constexpr (std::is_trivially_copyable_v<T>) {
+    if constexpr (std::same_as<T, std::size_t> && sizeof(T) != sizeof(std::uint64_t)) {
+      std::uint64_t wide = 0;
+      take(wide);
+      value = static_cast<T>(wide);
+    } else if constexpr (std::is_trivially_copyable_v<T>) {
       copy(&value, sizeof(T), 1);
     } else {
       fields(*this, value);

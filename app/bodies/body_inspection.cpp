@@ -33,7 +33,7 @@ std::vector<std::string> joints_of(const Rig& rig) {
 
 Json json_of(const sim::Vec3& p) { return Json::array({p.x, p.y, p.z}); }
 
-/// Of the motion or the clip that is played.
+/// The motion, or the clip that is played.
 Json motion_of(const sim::BodyMesh& body) {
   const std::size_t frames = body.frames->count();
   double fastest_m_per_s = 0.0;

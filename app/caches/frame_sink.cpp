@@ -70,8 +70,7 @@ const char* const export_help =
     "the model's file; the name's ending says how: shapes/{frame:04}.obj, or end.obj for the last of them; "
     "clip.pc2 or clip.mdd, with clip.obj beside it, the rest shape that they move (in Blender import that, "
     "and add a Mesh Cache modifier: Forward +Y, Up +Z); clip.glb, which plays in any viewer; clip.usda, which is USD "
-    "as "
-    "text; clip.pvd for ParaView, with the simulated triangles and their stretch; bodies are not written";
+    "as text; clip.pvd for ParaView, with the simulated triangles and their stretch; bodies are not written";
 
 bool is_clip(const std::string& name) { return !name.empty() && fs::path(name).extension() != ".obj"; }
 

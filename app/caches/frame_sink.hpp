@@ -53,7 +53,6 @@ bool is_clip(const std::string& name);
 /// Makes the folder; throws InputError if that cannot be written to. Call it before a long run.
 void require_export(const ExportSettings& settings, const std::filesystem::path& garment);
 
-
 /// Opens what the name's ending says. `loaded` must outlive the sink. `start` is where the run begins or goes
 /// on. Throws InputError if what an earlier run left is not of this one.
 std::unique_ptr<FrameSink> open_sink(const ExportSettings& settings, const GarmentInScene& loaded,
@@ -71,7 +70,6 @@ std::unique_ptr<FrameSink> make_point_cache_sink(PointCacheFormat format, const 
 /// One binary glTF 2.0 with a morph target for each frame and an animation that plays them. It holds them in
 /// memory until the end. Throws InputError if they would be more than a gibibyte.
 std::unique_ptr<FrameSink> make_gltf_sink(const ExportSettings& settings, const GarmentInScene& loaded);
-
 
 /// USD as text: the faces of the model's file, their points as time samples, the first of its materials. It is under
 /// another name until the end.

@@ -105,8 +105,9 @@ struct Finder {
 
   void find_top(const Opening* top, GarmentMarks& marks) const {
     std::vector<sim::Index> vertices = landmarks_with(landmarks, "neck");
-    const std::vector<sim::Index> hooded = neck_below_hood(mesh, part, part.across());
-    if (vertices.empty() && !hooded.empty()) {
+    const std::vector<sim::Index> hooded =
+        vertices.empty() ? neck_below_hood(mesh, part, part.across()) : std::vector<sim::Index>();
+    if (!hooded.empty()) {
       top = nullptr;
       vertices = hooded;
     }

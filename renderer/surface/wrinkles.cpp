@@ -57,7 +57,7 @@ void Wrinkles::refine(std::span<const glm::vec3> fine_rest_positions, std::span<
   }
 }
 
-// Of the triangle's directions that waves have, the one that is shortest gives the slope, and those near it share it.
+// The shortest of the waves' directions in the triangle gives the slope, and those near it share it.
 Wrinkles::PerWave Wrinkles::squared_slopes_of(std::size_t t, std::span<const glm::vec3> positions) const {
   const glm::vec3& a = positions[triangles_[3 * t]];
   const glm::vec3 b = positions[triangles_[3 * t + 1]] - a, c = positions[triangles_[3 * t + 2]] - a;
@@ -85,9 +85,8 @@ Wrinkles::PerWave Wrinkles::squared_slopes_of(std::size_t t, std::span<const glm
 }
 
 void Wrinkles::spread(std::vector<PerWave>& values) const {
-  std::vector<PerWave> sums(weights_.size());
+  std::vector<PerWave> sums = values;
   std::vector<float> counts(weights_.size(), 1.0F);
-  for (std::size_t v = 0; v < sums.size(); ++v) sums[v] = values[v];
   for (const auto& [a, b] : edges_) {
     for (std::size_t k = 0; k < waves; ++k) {
       sums[a][k] += values[b][k];

@@ -83,7 +83,7 @@ _Cloth = _struct(id=c_uint64)
 
 def _load() -> ctypes.CDLL:
     above = pathlib.Path(__file__).resolve().parents
-    # That of a wheel, and that which was installed with this file.
+    # The library of a wheel, and the one that was installed with this file.
     beside = [above[0] / 'lib' / f'libtaut.so.{ABI_VERSION}', *([above[3] / 'libtaut.so'] if len(above) > 3 else [])]
     names = [os.environ.get('TAUT_LIBRARY', ''), *(str(file) for file in beside if file.exists()),
              f'libtaut.so.{ABI_VERSION}']

@@ -148,7 +148,7 @@ void SmoothSurface::raise(std::span<const glm::vec3> coarse_positions, std::span
   }
   // Per triangle the gradient of its heights times its area, so that a vertex gets their mean.
   slopes_.assign(count, glm::vec3{0.0F});
-  flat_.assign(count, glm::vec3{0.0F});  // x: areas
+  areas_.assign(count, 0.0F);
   const std::vector<std::uint32_t>& corners = mesh_.triangles();
   for (std::size_t i = 0; i + 2 < corners.size(); i += 3) {
     const std::uint32_t a = corners[i], b = corners[i + 1], c = corners[i + 2];
@@ -159,12 +159,12 @@ void SmoothSurface::raise(std::span<const glm::vec3> coarse_positions, std::span
     const glm::vec3 slope = area > 0.0F ? glm::cross(along, normal) / area : glm::vec3{0.0F};
     for (const std::uint32_t v : {a, b, c}) {
       slopes_[v] += slope;
-      flat_[v].x += area;
+      areas_[v] += area;
     }
   }
   for (std::size_t v = 0; v < count; ++v) {
     positions_[v] += raised_[v] * normals_[v];
-    normals_[v] = normalised(flat_[v].x * normals_[v] - slopes_[v], normals_[v]);
+    normals_[v] = normalised(areas_[v] * normals_[v] - slopes_[v], normals_[v]);
   }
 }
 

@@ -71,7 +71,7 @@ class SmoothSurface {
   std::vector<glm::vec3> normals_;
   std::vector<float> rooms_;                               // of each vertex of mesh_, what is left of it
   std::vector<glm::vec3> faired_, means_, flat_, slopes_;  // scratch
-  std::vector<float> free_, raised_;                       // scratch
+  std::vector<float> free_, raised_, areas_;               // scratch
 };
 
 }  // namespace taut::renderer

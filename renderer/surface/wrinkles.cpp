@@ -34,7 +34,12 @@ Wrinkles::Wrinkles(std::span<const glm::vec3> rest_positions, std::span<const st
     const glm::vec3 normal = glm::cross(b, c);
     const float squared = glm::dot(normal, normal);
     const float inverse = squared > 0.0F ? 1.0F / squared : 0.0F;
-    planes_.push_back({inverse * glm::cross(c, normal), inverse * glm::cross(normal, b), std::sqrt(squared)});
+    planes_.push_back({inverse * glm::cross(c, normal), inverse * glm::cross(normal, b), std::sqrt(squared), {}});
+    for (std::size_t k = 0; k < waves; ++k) {
+      const float into = glm::dot(ways_[k], normal);
+      const float along = 1.0F - into * into * inverse;
+      planes_.back().along[k] = along < 1.0F - most_across * most_across ? 0.0F : along;
+    }
     for (std::size_t k = 0; k < 3; ++k) weights_[triangles_[i + k]] += planes_.back().area;
   }
   for (const TriangleSide& side : sorted_sides(triangles_)) {
@@ -62,16 +67,12 @@ Wrinkles::PerWave Wrinkles::squared_slopes_of(std::size_t t, std::span<const glm
   const glm::vec3& a = positions[triangles_[3 * t]];
   const glm::vec3 b = positions[triangles_[3 * t + 1]] - a, c = positions[triangles_[3 * t + 2]] - a;
   const Plane& plane = planes_[t];
-  const glm::vec3 normal = glm::cross(plane.side_b, plane.side_c);
-  const float squared_normal = glm::dot(normal, normal);
   PerWave shares{};
   float most = 0.0F, sum = 0.0F;
   for (std::size_t k = 0; k < waves; ++k) {
-    const float into = glm::dot(ways_[k], normal);
-    const float along = 1.0F - into * into / std::max(squared_normal, 1e-30F);  // squared length in the plane
-    if (along < 1.0F - most_across * most_across) continue;
+    if (plane.along[k] == 0.0F) continue;
     const glm::vec3 now = glm::dot(plane.side_b, ways_[k]) * b + glm::dot(plane.side_c, ways_[k]) * c;
-    const float shortened = 1.0F - std::sqrt(glm::dot(now, now) / along) - least_shortening;
+    const float shortened = 1.0F - std::sqrt(glm::dot(now, now) / plane.along[k]) - least_shortening;
     shares[k] = std::max(shortened, 0.0F);
     most = std::max(most, shares[k]);
   }

@@ -33,7 +33,8 @@ class Wrinkles {
   /// A triangle at rest: `side_b` and `side_c` times a direction are its shares of the two sides.
   struct Plane {
     glm::vec3 side_b, side_c;
-    float area;  ///< twice
+    float area;     ///< twice
+    PerWave along;  ///< squared length of each wave's direction in the plane; 0 where it runs too much into it
   };
   std::vector<Plane> planes_;
   std::vector<VertexPair> edges_;

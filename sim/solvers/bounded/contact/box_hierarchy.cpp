@@ -94,6 +94,7 @@ void BoxHierarchy::add_levels(std::size_t height) {
   for (std::size_t level = 0; level < height; ++level) {
     levels_.emplace_back(std::max<std::size_t>(blocks_for(levels_.back().size()), 1), empty_boxes());
   }
+  for (const Lanes<BoxBlock>& boxes : levels_) rounded_.emplace_back(boxes.size());
 }
 
 // Neighbours in the whole tree are neighbours in this one.
@@ -124,6 +125,23 @@ void BoxHierarchy::fit(const MovingRows& rows, ParallelKernels& kernels) {
   for (std::size_t l = 0; l < height(); ++l) {
     kernels.enclose_blocks(levels_[l].data(), levels_[l].size(), levels_[l + 1].data());
   }
+}
+
+BoxGrid BoxHierarchy::grid() const {
+  constexpr float middle = 0.5F;
+  constexpr float numbers = 65530.0F;
+  constexpr float least_m = 1e-3F;
+  const BoxBlock& all = levels_.back().front();
+  BoxGrid grid;
+  for (std::size_t axis = 0; axis < 3 && all.low[axis][0] <= all.high[axis][0]; ++axis) {
+    grid.origin[axis] = middle * (all.low[axis][0] + all.high[axis][0]);
+    grid.per_m[axis] = numbers / std::max(all.high[axis][0] - all.low[axis][0], least_m);
+  }
+  return grid;
+}
+
+void BoxHierarchy::round(const BoxGrid& grid, ParallelKernels& kernels) {
+  for (std::size_t l = 0; l < levels_.size(); ++l) kernels.round_boxes(levels_[l], grid, rounded_[l].data());
 }
 
 }  // namespace taut::sim::bounded

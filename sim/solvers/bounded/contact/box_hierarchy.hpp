@@ -24,7 +24,12 @@ class BoxHierarchy {
 
   /// Fits the boxes to all that the primitives can reach.
   void fit(const MovingRows& rows, ParallelKernels& kernels);
+  /// Returns the grid that is finest where the primitives are.
+  BoxGrid grid() const;
+  /// Rounds the boxes as they were fitted last, for level().
+  void round(const BoxGrid& grid, ParallelKernels& kernels);
 
+  const PrimitiveLanes& primitives() const { return primitives_; }
   bool is_empty() const { return primitives_.count == 0; }
   /// Of each of its primitives.
   std::size_t corner_count() const { return primitives_.corner_count; }
@@ -33,7 +38,7 @@ class BoxHierarchy {
   /// Level 0 has the boxes of the primitives, and each other one those around the blocks of the level below
   /// it. Requires a level below the height.
   BoxLevel level(std::size_t level) const {
-    return {levels_[level].data(), levels_[level + 1].data(), level == 0 ? &primitives_ : nullptr};
+    return {rounded_[level].data(), rounded_[level + 1].data(), level == 0 ? &primitives_ : nullptr};
   }
 
  private:
@@ -46,6 +51,7 @@ class BoxHierarchy {
 
   PrimitiveLanes primitives_;
   std::vector<Lanes<BoxBlock>> levels_;  ///< the last one has one box
+  std::vector<Lanes<RoundedBoxes>> rounded_;
 };
 
 }  // namespace taut::sim::bounded

@@ -48,7 +48,9 @@ NearPairs::Hierarchies NearPairs::of_marked(const Hierarchies& all, std::span<co
 NearPairs::NearPairs(const ContactMesh& mesh, bool within_cloth, std::span<const Vec3> positions_m)
     : within_cloth_(within_cloth),
       cloth_(hierarchies_of(mesh.cloth, positions_m, height_for(mesh))),
-      bodies_(hierarchies_of(mesh.bodies, positions_m, height_for(mesh))) {}
+      bodies_(hierarchies_of(mesh.bodies, positions_m, height_for(mesh))),
+      vertices_triangles_(cloth_.vertices.primitives(), cloth_.triangles.primitives()),
+      edges_edges_(cloth_.edges.primitives(), cloth_.edges.primitives()) {}
 
 /// Calls take(lists, count) with what is found between pairs [begin, end) of blocks of a level, in turn.
 template <typename Take>
@@ -57,8 +59,15 @@ void NearPairs::for_found(const Trees& trees, std::size_t level, std::size_t beg
   constexpr std::size_t size = most_at_once * most_per_block_pair + list_padding;
   const std::unique_ptr<std::uint32_t[]> room(new std::uint32_t[4 * size]);
   const PairLists found = {&room[0], &room[size], &room[2 * size], &room[3 * size]};
+  static constexpr LanePairs none = {};
+  std::array<const LanePairs*, most_at_once> left_out;
+  left_out.fill(&none);
   for (std::size_t p = begin; p < end; p += most_at_once) {
-    const BlockPairs blocks = {blocks_[0].data() + p, blocks_[1].data() + p, std::min(most_at_once, end - p)};
+    const BlockPairs blocks = {blocks_[0].data() + p, blocks_[1].data() + p, left_out.data(),
+                               std::min(most_at_once, end - p)};
+    for (std::size_t i = 0; i < blocks.count && level == 0 && trees.shared != nullptr; ++i) {
+      left_out[i] = &trees.shared->between(blocks.first[i], blocks.second[i]);
+    }
     take(found, kernels.overlapping(trees.a.level(level), trees.b.level(level), blocks, found));
   }
 }
@@ -112,16 +121,25 @@ void NearPairs::fit(const MovingRows& rows, ParallelKernels& kernels, Hierarchie
   hierarchies.triangles.fit(rows, kernels);
 }
 
+void NearPairs::round(const BoxGrid& grid, ParallelKernels& kernels, Hierarchies& hierarchies) {
+  hierarchies.vertices.round(grid, kernels);
+  hierarchies.edges.round(grid, kernels);
+  hierarchies.triangles.round(grid, kernels);
+}
+
 const std::vector<NearPair>& NearPairs::find(const Float4Array& positions, const Float4Array& moves,
                                              std::span<const float> radii, ParallelKernels& kernels) {
   together_ = mean_of(moves);
   const MovingRows rows = moving_rows(positions, moves, radii);
   fit(rows, kernels, cloth_);
   fit(rows, kernels, bodies_);
+  grid_ = cloth_.vertices.grid();
+  round(grid_, kernels, cloth_);
+  round(grid_, kernels, bodies_);
   pairs_.clear();
   if (within_cloth_) {
-    find_between({cloth_.vertices, cloth_.triangles}, rows, kernels);
-    find_between({cloth_.edges, cloth_.edges}, rows, kernels);
+    find_between({cloth_.vertices, cloth_.triangles, &vertices_triangles_}, rows, kernels);
+    find_between({cloth_.edges, cloth_.edges, &edges_edges_}, rows, kernels);
   }
   find_between({cloth_.vertices, bodies_.triangles}, rows, kernels);
   find_between({bodies_.vertices, cloth_.triangles}, rows, kernels);
@@ -148,6 +166,8 @@ const std::vector<NearPair>& NearPairs::find_anew(std::span<const std::uint8_t> 
   Hierarchies bodies = of_marked(bodies_, marks);
   fit(rows, kernels, cloth);
   fit(rows, kernels, bodies);
+  round(grid_, kernels, cloth);
+  round(grid_, kernels, bodies);
   pairs_.erase(std::remove_if(pairs_.begin(), pairs_.end(),
                               [&](const NearPair& pair) { return is_any_marked(pair.rows, marks); }),
                pairs_.end());

@@ -3,6 +3,7 @@
 #include "sim/solvers/bounded/contact/box_hierarchy.hpp"
 #include "sim/solvers/bounded/contact/contact_mesh.hpp"
 #include "sim/solvers/bounded/contact/near_pair.hpp"
+#include "sim/solvers/bounded/contact/shared_rows.hpp"
 #include "sim/solvers/bounded/kernels/parallel_kernels.hpp"
 
 namespace taut::sim::bounded {
@@ -42,12 +43,14 @@ class NearPairs {
   struct Trees {
     const BoxHierarchy& a;
     const BoxHierarchy& b;
+    const SharedRows* shared = nullptr;  ///< where it is known
   };
 
   static Hierarchies hierarchies_of(const Primitives& primitives, std::span<const Vec3> positions,
                                     std::size_t least_height);
   static Hierarchies of_marked(const Hierarchies& all, std::span<const std::uint8_t> marks);
   static void fit(const MovingRows& rows, ParallelKernels& kernels, Hierarchies& hierarchies);
+  static void round(const BoxGrid& grid, ParallelKernels& kernels, Hierarchies& hierarchies);
   MovingRows moving_rows(const Float4Array& positions, const Float4Array& moves, std::span<const float> radii);
   template <typename Keep>
   void find_some_between(const Trees& trees, const MovingRows& rows, const Keep& keep, ParallelKernels& kernels);
@@ -60,6 +63,9 @@ class NearPairs {
   bool within_cloth_;
   Hierarchies cloth_;
   Hierarchies bodies_;
+  SharedRows vertices_triangles_;  ///< of the cloth
+  SharedRows edges_edges_;
+  BoxGrid grid_;  ///< of the cloth when all was gone through
   Float4 together_;   ///< what all rows move alike, which does not bring them nearer and makes boxes larger
   Float4Array ways_;  ///< see MovingRows
   std::array<Lanes<std::uint32_t>, 2> blocks_;  ///< pairs of blocks of one level

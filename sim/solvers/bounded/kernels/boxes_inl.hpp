@@ -7,6 +7,7 @@
 #define TAUT_BOXES_INL
 #endif
 
+#include <algorithm>
 #include <bit>
 #include <limits>
 
@@ -31,25 +32,8 @@ HWY_INLINE Triple load_lanes(const std::array<std::array<float, block_size>, 3>&
   return {hn::Load(f, &values[0][k]), hn::Load(f, &values[1][k]), hn::Load(f, &values[2][k])};
 }
 
-HWY_INLINE Triple repeat_lane(const std::array<std::array<float, block_size>, 3>& values, std::size_t lane) {
-  const Floats f;
-  return {hn::Set(f, values[0][lane]), hn::Set(f, values[1][lane]), hn::Set(f, values[2][lane])};
-}
-
 HWY_INLINE Boxes load_boxes(const BoxBlock& block, std::size_t k) {
   return {load_lanes(block.low, k), load_lanes(block.high, k)};
-}
-
-HWY_INLINE Boxes repeat_box(const BoxBlock& block, std::size_t lane) {
-  return {repeat_lane(block.low, lane), repeat_lane(block.high, lane)};
-}
-
-HWY_INLINE Mask no_higher(const Triple& p, const Triple& q) {
-  return hn::And(hn::And(hn::Le(p.x, q.x), hn::Le(p.y, q.y)), hn::Le(p.z, q.z));
-}
-
-HWY_INLINE Mask overlap(const Boxes& a, const Boxes& b) {
-  return hn::And(no_higher(a.low, b.high), no_higher(b.low, a.high));
 }
 
 HWY_INLINE std::uint32_t bits_of(Mask mask) {
@@ -57,53 +41,6 @@ HWY_INLINE std::uint32_t bits_of(Mask mask) {
   hn::StoreMaskBits(Floats(), mask, bytes);
   const std::uint32_t bits = bytes[0] | std::uint32_t{bytes[1]} << 8;
   return bits & ((1U << lanes) - 1U);
-}
-
-/// For each set of lanes, where its lanes are, one after the other.
-struct LaneTable {
-  static constexpr std::size_t width = lanes < 16 ? lanes : 1;
-  alignas(64) std::uint32_t at[std::size_t{1} << width][width] = {};
-
-  constexpr LaneTable() {
-    for (std::uint32_t set = 0; set < 1U << width; ++set) {
-      std::size_t size = 0;
-      for (std::uint32_t lane = 0; lane < width; ++lane) {
-        if ((set >> lane & 1U) != 0) at[set][size++] = lane;
-      }
-    }
-  }
-};
-/// Not in a function, as Highway's own (1.0.3), which is copied to the stack whenever it is used.
-constexpr LaneTable lane_table;
-
-/// Some lanes of vectors.
-class Some {
- public:
-  explicit HWY_INLINE Some(Mask mask) : mask_(mask), bits_(bits_of(mask)) {}
-
-  HWY_INLINE std::size_t count() const { return static_cast<std::size_t>(std::popcount(bits_)); }
-
-  /// Stores them one after the other, and anything behind them up to a whole vector.
-  template <typename Tag, typename Vector, typename Value> HWY_INLINE void store(Tag tag, Vector v, Value* to) const {
-    if constexpr (lanes == LaneTable::width) {
-      hn::StoreU(hn::TableLookupLanes(v, hn::SetTableIndices(tag, lane_table.at[bits_])), tag, to);
-    } else {
-      hn::StoreU(hn::Compress(v, hn::RebindMask(tag, mask_)), tag, to);
-    }
-  }
-
- private:
-  Mask mask_;
-  std::uint32_t bits_;
-};
-
-/// Returns which boxes of a block may overlap the one box that `box` repeats.
-HWY_INLINE std::uint32_t overlapping_bits(const Boxes& box, const BoxBlock& boxes) {
-  std::uint32_t bits = 0;
-  for (std::size_t k = 0; k < block_size; k += lanes) {
-    bits |= bits_of(overlap(box, load_boxes(boxes, k))) << k;
-  }
-  return bits;
 }
 
 HWY_INLINE Triple lesser(const Triple& p, const Triple& q) {
@@ -177,107 +114,123 @@ void enclose_blocks(const BoxBlock* boxes, std::size_t begin, std::size_t end, B
   }
 }
 
-using Rows = hn::Vec<Integers>;
+using Shorts = hn::CappedTag<std::int16_t, block_size>;
+using ShortMask = hn::Mask<Shorts>;
+constexpr std::size_t short_lanes = hn::MaxLanes(Shorts());
 
-/// Of a block, what reaches a box, side by side in its order, and nothing up to the end of a whole vector.
-template <std::size_t corners> struct Reaching {
-  alignas(64) std::array<std::array<float, block_size + lanes>, 3> low;
-  alignas(64) std::array<std::array<float, block_size + lanes>, 3> high;
-  alignas(64) std::uint32_t rows[corners + 1][block_size + lanes];
-  alignas(64) std::uint32_t lane[block_size + lanes];  ///< in the block
-  std::size_t count = 0;
+HWY_INLINE std::uint32_t bits_of(ShortMask mask) {
+  std::uint8_t bytes[8] = {};
+  hn::StoreMaskBits(Shorts(), mask, bytes);
+  const std::uint32_t bits = bytes[0] | std::uint32_t{bytes[1]} << 8;
+  return bits & ((1U << short_lanes) - 1U);
+}
+
+/// The coordinate of what is empty is infinite, and above all others.
+HWY_INLINE void round_lanes(const std::array<float, block_size>& values, float origin, float per_m,
+                            std::array<std::int16_t, block_size>& rounded) {
+  const Floats f;
+  const hn::Rebind<std::int32_t, Floats> whole;
+  const hn::Rebind<std::int16_t, Floats> half;
+  for (std::size_t k = 0; k < block_size; k += lanes) {
+    const V value = hn::Load(f, &values[k]);
+    const V scaled = hn::Mul(hn::Sub(value, hn::Set(f, origin)), hn::Set(f, per_m));
+    const V within = hn::Min(hn::Max(scaled, hn::Set(f, -32767.0F)), hn::Set(f, 32766.0F));
+    const Mask is_some = hn::Le(value, hn::Set(f, std::numeric_limits<float>::max()));
+    const auto number = hn::ConvertTo(whole, hn::IfThenElse(is_some, within, hn::Set(f, 32767.0F)));
+    hn::Store(hn::DemoteTo(half, number), half, &rounded[k]);
+  }
+}
+
+void round_boxes(const BoxBlock* boxes, std::size_t begin, std::size_t end, const BoxGrid& grid,
+                 RoundedBoxes* rounded) {
+  for (std::size_t b = begin; b < end; ++b) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      round_lanes(boxes[b].low[axis], grid.origin[axis], grid.per_m[axis], rounded[b].low[axis]);
+      round_lanes(boxes[b].high[axis], grid.origin[axis], grid.per_m[axis], rounded[b].high[axis]);
+    }
+  }
+}
+
+struct RoundedBox {
+  std::array<std::int16_t, 3> low, high;
 };
 
-template <std::size_t corners>
-HWY_INLINE void find_reaching(const Boxes& box, const BoxLevel& level, std::size_t block, Reaching<corners>& found) {
-  const Floats f;
-  const Integers u;
-  found.count = 0;
-  for (std::size_t k = 0; k < block_size; k += lanes) {
-    const Boxes boxes = load_boxes(level.boxes[block], k);
-    const Some some(overlap(box, boxes));
-    const std::size_t at = found.count;
-    some.store(f, boxes.low.x, &found.low[0][at]);
-    some.store(f, boxes.low.y, &found.low[1][at]);
-    some.store(f, boxes.low.z, &found.low[2][at]);
-    some.store(f, boxes.high.x, &found.high[0][at]);
-    some.store(f, boxes.high.y, &found.high[1][at]);
-    some.store(f, boxes.high.z, &found.high[2][at]);
-    for (std::size_t c = 0; c < corners; ++c) {
-      const auto rows = hn::Load(u, &level.primitives->at[c][block * block_size + k]);
-      some.store(u, rows, &found.rows[c][at]);
-    }
-    some.store(u, hn::Iota(u, static_cast<std::uint32_t>(k)), &found.lane[at]);
-    found.count += some.count();
-  }
-  hn::StoreU(hn::Set(f, std::numeric_limits<float>::infinity()), f, &found.low[0][found.count]);
+HWY_INLINE RoundedBox box_in(const RoundedBoxes& boxes, std::size_t lane) {
+  return {{boxes.low[0][lane], boxes.low[1][lane], boxes.low[2][lane]},
+          {boxes.high[0][lane], boxes.high[1][lane], boxes.high[2][lane]}};
 }
 
-template <std::size_t corners> HWY_INLINE Boxes load_boxes(const Reaching<corners>& found, std::size_t k) {
-  const Floats f;
-  return {{hn::Load(f, &found.low[0][k]), hn::Load(f, &found.low[1][k]), hn::Load(f, &found.low[2][k])},
-          {hn::Load(f, &found.high[0][k]), hn::Load(f, &found.high[1][k]), hn::Load(f, &found.high[2][k])}};
+HWY_INLINE RoundedBox within_both(const RoundedBox& p, const RoundedBox& q) {
+  RoundedBox both;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    both.low[axis] = std::max(p.low[axis], q.low[axis]);
+    both.high[axis] = std::min(p.high[axis], q.high[axis]);
+  }
+  return both;
 }
 
-HWY_INLINE Boxes within_both(const Boxes& p, const Boxes& q) { return {greater(p.low, q.low), lesser(p.high, q.high)}; }
-
-/// Returns which primitives share a row with the primitive in lane i of the level. Boxes of boxes share none.
-template <std::size_t corners_a, std::size_t corners_b>
-HWY_INLINE hn::Mask<Integers> sharing(const BoxLevel& a, std::size_t i, const Reaching<corners_b>& others,
-                                      std::size_t k) {
-  const Integers u;
-  auto shares = hn::Lt(hn::Zero(u), hn::Zero(u));
-  for (std::size_t c = 0; c < corners_a; ++c) {
-    const Rows mine = hn::Set(u, a.primitives->at[c][i]);
-    for (std::size_t d = 0; d < corners_b; ++d) {
-      shares = hn::Or(shares, hn::Eq(mine, hn::Load(u, &others.rows[d][k])));
-    }
+/// Returns which boxes of a block may overlap a box, as bits.
+HWY_INLINE std::uint32_t overlapping_bits(const RoundedBox& box, const RoundedBoxes& boxes) {
+  const Shorts s;
+  std::uint32_t bits = 0;
+  for (std::size_t k = 0; k < block_size; k += short_lanes) {
+    const auto apart = [&](std::size_t axis) {
+      return hn::Or(hn::Gt(hn::Load(s, &boxes.low[axis][k]), hn::Set(s, box.high[axis])),
+                    hn::Gt(hn::Set(s, box.low[axis]), hn::Load(s, &boxes.high[axis][k])));
+    };
+    bits |= bits_of(hn::Not(hn::Or(hn::Or(apart(0), apart(1)), apart(2)))) << k;
   }
-  return shares;
+  return bits;
 }
 
 /// A pair of lanes of a pair of blocks as one number: stores are what this search waits for.
 struct Code {
-  static HWY_INLINE std::uint32_t first(std::size_t pair, std::uint32_t lane) {
-    return static_cast<std::uint32_t>((pair * block_size + lane) * block_size);
+  static HWY_INLINE std::uint32_t of(std::size_t pair, std::size_t lanes_of_pair) {
+    return static_cast<std::uint32_t>(pair * block_size * block_size + lanes_of_pair);
   }
   static HWY_INLINE std::size_t pair_of(std::uint32_t code) { return code / (block_size * block_size); }
   static HWY_INLINE std::size_t lane_of_first(std::uint32_t code) { return code / block_size % block_size; }
   static HWY_INLINE std::size_t lane_of_second(std::uint32_t code) { return code % block_size; }
 };
 
-/// Lists pairs of lanes whose boxes overlap and that share no row. Two boxes overlap only where those around
-/// their blocks do.
-template <std::size_t corners_a, std::size_t corners_b>
+/// Sets of lanes of another block for each lane, as the bits of a few numbers.
+struct LaneBits {
+  static constexpr std::size_t word_bits = 64;
+  alignas(32) LanePairs of = {};
+
+  HWY_INLINE std::uint64_t word(std::size_t w) const {
+    constexpr std::size_t per_word = word_bits / block_size;
+    std::uint64_t bits = 0;
+    for (std::size_t k = 0; k < per_word; ++k) bits |= std::uint64_t{of[w * per_word + k]} << (k * block_size);
+    return bits;
+  }
+};
+
+/// Lists pairs of lanes whose boxes overlap. Two boxes overlap only where those around their blocks do.
 std::size_t overlapping_codes(const BoxLevel& a, const BoxLevel& b, const BlockPairs& pairs, std::uint32_t* codes) {
-  const Integers u;
-  Reaching<corners_b> others;
   std::size_t size = 0;
   for (std::size_t p = 0; p < pairs.count; ++p) {
     const std::uint32_t block_a = pairs.first[p];
     const std::uint32_t block_b = pairs.second[p];
-    const BoxBlock& mine = a.boxes[block_a];
-    const bool is_same = &mine == &b.boxes[block_b];
-    const Boxes both = within_both(repeat_box(a.around[block_a / block_size], block_a % block_size),
-                                   repeat_box(b.around[block_b / block_size], block_b % block_size));
+    const RoundedBoxes& mine = a.boxes[block_a];
+    const RoundedBoxes& others = b.boxes[block_b];
+    const RoundedBox both = within_both(box_in(a.around[block_a / block_size], block_a % block_size),
+                                        box_in(b.around[block_b / block_size], block_b % block_size));
     std::uint32_t reaching = overlapping_bits(both, mine);
     if (reaching == 0) continue;
-    find_reaching<corners_b>(both, b, block_b, others);
+    const LanePairs& left_out = *pairs.left_out[p];
+    const bool is_same = &mine == &others;
+    LaneBits hits;
     for (; reaching != 0; reaching &= reaching - 1) {
       const auto lane = static_cast<std::uint32_t>(std::countr_zero(reaching));
-      const Boxes box = repeat_box(mine, lane);
-      const Rows first_code = hn::Set(u, Code::first(p, lane));
-      // Within itself all of a block reaches, and what is before the lane has been its other.
-      for (std::size_t k = is_same ? lane - lane % lanes : 0; k < others.count; k += lanes) {
-        auto mask = hn::RebindMask(u, overlap(box, load_boxes(others, k)));
-        if (hn::AllFalse(u, mask)) continue;
-        const Rows lane_of_other = hn::Load(u, &others.lane[k]);
-        mask = hn::AndNot(sharing<corners_a, corners_b>(a, std::size_t{block_a} * block_size + lane, others, k), mask);
-        if (is_same) mask = hn::AndNot(hn::Lt(lane_of_other, hn::Set(u, lane)), mask);
-        if (lanes < block_size && hn::AllFalse(u, mask)) continue;
-        const Some some(hn::RebindMask(Floats(), mask));
-        some.store(u, hn::Add(first_code, lane_of_other), codes + size);
-        size += some.count();
+      // What is before a lane of the same block has been its other.
+      const std::uint32_t before = is_same ? (1U << lane) - 1U : 0U;
+      hits.of[lane] = static_cast<std::uint16_t>(overlapping_bits(box_in(mine, lane), others) &
+                                                 ~(before | std::uint32_t{left_out[lane]}));
+    }
+    for (std::size_t w = 0; w < block_size * block_size / LaneBits::word_bits; ++w) {
+      for (std::uint64_t bits = hits.word(w); bits != 0; bits &= bits - 1) {
+        codes[size++] = Code::of(p, w * LaneBits::word_bits + static_cast<std::size_t>(std::countr_zero(bits)));
       }
     }
   }
@@ -285,7 +238,7 @@ std::size_t overlapping_codes(const BoxLevel& a, const BoxLevel& b, const BlockP
 }
 
 std::size_t overlapping_lanes(const BoxLevel& a, const BoxLevel& b, const BlockPairs& pairs, const PairLists& found) {
-  const std::size_t size = overlapping_codes<0, 0>(a, b, pairs, found[0]);
+  const std::size_t size = overlapping_codes(a, b, pairs, found[0]);
   for (std::size_t n = 0; n < size; ++n) {
     const std::uint32_t code = found[0][n];
     const std::size_t p = Code::pair_of(code);
@@ -295,6 +248,7 @@ std::size_t overlapping_lanes(const BoxLevel& a, const BoxLevel& b, const BlockP
   return size;
 }
 
+/// Lists those that share no row.
 template <std::size_t corners_a, std::size_t corners_b>
 std::size_t overlapping_primitives(const BoxLevel& a, const BoxLevel& b, const BlockPairs& pairs,
                                    const PairLists& found) {
@@ -303,16 +257,22 @@ std::size_t overlapping_primitives(const BoxLevel& a, const BoxLevel& b, const B
   const std::uint32_t* others[corners_b];
   for (std::size_t d = 0; d < corners_b; ++d) others[d] = b.primitives->at[d].data();
   const PairLists lists = found;
-  const std::size_t size = overlapping_codes<corners_a, corners_b>(a, b, pairs, lists[0]);
+  const std::size_t size = overlapping_codes(a, b, pairs, lists[0]);
+  std::size_t kept = 0;
   for (std::size_t n = 0; n < size; ++n) {
     const std::uint32_t code = lists[0][n];
     const std::size_t p = Code::pair_of(code);
     const std::size_t i = pairs.first[p] * block_size + Code::lane_of_first(code);
     const std::size_t j = pairs.second[p] * block_size + Code::lane_of_second(code);
-    for (std::size_t c = 0; c < corners_a; ++c) lists[c][n] = mine[c][i];
-    for (std::size_t d = 0; d < corners_b; ++d) lists[corners_a + d][n] = others[d][j];
+    bool shares = false;
+    for (std::size_t d = 0; d < corners_b; ++d) {
+      lists[corners_a + d][kept] = others[d][j];
+      for (std::size_t c = 0; c < corners_a; ++c) shares |= mine[c][i] == others[d][j];
+    }
+    for (std::size_t c = 0; c < corners_a; ++c) lists[c][kept] = mine[c][i];
+    kept += shares ? 0 : 1;
   }
-  return size;
+  return kept;
 }
 
 std::size_t overlapping(const BoxLevel& a, const BoxLevel& b, const BlockPairs& pairs, const PairLists& found) {

@@ -15,6 +15,22 @@ struct alignas(64) BoxBlock {
   std::array<std::array<float, block_size>, 3> high;
 };
 
+/// Boxes of whole numbers, `block_size` side by side. Those in padding overlap none.
+struct alignas(64) RoundedBoxes {
+  std::array<std::array<std::int16_t, block_size>, 3> low;
+  std::array<std::array<std::int16_t, block_size>, 3> high;
+};
+
+/// Takes coordinates to whole numbers from -32767 to 32766: (x - origin) * per_m without its fraction, or the nearest
+/// of these. What is less or equal stays so, and boxes that overlap do.
+struct BoxGrid {
+  std::array<float, 3> origin = {};  ///< in m
+  std::array<float, 3> per_m = {1.0F, 1.0F, 1.0F};
+};
+
+/// For each lane of a block some lanes of another: bit i for lane i.
+using LanePairs = std::array<std::uint16_t, block_size>;
+
 /// Vertices, edges or triangles, padded to whole blocks.
 struct PrimitiveLanes {
   std::size_t corner_count = 0;  ///< of each: 1, 2 or 3
@@ -35,8 +51,8 @@ struct MovingRows {
 
 /// Some boxes, and the boxes around each block of them.
 struct BoxLevel {
-  const BoxBlock* boxes;
-  const BoxBlock* around;
+  const RoundedBoxes* boxes;
+  const RoundedBoxes* around;
   /// The primitives that the boxes enclose; null where they enclose other boxes.
   const PrimitiveLanes* primitives;
 };
@@ -44,6 +60,7 @@ struct BoxLevel {
 struct BlockPairs {
   const std::uint32_t* first;
   const std::uint32_t* second;
+  const LanePairs* const* left_out;  ///< by pair
   std::size_t count;
 };
 
@@ -69,8 +86,13 @@ struct ContactKernels {
   /// Sets the boxes around blocks [begin, end), each a lane of `around`.
   void (*enclose_blocks)(const BoxBlock* boxes, std::size_t begin, std::size_t end, BoxBlock* around);
 
+  /// Sets the boxes of blocks [begin, end).
+  void (*round_boxes)(const BoxBlock* boxes, std::size_t begin, std::size_t end, const BoxGrid& grid,
+                      RoundedBoxes* rounded);
+
   /// For each pair of blocks, the one of `a` and the other of `b`, finds the pairs of lanes whose
-  /// boxes overlap; of a block with itself, each two lanes once, and each lane with itself.
+  /// boxes overlap, but for those that are left out; of a block with itself, each two lanes once, and each lane
+  /// with itself.
   /// If `a` and `b` are of primitives, those that share a row are left out, and `found` gets where the rows
   /// of their corners begin: a list for each corner of the one and then of the other. Otherwise it gets the
   /// lanes themselves in its first two lists. Returns the length of these lists.

@@ -248,7 +248,7 @@ std::size_t off_their_ways(const Float4* since, const Float4* moves, float time,
 }
 
 const Kernels* table() {
-  static constexpr ContactKernels contact = {enclose,      enclose_blocks, overlapping,
+  static constexpr ContactKernels contact = {enclose,      enclose_blocks, round_boxes,   overlapping,
                                              keep_near<1>, keep_near<2>,   off_their_ways};
   static constexpr Kernels kernels = {
       predict,         start_springs,          sweep, shorten,     largest_ratios, start_surface, sweep_surface,

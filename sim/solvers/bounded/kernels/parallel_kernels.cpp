@@ -75,6 +75,11 @@ void ParallelKernels::enclose(const PrimitiveLanes& primitives, const MovingRows
               [&](std::size_t b, std::size_t e) { kernels_.contact.enclose(primitives, b, e, rows, boxes); });
 }
 
+void ParallelKernels::round_boxes(const Lanes<BoxBlock>& boxes, const BoxGrid& grid, RoundedBoxes* rounded) {
+  pool_.split(0, boxes.size(), least_blocks,
+              [&](std::size_t b, std::size_t e) { kernels_.contact.round_boxes(boxes.data(), b, e, grid, rounded); });
+}
+
 void ParallelKernels::enclose_blocks(const BoxBlock* boxes, std::size_t count, BoxBlock* around) {
   // Threads write whole blocks of `around`.
   const std::size_t parents = (count + block_size - 1) / block_size;

@@ -45,6 +45,7 @@ class ParallelKernels {
 
   const ContactKernels& contact() const { return kernels_.contact; }
   void enclose(const PrimitiveLanes& primitives, const MovingRows& rows, BoxBlock* boxes);
+  void round_boxes(const Lanes<BoxBlock>& boxes, const BoxGrid& grid, RoundedBoxes* rounded);
   void enclose_blocks(const BoxBlock* boxes, std::size_t count, BoxBlock* around);
 
   /// Calls part(b, e) for ranges that together cover [begin, end), each of at least `least`. See ThreadPool.

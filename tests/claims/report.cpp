@@ -265,7 +265,7 @@ Report make_report(const ClaimResults& results, const DrawnFigures& drawn) {
   const std::vector<Claim> claims = judge_claims(results);
   const std::vector<PromiseResult> promises = promise_results(results);
   const Machine machine = this_machine(drawn.gl_renderer);
-  return {report_html(claims, promises, drawn.figures, machine, methods_html(results)),
+  return {report_html(claims, promises, drawn.figures, machine, methods_html(results), truth_html(results.truth)),
           claims_json(claims, promises, machine)};
 }
 
@@ -316,7 +316,8 @@ std::string claims_json(const std::vector<Claim>& claims, const std::vector<Prom
 }
 
 std::string report_html(std::span<const Claim> claims, const std::vector<PromiseResult>& promises,
-                        std::span<const DrawnFigure> figures, const Machine& machine, const std::string& methods) {
+                        std::span<const DrawnFigure> figures, const Machine& machine, const std::string& methods,
+                        const std::string& truth) {
   std::string html = report_page;
   const auto put = [&html](const std::string& place, const std::string& text) {
     html.replace(html.find(place), place.size(), text);
@@ -330,6 +331,7 @@ std::string report_html(std::span<const Claim> claims, const std::vector<Promise
   put("<!--promises-->\n", promises_html(promises));
   put("<!--figures-->\n", figures_html);
   put("<!--methods-->\n", methods);
+  put("<!--truth-->\n", truth);
   return html;
 }
 

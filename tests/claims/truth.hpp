@@ -1,0 +1,56 @@
+#pragma once
+
+#include "app/figures/figures.hpp"
+
+namespace taut::app {
+
+/// One measured number beside the one that theory or a publication gives.
+struct TruthPoint {
+  std::string experiment;  ///< the name of a TruthExperiment
+  std::string curve;       ///< what is compared with one line: a load case, a fabric, a coefficient
+  std::string mesh;        ///< "9 x 33": vertices across and along
+  double x = 0.0;
+  double measured = 0.0;
+  double published = 0.0;
+};
+
+/// How a deviation counts: as a part of what is published, in units of y, or only where it is above.
+enum class Measure { part, difference, excess };
+
+/// An experiment that others published, or that has a closed form.
+struct TruthExperiment {
+  std::string name;
+  std::string title;   ///< of its panel
+  std::string source;  ///< author and year, or equation
+  std::string x_label, y_label;
+  bool is_x_logarithmic = false, is_y_logarithmic = false;
+  Measure measure = Measure::part;
+  double tolerance = 0.0;  ///< the largest deviation that passes
+  double known = 0.0;      ///< what it is where it does not pass, or 0: a flaw of the program that is to be mended
+  /// Runs it with the program's law, friction, force or gravity `physics` times what is compared with.
+  std::vector<TruthPoint> (*run)(const TruthExperiment& experiment, double physics, const ProgressCallback& report);
+};
+
+/// All of them, in the order of the panels.
+std::vector<TruthExperiment> truth_experiments();
+
+/// The largest and the root mean square deviation of the points of an experiment.
+struct Deviation {
+  std::size_t points = 0;
+  double largest = 0.0;
+  double rms = 0.0;
+};
+Deviation deviation_of(const TruthExperiment& experiment, std::span<const TruthPoint> points);
+
+/// How far a clamped strip droops by its own weight: drop over reach of its end, for weight * length^3 / rigidity. The
+/// heavy elastica, B a'' = -w (L - s) cos a, clamped level at s = 0 and free at s = L (Bickley 1934).
+double droop_of_elastica(double weight_over_rigidity);
+
+/// Jobs that fill `points`, as experiments() has those of the figures.
+std::vector<Job> truth_jobs(std::vector<TruthPoint>& points);
+/// The figure "truth": a panel for each experiment.
+Figure truth_figure(std::vector<TruthPoint>& points);
+/// The table of deviations for the report, as HTML.
+std::string truth_html(std::span<const TruthPoint> points);
+
+}  // namespace taut::app

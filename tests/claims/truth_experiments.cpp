@@ -1,0 +1,474 @@
+#include <array>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "sim/mesh/grid.hpp"
+#include "sim/simulation.hpp"
+#include "tests/claims/truth.hpp"
+
+namespace taut::app {
+namespace {
+
+using sim::Index;
+using sim::Material;
+using sim::Surroundings;
+using sim::Vec3;
+
+constexpr double gravity_m_per_s2 = 9.81;
+
+struct Size {
+  Index across;
+  Index along;
+};
+
+std::string name_of(const Size& size) { return fmt::format("{} x {}", size.across, size.along); }
+
+/// A rectangle that lies level, its rows along z, or hangs.
+sim::Mesh rectangle(const Size& size, double width_m, double length_m, sim::GridPlane plane) {
+  sim::GridSettings grid;
+  grid.columns = size.across;
+  grid.rows = size.along;
+  grid.width_m = width_m;
+  grid.height_m = length_m;
+  grid.plane = plane;
+  return sim::make_grid(grid);
+}
+
+Surroundings in_vacuum() {
+  Surroundings surroundings;
+  surroundings.forces.air_drag_per_s = 0.0;
+  surroundings.forces.wind.pressure_coefficient = 0.0;
+  surroundings.forces.wind.friction_coefficient = 0.0;
+  return surroundings;
+}
+
+sim::Simulation begin(std::shared_ptr<const sim::Garment> garment, std::vector<Index> pins, Surroundings surroundings,
+                      double max_stretch, bool contact) {
+  sim::SimulationSettings settings;
+  settings.rest.speed_m_per_s = 0.0;
+  settings.solver.method = sim::BoundedSettings{.max_stretch = max_stretch, .contact = contact, .threads = 1};
+  return {std::move(garment), std::move(pins), settings, std::move(surroundings)};
+}
+
+sim::Simulation begin(sim::Mesh mesh, const Material& material, std::vector<Index> pins, Surroundings surroundings,
+                      bool contact = false) {
+  return begin(sim::share(sim::make_garment(std::move(mesh), {}, material)), std::move(pins), std::move(surroundings),
+               0.01, contact);
+}
+
+void advance(sim::Simulation& simulation, int frames) {
+  for (int frame = 0; frame < frames; ++frame) simulation.advance_frame();
+}
+
+/// Calls run(case) for each case and reports how far it is.
+template <class Cases, class Run>
+std::vector<TruthPoint> run_all(const Cases& cases, const ProgressCallback& report, const Run& run) {
+  std::vector<TruthPoint> points;
+  double done = 0.0;
+  for (const auto& one : cases) {
+    std::ranges::move(run(one), std::back_inserter(points));
+    report(++done / static_cast<double>(std::size(cases)));
+  }
+  return points;
+}
+
+/// A strip of 10 cm, clamped level, with this weight times length cubed over rigidity.
+TruthPoint droop(const TruthExperiment& experiment, const Size& size, double weight_over_rigidity, double physics) {
+  constexpr double length_m = 0.1, width_m = 0.03;
+  constexpr Index clamped_rows = 3;
+  Material material;
+  material.areal_density_kg_per_m2 = 0.25;
+  material.bending_rigidity_n_m =
+      physics * material.areal_density_kg_per_m2 * gravity_m_per_s2 * std::pow(length_m, 3) / weight_over_rigidity;
+  const double edge_m = length_m / (size.along - 1);
+  const Index rows = size.along + clamped_rows - 1;
+  sim::Mesh mesh = rectangle({size.across, rows}, width_m, edge_m * (rows - 1), sim::GridPlane::horizontal);
+  std::vector<Index> clamped(std::size_t{size.across} * clamped_rows);
+  std::iota(clamped.begin(), clamped.end(), 0U);
+  const Vec3 clamp_m = mesh.positions[clamped.back()];
+  Surroundings air = in_vacuum();
+  air.forces.air_drag_per_s = 3.0;
+  sim::Simulation simulation = begin(std::move(mesh), material, std::move(clamped), air);
+  advance(simulation, 300);
+  const Vec3 end_m = simulation.state().current.back();
+  return {experiment.name,
+          "strip",
+          name_of(size),
+          weight_over_rigidity,
+          (clamp_m.y - end_m.y) / (end_m.z - clamp_m.z),
+          droop_of_elastica(weight_over_rigidity)};
+}
+
+std::vector<TruthPoint> run_cantilever(const TruthExperiment& experiment, double physics,
+                                       const ProgressCallback& report) {
+  return run_all(std::array<Size, 3>{{{6, 21}, {9, 31}, {12, 41}}}, report, [&](const Size& size) {
+    std::vector<TruthPoint> points;
+    for (const double load : {3.0, 6.0, 12.0, 25.0, 50.0, 100.0})
+      points.push_back(droop(experiment, size, load, physics));
+    return points;
+  });
+}
+
+struct Pull {
+  const char* curve;
+  Material material;
+  double angle;  ///< of the warp from the pull, in radians
+};
+
+Material with_law(double warp_n_per_m, double weft_n_per_m, double shear_n_per_m) {
+  Material material;
+  material.tensile_warp_n_per_m = warp_n_per_m;
+  material.tensile_weft_n_per_m = weft_n_per_m;
+  material.shear_n_per_m = shear_n_per_m;
+  return material;
+}
+
+/// Per load along the strip, for threads at this angle (Jones 1975, eq. 2.97, without lateral contraction).
+double compliance_m_per_n(const Pull& pull) {
+  const double c = std::cos(pull.angle), s = std::sin(pull.angle);
+  return c * c * c * c / pull.material.tensile_warp_n_per_m + s * s * s * s / pull.material.tensile_weft_n_per_m +
+         c * c * s * s / pull.material.shear_n_per_m;
+}
+
+/// The strain of the middle half of a strip of 10 x 40 cm that is pulled at its lower edge.
+TruthPoint pulled(const TruthExperiment& experiment, const Pull& pull, const Size& size, double load_n_per_m,
+                  double physics) {
+  constexpr double width_m = 0.1, length_m = 0.4;
+  sim::Garment garment =
+      sim::make_garment(rectangle(size, width_m, length_m, sim::GridPlane::vertical), {}, pull.material);
+  const Vec3 warp(std::sin(pull.angle), std::cos(pull.angle), 0.0);
+  for (const sim::Triangle& t : garment.mesh.triangles) {
+    const std::array<Vec3, 3> at = sim::corners_of(t, garment.mesh.positions);
+    const Vec3 first = glm::normalize(at[1] - at[0]);
+    const Vec3 second = glm::cross(glm::normalize(glm::cross(first, at[2] - at[0])), first);
+    garment.warps.emplace_back(glm::dot(warp, first), glm::dot(warp, second));
+  }
+  Surroundings surroundings = in_vacuum();
+  surroundings.forces.gravity_m_per_s2 = Vec3(0.0);
+  surroundings.forces.air_drag_per_s = 2.0;
+  std::vector<Index> pins;
+  for (Index c = 0; c < size.across; ++c) {
+    const double share = (c == 0 || c + 1 == size.across ? 0.5 : 1.0) / (size.across - 1);
+    surroundings.forces.artificial_forces.push_back(
+        {(size.along - 1) * size.across + c, Vec3(0.0, -load_n_per_m / physics * width_m * share, 0.0)});
+    pins.push_back(c);
+  }
+  const std::vector<Vec3> flat = garment.mesh.positions;
+  sim::Simulation simulation =
+      begin(sim::share(std::move(garment)), std::move(pins), std::move(surroundings), 0.2, false);
+  advance(simulation, 180);
+  const auto length_of = [&](const std::vector<Vec3>& positions) {
+    double sum_m = 0.0;
+    for (Index c = 0; c < size.across; ++c) {
+      sum_m += positions[size.along / 4 * size.across + c].y -
+               positions[(size.along - 1 - size.along / 4) * size.across + c].y;
+    }
+    return sum_m;
+  };
+  return {experiment.name,
+          pull.curve,
+          name_of(size),
+          load_n_per_m,
+          100.0 * (length_of(simulation.state().current) / length_of(flat) - 1.0),
+          100.0 * load_n_per_m * compliance_m_per_n(pull)};
+}
+
+std::vector<TruthPoint> run_extension(const TruthExperiment& experiment, double physics,
+                                      const ProgressCallback& report) {
+  const double bias = std::atan(1.0);
+  const Material woven = with_law(2000.0, 1500.0, 60.0), knit = with_law(400.0, 200.0, 60.0);
+  const std::array<Pull, 4> pulls = {{{"woven, along the warp", woven, 0.0},
+                                      {"woven, on the bias", woven, bias},
+                                      {"knit, along the warp", knit, 0.0},
+                                      {"knit, on the bias", knit, bias}}};
+  return run_all(pulls, report, [&](const Pull& pull) {
+    std::vector<TruthPoint> points;
+    for (const Size& size : {Size{5, 17}, Size{6, 21}, Size{9, 33}}) {
+      for (const double load : {2.0, 6.0, 18.0}) points.push_back(pulled(experiment, pull, size, load, physics));
+    }
+    return points;
+  });
+}
+
+Vec3 middle_of(std::span<const Vec3> positions) {
+  Vec3 sum(0.0);
+  for (const Vec3& p : positions) sum += p;
+  return sum / static_cast<double>(positions.size());
+}
+
+/// A sheet of 40 cm, or with `is_on_cloth` one that lies on another that is pinned everywhere. Level, where gravity is
+/// that of a slope.
+TruthPoint slid(const TruthExperiment& experiment, const Size& size, double friction, double slope, bool is_on_cloth,
+                double physics) {
+  constexpr double width_m = 0.4;
+  constexpr int frames = 45;
+  constexpr double time_s = frames / 60.0;
+  sim::Mesh mesh = rectangle(size, width_m, width_m, sim::GridPlane::horizontal);
+  const std::size_t count = mesh.positions.size();
+  for (Vec3& p : mesh.positions) p.y = 0.0011;
+  Material material;
+  material.friction = physics * friction;
+  Surroundings surroundings = in_vacuum();
+  std::vector<Index> pins;
+  if (is_on_cloth) {
+    mesh.quads.clear();
+    for (std::size_t v = 0; v < count; ++v) {
+      pins.push_back(static_cast<Index>(count + v));
+      mesh.positions.push_back(mesh.positions[v] * Vec3(8.0, 0.0, 2.0) - Vec3(0.0, 0.0, 0.2));
+    }
+    const std::vector<sim::Triangle> upper = mesh.triangles;
+    for (const auto& [a, b, c] : upper) {
+      const auto n = static_cast<Index>(count);
+      mesh.triangles.push_back({a + n, b + n, c + n});
+    }
+  } else {
+    surroundings.bodies = {{.name = "slope", .shape = sim::Plane{}, .friction = physics * friction}};
+  }
+  const double cosine = 1.0 / std::sqrt(1.0 + slope * slope);
+  surroundings.forces.gravity_m_per_s2 = gravity_m_per_s2 * cosine * Vec3(slope, -1.0, 0.0);
+  sim::Simulation simulation = begin(std::move(mesh), material, std::move(pins), surroundings, true);
+  const auto sliding = [&] { return middle_of(std::span(simulation.state().current).first(count)).x; };
+  const double before_m = sliding();
+  advance(simulation, frames);
+  const double acceleration = 2.0 * (sliding() - before_m) / (time_s * time_s);
+  return {experiment.name, fmt::format("friction {:g}", friction),     name_of(size),
+          slope,           acceleration / (gravity_m_per_s2 * cosine), std::max(0.0, slope - friction)};
+}
+
+std::vector<TruthPoint> slide_all(const TruthExperiment& experiment, bool is_on_cloth, double physics,
+                                  const ProgressCallback& report) {
+  return run_all(std::array{0.1, 0.2, 0.3, 0.5, 0.8}, report, [&](double friction) {
+    std::vector<TruthPoint> points;
+    for (const double times : {0.8, 1.4, 2.0}) {
+      for (const Size& size : {Size{5, 5}, Size{9, 9}, Size{15, 15}}) {
+        points.push_back(slid(experiment, size, friction, times * friction, is_on_cloth, physics));
+      }
+    }
+    return points;
+  });
+}
+
+std::vector<TruthPoint> run_slope(const TruthExperiment& experiment, double physics, const ProgressCallback& report) {
+  return slide_all(experiment, false, physics, report);
+}
+
+std::vector<TruthPoint> run_layers(const TruthExperiment& experiment, double physics, const ProgressCallback& report) {
+  return slide_all(experiment, true, physics, report);
+}
+
+double mean_speed_down(const sim::State& state) {
+  double sum_m = 0.0;
+  for (std::size_t v = 0; v < state.current.size(); ++v) sum_m += state.previous[v].y - state.current[v].y;
+  return sum_m / static_cast<double>(state.current.size()) / state.time_step_s;
+}
+
+/// A level sheet that falls through air. Its drag on the whole area brings it to a terminal speed; until then it is
+/// v = v_t tanh(g t / v_t).
+std::vector<TruthPoint> fallen(const TruthExperiment& experiment, const Size& size, double density, double physics) {
+  Material material;
+  material.areal_density_kg_per_m2 = density;
+  material.bending_rigidity_n_m = 1e-3;  // soft cloth turns over
+  Surroundings air;
+  air.forces.air_drag_per_s = 0.0;
+  const double terminal =
+      std::sqrt(2.0 * density * gravity_m_per_s2 / (sim::air_density_kg_per_m3 * air.forces.wind.pressure_coefficient));
+  air.forces.wind.pressure_coefficient *= physics;
+  sim::Simulation simulation =
+      begin(rectangle(size, 0.4, 0.4, sim::GridPlane::horizontal), material, {}, std::move(air));
+  std::vector<TruthPoint> points;
+  for (int tenth = 1; tenth <= 10; ++tenth) {
+    advance(simulation, 6);
+    const double time_s = simulation.state().time_s;
+    points.push_back({experiment.name, fmt::format("{:g} g/m2", 1e3 * density), name_of(size), time_s,
+                      mean_speed_down(simulation.state()), terminal * std::tanh(gravity_m_per_s2 * time_s / terminal)});
+  }
+  return points;
+}
+
+std::vector<TruthPoint> run_fall(const TruthExperiment& experiment, double physics, const ProgressCallback& report) {
+  return run_all(std::array{0.05, 0.15, 0.4}, report, [&](double density) {
+    std::vector<TruthPoint> points;
+    for (const Size& size : {Size{7, 7}, Size{9, 9}, Size{17, 17}}) {
+      std::ranges::move(fallen(experiment, size, density, physics), std::back_inserter(points));
+    }
+    return points;
+  });
+}
+
+/// Two free sheets one above the other; a force pushes the upper one onto the lower one, and then both. All momentum
+/// is the force times the time.
+std::vector<TruthPoint> collided(const TruthExperiment& experiment, const Size& size, double physics) {
+  constexpr double force_n = 0.2, apart_m = 0.05;
+  sim::Mesh mesh = rectangle(size, 0.4, 0.4, sim::GridPlane::horizontal);
+  mesh.quads.clear();
+  const std::size_t count = mesh.positions.size();
+  const std::vector<sim::Triangle> upper = mesh.triangles;
+  for (std::size_t v = 0; v < count; ++v) mesh.positions.push_back(mesh.positions[v] - Vec3(0.03, apart_m, 0.02));
+  for (const auto& [a, b, c] : upper) {
+    const auto n = static_cast<Index>(count);
+    mesh.triangles.push_back({a + n, b + n, c + n});
+  }
+  Surroundings surroundings = in_vacuum();
+  surroundings.forces.gravity_m_per_s2 = Vec3(0.0);
+  const auto garment = sim::share(sim::make_garment(std::move(mesh), {}, {}));
+  double pushed_kg = 0.0;
+  for (Index v = 0; v < count; ++v) pushed_kg += garment->masses_kg[v];
+  for (Index v = 0; v < count; ++v) {
+    surroundings.forces.artificial_forces.push_back(
+        {v, Vec3(0.0, -physics * force_n * garment->masses_kg[v] / pushed_kg, 0.0)});
+  }
+  sim::Simulation simulation = begin(garment, {}, std::move(surroundings), 0.01, true);
+  std::vector<TruthPoint> points;
+  for (int time = 1; time <= 10; ++time) {
+    advance(simulation, 3);
+    const sim::State& state = simulation.state();
+    double momentum = 0.0, of_lower = 0.0;
+    for (std::size_t v = 0; v < state.current.size(); ++v) {
+      const double one = garment->masses_kg[v] * (state.previous[v].y - state.current[v].y) / state.time_step_s;
+      momentum += one;
+      of_lower += v < count ? 0.0 : one;
+    }
+    points.push_back(
+        {experiment.name, "both", name_of(size), state.time_s, 1e3 * momentum, 1e3 * force_n * state.time_s});
+    points.push_back({experiment.name, "the lower one", name_of(size), state.time_s, 1e3 * of_lower, NAN});
+  }
+  return points;
+}
+
+std::vector<TruthPoint> run_collision(const TruthExperiment& experiment, double physics,
+                                      const ProgressCallback& report) {
+  return run_all(std::array<Size, 3>{{{6, 6}, {10, 10}, {16, 16}}}, report,
+                 [&](const Size& size) { return collided(experiment, size, physics); });
+}
+
+/// The energy of a sheet that is let go level, held by an edge, over what it has to fall. Nothing brakes it.
+std::vector<TruthPoint> swung(const TruthExperiment& experiment, const Size& size) {
+  constexpr double length_m = 0.4;
+  constexpr int seconds = 60;
+  std::vector<Index> pins(size.across);
+  std::iota(pins.begin(), pins.end(), 0U);
+  const auto garment =
+      sim::share(sim::make_garment(rectangle(size, length_m, length_m, sim::GridPlane::horizontal), {}, {}));
+  const std::vector<Vec3> flat = garment->mesh.positions;
+  sim::Simulation simulation = begin(garment, pins, in_vacuum(), 0.01, true);
+  double all_j = 0.0;
+  for (const double mass_kg : garment->masses_kg) all_j += mass_kg * gravity_m_per_s2 * 0.5 * length_m;
+  std::vector<TruthPoint> points;
+  for (int second = 1; second <= seconds; ++second) {
+    advance(simulation, 60);
+    const sim::State& state = simulation.state();
+    double energy_j = 0.0;
+    for (std::size_t v = 0; v < flat.size(); ++v) {
+      const Vec3 moved = state.current[v] - state.previous[v];
+      energy_j += garment->masses_kg[v] * (0.5 * glm::dot(moved, moved) / (state.time_step_s * state.time_step_s) +
+                                           gravity_m_per_s2 * (state.current[v].y - flat[v].y));
+    }
+    points.push_back({experiment.name, "sheet", name_of(size), state.time_s, energy_j / all_j, 0.0});
+  }
+  return points;
+}
+
+// No law of the program says how fast energy is lost, so that there is none to be wrong.
+std::vector<TruthPoint> run_swing(const TruthExperiment& experiment, double, const ProgressCallback& report) {
+  return run_all(std::array<Size, 3>{{{7, 7}, {10, 10}, {14, 14}}}, report,
+                 [&](const Size& size) { return swung(experiment, size); });
+}
+
+/// The period of a narrow sheet that hangs and swings a little, without bending: that of a chain, with the first zero
+/// of Bessel's function J0.
+TruthPoint period(const TruthExperiment& experiment, const Size& size, double length_m, double physics) {
+  constexpr double zero_of_bessel = 2.404825557695773, pushed_s = 0.5, push_m_per_s2 = 0.3;
+  constexpr int frames = 60 * 12;
+  Material material;
+  material.bending_rigidity_n_m = 1e-7;
+  Surroundings surroundings = in_vacuum();
+  surroundings.forces.gravity_m_per_s2 *= physics;
+  surroundings.forces.gravity_path = {
+      {0.0, Vec3(0.0, 0.0, push_m_per_s2)}, {pushed_s, Vec3(0.0, 0.0, push_m_per_s2)}, {pushed_s + 0.05, Vec3(0.0)}};
+  std::vector<Index> pins(size.across);
+  std::iota(pins.begin(), pins.end(), 0U);
+  sim::Simulation simulation =
+      begin(rectangle(size, 0.1, length_m, sim::GridPlane::vertical), material, std::move(pins), surroundings);
+  std::vector<double> crossed_s;
+  double before_m = 0.0;
+  for (int frame = 1; frame <= frames; ++frame) {
+    simulation.advance_frame();
+    const double time_s = simulation.state().time_s;
+    const double at_m = middle_of(simulation.state().current).z;
+    if (time_s > 2.0 && before_m < 0.0 && at_m >= 0.0) {
+      crossed_s.push_back(time_s - at_m / (at_m - before_m) / 60.0);
+    }
+    before_m = at_m;
+  }
+  const double measured_s =
+      crossed_s.size() < 2 ? 0.0 : (crossed_s.back() - crossed_s.front()) / static_cast<double>(crossed_s.size() - 1);
+  const double expected_s = 4.0 * std::acos(-1.0) / zero_of_bessel * std::sqrt(length_m / gravity_m_per_s2);
+  return {experiment.name, "sheet", name_of(size), length_m, measured_s, expected_s};
+}
+
+std::vector<TruthPoint> run_chain(const TruthExperiment& experiment, double physics, const ProgressCallback& report) {
+  return run_all(std::array{0.2, 0.3, 0.45, 0.7, 1.0}, report, [&](double length_m) {
+    std::vector<TruthPoint> points;
+    for (const Size& size : {Size{3, 11}, Size{4, 16}, Size{5, 21}}) {
+      points.push_back(period(experiment, size, length_m, physics));
+    }
+    return points;
+  });
+}
+
+}  // namespace
+
+double droop_of_elastica(double weight_over_rigidity) {
+  constexpr int steps = 400;
+  constexpr double h = 1.0 / steps;
+  struct End {
+    double curvature, reach, drop;
+  };
+  // Runge and Kutta's steps from the clamp, with this curvature there.
+  const auto integrated = [&](double curvature) {
+    double angle = 0.0, reach = 0.0, drop = 0.0;
+    const auto change = [&](double s, double a) { return -weight_over_rigidity * (1.0 - s) * std::cos(a); };
+    for (int i = 0; i < steps; ++i) {
+      const double s = i * h;
+      const double k1 = change(s, angle), a1 = curvature;
+      const double k2 = change(s + 0.5 * h, angle + 0.5 * h * a1), a2 = curvature + 0.5 * h * k1;
+      const double k3 = change(s + 0.5 * h, angle + 0.5 * h * a2), a3 = curvature + 0.5 * h * k2;
+      const double k4 = change(s + h, angle + h * a3), a4 = curvature + h * k3;
+      const double next = angle + h / 6.0 * (a1 + 2.0 * a2 + 2.0 * a3 + a4);
+      curvature += h / 6.0 * (k1 + 2.0 * k2 + 2.0 * k3 + k4);
+      reach += 0.5 * h * (std::cos(angle) + std::cos(next));
+      drop += 0.5 * h * (std::sin(angle) + std::sin(next));
+      angle = next;
+    }
+    return End{curvature, reach, drop};
+  };
+  double low = 0.0, high = weight_over_rigidity;
+  for (int i = 0; i < 80; ++i) {
+    const double middle = 0.5 * (low + high);
+    (integrated(middle).curvature > 0.0 ? high : low) = middle;
+  }
+  const End end = integrated(0.5 * (low + high));
+  return end.drop / end.reach;
+}
+
+std::vector<TruthExperiment> truth_experiments() {
+  using enum Measure;
+  return {{"cantilever", "a clamped strip droops", "heavy elastica (Bickley 1934; Romero and others 2021)",
+           "weight x length^3 / rigidity", "drop over reach of its end", true, true, part, 0.1, 0.0, run_cantilever},
+          {"extension", "a woven and a knit are pulled", "orthotropic plate (Jones 1975)", "load in N/m", "strain in %",
+           true, true, part, 0.05, 0.0, run_extension},
+          {"chain", "a hanging sheet swings a little", "hanging chain (Bernoulli 1732)", "length in m", "period in s",
+           false, false, part, 0.025, 0.0, run_chain},
+          {"fall", "a level sheet falls through air", "v_t tanh(g t / v_t)", "time in s", "speed in m/s", false, false,
+           part, 0.02, 0.063, run_fall},
+          {"slope", "a sheet slides on a plane", "Coulomb 1785", "tangent of the slope", "acceleration in g cos", false,
+           false, difference, 0.02, 0.0, run_slope},
+          {"layers", "a sheet slides on another", "Coulomb 1785", "tangent of the slope", "acceleration in g cos",
+           false, false, difference, 0.02, 0.73, run_layers},
+          {"collision", "a sheet is pushed onto another", "momentum is force times time", "time in s",
+           "momentum in mN s", false, false, part, 0.01, 0.1, run_collision},
+          {"swing", "a sheet swings without air", "energy is never above the start's", "time in s",
+           "energy over what it has to fall", false, false, excess, 0.001, 0.0, run_swing}};
+}
+
+}  // namespace taut::app

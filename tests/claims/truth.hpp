@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/drawing/plots/plot.hpp"
 #include "app/figures/figures.hpp"
 
 namespace taut::app {
@@ -24,9 +25,10 @@ struct TruthExperiment {
   std::string source;  ///< author and year, or equation
   std::string x_label, y_label;
   bool is_x_logarithmic = false, is_y_logarithmic = false;
+  LegendCorner legend = LegendCorner::none;
   Measure measure = Measure::part;
   double tolerance = 0.0;  ///< the largest deviation that passes
-  double known = 0.0;      ///< what it is where it does not pass, or 0: a flaw of the program that is to be mended
+  double known = 0.0;      ///< where it does not pass, the worst deviation with its sign: a flaw that is to be mended
   /// Runs it with the program's law, friction, force or gravity `physics` times what is compared with.
   std::vector<TruthPoint> (*run)(const TruthExperiment& experiment, double physics, const ProgressCallback& report);
 };
@@ -37,8 +39,10 @@ std::vector<TruthExperiment> truth_experiments();
 /// The largest and the root mean square deviation of the points of an experiment.
 struct Deviation {
   std::size_t points = 0;
-  double largest = 0.0;
+  double worst = 0.0;  ///< the largest, with its sign
   double rms = 0.0;
+
+  double largest() const { return std::abs(worst); }
 };
 Deviation deviation_of(const TruthExperiment& experiment, std::span<const TruthPoint> points);
 

@@ -77,11 +77,11 @@ PlotPanel panel_of(const TruthExperiment& experiment, char letter, std::span<con
   }
   plot.x = axis_around(experiment.x_label, experiment.is_x_logarithmic, xs);
   plot.y = axis_around(experiment.y_label, experiment.is_y_logarithmic, ys);
-  plot.legend = curves.size() > 1 ? LegendCorner::upper_left : LegendCorner::none;
+  plot.legend = experiment.legend;
   const Deviation deviation = deviation_of(experiment, points);
   return {std::move(plot),
           {letter, experiment.title,
-           fmt::format("{}; off by at most {}", experiment.source, number_text(experiment, deviation.largest))}};
+           fmt::format("{}; off by at most {}", experiment.source, number_text(experiment, deviation.largest()))}};
 }
 
 Drawing draw_truth(const std::vector<TruthPoint>& points, LazyOffscreenRenderer&) {
@@ -123,7 +123,8 @@ Deviation deviation_of(const TruthExperiment& experiment, std::span<const TruthP
     double off = point.measured - point.published;
     if (experiment.measure == Measure::part) off /= point.published;
     if (experiment.measure == Measure::excess) off = std::max(off, 0.0);
-    deviation.largest = std::max(deviation.largest, std::isfinite(off) ? std::abs(off) : INFINITY);
+    if (!std::isfinite(off)) off = INFINITY;
+    if (std::abs(off) > deviation.largest()) deviation.worst = off;
     squares += off * off;
     ++deviation.points;
   }
@@ -160,8 +161,8 @@ std::string truth_html(std::span<const TruthPoint> points) {
     html += fmt::format(
         "<tr class=\"{}\"><td>{}</td><td>{}</td><td class=\"number\">{}</td><td class=\"number\">{}</td><td "
         "class=\"number\">{}</td><td class=\"number\">{}</td></tr>\n",
-        deviation.largest <= experiment.tolerance ? "holds" : "fails", experiment.title, experiment.source,
-        deviation.points, number_text(experiment, deviation.largest), number_text(experiment, deviation.rms),
+        deviation.largest() <= experiment.tolerance ? "holds" : "fails", experiment.title, experiment.source,
+        deviation.points, number_text(experiment, deviation.largest()), number_text(experiment, deviation.rms),
         number_text(experiment, experiment.tolerance));
   }
   return html + "</table>\n";

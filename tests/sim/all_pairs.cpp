@@ -97,11 +97,11 @@ Gap gap_of(const NearPair& pair, const Scene& scene) {
   return gap;
 }
 
-bool boxes_overlap(const NearPair& pair, const Scene& scene) {
+bool boxes_overlap(const NearPair& pair, const Scene& scene, double room_m) {
   const std::span<const Index> rows = pair.rows;
   const ReachBox a(scene, rows.first(pair.first_count));
   const ReachBox b(scene, rows.subspan(pair.first_count));
-  return glm::all(glm::lessThanEqual(a.low, b.high)) && glm::all(glm::lessThanEqual(b.low, a.high));
+  return glm::all(glm::lessThanEqual(a.low - static_cast<float>(room_m), b.high)) && glm::all(glm::lessThanEqual(b.low - static_cast<float>(room_m), a.high));
 }
 
 std::vector<NearPair> all_pairs(const ContactMesh& mesh) {

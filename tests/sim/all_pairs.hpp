@@ -41,8 +41,9 @@ struct Gap {
 /// In double precision.
 Gap gap_of(const NearPair& pair, const Scene& scene);
 
-/// Returns whether the boxes overlap around all that each of the two can reach beyond `together`.
-bool boxes_overlap(const NearPair& pair, const Scene& scene);
+/// Returns whether the boxes around all that each of the two can reach beyond `together` overlap, or are no further
+/// apart than `room_m`.
+bool boxes_overlap(const NearPair& pair, const Scene& scene, double room_m = 0.0);
 
 /// All pairs that share no row, apart from those within the bodies.
 std::vector<NearPair> all_pairs(const ContactMesh& mesh);

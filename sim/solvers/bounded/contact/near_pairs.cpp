@@ -49,8 +49,8 @@ NearPairs::NearPairs(const ContactMesh& mesh, bool within_cloth, std::span<const
     : within_cloth_(within_cloth),
       cloth_(hierarchies_of(mesh.cloth, positions_m, height_for(mesh))),
       bodies_(hierarchies_of(mesh.bodies, positions_m, height_for(mesh))),
-      vertices_triangles_(cloth_.vertices.primitives(), cloth_.triangles.primitives()),
-      edges_edges_(cloth_.edges.primitives(), cloth_.edges.primitives()) {}
+      vertices_triangles_(shared_rows(cloth_.vertices.primitives(), cloth_.triangles.primitives())),
+      edges_edges_(shared_rows(cloth_.edges.primitives(), cloth_.edges.primitives())) {}
 
 /// Calls take(lists, count) with what is found between pairs [begin, end) of blocks of a level, in turn.
 template <typename Take>
@@ -59,15 +59,9 @@ void NearPairs::for_found(const Trees& trees, std::size_t level, std::size_t beg
   constexpr std::size_t size = most_at_once * most_per_block_pair + list_padding;
   const std::unique_ptr<std::uint32_t[]> room(new std::uint32_t[4 * size]);
   const PairLists found = {&room[0], &room[size], &room[2 * size], &room[3 * size]};
-  static constexpr LanePairs none = {};
-  std::array<const LanePairs*, most_at_once> left_out;
-  left_out.fill(&none);
+  const BlockLanePairs* shared = level == 0 ? trees.shared : nullptr;
   for (std::size_t p = begin; p < end; p += most_at_once) {
-    const BlockPairs blocks = {blocks_[0].data() + p, blocks_[1].data() + p, left_out.data(),
-                               std::min(most_at_once, end - p)};
-    for (std::size_t i = 0; i < blocks.count && level == 0 && trees.shared != nullptr; ++i) {
-      left_out[i] = &trees.shared->between(blocks.first[i], blocks.second[i]);
-    }
+    const BlockPairs blocks = {blocks_[0].data() + p, blocks_[1].data() + p, std::min(most_at_once, end - p), shared};
     take(found, kernels.overlapping(trees.a.level(level), trees.b.level(level), blocks, found));
   }
 }

@@ -43,7 +43,7 @@ class NearPairs {
   struct Trees {
     const BoxHierarchy& a;
     const BoxHierarchy& b;
-    const SharedRows* shared = nullptr;  ///< where it is known
+    const BlockLanePairs* shared = nullptr;  ///< where it is known
   };
 
   static Hierarchies hierarchies_of(const Primitives& primitives, std::span<const Vec3> positions,
@@ -63,9 +63,9 @@ class NearPairs {
   bool within_cloth_;
   Hierarchies cloth_;
   Hierarchies bodies_;
-  SharedRows vertices_triangles_;  ///< of the cloth
-  SharedRows edges_edges_;
-  BoxGrid grid_;  ///< of the cloth when all was gone through
+  BlockLanePairs vertices_triangles_;  ///< what shares a row, in the cloth
+  BlockLanePairs edges_edges_;
+  BoxGrid grid_;      ///< of the cloth when all was gone through
   Float4 together_;   ///< what all rows move alike, which does not bring them nearer and makes boxes larger
   Float4Array ways_;  ///< see MovingRows
   std::array<Lanes<std::uint32_t>, 2> blocks_;  ///< pairs of blocks of one level

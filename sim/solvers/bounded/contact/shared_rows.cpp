@@ -4,7 +4,8 @@
 
 namespace taut::sim::bounded {
 
-SharedRows::SharedRows(const PrimitiveLanes& a, const PrimitiveLanes& b) {
+BlockLanePairs shared_rows(const PrimitiveLanes& a, const PrimitiveLanes& b) {
+  BlockLanePairs all;
   std::vector<std::vector<std::uint32_t>> lanes_of_row;  // of `b`
   for (std::size_t k = 0; k < b.corner_count; ++k) {
     for (std::uint32_t lane = 0; lane < b.count; ++lane) {
@@ -26,19 +27,12 @@ SharedRows::SharedRows(const PrimitiveLanes& a, const PrimitiveLanes& b) {
       }
     }
     for (const auto& [other, lanes] : shared) {
-      blocks_.push_back(other);
-      lanes_.push_back(lanes);
+      all.blocks.push_back(other);
+      all.lanes.push_back(lanes);
     }
-    begin_.push_back(static_cast<std::uint32_t>(blocks_.size()));
+    all.begin.push_back(static_cast<std::uint32_t>(all.blocks.size()));
   }
-}
-
-const LanePairs& SharedRows::between(std::uint32_t block_a, std::uint32_t block_b) const {
-  static constexpr LanePairs none = {};
-  for (std::size_t i = begin_[block_a]; i < begin_[block_a + 1]; ++i) {
-    if (blocks_[i] == block_b) return lanes_[i];
-  }
-  return none;
+  return all;
 }
 
 }  // namespace taut::sim::bounded

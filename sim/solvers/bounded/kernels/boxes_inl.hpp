@@ -208,6 +208,7 @@ struct LaneBits {
 
 /// Lists pairs of lanes whose boxes overlap. Two boxes overlap only where those around their blocks do.
 std::size_t overlapping_codes(const BoxLevel& a, const BoxLevel& b, const BlockPairs& pairs, std::uint32_t* codes) {
+  static constexpr LanePairs none = {};
   std::size_t size = 0;
   for (std::size_t p = 0; p < pairs.count; ++p) {
     const std::uint32_t block_a = pairs.first[p];
@@ -218,7 +219,7 @@ std::size_t overlapping_codes(const BoxLevel& a, const BoxLevel& b, const BlockP
                                         box_in(b.around[block_b / block_size], block_b % block_size));
     std::uint32_t reaching = overlapping_bits(both, mine);
     if (reaching == 0) continue;
-    const LanePairs& left_out = *pairs.left_out[p];
+    const LanePairs& left_out = pairs.left_out == nullptr ? none : pairs.left_out->between(block_a, block_b);
     const bool is_same = &mine == &others;
     LaneBits hits;
     for (; reaching != 0; reaching &= reaching - 1) {

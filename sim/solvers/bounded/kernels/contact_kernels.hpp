@@ -31,6 +31,22 @@ struct BoxGrid {
 /// For each lane of a block some lanes of another: bit i for lane i.
 using LanePairs = std::array<std::uint16_t, block_size>;
 
+/// Lanes of blocks of two lists that belong together.
+struct BlockLanePairs {
+  std::vector<std::uint32_t> begin = {0};  ///< by block of the one list, of its entries in the others
+  std::vector<std::uint32_t> blocks;       ///< of the other list
+  std::vector<LanePairs> lanes;
+
+  /// Returns those of two blocks.
+  const LanePairs& between(std::uint32_t block_a, std::uint32_t block_b) const {
+    static constexpr LanePairs none = {};
+    for (std::size_t i = begin[block_a]; i < begin[block_a + 1]; ++i) {
+      if (blocks[i] == block_b) return lanes[i];
+    }
+    return none;
+  }
+};
+
 /// Vertices, edges or triangles, padded to whole blocks.
 struct PrimitiveLanes {
   std::size_t corner_count = 0;  ///< of each: 1, 2 or 3
@@ -60,8 +76,8 @@ struct BoxLevel {
 struct BlockPairs {
   const std::uint32_t* first;
   const std::uint32_t* second;
-  const LanePairs* const* left_out;  ///< by pair
   std::size_t count;
+  const BlockLanePairs* left_out = nullptr;  ///< what is not looked for, if it is known
 };
 
 /// Four lists of the same length.

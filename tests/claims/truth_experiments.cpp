@@ -89,7 +89,7 @@ TruthPoint droop(const TruthExperiment& experiment, const Size& size, double wei
   Surroundings air = in_vacuum();
   air.forces.air_drag_per_s = 3.0;
   sim::Simulation simulation = begin(std::move(mesh), material, std::move(clamped), air);
-  advance(simulation, 220);
+  advance(simulation, 300);
   const Vec3 end_m = simulation.state().current.back();
   return {experiment.name,
           "strip",

@@ -11,10 +11,10 @@ GEOMETRY = {"largest_cluster", "flat", "thin", "least_squared_sine", "distance_w
 ROUNDING = {"rounding", "rounding_s", "told_apart_part", "smallest_told_apart_m",
             "smallest_kept_part", "least_apart_m", "least_at_rest_m", "furthest_m", "far_enough", "power_iterations",
             "most_updates_per_frame", "least_mobility", "least_radius", "smallest_divisor",
-            "smallest_doubled_area_m2", "never_reached"}
+            "smallest_doubled_area_m2", "never_reached", "numbers_across", "smallest_size_m", "highest_number"}
 MACHINE = {"least_blocks", "least_pairs", "most_at_once", "most_looks", "chunks_per_thread", "one_loop", "closed",
            "triangles_worth_threads", "most_threads_unasked", "fewest_between_trials", "most_between_trials",
-           "block_size", "rows_sorted_together", "sweep_overhead", "width"}
+           "block_size", "rows_sorted_together", "sweep_overhead", "sampled_every", "word_bits"}
 REPORTS = {"largest_short_share"}
 BESIDE_THEIR_CODE = LAWS | GEOMETRY | ROUNDING | MACHINE | REPORTS
 

@@ -29,11 +29,11 @@ namespace {
 /// Returns the value with this rank from below, of values of which few are above it: those are found by what some of
 /// the values are, and put in order.
 double ranked_near_the_top(std::vector<double>& values, std::size_t rank) {
-  constexpr std::size_t every = 16;
+  constexpr std::size_t sampled_every = 16;
   std::vector<double> some;
-  for (std::size_t i = 0; i < values.size(); i += every) some.push_back(values[i]);
+  for (std::size_t i = 0; i < values.size(); i += sampled_every) some.push_back(values[i]);
   const std::size_t above = values.size() - rank;
-  const std::size_t some_above = std::min(some.size(), 2 * above / every + 4);
+  const std::size_t some_above = std::min(some.size(), 2 * above / sampled_every + 4);
   const auto at = some.end() - static_cast<std::ptrdiff_t>(some_above);
   std::nth_element(some.begin(), at, some.end());
   std::vector<double> top;

@@ -128,14 +128,14 @@ void BoxHierarchy::fit(const MovingRows& rows, ParallelKernels& kernels) {
 }
 
 BoxGrid BoxHierarchy::grid() const {
-  constexpr float middle = 0.5F;
-  constexpr float numbers = 65530.0F;
-  constexpr float least_m = 1e-3F;
+  // A few less than 16 bits have, for what lies beyond.
+  constexpr float numbers_across = 65530.0F;
+  constexpr float smallest_size_m = 1e-3F;
   const BoxBlock& all = levels_.back().front();
   BoxGrid grid;
   for (std::size_t axis = 0; axis < 3 && all.low[axis][0] <= all.high[axis][0]; ++axis) {
-    grid.origin[axis] = middle * (all.low[axis][0] + all.high[axis][0]);
-    grid.per_m[axis] = numbers / std::max(all.high[axis][0] - all.low[axis][0], least_m);
+    grid.origin[axis] = 0.5F * (all.low[axis][0] + all.high[axis][0]);
+    grid.per_m[axis] = numbers_across / std::max(all.high[axis][0] - all.low[axis][0], smallest_size_m);
   }
   return grid;
 }

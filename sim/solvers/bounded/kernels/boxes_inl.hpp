@@ -128,15 +128,16 @@ HWY_INLINE std::uint32_t bits_of(ShortMask mask) {
 /// The coordinate of what is empty is infinite, and above all others.
 HWY_INLINE void round_lanes(const std::array<float, block_size>& values, float origin, float per_m,
                             std::array<std::int16_t, block_size>& rounded) {
+  constexpr float highest_number = std::numeric_limits<std::int16_t>::max();
   const Floats f;
   const hn::Rebind<std::int32_t, Floats> whole;
   const hn::Rebind<std::int16_t, Floats> half;
   for (std::size_t k = 0; k < block_size; k += lanes) {
     const V value = hn::Load(f, &values[k]);
     const V scaled = hn::Mul(hn::Sub(value, hn::Set(f, origin)), hn::Set(f, per_m));
-    const V within = hn::Min(hn::Max(scaled, hn::Set(f, -32767.0F)), hn::Set(f, 32766.0F));
+    const V within = hn::Min(hn::Max(scaled, hn::Set(f, -highest_number)), hn::Set(f, highest_number - 1.0F));
     const Mask is_some = hn::Le(value, hn::Set(f, std::numeric_limits<float>::max()));
-    const auto number = hn::ConvertTo(whole, hn::IfThenElse(is_some, within, hn::Set(f, 32767.0F)));
+    const auto number = hn::ConvertTo(whole, hn::IfThenElse(is_some, within, hn::Set(f, highest_number)));
     hn::Store(hn::DemoteTo(half, number), half, &rounded[k]);
   }
 }

@@ -65,10 +65,14 @@ float uneven(vec2 place) {
 // How yarns differ, -1 to 1. Lengths in m.
 float yarns(int kind, vec2 place, vec2 extent) {
   vec4 shown = fade(vec4(extent / yarn.x, extent / yarn.z));
-  vec4 warp = vec4(place.x / yarn.x, place.y / yarn.y, place.x / yarn.z, place.y / yarn.w);
-  vec4 weft = vec4(place.y / yarn.x, place.x / yarn.y, place.y / yarn.z, place.x / yarn.w);
-  return runs[kind].x * (shown.x * uneven(warp.xy) + 0.5 * shown.z * uneven(warp.zw + 0.5)) +
-         runs[kind].y * (shown.y * uneven(weft.xy + 7.5) + 0.5 * shown.w * uneven(weft.zw));
+  float sum = 0.0;
+  // A software rasteriser ends a loop early: from afar the fine ones are not seen.
+  for (int i = shown.x + shown.y > 0.0 ? 0 : 1; i < (shown.z + shown.w > 0.0 ? 2 : 0); ++i) {
+    vec2 size = i == 0 ? yarn.xy : yarn.zw;
+    vec2 share = runs[kind] * (i == 0 ? shown.xy : 0.5 * shown.zw);
+    sum += share.x * uneven(place / size + 0.5) + share.y * uneven(place.yx / size + 7.0);
+  }
+  return sum;
 }
 
 // `across`, `up`: how the material moves from pixel to pixel; `towards_key`: of the key light, along weft and warp;
@@ -90,7 +94,7 @@ Weave weave_at(vec3 material, vec3 across, vec3 up, vec2 towards_key, int kind, 
     float part = share[plane];
     share[plane] = 0.0;
     weave.brightness += part * unevenness * yarn_contrast * yarns(kind, place, wide);
-    for (int i = 0; i < (count * min(wide.x, wide.y) < 2.0 ? 1 : 0); ++i) {
+    for (int i = 0; i < (count * min(wide.x, wide.y) < (kind == 0 ? 0.5 : 2.0) ? 1 : 0); ++i) {
       vec2 height = threads(kind, count * place, count * wide);
       float lower = threads(kind, count * place + 0.25 * towards_key, count * wide).x;
       weave.brightness += part * strength * (thread_contrast * height.x + thread_relief * (height.x - lower));

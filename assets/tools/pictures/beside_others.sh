@@ -11,7 +11,8 @@ trap 'rm -rf "$folder"' EXIT
 eye=1.75,2.5,2.25 target=0,1.14,0 degrees=20
 
 "$taut" render tshirt-wind-1 --fabric "$fabric" --frames 45 --resolution 640x720 --output "$folder/taut.png" \
-  --export "$folder/shirt.obj" --set "camera.eye=[$eye]" "camera.target=[$target]" camera.field_of_view=$degrees
+  --export "$folder/shirt.obj" --set "camera.eye=[$eye]" --set "camera.target=[$target]" \
+  --set camera.field_of_view=$degrees
 set -- "$folder/taut.png"
 if command -v blender >/dev/null && command -v xvfb-run >/dev/null; then
   for look in cotton velvet; do
@@ -22,7 +23,8 @@ if command -v blender >/dev/null && command -v xvfb-run >/dev/null; then
 fi
 if command -v f3d >/dev/null; then
   f3d "$folder/shirt.obj" --output "$folder/f3d.png" --resolution 640,720 --camera-position $eye \
-    --camera-focal-point $target --camera-view-angle $degrees --up +Y --ssao --fxaa --tone-mapping --bg-color 0.9,0.9,0.9
+    --camera-focal-point $target --camera-view-angle $degrees --up +Y --ssao --fxaa --tone-mapping \
+    --bg-color 0.9,0.9,0.9
   set -- "$@" "$folder/f3d.png"
 fi
 for picture; do inputs="${inputs:-} -i $picture"; done

@@ -11,6 +11,10 @@ const vec3 sky_colour = vec3(0.965, 1.0, 1.055);
 const vec3 floor_bounce = vec3(1.13, 1.10, 1.04);
 // Light of lit cloth on what is closed to the sky, share of the key light.
 const float key_bounce = 0.22;
+// The rim lamp is for fibres, and this much brighter there.
+const float rim_fringe = 2.0;
+// Cloth that gave back all light would glow where it closes the sky.
+const float whitest = 0.95;
 // How far the fringe has the cloth's own colour: fibres are dyed through, and what stays white looks like plastic.
 const float fringe_dyed = 0.75;
 
@@ -92,24 +96,23 @@ Light gathered(vec3 normal, vec3 towards_eye, float key, float open, vec3 base, 
   float fill = towards_fill.w * wrapped(dot(normal, towards_fill.xyz), fill_wrap) * openness;
   vec3 around = upper_colour.w * (unhindered.x * sky_colour + unhindered.y * floor_bounce * lower_colour.rgb);
   // Cloth that closes the sky gives light back, again and again: a geometric series.
-  vec3 closed = (1.0 - openness) * base;
+  vec3 closed = (1.0 - openness) * min(base, whitest);
   vec3 ambient = (around * openness + closed * key_bounce * towards_key.w * key_colour) / (1.0 - closed);
-  vec3 lamps = fringes(vec3(key_cosine, dot(normal, towards_fill.xyz), dot(normal, towards_rim.xyz)),
-                       vec3(dot(towards_key.xyz, towards_eye), dot(towards_fill.xyz, towards_eye), dot(towards_rim.xyz, towards_eye)),
-                       facing, finish.sheen_roughness);
+  mat3 towards_lamps = mat3(towards_key.xyz, towards_fill.xyz, towards_rim.xyz);
+  vec3 lamps = fringes(normal * towards_lamps, towards_eye * towards_lamps, facing, finish.sheen_roughness);
   float albedo = fringe_albedo(facing, finish.sheen_roughness);
   Light light;
   float satin = dot(finish.warp, finish.warp);
   light.diffuse = (direct + through + fill + ambient) * (1.0 - finish.sheen * albedo) * (1.0 - satin_dark * satin);
-  light.fringe = finish.sheen * (key_reflected * key_light * lamps.x + openness * (towards_fill.w * lamps.y + 2.0 * towards_rim.w * lamps.z) +
-                                 albedo * ambient);
+  float beside_key = openness * (towards_fill.w * lamps.y + rim_fringe * towards_rim.w * lamps.z);
+  light.fringe = finish.sheen * (key_reflected * key_light * lamps.x + beside_key + albedo * ambient);
   light.gloss = key_light * max(key_cosine, 0.0) *
                 highlight(normal, towards_key.xyz, towards_eye, finish.roughness, finish.warp);
   // Satin shows the softer lamp too, and the sky.
   float mirrored = 2.0 * facing * normal.y - towards_eye.y;
   float grazing = (1.0 - facing) * (1.0 - facing);
-  light.gloss += satin * (fill * highlight(normal, towards_fill.xyz, towards_eye, finish.roughness, finish.warp) +
-                          upper_colour.w * openness * (0.045 + 0.3 * grazing * grazing) * smoothstep(-0.3, 0.9, mirrored) * sky_colour);
+  vec3 sky = upper_colour.w * openness * (0.045 + 0.3 * grazing * grazing) * smoothstep(-0.3, 0.9, mirrored) * sky_colour;
+  light.gloss += satin * (sky + fill * highlight(normal, towards_fill.xyz, towards_eye, finish.roughness, finish.warp));
   return light;
 }
 

@@ -116,8 +116,9 @@ vec3 shaded(int triangle, bool front, vec3 ray) {
   vec3 warp = spot.warp.x * spot.ab + spot.warp.y * spot.ac;
   warp *= inversesqrt(max(dot(warp, warp), 1e-30));
   vec3 weft = spot.weft_turn * cross(warp, spot.normal);
-  Weave weave = weave_at(spot.material, spot.material_across, spot.material_up,
-                         vec2(dot(weft, towards_key.xyz), dot(warp, towards_key.xyz)), int(thread.x), rest.y, thread.y, thread.z);
+  vec2 key_in_cloth = vec2(dot(weft, towards_key.xyz), dot(warp, towards_key.xyz));
+  Weave weave = weave_at(spot.material, spot.material_across, spot.material_up, key_in_cloth, int(thread.x), rest.y,
+                         thread.y, thread.z);
   float turned = weave.other_side;
   vec3 base = mix(outside.rgb, inside.rgb, front ? turned : mix(1.0 - turned, turned, sewing.doubled));
 #ifdef BASE_COLOUR_MAPS
@@ -148,7 +149,7 @@ vec3 shaded(int triangle, bool front, vec3 ray) {
 #ifdef SCALARS
   // Colours that carry numbers: enough shading to see the form, little enough to look up the number.
   // A dark colour cannot show form by getting darker, so a little light from the edges is added.
-  vec3 shown = scalar_colour(spot.material.x, rest.z) * mix(1.0, light.diffuse.g / 1.15, 0.5) + vec3(0.1 * light.fringe.g);
+  vec3 shown = scalar_colour(spot.material.x, rest.z) * mix(1.0, light.diffuse.g / 1.15, 0.5) + 0.1 * light.fringe.g;
   return rest.z < 0.0 ? filmed(cloth) : tone_mapped(shown);
 #else
   return filmed(cloth);

@@ -13,7 +13,7 @@ const vec3 lines[4] = vec3[4](vec3(0.0), vec3(0.0), vec3(0.25, -0.25, 0.75), vec
 const vec2 rows[4] = vec2[4](vec2(1.3, 0.8), vec2(1.0, 0.0), vec2(1.0, 0.0), vec2(1.0, 0.0));
 // How much of the other side's colour comes and goes with the lines.
 const float dyed[4] = float[4](0.0, 0.0, 0.16, 0.0);
-// Yarn: width and length over which it stays the same, m, fine and coarse, and shares of it that run along warp and weft.
+// Yarn: width and length over which it stays the same, m, fine and coarse; shares of it along warp and weft.
 const vec4 yarn = vec4(0.0012, 0.014, 0.005, 0.045);
 const vec2 runs[4] = vec2[4](vec2(0.15, 0.85), vec2(0.5, 0.5), vec2(0.8, 0.2), vec2(0.7, 0.3));
 const float yarn_contrast = 0.3;
@@ -40,11 +40,10 @@ vec2 threads(int kind, vec2 place, vec2 extent) {
   place.y = rows[kind].x * place.y + rows[kind].y * leg;
   extent.y = rows[kind].x * extent.y + 2.0 * rows[kind].y * extent.x;
   vec3 line = lines[kind];
-  vec4 phase = vec4(place, dot(line.xy, place), place.x + 0.5 * place.y);
-  vec4 shown = fade(vec4(extent, dot(abs(line.xy), extent), extent.x + 0.5 * extent.y)) * wave(phase);
-  vec4 over = wave(vec4(0.5 * place, 0.0, 0.0));
+  vec4 shown = fade(vec4(extent, dot(abs(line.xy), extent), 1.0)) * wave(vec4(place, dot(line.xy, place), 0.0));
+  vec4 over = fade(vec4(0.5 * extent, 1.0, 1.0)) * wave(vec4(0.5 * place, 0.0, 0.0));
   float along = line.z * shown.z;
-  return vec2(dot(parts[kind], vec3(shown.xy, fade(0.5 * extent.xyxy).x * fade(0.5 * extent.yxyx).x * over.x * over.y)) + along, along);
+  return vec2(dot(parts[kind], vec3(shown.xy, over.x * over.y)) + along, along);
 }
 
 // -1 to 1, without a pattern.
@@ -77,7 +76,8 @@ float yarns(int kind, vec2 place, vec2 extent) {
 
 // `across`, `up`: how the material moves from pixel to pixel; `towards_key`: of the key light, along weft and warp;
 // `count`: threads in a metre.
-Weave weave_at(vec3 material, vec3 across, vec3 up, vec2 towards_key, int kind, float strength, float count, float unevenness) {
+Weave weave_at(vec3 material, vec3 across, vec3 up, vec2 towards_key, int kind, float strength, float count,
+               float unevenness) {
   // Three planes, each where the material faces it: a garment's rest shape does not tell how its cloth was cut.
   vec3 facing = abs(cross(across, up));
   vec3 share = max(facing - 0.4 * max(facing.x, max(facing.y, facing.z)), 0.0);

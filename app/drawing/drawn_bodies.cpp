@@ -53,6 +53,7 @@ struct RoundMaker {
 // The hook that a hanger hangs by, in m: its wire, its neck and its bend, of which this share of a circle is there.
 constexpr float wire_m = 0.0022F, neck_m = 0.03F, bend_m = 0.02F, bent = 0.7F;
 constexpr int bends = 16;
+constexpr double thinner_bar = 0.75;
 
 void add_hook(const sim::Capsule& bar, std::vector<renderer::TriangleMesh>& meshes) {
   const glm::vec3 foot(bar.start_m);
@@ -124,14 +125,13 @@ void DrawnBodies::place(double time_s, std::span<const float> rooms_m) {
   for (std::size_t b = 0; b < bodies_.size() && !stays; ++b) {
     round_[b].clear();
     sim::Shape shape = sim::shape_at(bodies_[b], time_s);
-    if (bodies_[b].name.starts_with("hanger")) {
+    if (auto* bar = std::get_if<sim::Capsule>(&shape); bar != nullptr && bodies_[b].name.starts_with("hanger, ")) {
       // Thinner, or the drawn surface, which cuts corners, would show it.
-      for (double* radius_m :
-           {&std::get<sim::Capsule>(shape).start_radius_m, &std::get<sim::Capsule>(shape).end_radius_m})
-        *radius_m *= 0.75;
+      bar->start_radius_m *= thinner_bar;
+      bar->end_radius_m *= thinner_bar;
+      if (bodies_[b].name == hanger_left) add_hook(*bar, round_[b]);
     }
     std::visit(RoundMaker{round_[b]}, shape);
-    if (bodies_[b].name == hanger_left) add_hook(std::get<sim::Capsule>(shape), round_[b]);
   }
   placed_s_ = time_s;
 }

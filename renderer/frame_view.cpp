@@ -5,7 +5,7 @@ namespace {
 
 // Where the lamps stand, relative to the camera: x right, y up, z from the scene towards the camera. Higher
 // makes shadows shorter, farther to the side shows more of the folds.
-constexpr glm::vec3 key_lamp{-0.60F, 1.15F, 0.60F};
+constexpr glm::vec3 key_lamp{-0.80F, 1.10F, 0.45F};
 constexpr glm::vec3 fill_lamp{0.95F, 0.30F, 0.55F};
 constexpr glm::vec3 rim_lamp{0.45F, 0.60F, -1.0F};
 

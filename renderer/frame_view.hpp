@@ -16,18 +16,25 @@ inline constexpr std::array all_weave_kinds = {WeaveKind::knit, WeaveKind::plain
 /// The name used in files.
 const char* name_of(WeaveKind kind);
 
+/// How far fibres that stand off have the cloth's own colour, and not white; shaders/cloth_light.glsl has it too.
+inline constexpr float fringe_dyed = 0.75F;
+
 /// The material of a surface.
 struct SurfaceStyle {
   Colour outside_colour = rgb(0x3F6FA8);  ///< of the side from which triangles are counter-clockwise
   /// The colour of the other side. None: the reverse of the outside's (reverse_of).
   std::optional<Colour> inside_colour;
-  float roughness = 0.75F;     ///< of the highlight; 0.05 glossy to 1 matt, clamped
-  float sheen = 0.4F;          ///< 0 to 1; brightness of the fringe at grazing angles, as cotton has
-  float translucency = 0.12F;  ///< 0 to 1; share of the key light that passes through
-  float weave = 1.0F;          ///< contrast of the weave, 0 for none; needs material coordinates
+  float roughness = 0.75F;        ///< of the highlight; 0.05 glossy to 1 matt, clamped
+  float sheen = 0.35F;            ///< 0 to 1; how much of the light fibres that stand off reflect
+  float sheen_roughness = 0.65F;  ///< of these, clamped to 0.4 to 1: low for a narrow fringe, high for a veil
+  float translucency = 0.12F;     ///< 0 to 1; share of the key light that passes through
+  float weave = 1.0F;             ///< contrast of the weave, 0 for none; needs material coordinates
   /// Of twill, threads of the other side's colour show between those of a side.
   WeaveKind weave_kind = WeaveKind::knit;
-  float threads_per_m = 620.0F;  ///< or stitches of a knit; fine jersey
+  float threads_per_m = 1100.0F;  ///< or columns of stitches of a knit; jersey
+  float unevenness = 0.14F;       ///< 0 to 1; how much yarns differ in brightness, and along their length
+  /// Of the threads of hems and seams. None: a lighter shade of the cloth.
+  std::optional<Colour> stitch_colour;
 };
 
 /// An image of base colours that is laid on a surface, over its colour where it is transparent. Copies share
@@ -153,9 +160,9 @@ struct Lighting {
   glm::vec3 towards_fill{0.90F, 0.25F, 0.60F};
   glm::vec3 towards_rim{0.35F, 0.60F, -1.0F};
   float key = 1.0F;       ///< strength; the only light that casts shadows
-  float fill = 0.22F;     ///< strength
+  float fill = 0.18F;     ///< strength
   float rim = 0.30F;      ///< strength
-  float ambient = 0.42F;  ///< strength of the light from all around: strong from above, weak from below
+  float ambient = 0.34F;  ///< strength of the light from all around: strong from above, weak from below
   float penumbra = 1.0F;  ///< softness of the shadow's edge, relative to a large softbox; 0: hard
 };
 

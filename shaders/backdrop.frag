@@ -20,7 +20,12 @@ float dither() {
 void main() {
   vec3 seen = in_light;
 #ifdef SHADED
-  float lit = textureLod(floor_shadow, gl_FragCoord.xy * shaded_part.xy + shaded_part.zw, 0.0).r;
+  // Neighbours that look in other directions: their mean has less of the noise.
+  vec2 place = gl_FragCoord.xy * shaded_part.xy + shaded_part.zw;
+  vec2 near = 0.75 / vec2(textureSize(floor_shadow, 0));
+  float lit = 0.25 * (textureLod(floor_shadow, place + near, 0.0).r + textureLod(floor_shadow, place - near, 0.0).r +
+                      textureLod(floor_shadow, place + vec2(near.x, -near.y), 0.0).r +
+                      textureLod(floor_shadow, place + vec2(-near.x, near.y), 0.0).r);
   // Light adds up in linear light, for which squares do.
   seen = sqrt(mix(in_shadow * in_shadow, seen * seen, lit));
 #endif

@@ -4,6 +4,8 @@
 #include "floor.glsl"
 // Backdrop and floor, in the key light and in its shadow, at the corners of a grid over the tile. Nothing there changes
 // from pixel to pixel, and a software rasteriser blends colours faster than it looks them up. One instance a row.
+// Towards the lower edge and the sides of the picture shadows fade, so that nothing is cut; share of its height.
+const float shadow_fade = 0.14;
 uniform vec4 grid;  // xy: columns and rows, z: 1 with a floor
 noperspective out vec3 in_light;   // encoded
 noperspective out vec3 in_shadow;  // encoded
@@ -15,6 +17,9 @@ void main() {
   bool floor_seen = grid.z > 0.5 && direction.y < 0.0;
   vec3 behind = backdrop_colour(direction);
   in_light = linear_to_srgb(floor_seen ? floor_colour(spot, direction, 1.0) : behind);
-  in_shadow = linear_to_srgb(floor_seen ? floor_colour(spot, direction, 0.0) : behind);
+  vec2 in_picture = corner * viewport.xy + vec2(ray_corner.w, ray_up.w);
+  float from_edge = min(in_picture.y, min(in_picture.x, ray_across.w - in_picture.x)) / viewport.w;
+  float faded = 1.0 - smoothstep(0.0, shadow_fade, from_edge);
+  in_shadow = linear_to_srgb(floor_seen ? floor_colour(spot, direction, faded) : behind);
   gl_Position = vec4(corner * 2.0 - 1.0, 0.0, 1.0);
 }

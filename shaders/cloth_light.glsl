@@ -1,22 +1,25 @@
 // The studio's light as cloth reflects it.
 
 // Share of the key light that cloth reflects.
-const float key_reflected = 0.80;
+const float key_reflected = 1.0;
 // How far light reaches around the edge of a form, cosine: larger lamps reach farther.
 const float key_wrap = 0.15;
 const float fill_wrap = 0.3;
-// Ambient light of a side that sees nothing of the sky, shares of that of one that sees all: by what it sees, and by
-// what is closed of what it could see. Closed folds lose more than their share, so that they read beside lit ones.
-const float closed_ambient = 0.25;
-const float closed_fold = 0.7;
-// The fringe's share of the light from all around, and of the key light.
-const float fringe_strength = 0.85;
-const float fringe_key = 0.6;
+// Lamps are a little warm, the sky a little cold, and the floor gives back what is warm.
+const vec3 key_colour = vec3(1.02, 1.0, 0.97);
+const vec3 sky_colour = vec3(0.965, 1.0, 1.055);
+const vec3 floor_bounce = vec3(1.13, 1.10, 1.04);
+// Light of lit cloth on what is closed to the sky, share of the key light.
+const float key_bounce = 0.22;
+// The rim lamp is for fibres, and this much brighter there.
+const float rim_fringe = 2.0;
+// Cloth that gave back all light would glow where it closes the sky.
+const float whitest = 0.95;
 // How far the fringe has the cloth's own colour: fibres are dyed through, and what stays white looks like plastic.
-const float fringe_dyed = 0.85;
+const float fringe_dyed = 0.75;
 
-// Light from all around with nothing in the way, as SkyLight has it.
-float open_sky(vec3 normal) { return 0.75 + 0.25 * normal.y; }
+// Light from all around with nothing in the way, as SkyLight has it: x: of the sky, y: of the floor.
+vec2 open_light(float upwards) { return vec2(0.5 + 0.5 * upwards, 0.25 - 0.25 * upwards); }
 
 // A lamp with some extent: light reaches a little around the edge of a form.
 float wrapped(float cosine, float wrap) {
@@ -27,8 +30,10 @@ float wrapped(float cosine, float wrap) {
 // How a satin's floats shine, which lie side by side along its warp: round across it, so that light is spread by this
 // factor there, and with some of their own colour, as light goes in and out of fibres that are clear.
 const float spread_across = 3.5;
-const float satin_gloss = 3.0;
-const float satin_dyed = 0.6;
+const float satin_gloss = 4.2;
+const float satin_dyed = 0.5;
+// Share of light that floats mirror does not reach what is below.
+const float satin_dark = 0.22;
 
 // GGX (Walter et al. 2007), anisotropic as by Burley (2012), with the visibility approximated after Kelemen and
 // Szirmay-Kalos (2001). `warp`: of length 1 across the normal, or 0 where threads do not matter.
@@ -43,39 +48,77 @@ float highlight(vec3 normal, vec3 towards_light, vec3 towards_eye, float roughne
   return 0.04 / (4.0 * along * across * d * d * lh * lh);
 }
 
+// Share of even light that fibres which stand off reflect towards the eye: the integral over all directions of what
+// fringes() has, to 0.04 for a roughness from 0.4 to 1.
+float fringe_albedo(float facing, float roughness) {
+  vec3 powers = vec3(1.0, roughness, roughness * roughness);
+  vec4 c = vec4(dot(powers, vec3(-0.1328, 0.3579, -0.0861)), dot(powers, vec3(0.4436, 0.1929, -0.2730)),
+                dot(powers, vec3(-2.0675, 3.7912, -2.1580)), dot(powers, vec3(3.4039, -6.4489, 3.5817)));
+  float x = 1.0 - facing;
+  return max(c.x + x * (c.y + x * (c.z + x * c.w)), 0.0);
+}
+
+// What they reflect of each lamp, for a Lambertian's 1: the distribution of Estevez and Kulla (2017), the visibility
+// of Neubelt and Pettineo (2013). glTF's KHR_materials_sheen means the same.
+vec3 fringes(vec3 cosines, vec3 to_eye, float facing, float roughness) {
+  float a = roughness * roughness;
+  vec3 lit = max(cosines, 0.0);
+  vec3 halfway = (cosines + facing) * (cosines + facing) / max(2.0 + 2.0 * to_eye, 1e-3);
+  vec3 d = (1.0 + 0.5 / a) * pow(max(1.0 - halfway, 1e-4), vec3(0.5 / a));
+  return lit * d / (4.0 * (lit + facing - lit * facing) + 1e-3);
+}
+
 struct Finish {
   float roughness;
   float sheen;
+  float sheen_roughness;
   float translucency;
   vec3 warp;  // see highlight()
 };
 
 struct Light {
-  float diffuse;   // times the surface's own colour
-  float fringe;    // of cloth fibres and rim, nearly white
-  float gloss;
+  vec3 diffuse;  // times the surface's own colour
+  vec3 fringe;   // of fibres that stand off
+  vec3 gloss;
 };
 
-// `key`: how much of the key light arrives; `open`: how much of the sky.
-Light gathered(vec3 normal, vec3 towards_eye, float key, float open, Finish finish) {
+// `key`: how much of the key light arrives; `open`: how much of the sky; `base`: of the cloth around, which gives back
+// what the sky does not.
+Light gathered(vec3 normal, vec3 towards_eye, float key, float open, vec3 base, Finish finish) {
   float key_cosine = dot(normal, towards_key.xyz);
-  float key_light = towards_key.w * key;
+  vec3 key_light = towards_key.w * key * key_colour;
   float facing = max(dot(normal, towards_eye), 0.0);
-  float grazing = (1.0 - facing) * (1.0 - facing) * (1.0 - facing);
-  float direct = key_reflected * key_light * wrapped(key_cosine, key_wrap);
-  float through = key_reflected * key_light * finish.translucency * max(-key_cosine, 0.0);
+  vec2 unhindered = open_light(normal.y);
+  float openness = clamp(open / max(unhindered.x + unhindered.y, 0.05), 0.0, 1.0);
+  vec3 direct = key_reflected * key_light * wrapped(key_cosine, key_wrap);
+  vec3 through = key_reflected * key_light * finish.translucency * max(-key_cosine, 0.0);
   // The fill has no shadow map; what is closed to the sky is closed to it too.
-  float openness = clamp(open / max(open_sky(normal), 0.05), 0.0, 1.0);
   float fill = towards_fill.w * wrapped(dot(normal, towards_fill.xyz), fill_wrap) * openness;
-  float around = upper_colour.w * mix(closed_ambient, 1.0, open) * mix(closed_fold, 1.0, openness);
-  float rim = towards_rim.w * grazing * max(dot(normal, towards_rim.xyz), 0.0) * openness;
+  vec3 around = upper_colour.w * (unhindered.x * sky_colour + unhindered.y * floor_bounce * lower_colour.rgb);
+  // Cloth that closes the sky gives light back, again and again: a geometric series.
+  vec3 closed = (1.0 - openness) * min(base, whitest);
+  vec3 ambient = (around * openness + closed * key_bounce * towards_key.w * key_colour) / (1.0 - closed);
+  mat3 towards_lamps = mat3(towards_key.xyz, towards_fill.xyz, towards_rim.xyz);
+  vec3 lamps = fringes(normal * towards_lamps, towards_eye * towards_lamps, facing, finish.sheen_roughness);
+  float albedo = fringe_albedo(facing, finish.sheen_roughness);
   Light light;
-  light.diffuse = direct + through + fill + around;
-  light.fringe = rim + finish.sheen * grazing * fringe_strength * (around + fringe_key * direct + fill);
+  float satin = dot(finish.warp, finish.warp);
+  light.diffuse = (direct + through + fill + ambient) * (1.0 - finish.sheen * albedo) * (1.0 - satin_dark * satin);
+  float beside_key = openness * (towards_fill.w * lamps.y + rim_fringe * towards_rim.w * lamps.z);
+  light.fringe = finish.sheen * (key_reflected * key_light * lamps.x + beside_key + albedo * ambient);
   light.gloss = key_light * max(key_cosine, 0.0) *
                 highlight(normal, towards_key.xyz, towards_eye, finish.roughness, finish.warp);
-  // Satin shows the softer lamp too.
-  light.gloss += dot(finish.warp, finish.warp) * fill *
-                 highlight(normal, towards_fill.xyz, towards_eye, finish.roughness, finish.warp);
+  // Satin shows the softer lamp too, and the sky.
+  float mirrored = 2.0 * facing * normal.y - towards_eye.y;
+  float grazing = (1.0 - facing) * (1.0 - facing);
+  vec3 sky = upper_colour.w * openness * (0.045 + 0.3 * grazing * grazing) * smoothstep(-0.3, 0.9, mirrored) * sky_colour;
+  light.gloss += satin * (sky + fill * highlight(normal, towards_fill.xyz, towards_eye, finish.roughness, finish.warp));
   return light;
+}
+
+// Film: highlights lose some of their colour before they are white. Exact below the knee.
+vec3 filmed(vec3 linear) {
+  vec3 over = max(linear - knee, 0.0) / (1.0 - knee);
+  vec3 each = min(linear, knee) + (1.0 - knee) * over / (1.0 + over);
+  return mix(tone_mapped(linear), each, 0.4);
 }

@@ -9,7 +9,8 @@ layout(std140) uniform Frame {
   vec4 upper_colour;        // rgb; w: ambient strength
   vec4 lower_colour;        // rgb; w: 1 for a plain backdrop
   vec4 ground;              // x, z: middle of the lit floor, m; y: height, m; w: its radius, m
-  vec4 viewport;            // xy: size of this tile in drawn pixels; z: drawn pixels for one of the picture
+  vec4 viewport;            // xy: size of this tile in drawn pixels; z: drawn pixels for one of the picture; w: its
+                            // height, in drawn pixels
   vec4 shadow;              // x: side of a texel, m; y: 1 / texels; z: depth range, m; w: tangent of the light's
                             // angular radius, 0 for no shadows
   vec4 shadow_blur;         // x: radius of the widest blur of a shadow, texels of the map; taps that blur it, y: on
@@ -18,9 +19,10 @@ layout(std140) uniform Frame {
   vec4 ground_light_area;   // xy: lower x and z, m; zw: 1 / extent, 1/m
   vec4 backdrop_horizon;    // x: sine of the elevation where the backdrop starts to change; y: where it ends;
                             // z: 1 where nothing but shadows is drawn of backdrop and floor
-  vec4 ray_corner;          // xyz: direction from the eye to the tile's lower left corner
-  vec4 ray_across;          // xyz: what is added to it for a drawn pixel to the right
-  vec4 ray_up;              // xyz: for a drawn pixel upwards
+  vec4 ray_corner;          // xyz: direction from the eye to the tile's lower left corner; w: how far that is from the
+                            // left of the picture, drawn pixels
+  vec4 ray_across;          // xyz: what is added to it for a drawn pixel to the right; w: width of the picture
+  vec4 ray_up;              // xyz: for a drawn pixel upwards; w: as of ray_corner, from below
 };
 
 // Direction from the eye through a place of the tile in drawn pixels; not of unit length.

@@ -34,6 +34,7 @@ struct Spot {
   vec3 ab;   // sides of the triangle
   vec3 ac;
   vec2 warp;  // along ab and ac: where the material's second coordinate grows
+  float weft_turn;  // 1 where the first one, or the third, grows to the right of that, seen from outside; or -1
   mat3x2 place;  // on the triangle, and what is added to the right and upwards
 };
 
@@ -83,6 +84,9 @@ Spot spot_on(uvec3 corners, vec3 ray) {
   spot.sky = vec2(n.w, m.w);
   float bb = dot(mb.xyz, mb.xyz), bc = dot(mb.xyz, mc.xyz), cc = dot(mc.xyz, mc.xyz);
   spot.warp = vec2(cc * mb.y - bc * mc.y, bb * mc.y - bc * mb.y);
+  // The weft's direction in the plane that the material faces most.
+  vec3 turn = cross(mb.xyz, mc.xyz);
+  spot.weft_turn = sign(abs(turn.z) > abs(turn.x) ? turn.z : -turn.x);
   return spot;
 }
 
@@ -96,12 +100,12 @@ vec3 scalar_colour(float scalar, float row) {
 vec3 shaded(int triangle, bool front, vec3 ray) {
   uvec4 corners = texelFetch(triangle_data, triangle);
   Spot spot = spot_on(corners.xyz, ray);
-  int material = 4 * surface_of(corners.w);
+  int material = 5 * surface_of(corners.w);
   uint key = corners.w & 3u;
   vec4 outside = texelFetch(material_data, material);
   vec4 inside = texelFetch(material_data, material + 1);
   vec4 rest = texelFetch(material_data, material + 2);
-  Sewing sewing = Sewing(vec3(0.0), 1.0, 0.0);
+  Sewing sewing = Sewing(vec3(0.0), 1.0, 0.0, 0.0);
   // A loop, as in weave.glsl.
   for (int i = 0; i < (trim_of(corners.w) > 0 ? 1 : 0); ++i) {
     sewing = sewn(trim_of(corners.w), front, spot.ab, spot.ac, spot.place[0], spot.place[1], spot.place[2]);
@@ -109,7 +113,12 @@ vec3 shaded(int triangle, bool front, vec3 ray) {
   vec3 towards_eye = normalize(eye.xyz - spot.world);
   // A hem is folded to the inside: what is seen of it there is the cloth's outside.
   vec4 thread = texelFetch(material_data, material + 3);
-  Weave weave = weave_at(spot.material, spot.material_across, spot.material_up, rest.y, int(thread.x), thread.y);
+  vec3 warp = spot.warp.x * spot.ab + spot.warp.y * spot.ac;
+  warp *= inversesqrt(max(dot(warp, warp), 1e-30));
+  vec3 weft = spot.weft_turn * cross(warp, spot.normal);
+  vec2 key_in_cloth = vec2(dot(weft, towards_key.xyz), dot(warp, towards_key.xyz));
+  Weave weave = weave_at(spot.material, spot.material_across, spot.material_up, key_in_cloth, int(thread.x), rest.y,
+                         thread.y, thread.z);
   float turned = weave.other_side;
   vec3 base = mix(outside.rgb, inside.rgb, front ? turned : mix(1.0 - turned, turned, sewing.doubled));
 #ifdef BASE_COLOUR_MAPS
@@ -119,7 +128,8 @@ vec3 shaded(int triangle, bool front, vec3 ray) {
     base = base * (1.0 - laid_on.a) + laid_on.rgb;
   }
 #endif
-  base *= sewing.brightness;
+  vec4 stitch = texelFetch(material_data, material + 4);
+  base = mix(base * sewing.brightness, stitch.rgb, sewing.thread * stitch.w);
   vec3 normal = normalize((front ? spot.normal : -spot.normal) - sewing.slope);
   // Near a silhouette an interpolated normal can turn away from the eye; it is brought back to grazing.
   normal = normalize(normal - towards_eye * min(dot(normal, towards_eye), 0.0));
@@ -130,22 +140,19 @@ vec3 shaded(int triangle, bool front, vec3 ray) {
   lit = key == 2u ? found : lit;
 #endif
   float satin = float(int(thread.x) == satin_kind && dot(spot.warp, spot.warp) > 0.0);
-  vec3 warp = spot.warp.x * spot.ab + spot.warp.y * spot.ac;
   warp -= dot(warp, normal) * normal;
   warp *= satin * inversesqrt(max(dot(warp, warp), 1e-30));
-  Light light = gathered(normal, towards_eye, lit, front ? spot.sky.x : spot.sky.y,
-                         Finish(outside.w, inside.w, rest.x, warp));
-  vec3 cloth =
-      base * light.diffuse * weave.brightness +
-      mix(vec3(1.0), base, fringe_dyed) * light.fringe +
-      light.gloss * mix(vec3(1.0), satin_gloss * mix(vec3(1.0), base, satin_dyed), satin);
+  Light light = gathered(normal, towards_eye, lit, front ? spot.sky.x : spot.sky.y, rest.z < 0.0 ? base : vec3(0.0),
+                         Finish(outside.w, inside.w, thread.w, rest.x, warp));
+  vec3 cloth = (base * light.diffuse + mix(vec3(1.0), base, fringe_dyed) * light.fringe) * weave.brightness +
+               light.gloss * mix(vec3(1.0), satin_gloss * mix(vec3(1.0), base, satin_dyed), satin);
 #ifdef SCALARS
   // Colours that carry numbers: enough shading to see the form, little enough to look up the number.
   // A dark colour cannot show form by getting darker, so a little light from the edges is added.
-  vec3 shown = scalar_colour(spot.material.x, rest.z) * mix(1.0, light.diffuse / 1.15, 0.5) + vec3(0.1 * light.fringe);
-  return tone_mapped(rest.z < 0.0 ? cloth : shown);
+  vec3 shown = scalar_colour(spot.material.x, rest.z) * mix(1.0, light.diffuse.g / 1.15, 0.5) + 0.1 * light.fringe.g;
+  return rest.z < 0.0 ? filmed(cloth) : tone_mapped(shown);
 #else
-  return tone_mapped(cloth);
+  return filmed(cloth);
 #endif
 }
 

@@ -27,6 +27,7 @@ struct Sewing {
   vec3 slope;
   float brightness;
   float doubled;  // share that is double
+  float thread;   // share that is sewing thread
 };
 
 // Share of a pixel's extent around `place` that a line covers.
@@ -35,8 +36,8 @@ float covered(float place, float middle, float width, float pixel) {
   return clamp((upper - max(place - 0.5 * pixel, middle - 0.5 * width)) / pixel, 0.0, 1.0);
 }
 
-// x: slope across a row of stitches, y: its brightness. Lengths in stitches.
-vec2 row_of_stitches(float place, float middle, float along, float pixel, float pixel_along) {
+// x: slope across a row of stitches, y: its brightness, z: share of its thread. Lengths in stitches.
+vec3 row_of_stitches(float place, float middle, float along, float pixel, float pixel_along) {
   float dip = 1.8 * thread_width;
   float down = covered(place, middle - 0.5 * dip, dip, pixel);
   float up = covered(place, middle + 0.5 * dip, dip, pixel);
@@ -44,7 +45,7 @@ vec2 row_of_stitches(float place, float middle, float along, float pixel, float 
   float shown = mix(thread_length, dash, clamp(2.0 - 4.0 * pixel_along, 0.0, 1.0));
   float thread = covered(place, middle, thread_width, pixel) * shown;
   float brightness = 1.0 - lost_light * 0.5 * (down + up) * (1.0 - thread) + thread_light * thread;
-  return vec2(row_slope * (up - down), brightness);
+  return vec3(row_slope * (up - down), brightness, thread);
 }
 
 // Slope and brightness of a rib's cross-section, and how much of it shows.
@@ -72,7 +73,7 @@ Sewing sewn(int trim, bool front, vec3 ab, vec3 ac, vec2 place, vec2 across, vec
   vec3 along_border = normalize(b.y * towards_b + c.y * towards_c + 1e-12);
   vec3 from_seam = normalize(b.z * towards_b + c.z * towards_c + 1e-12);
   float stitch = band.w;
-  Sewing sewing = Sewing(vec3(0.0), 1.0, 0.0);
+  Sewing sewing = Sewing(vec3(0.0), 1.0, 0.0, 0.0);
 
   // The hem or the band: a step down to the single cloth.
   float width = band.x;
@@ -85,10 +86,11 @@ Sewing sewn(int trim, bool front, vec3 ab, vec3 ac, vec2 place, vec2 across, vec
   sewing.doubled = hem * covered(at.x, 0.0, 2.0 * width, pixel.x);
   vec2 rows = width * mix(hem_rows, vec2(band_row), ribbed);
   for (int i = 0; i < 2; ++i) {
-    vec2 row = row_of_stitches(at.x / stitch, rows[i] / stitch, at.y, pixel.x / stitch, pixel.y);
+    vec3 row = row_of_stitches(at.x / stitch, rows[i] / stitch, at.y, pixel.x / stitch, pixel.y);
     float shown = hem * (i == 0 ? 1.0 : 1.0 - ribbed);
     sewing.slope += shown * row.x * from_border;
     sewing.brightness *= mix(1.0, row.y, shown);
+    sewing.thread += shown * row.z;
   }
   vec2 ribs = ribbed * sewing.doubled * rib(at.y, pixel.y);
   sewing.slope += ribs.x * along_border;
@@ -100,8 +102,9 @@ Sewing sewn(int trim, bool front, vec3 ab, vec3 ac, vec2 place, vec2 across, vec
   float in_groove = covered(beside, 0.5 * groove, groove, beside_pixel);
   sewing.slope += sign(at.z) * groove_slope * in_groove * clamp(1.0 - beside_pixel, 0.0, 1.0) * from_seam;
   sewing.brightness *= 1.0 - lost_light * covered(beside, 0.0, groove, beside_pixel);
-  vec2 row = row_of_stitches(at.z / stitch, seam_row, at.w, beside_pixel, pixel.w);
+  vec3 row = row_of_stitches(at.z / stitch, seam_row, at.w, beside_pixel, pixel.w);
   sewing.slope += row.x * from_seam;
   sewing.brightness *= row.y;
+  sewing.thread = min(sewing.thread + row.z, 1.0);
   return sewing;
 }

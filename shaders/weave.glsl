@@ -1,19 +1,22 @@
 // How the threads of cloth change its brightness around 1, and mix in the colour of its other side. They are tied to
 // the cloth's own material, and each part of them fades before a period gets shorter than two drawn pixels: there is
 // nothing left to alias, and the mean stays as it was.
-const float thread_contrast = 0.11;
-const float slub_contrast = 0.018;  // of uneven yarn, over a centimetre: what remains at figure scale
+const float thread_contrast = 0.15;
+const float thread_relief = 0.2;
 // In the order of WeaveKind: knit, plain, twill, satin.
 const int satin_kind = 3;
-// Shares of what one sees of a period: columns, rows, rows of stitches between columns, squares over and under.
-const vec4 parts[4] = vec4[4](vec4(0.6, 0.0, 0.4, 0.0), vec4(0.3, 0.3, 0.0, 0.4), vec4(0.25, 0.0, 0.0, 0.0),
-                              vec4(0.5, 0.0, 0.0, 0.0));
+// Shares of what one sees of a period: threads of the warp, of the weft, and where they cross over and under.
+const vec3 parts[4] = vec3[4](vec3(0.5, 0.5, 0.0), vec3(0.3, 0.3, 0.4), vec3(0.25, 0.1, 0.0), vec3(0.5, 0.0, 0.0));
 // Lines across both: threads of the warp and the weft in a period of them, and their share.
 const vec3 lines[4] = vec3[4](vec3(0.0), vec3(0.0), vec3(0.25, -0.25, 0.75), vec3(0.4, 0.2, 0.5));
-// How far yarn keeps its thickness along the warp, as a share of across it, and how much it differs.
-const vec2 slub[4] = vec2[4](vec2(1.0), vec2(0.35, 0.8), vec2(0.1, 2.6), vec2(0.2, 0.7));
+// A knit's rows: how many for a column, and how far the two legs of a stitch lean.
+const vec2 rows[4] = vec2[4](vec2(1.3, 0.8), vec2(1.0, 0.0), vec2(1.0, 0.0), vec2(1.0, 0.0));
 // How much of the other side's colour comes and goes with the lines.
-const float dyed[4] = float[4](0.0, 0.0, 0.12, 0.0);
+const float dyed[4] = float[4](0.0, 0.0, 0.16, 0.0);
+// Yarn: width and length over which it stays the same, m, fine and coarse; shares of it along warp and weft.
+const vec4 yarn = vec4(0.0012, 0.014, 0.005, 0.045);
+const vec2 runs[4] = vec2[4](vec2(0.15, 0.85), vec2(0.5, 0.5), vec2(0.8, 0.2), vec2(0.7, 0.3));
+const float yarn_contrast = 0.3;
 
 struct Weave {
   float brightness;
@@ -30,40 +33,73 @@ vec4 wave(vec4 phase) {
 vec4 fade(vec4 phase_per_pixel) { return clamp(2.0 - 4.0 * phase_per_pixel, 0.0, 1.0); }
 
 // One plane's threads. `place`: in threads, x across the warp, y along it; `extent`: how many of them a pixel covers.
-// x: brightness, y: lines; both -1 to 1.
+// x: height, y: lines; both -1 to 1.
 vec2 threads(int kind, vec2 place, vec2 extent) {
-  vec4 single = fade(extent.xyxy) * wave(vec4(place, place.x + 0.5, 0.0));
+  // Legs of stitches are half as wide as a column.
+  float leg = abs(2.0 * fract(place.x) - 1.0);
+  place.y = rows[kind].x * place.y + rows[kind].y * leg;
+  extent.y = rows[kind].x * extent.y + 2.0 * rows[kind].y * extent.x;
   vec3 line = lines[kind];
-  vec4 wide = fade(vec4(0.5 * extent, dot(abs(line.xy), extent), 1.0)) * wave(vec4(0.5 * place, dot(line.xy, place), 0.0));
-  float along = line.z * wide.z;
-  return vec2(dot(parts[kind], vec4(single.x, single.y, single.z * single.y, wide.x * wide.y)) + along, along);
+  vec4 shown = fade(vec4(extent, dot(abs(line.xy), extent), 1.0)) * wave(vec4(place, dot(line.xy, place), 0.0));
+  vec4 over = fade(vec4(0.5 * extent, 1.0, 1.0)) * wave(vec4(0.5 * place, 0.0, 0.0));
+  float along = line.z * shown.z;
+  return vec2(dot(parts[kind], vec3(shown.xy, over.x * over.y)) + along, along);
 }
 
-// `across`, `up`: how the material moves from pixel to pixel.
-Weave weave_at(vec3 material, vec3 across, vec3 up, float strength, int kind, float threads_per_m) {
-  vec3 extent = abs(across) + abs(up);
-  // Three planes, each where the material faces it: a garment's rest shape does not tell how its cloth was cut.
-  vec3 facing = cross(across, up);
-  vec3 share = facing * facing / max(dot(facing, facing), 1e-30);
-  vec3 counted = threads_per_m * extent;
-  vec2 seen = vec2(0.0);
-  // A loop, because a software rasteriser ends one early and skips no branch.
-  bool threads_show = min(counted.x, min(counted.y, counted.z)) < (kind == 0 ? 0.5 : 2.0);
-  for (int i = 0; i < (threads_show ? 1 : 0); ++i) {
-    vec3 place = threads_per_m * material;
-    seen = share.z * threads(kind, place.xy, counted.xy) + share.x * threads(kind, place.zy, counted.zy) +
-           share.y * threads(kind, place.xz, counted.xz);
+// -1 to 1, without a pattern.
+float scattered(ivec2 cell) {
+  uint h = uint(cell.x) * 0x9E3779B1u ^ uint(cell.y) * 0x85EBCA77u;
+  h = (h ^ (h >> 15u)) * 0x2C1B3C6Du;
+  return float((h ^ (h >> 13u)) & 0xFFFFu) / 32767.5 - 1.0;
+}
+
+float uneven(vec2 place) {
+  ivec2 cell = ivec2(floor(place));
+  vec2 part = fract(place);
+  part *= part * (3.0 - 2.0 * part);
+  return mix(mix(scattered(cell), scattered(cell + ivec2(1, 0)), part.x),
+             mix(scattered(cell + ivec2(0, 1)), scattered(cell + ivec2(1, 1)), part.x), part.y);
+}
+
+// How yarns differ, -1 to 1. Lengths in m.
+float yarns(int kind, vec2 place, vec2 extent) {
+  vec4 shown = fade(vec4(extent / yarn.x, extent / yarn.z));
+  float sum = 0.0;
+  // A software rasteriser ends a loop early: from afar the fine ones are not seen.
+  for (int i = shown.x + shown.y > 0.0 ? 0 : 1; i < (shown.z + shown.w > 0.0 ? 2 : 0); ++i) {
+    vec2 size = i == 0 ? yarn.xy : yarn.zw;
+    vec2 share = runs[kind] * (i == 0 ? shown.xy : 0.5 * shown.zw);
+    sum += share.x * uneven(place / size + 0.5) + share.y * uneven(place.yx / size + 7.0);
   }
-  // Directions and lengths without a common measure, so that no pattern is seen to repeat.
-  const mat3 first = mat3(61.0, 97.0, -43.0, 89.0, -37.0, 71.0, -53.0, 47.0, 101.0);
-  const mat3 second = mat3(-83.0, 59.0, 107.0, 67.0, 103.0, 29.0, 41.0, -79.0, 73.0);
-  vec3 along = vec3(1.0, slub[kind].x, 1.0);
-  material *= along;
-  across *= along;
-  up *= along;
-  vec3 slubs = wave(vec4(first * material, 0.0)).xyz * wave(vec4(second * material, 0.0)).xyz *
-               fade(vec4(abs(first * across) + abs(first * up), 0.0)).xyz *
-               fade(vec4(abs(second * across) + abs(second * up), 0.0)).xyz;
-  return Weave(1.0 + strength * (thread_contrast * seen.x + slub_contrast * slub[kind].y * dot(slubs, vec3(1.0))),
-               strength * dyed[kind] * seen.y);
+  return sum;
+}
+
+// `across`, `up`: how the material moves from pixel to pixel; `towards_key`: of the key light, along weft and warp;
+// `count`: threads in a metre.
+Weave weave_at(vec3 material, vec3 across, vec3 up, vec2 towards_key, int kind, float strength, float count,
+               float unevenness) {
+  // Three planes, each where the material faces it: a garment's rest shape does not tell how its cloth was cut.
+  vec3 facing = abs(cross(across, up));
+  vec3 share = max(facing - 0.4 * max(facing.x, max(facing.y, facing.z)), 0.0);
+  share /= max(share.x + share.y + share.z, 1e-30);
+  mat3x2 places = mat3x2(material.zy, material.xz, material.xy);
+  vec3 extent = abs(across) + abs(up);
+  mat3x2 extents = mat3x2(extent.zy, extent.xz, extent.xy);
+  Weave weave = Weave(1.0, 0.0);
+  // A software rasteriser ends a loop early and skips no branch: most places face one plane.
+  for (int left = 3; left > 0 && share.x + share.y + share.z > 0.01; --left) {
+    int plane = share.z > 0.01 ? 2 : share.x > 0.01 ? 0 : 1;
+    vec2 place = places[plane];
+    vec2 wide = extents[plane];
+    float part = share[plane];
+    share[plane] = 0.0;
+    weave.brightness += part * unevenness * yarn_contrast * yarns(kind, place, wide);
+    for (int i = 0; i < (count * min(wide.x, wide.y) < (kind == 0 ? 0.5 : 2.0) ? 1 : 0); ++i) {
+      vec2 height = threads(kind, count * place, count * wide);
+      float lower = threads(kind, count * place + 0.25 * towards_key, count * wide).x;
+      weave.brightness += part * strength * (thread_contrast * height.x + thread_relief * (height.x - lower));
+      weave.other_side += part * strength * dyed[kind] * height.y;
+    }
+  }
+  return weave;
 }

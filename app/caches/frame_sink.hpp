@@ -3,6 +3,7 @@
 #include "app/bodies/point_cache.hpp"
 #include "app/models/garment_loading.hpp"
 #include "app/output/output_pattern.hpp"
+#include "renderer/frame_view.hpp"
 #include "sim/simulation.hpp"
 
 namespace taut::app {
@@ -17,6 +18,7 @@ struct ExportSettings {
   double frame_rate_hz = 60.0;
   bool can_be_resumed = false;        ///< what is incomplete stays for a run that goes on
   std::optional<int> last_kept = {};  ///< goes on after this frame of an earlier run
+  renderer::SurfaceStyle look = {};   ///< for formats that say it
 };
 
 /// The content of a frame.
@@ -57,9 +59,6 @@ void require_export(const ExportSettings& settings, const std::filesystem::path&
 /// on. Throws InputError if what an earlier run left is not of this one.
 std::unique_ptr<FrameSink> open_sink(const ExportSettings& settings, const GarmentInScene& loaded,
                                      const WrittenMoment& start);
-
-/// How cloth looks in formats that say it: those of jersey.
-inline constexpr float cloth_roughness = 0.9F, cloth_sheen = 0.4F, cloth_sheen_roughness = 0.5F;
 
 // The formats behind open_sink(), which see. `loaded` must outlive them.
 

@@ -215,7 +215,7 @@ void GltfSink::put_surface(Json& description) {
 Json GltfSink::material_of(sim::Index index, Json& description) {
   const SurfaceMaterial material =
       index == no_map ? SurfaceMaterial{.name = "cloth"} : loaded_.colours.materials[index];
-  Json surface = {{"metallicFactor", 0.0}, {"roughnessFactor", cloth_roughness}};
+  Json surface = {{"metallicFactor", 0.0}, {"roughnessFactor", settings_.look.roughness}};
   if (material.map != no_map && rest_.contains("TEXCOORD_0")) {
     const std::size_t view = buffer_.add_png(loaded_.colours.maps[material.map]);
     description["images"].push_back({{"bufferView", view}, {"mimeType", "image/png"}});
@@ -225,13 +225,19 @@ Json GltfSink::material_of(sim::Index index, Json& description) {
     const auto linear = [&](int k) { return srgb_to_linear(std::clamp(material.base_colour[k], 0.0F, 1.0F)); };
     surface["baseColorFactor"] = {linear(0), linear(1), linear(2), 1.0};
   }
-  const std::array<float, 3> sheen = {cloth_sheen, cloth_sheen, cloth_sheen};
+  std::array<float, 3> sheen{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    sheen[k] =
+        settings_.look.sheen *
+        std::lerp(1.0F, surface.value("baseColorFactor", std::array<float, 4>{1, 1, 1, 1})[k], renderer::fringe_dyed);
+  }
   description["extensionsUsed"] = {"KHR_materials_sheen"};
   return {{"name", material.name},
           {"doubleSided", true},
           {"pbrMetallicRoughness", surface},
           {"extensions",
-           {{"KHR_materials_sheen", {{"sheenColorFactor", sheen}, {"sheenRoughnessFactor", cloth_sheen_roughness}}}}}};
+           {{"KHR_materials_sheen",
+             {{"sheenColorFactor", sheen}, {"sheenRoughnessFactor", settings_.look.sheen_roughness}}}}}};
 }
 
 /// At its time each frame has all the weight.

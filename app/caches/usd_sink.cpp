@@ -1,8 +1,8 @@
 #include <fstream>
 
-#include "app/base/words.hpp"
 #include "app/base/errors.hpp"
 #include "app/base/files.hpp"
+#include "app/base/words.hpp"
 #include "app/caches/frame_sink.hpp"
 #include "app/models/surface_colours.hpp"
 
@@ -27,7 +27,7 @@ template <class Numbers> std::string numbers_text(const Numbers& numbers) {
 std::string text_of(const glm::vec3& v) { return fmt::format("({}, {}, {})", v.x, v.y, v.z); }
 
 /// A surface for every renderer, and one of MaterialX, whose standard surface has the sheen that the other lacks.
-std::string material_text(const SurfaceMaterial& material) {
+std::string material_text(const SurfaceMaterial& material, const renderer::SurfaceStyle& look) {
   glm::vec3 colour;
   for (int k = 0; k < 3; ++k) colour[k] = srgb_to_linear(std::clamp(material.base_colour[k], 0.0F, 1.0F));
   return fmt::format(R"(
@@ -56,7 +56,7 @@ std::string material_text(const SurfaceMaterial& material) {
         }}
     }}
 )",
-                     text_of(colour), cloth_roughness, cloth_sheen, cloth_sheen_roughness);
+                     text_of(colour), look.roughness, look.sheen, look.sheen_roughness);
 }
 
 class UsdSink final : public FrameSink {
@@ -89,7 +89,8 @@ class UsdSink final : public FrameSink {
     if (!file_.is_open()) return "wrote nothing";
     file_ << "        }\n        float3[] extent.timeSamples = {\n"
           << extents_ << "        }\n    }\n"
-          << material_text(loaded_.colours.materials.empty() ? SurfaceMaterial{} : loaded_.colours.materials.front())
+          << material_text(loaded_.colours.materials.empty() ? SurfaceMaterial{} : loaded_.colours.materials.front(),
+                           settings_.look)
           << "}\n";
     file_.close();
     if (!file_) fail_to_write(settings_.name, std::generic_category().message(errno));

@@ -164,8 +164,10 @@ class Render {
 
   /// Returns the exit code.
   int go() {
-    const ExportSettings exported = {
-        options_.shapes, {job_.frames.front(), job_.frames.back()}, run_.scene.simulation.frame_rate_hz};
+    const ExportSettings exported = {.name = options_.shapes,
+                                     .frames = {job_.frames.front(), job_.frames.back()},
+                                     .frame_rate_hz = run_.scene.simulation.frame_rate_hz,
+                                     .look = run_.scene.picture.cloth};
     run_.require_outputs(exported);
     // Starting OpenGL and compiling shaders takes as long as reading a model.
     run_.load([this] {

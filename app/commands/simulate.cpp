@@ -152,8 +152,11 @@ int run(const SimulateOptions& options) {
                                ? FrameRange{1, run.scene.frames}
                                : frame_range(options.frames, run.scene.frames,
                                              is_clip(options.shapes) ? NumberMeans::count : NumberMeans::frame);
-  const ExportSettings exported = {options.shapes, range, run.scene.simulation.frame_rate_hz,
-                                   !options.saved_to().empty()};
+  const ExportSettings exported = {.name = options.shapes,
+                                   .frames = range,
+                                   .frame_rate_hz = run.scene.simulation.frame_rate_hz,
+                                   .can_be_resumed = !options.saved_to().empty(),
+                                   .look = run.scene.picture.cloth};
   run.require_outputs(exported);
   if (!options.saved_to().empty()) prepare_folder_of(options.saved_to());
   run.load();

@@ -1,6 +1,7 @@
 #include "app/drawing/drawn_bodies.hpp"
 
 #include "app/drawing/framing.hpp"
+#include "app/models/hanger.hpp"
 
 namespace taut::app {
 namespace {
@@ -49,16 +50,36 @@ struct RoundMaker {
   }
 };
 
+// The hook that a hanger hangs by, in m: its wire, its neck and its bend, of which this share of a circle is there.
+constexpr float wire_m = 0.0022F, neck_m = 0.03F, bend_m = 0.02F, bent = 0.7F;
+constexpr int bends = 16;
+constexpr double thinner_bar = 0.75;
+
+void add_hook(const sim::Capsule& bar, std::vector<renderer::TriangleMesh>& meshes) {
+  const glm::vec3 foot(bar.start_m);
+  const glm::vec3 up{0.0F, 1.0F, 0.0F};
+  glm::vec3 aside(bar.end_m - bar.start_m);
+  aside = glm::normalize(glm::vec3{aside.x, 0.0F, aside.z});
+  const glm::vec3 middle = foot + (neck_m + bend_m) * up;
+  glm::vec3 from = foot;
+  for (int i = 0; i <= bends; ++i) {
+    const float turn = 2.0F * std::numbers::pi_v<float> * bent * static_cast<float>(i) / bends;
+    const glm::vec3 to = middle + bend_m * (std::sin(turn) * aside - std::cos(turn) * up);
+    meshes.push_back(renderer::make_capsule(from, to, wire_m, 10));
+    from = to;
+  }
+}
+
 // Wind with the longest arrows.
 constexpr float fastest_m_per_s = 20.0F;
 // Shares of the box's radius: of the shortest and the longest arrow, from arrow to arrow, and of the gap
 // between their heads and the box.
-constexpr float shortest = 0.25F;
+constexpr float shortest = 0.4F;
 constexpr float longest = 1.0F;
 constexpr float apart = 0.4F;
 constexpr float gap = 0.15F;
 // Length of a head, share of the box's radius, and its half width, share of that.
-constexpr float head = 0.1F;
+constexpr float head = 0.12F;
 constexpr float head_width = 0.4F;
 
 }  // namespace
@@ -103,7 +124,14 @@ void DrawnBodies::place(double time_s, std::span<const float> rooms_m) {
   }
   for (std::size_t b = 0; b < bodies_.size() && !stays; ++b) {
     round_[b].clear();
-    std::visit(RoundMaker{round_[b]}, sim::shape_at(bodies_[b], time_s));
+    sim::Shape shape = sim::shape_at(bodies_[b], time_s);
+    if (auto* bar = std::get_if<sim::Capsule>(&shape); bar != nullptr && bodies_[b].name.starts_with("hanger, ")) {
+      // Thinner, or the drawn surface, which cuts corners, would show it.
+      bar->start_radius_m *= thinner_bar;
+      bar->end_radius_m *= thinner_bar;
+      if (bodies_[b].name == hanger_left) add_hook(*bar, round_[b]);
+    }
+    std::visit(RoundMaker{round_[b]}, shape);
   }
   placed_s_ = time_s;
 }

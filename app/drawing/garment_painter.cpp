@@ -208,8 +208,10 @@ void GarmentPainter::add_rest_outline(const sim::Garment& garment) {
 void GarmentPainter::add_wind(const DrawnScene& scene, const sim::Garment& garment) {
   wind_arrows_ = wind_arrows(scene.surroundings.forces.wind, garment.mesh.positions);
   if (!wind_arrows_.empty()) {
-    frame_.lines.push_back(
-        {.points = wind_arrows_, .colours = std::span(&wind_colour, 1), .width_px = 2.0F * line_width_px_});
+    frame_.lines.push_back({.points = wind_arrows_,
+                            .colours = std::span(&wind_colour, 1),
+                            .width_px = 3.0F * line_width_px_,
+                            .hidden_by_surfaces = false});
   }
 }
 

@@ -40,13 +40,15 @@ Plot linear_inset(const Plot& plot, const StepRecording& fall) {
 
 // The cloth as it was modelled, seen from above, and the point that is followed.
 void draw_followed_point(renderer::Canvas& canvas, const StepRecording& fall, const Area& area) {
-  constexpr int cells = 8;
   const sim::GridSettings& grid = fall.frames.scene.garment.grid;
   const float side_px = area.width_px;
-  for (int i = 0; i <= cells; ++i) {
-    const float at_px = side_px * static_cast<float>(i) / cells;
-    canvas.line(area.x_px + at_px, area.y_px, area.x_px + at_px, area.y_px + side_px, palette::quiet_ink, 2.0F);
-    canvas.line(area.x_px, area.y_px + at_px, area.x_px + side_px, area.y_px + at_px, palette::quiet_ink, 2.0F);
+  for (sim::Index i = 0; i < grid.columns; ++i) {
+    const float x_px = area.x_px + side_px * static_cast<float>(i) / static_cast<float>(grid.columns - 1);
+    canvas.line(x_px, area.y_px, x_px, area.y_px + side_px, palette::quiet_ink, 1.0F);
+  }
+  for (sim::Index i = 0; i < grid.rows; ++i) {
+    const float y_px = area.y_px + side_px * static_cast<float>(i) / static_cast<float>(grid.rows - 1);
+    canvas.line(area.x_px, y_px, area.x_px + side_px, y_px, palette::quiet_ink, 1.0F);
   }
   const auto place = [&](sim::Index vertex) {
     return glm::vec2(

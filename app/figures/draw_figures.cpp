@@ -32,7 +32,7 @@ class FigureWriter {
     if (figure.shapes_csv) {
       write_text_file(noted(figure.name + "_shapes.csv"), figure.shapes_csv());
     }
-    drawn_.push_back({figure.name, figure.title, std::move(picture)});
+    drawn_.push_back({figure.name, figure.title, std::move(picture), figure.csv != nullptr});
     std::ranges::sort(drawn_, [](auto& a, auto& b) { return a.name < b.name; });
     tell();
   }

@@ -11,6 +11,7 @@ struct DrawnFigure {
   std::string name;
   std::string title;
   renderer::Image picture;
+  bool has_table = false;  ///< NAME.csv
 };
 
 /// All figures of a run, by name.

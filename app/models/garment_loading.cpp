@@ -5,6 +5,7 @@
 #include "app/models/hanger.hpp"
 #include "app/models/model_fitting.hpp"
 #include "app/scene/scene_format.hpp"
+#include "sim/mesh/geodesics.hpp"
 #include "sim/mesh/subdivide.hpp"
 #include "sim/mesh/welding.hpp"
 
@@ -261,6 +262,17 @@ sim::PinnedMesh subdivided(sim::PinnedMesh pinned, int times) {
   return pinned;
 }
 
+/// All that is within half of this width of the pins, along the cloth at rest.
+void widen(sim::PinnedMesh& pinned, double width_m) {
+  if (width_m <= 0.0 || pinned.pins.empty()) return;
+  const auto distances_m =
+      sim::geodesic_distances(pinned.mesh, sim::make_adjacency(pinned.mesh), pinned.pins).distances_m;
+  pinned.pins.clear();
+  for (sim::Index v = 0; v < distances_m.size(); ++v) {
+    if (distances_m[v] <= 0.5 * width_m) pinned.pins.push_back(v);
+  }
+}
+
 std::vector<sim::Index> choose_pins(const Scene& scene, const sim::Mesh& mesh, LoadedGarment& loaded,
                                     const StageReport& begin) {
   const bool is_grid = scene.garment.is_grid();
@@ -438,6 +450,7 @@ LoadedGarment load_garment(const Scene& scene, const StageReport& begin) {
   std::vector<sim::Index> pins = choose_pins(scene, mesh, loaded, begin);
   loaded.moving_pins = choose_moving_pins(scene, mesh, loaded);
   sim::PinnedMesh pinned = subdivided({std::move(mesh), std::move(pins)}, scene.garment.subdivisions);
+  widen(pinned, scene.pin_width_m);
   for (int i = 0; i < scene.garment.subdivisions; ++i) {
     loaded.colours = subdivided_colours(std::move(loaded.colours));
   }

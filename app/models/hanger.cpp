@@ -20,7 +20,6 @@ constexpr double lowest = 0.5;       ///< below the shoulders, of half its lengt
 constexpr double lowering = 0.02;    ///< by which it is moved down until it is clear, of half its length
 constexpr double friction = 0.5;     ///< of wood
 
-constexpr const char* left_bar = "hanger, left";
 constexpr const char* right_bar = "hanger, right";
 
 /// Where the garment is highest at a distance from its middle.
@@ -231,7 +230,7 @@ std::vector<sim::Body> hanger_for(const sim::Mesh& mesh, const GarmentPart& part
   const double longest_m = std::min(half_length_m, widest * part.width_m());
   for (double half_m = longest_m; half_m >= shortest * longest_m; half_m *= shortening) {
     if (const auto bars = clear_bars({mesh, part, half_m, highest_m})) {
-      return {{.name = left_bar, .shape = (*bars)[0], .friction = friction},
+      return {{.name = hanger_left, .shape = (*bars)[0], .friction = friction},
               {.name = right_bar, .shape = (*bars)[1], .friction = friction}};
     }
   }
@@ -277,7 +276,7 @@ void take_off_hanger(Scene& scene) {
   std::vector<sim::Body>& bodies = scene.surroundings.bodies;
   scene.body_sources.resize(bodies.size());
   for (std::size_t k = bodies.size(); k-- > 0;) {
-    if (bodies[k].name == left_bar || bodies[k].name == right_bar) {
+    if (bodies[k].name == hanger_left || bodies[k].name == right_bar) {
       bodies.erase(bodies.begin() + static_cast<std::ptrdiff_t>(k));
       scene.body_sources.erase(scene.body_sources.begin() + static_cast<std::ptrdiff_t>(k));
       scene.pins.reset();

@@ -7,6 +7,9 @@ namespace taut::app {
 
 struct LoadedGarment;
 
+/// The name of the bar to its left, from whose start its hook goes up.
+inline constexpr const char* hanger_left = "hanger, left";
+
 /// Returns a hanger for a part that is modelled as worn: bars from the middle to both sides, a little below
 /// its shoulders and sloping like them, that do not touch it. Empty if there is no room for one.
 std::vector<sim::Body> hanger_for(const sim::Mesh& mesh, const GarmentPart& part);

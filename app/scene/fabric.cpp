@@ -10,24 +10,13 @@ namespace fs = std::filesystem;
 
 constexpr const char* ending = ".toml";
 
-constexpr std::array settable = {"garment.areal_density",
-                                 "cloth.bending_rigidity",
-                                 "cloth.compression_stiffness",
-                                 "cloth.friction",
-                                 "cloth.shear",
-                                 "cloth.tensile_warp",
-                                 "cloth.tensile_weft",
-                                 "cloth.thickness",
-                                 "cloth.warp_limit",
-                                 "cloth.weft_limit",
-                                 "picture.inside_colour",
-                                 "picture.outside_colour",
-                                 "picture.roughness",
-                                 "picture.sheen",
-                                 "picture.threads",
-                                 "picture.translucency",
-                                 "picture.weave",
-                                 "picture.weave_contrast"};
+constexpr std::array settable = {
+    "garment.areal_density", "cloth.bending_rigidity", "cloth.compression_stiffness", "cloth.friction",
+    "cloth.shear",           "cloth.tensile_warp",     "cloth.tensile_weft",          "cloth.thickness",
+    "cloth.warp_limit",      "cloth.weft_limit",       "picture.inside_colour",       "picture.outside_colour",
+    "picture.roughness",     "picture.sheen",          "picture.sheen_roughness",     "picture.stitch_colour",
+    "picture.threads",       "picture.translucency",   "picture.unevenness",          "picture.weave",
+    "picture.weave_contrast"};
 
 fs::path fabrics_folder() { return assets_folder() / "fabrics"; }
 

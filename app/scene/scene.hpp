@@ -145,6 +145,7 @@ struct Scene {
   sim::Material material;
   std::string fabric;  ///< the name or file that `material` and the look began as; empty: none was named
   std::optional<std::vector<PinSelector>> pins;  ///< empty: the garment hangs by its top
+  double pin_width_m = 0.0;                      ///< cloth is held over this width around each of `pins`
   std::vector<MovingPinsInScene> moving_pins;    ///< besides `pins`
   RunSettings simulation;
   /// Without moving pins. Meshes of bodies are as load_bodies() left them.

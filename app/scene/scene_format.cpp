@@ -89,6 +89,8 @@ std::vector<Key<Scene>> scene_keys() {
       number("garment.flexural_angle", "degrees", {90.0, 180.0}, MEMBER(mapping.smallest_flexural_angle_rad),
              "angular rule: the smallest angle joined; less means more springs, stiffer cloth", degree),
       pins_key(),
+      number("pins.width", "m", {0.0, 10.0}, MEMBER(pin_width_m),
+             "of the cloth that is held around each pin, as by a clothes peg; 0: the vertices alone"),
       moving_pins_key(),
       vector_key<Scene>("pins.motion.amplitude", "m", MEMBER(surroundings.pin_motion.amplitude_m),
                         "all pins swing by this much, as on a shaken hanger"),

@@ -7,9 +7,10 @@ namespace taut::app {
 
 using renderer::PointerButton;
 
-std::optional<PickedPoint> cloth_under(const glm::vec2& place_px, const ViewArea& area, const ViewerState& state) {
+std::optional<PickedPoint> cloth_under(const glm::vec2& place_px, const ViewArea& area, const ViewerState& state,
+                                       const Snapshot& garment) {
   if (!area.contains(place_px)) return std::nullopt;
-  return pick(state.camera.ray_through(place_px, area), pointed_at(state).positions(),
+  return pick(state.camera.ray_through(place_px, area), garment.positions(),
               state.shown->loaded->garment->mesh.triangles);
 }
 
@@ -19,13 +20,15 @@ std::optional<HeldCloth> Hands::held() const {
 
 void Hands::press(const Pointer& pointer, const ViewArea& area, const ViewerState& state,
                   std::vector<SimulationCommand>& commands) {
-  const auto picked = cloth_under(pointer.place_px, area, state);
+  const bool was_drawn = seen_ && seen_->loaded == pointed_at(state).loaded;
+  const Snapshot& seen = was_drawn ? *seen_ : pointed_at(state);
+  const auto picked = cloth_under(pointer.place_px, area, state, seen);
   const bool is_past = state.shown != state.newest;
   if (!picked || is_past) {
     is_turning_ = true;
     return;
   }
-  const std::vector<sim::Vec3>& positions = pointed_at(state).positions();
+  const std::vector<sim::Vec3>& positions = seen.positions();
   Hold hold;
   hold.grip = take_grip(*state.shown->loaded->garment, positions, picked->vertex);
   hold.through = picked->point_m;
@@ -106,6 +109,7 @@ SessionFrame Viewer::update(SessionFrame frame) {
   lay_out(state_, layout());
   hands_.update(pointer_over_one(), !interface_.wants_pointer(), area_of_one(), state_, commands_);
   state_.held = hands_.held();
+  hands_.note_seen(state_.at_compared && state_.shown->compared ? state_.shown->compared : state_.shown);
   perform_asked();
   load_asked();
   collect_settings();
@@ -261,13 +265,14 @@ SnapshotPtr Viewer::within_present_bound(const SnapshotPtr& past) {
 void Viewer::note_speed(std::uint64_t advances_before) {
   RealTime& real_time = state_.measurements.real_time;
   const double busy_s = std::exchange(busy_s_, 0.0);
+  const int pictures = std::exchange(pictures_, 0);
   const bool goes_on = !state_.newest->paused && !has_stopped(*state_.newest);
   if (!goes_on) {
     real_time.forget();
     return;
   }
   const auto advances = static_cast<double>(state_.newest->advances - advances_before);
-  real_time.add(elapsed_s_, advances / state_.scene.simulation.frame_rate_hz, busy_s);
+  real_time.add(elapsed_s_, advances / state_.scene.simulation.frame_rate_hz, busy_s, pictures);
 }
 
 // Where two are compared, each has its own label.
@@ -310,6 +315,7 @@ void Viewer::note_changes(const SessionFrame& frame) {
 
 void Viewer::note_times(double draw_ms, double panel_ms, double simulate_ms, double busy_s) {
   busy_s_ += busy_s;
+  ++pictures_;
   state_.measurements.worked_ms = simulate_ms;
   state_.measurements.draw_ms.add(static_cast<float>(draw_ms));
   state_.measurements.panel_ms.add(static_cast<float>(panel_ms));

@@ -26,6 +26,9 @@ class Hands {
   void update(const Pointer& pointer, bool is_free, const ViewArea& area, ViewerState& state,
               std::vector<SimulationCommand>& commands);
 
+  /// Notes the garment that is drawn now: the next press is meant for what it shows, however far cloth gets meanwhile.
+  void note_seen(const SnapshotPtr& seen) { seen_ = seen; }
+
   /// Lets go without a command. Call it when the garment has been replaced.
   void drop() { hold_.reset(); }
 
@@ -49,10 +52,12 @@ class Hands {
   bool is_turning_ = false;
   bool is_moving_ = false;
   std::optional<Hold> hold_;
+  SnapshotPtr seen_;
 };
 
 /// The point of the cloth that is pointed at under a pixel of its area; empty if there is none.
-std::optional<PickedPoint> cloth_under(const glm::vec2& place_px, const ViewArea& area, const ViewerState& state);
+std::optional<PickedPoint> cloth_under(const glm::vec2& place_px, const ViewArea& area, const ViewerState& state,
+                                       const Snapshot& garment);
 
 /// The material of a scene's garment.
 struct ClothOfScene {
@@ -139,6 +144,7 @@ class Viewer {
   void save_scene();
   void export_shape();
   void load_asked();
+  void ask_for_scene_beside(std::ptrdiff_t by);
   void choose_fabric(const std::string& name);
   void load(DrawnScene scene, const std::vector<std::string>& remarks);
   void collect_settings();
@@ -170,6 +176,7 @@ class Viewer {
 
   double elapsed_s_ = 0.0;
   double busy_s_ = 0.0;  ///< all processors, since the last frame
+  int pictures_ = 0;     ///< since the last frame
   int still_frames_ = 0;
   int frames_since_input_ = 0;
   bool screenshot_ = false;

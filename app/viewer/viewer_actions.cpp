@@ -2,6 +2,7 @@
 #include "app/bodies/body_loading.hpp"
 #include "app/drawing/framing.hpp"
 #include "app/models/hanger.hpp"
+#include "app/output/picture_record.hpp"
 #include "app/sewing/sewn_scene.hpp"
 #include "app/viewer/viewer.hpp"
 
@@ -71,6 +72,8 @@ void Viewer::perform(Action action) {
       {Action::show_keys, [&] { state_.show_keys = !state_.show_keys; }},
       {Action::close_keys, [&] { state_.show_keys = false; }},
       {Action::show_panel, [&] { state_.show_panel = !state_.show_panel; }},
+      {Action::previous_scene, [&] { ask_for_scene_beside(-1); }},
+      {Action::next_scene, [&] { ask_for_scene_beside(1); }},
       {Action::quit, [&] { is_ended_ = true; }}};
   work.at(action)();
 }
@@ -114,7 +117,7 @@ Pointer Viewer::pointer_over_one() {
 }
 
 void Viewer::toggle_pin() {
-  const auto picked = cloth_under(pointer_over_one().place_px, area_of_one(), state_);
+  const auto picked = cloth_under(pointer_over_one().place_px, area_of_one(), state_, pointed_at(state_));
   if (state_.shown != state_.newest) {
     tell("this is past: Space goes on from here, then P pins", false);
   } else if (picked) {
@@ -149,6 +152,13 @@ void Viewer::choose_fabric(const std::string& name) {
   }
 }
 
+// From a scene that is not among them, the first is the next.
+void Viewer::ask_for_scene_beside(std::ptrdiff_t by) {
+  const auto count = std::ssize(state_.scenes);
+  const auto own = std::ranges::find(state_.scenes, state_.scene.name, &Choice::name) - state_.scenes.begin();
+  if (count > 0) state_.scene_asked = state_.scenes[static_cast<std::size_t>((own + by + count) % count)].name;
+}
+
 // Reads on this thread, which takes milliseconds; the garment is loaded by the simulation.
 void Viewer::load_asked() {
   const std::optional<std::string> name = std::exchange(state_.scene_asked, std::nullopt);
@@ -158,7 +168,7 @@ void Viewer::load_asked() {
   try {
     if (fabric) choose_fabric(*fabric);
     if (name) {
-      DrawnScene scene = find_scene(*name, {});
+      DrawnScene scene = is_picture(*name) ? read_picture_record(*name, {}).scene : find_scene(*name, {});
       const std::vector<std::string> remarks = sew_and_load_bodies(scene);
       own_cloth_.reset();
       load(std::move(scene), remarks);

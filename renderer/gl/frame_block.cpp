@@ -86,10 +86,13 @@ void set_rays(FrameBlock& block, const Camera& camera, const PictureSettings& se
   const float pixel = 2.0F * half_height / static_cast<float>(settings.height_px);
   const auto left = static_cast<float>(tile.x_px) - 0.5F * static_cast<float>(settings.width_px);
   const auto bottom = 0.5F * static_cast<float>(settings.height_px) - static_cast<float>(tile.y_px + tile.height_px);
-  const float drawn_pixel = pixel / static_cast<float>(settings.supersampling);
-  block.ray_corner = glm::vec4{axes * glm::vec3{pixel * left, pixel * bottom, -1.0F}, 0.0F};
-  block.ray_across = glm::vec4{drawn_pixel * axes[0], 0.0F};
-  block.ray_up = glm::vec4{drawn_pixel * axes[1], 0.0F};
+  const auto scale = static_cast<float>(settings.supersampling);
+  const float drawn_pixel = pixel / scale;
+  block.ray_corner =
+      glm::vec4{axes * glm::vec3{pixel * left, pixel * bottom, -1.0F}, scale * static_cast<float>(tile.x_px)};
+  block.ray_across = glm::vec4{drawn_pixel * axes[0], scale * static_cast<float>(settings.width_px)};
+  block.ray_up =
+      glm::vec4{drawn_pixel * axes[1], scale * static_cast<float>(settings.height_px - tile.y_px - tile.height_px)};
 }
 
 }  // namespace
@@ -145,7 +148,8 @@ void set_shadow_bounds(FrameBlock& block, std::span<const SurfaceView* const> ca
 void set_tile(FrameBlock& block, const Camera& camera, const PictureSettings& settings, const Tile& tile) {
   block.world_to_clip = tile_of_clip(settings, tile) * camera.projection(aspect_of(settings)) * camera.view();
   const auto scale = static_cast<float>(settings.supersampling);
-  block.viewport = {static_cast<float>(tile.width_px) * scale, static_cast<float>(tile.height_px) * scale, scale, 0.0F};
+  block.viewport = {static_cast<float>(tile.width_px) * scale, static_cast<float>(tile.height_px) * scale, scale,
+                    static_cast<float>(settings.height_px) * scale};
   set_rays(block, camera, settings, tile);
 }
 

@@ -184,10 +184,13 @@ void SurfaceBuffers::add_materials(const SurfaceView& surface, float row, BaseCo
   const float weave = surface.material_coordinates.empty() ? 0.0F : style.weave;
   const auto add_one = [&](const BaseColour& colour) {
     const float layer = surface.scalars || !colour.map.rgba ? -1.0F : static_cast<float>(maps.layer_of(colour.map));
-    materials_.push_back({{linear_light(colour.outside_colour), std::clamp(style.roughness, 0.05F, 1.0F)},
-                          {linear_light(colour.inside_colour), style.sheen},
-                          {style.translucency, weave, row, layer},
-                          {static_cast<float>(style.weave_kind), style.threads_per_m, 0.0F, 0.0F}});
+    materials_.push_back(
+        {{linear_light(colour.outside_colour), std::clamp(style.roughness, 0.05F, 1.0F)},
+         {linear_light(colour.inside_colour), style.sheen},
+         {style.translucency, weave, row, layer},
+         {static_cast<float>(style.weave_kind), style.threads_per_m, weave > 0.0F ? style.unevenness : 0.0F,
+          std::clamp(style.sheen_roughness, 0.4F, 1.0F)},
+         {linear_light(style.stitch_colour.value_or(Colour{0.0F})), style.stitch_colour ? 1.0F : 0.0F}});
     return layer >= 0.0F;
   };
   bool has_map = false;

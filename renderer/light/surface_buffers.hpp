@@ -103,6 +103,7 @@ class SurfaceBuffers {
     glm::vec4 inside;
     glm::vec4 rest;
     glm::vec4 threads;
+    glm::vec4 stitches;
   };
   // A buffer and the texture through which shaders read it.
   struct BufferTexture {

@@ -114,7 +114,7 @@ def expect_gltf():
         expect(close(sorted(moved), sorted(shape), 2e-7), 'glTF: frame %d' % frame)
     sheen = scene['materials'][0]['extensions']['KHR_materials_sheen']
     expect(scene['extensionsUsed'] == ['KHR_materials_sheen'] and 0 < min(sheen['sheenColorFactor']) <= 1 and
-           0 < sheen['sheenRoughnessFactor'] <= 1, 'no sheen in glTF')
+           abs(sheen['sheenRoughnessFactor'] - 0.65) < 1e-6, 'no sheen of jersey in glTF')
 
 
 def usd_value(text, name):

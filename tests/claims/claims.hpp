@@ -82,9 +82,10 @@ struct ClaimText {
   std::string section;  ///< section of the paper
   std::string claim;    ///< in our own words
   std::string test;
-  std::string rule;    ///< when the claim holds, holds in part or does not hold
-  std::string remark;  ///< what else to know; may be empty
-  std::string figure;  ///< name of the figure that shows it; may be empty
+  std::string rule;       ///< when the claim holds, holds in part or does not hold
+  std::string remark;     ///< what else to know; may be empty
+  std::string figure;     ///< name of the figure that shows it; may be empty
+  bool is_check = false;  ///< it cannot fail but by a mistake of this program
 };
 
 /// A claim with the result of its test.

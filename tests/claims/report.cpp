@@ -131,12 +131,18 @@ const char* class_of(Verdict verdict) {
   return classes[static_cast<std::size_t>(verdict)];
 }
 
+std::string verdict_text(const Claim& claim) {
+  const Verdict verdict = claim.judgement.verdict;
+  return !claim.text.is_check ? name_of(verdict) : verdict == Verdict::holds ? "check: passed" : "check: failed";
+}
+
 std::string summary_html(std::span<const Claim> claims) {
   std::string html = "<table>\n<tr><th>claim</th><th>section</th><th>verdict</th></tr>\n";
-  for (const auto& [text, judgement] : claims) {
+  for (const Claim& claim : claims) {
+    const auto& [text, judgement] = claim;
     html += fmt::format(
         "<tr class=\"{}\"><td><a href=\"#{}\">{}</a></td><td>{}</td><td><b>{}</b>{}</td></tr>\n",
-        class_of(judgement.verdict), text.id, escaped(text.claim), escaped(text.section), name_of(judgement.verdict),
+        class_of(judgement.verdict), text.id, escaped(text.claim), escaped(text.section), verdict_text(claim),
         judgement.part.empty() ? "" : ":<br><span class=\"small\">" + escaped(judgement.part) + "</span>");
     if (!judgement.bounded.text.empty()) {
       html += fmt::format("<tr class=\"small\"><td colspan=\"3\">{}{}</td></tr>\n", bounded_label,
@@ -160,7 +166,7 @@ std::string claim_html(const Claim& claim) {
   std::string html = fmt::format("<section class=\"claim {}\" id=\"{}\">\n<h3>{}</h3>\n", class_of(judgement.verdict),
                                  text.id, escaped(text.claim));
   html += fmt::format("<p><span class=\"verdict\">{}</span> {} <span class=\"small\">(section {} of the paper",
-                      name_of(judgement.verdict), escaped(judgement.part), escaped(text.section));
+                      verdict_text(claim), escaped(judgement.part), escaped(text.section));
   if (!text.figure.empty()) html += fmt::format("; see <a href=\"#{0}\">{0}</a>", text.figure);
   html += fmt::format(")</span></p>\n<p>{}</p>\n<p class=\"small\">Test: {}</p>\n{}", escaped(judgement.finding.text),
                       escaped(text.test), numbers_html(judgement.finding.measured));
@@ -225,9 +231,10 @@ std::string figure_html(const DrawnFigure& figure) {
   return fmt::format(
       "<figure id=\"{0}\">\n<img alt=\"{1}\" src=\"{2}\">\n"
       "<figcaption>{0}. {1}. Also as <a href=\"{0}.png\">{0}.png</a> and, with text and lines that scale, <a "
-      "href=\"{0}.pdf\">{0}.pdf</a>.</figcaption>\n"
+      "href=\"{0}.pdf\">{0}.pdf</a>{3}.</figcaption>\n"
       "</figure>\n",
-      figure.name, escaped(figure.title), png_url(scaled_to_width(figure.picture, picture_width_px)));
+      figure.name, escaped(figure.title), png_url(scaled_to_width(figure.picture, picture_width_px)),
+      figure.has_table ? fmt::format("; its numbers: <a href=\"{0}.csv\">{0}.csv</a>", figure.name) : "");
 }
 
 std::string machine_html(const Machine& machine) {
@@ -324,9 +331,11 @@ std::string report_html(std::span<const Claim> claims, const std::vector<Promise
   };
   std::string claims_html = summary_html(claims);
   for (const Claim& claim : claims) claims_html += claim_html(claim);
-  std::string figures_html;
-  for (const DrawnFigure& figure : figures) figures_html += figure_html(figure);
+  // The first figure stands before the claims.
+  std::string first_html, figures_html;
+  for (const DrawnFigure& figure : figures) (first_html.empty() ? first_html : figures_html) += figure_html(figure);
   put("<!--machine-->\n", machine_html(machine));
+  put("<!--first-->\n", first_html);
   put("<!--claims-->\n", claims_html);
   put("<!--promises-->\n", promises_html(promises));
   put("<!--figures-->\n", figures_html);

@@ -88,5 +88,17 @@ TEST(GarmentLoading, ScalesAndPinsAModelByItsTop) {
   EXPECT_EQ(loaded.pins.size(), 2U);
 }
 
+TEST(GarmentLoading, PinsHoldClothOverTheWidthThatIsAsked) {
+  Scene scene;
+  scene.garment.grid.columns = scene.garment.grid.rows = 11;
+  scene.garment.grid.width_m = scene.garment.grid.height_m = 1.0;
+  scene.pins = std::vector<PinSelector>{sim::Index{60}};  // in the middle
+  EXPECT_EQ(load_garment(scene).pins, std::vector<sim::Index>{60});
+  scene.pin_width_m = 0.21;
+  EXPECT_EQ(load_garment(scene).pins, (std::vector<sim::Index>{49, 59, 60, 61, 71}));
+  scene.pin_width_m = 0.29;
+  EXPECT_EQ(load_garment(scene).pins.size(), 9U);
+}
+
 }  // namespace
 }  // namespace taut::app

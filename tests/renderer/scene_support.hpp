@@ -65,6 +65,15 @@ inline PictureSettings small_picture() {
   return settings;
 }
 
+// As shaders/cloth_light.glsl has it: a little cold.
+inline constexpr glm::vec3 sky_colour{0.965F, 1.0F, 1.055F};
+
+inline Colour lit_by(const glm::vec3& light, const Colour& colour) {
+  Colour lit;
+  for (int i = 0; i < 3; ++i) lit[i] = linear_to_srgb(light[i] * srgb_to_linear(colour[i]));
+  return lit;
+}
+
 inline void expect_colour(const Image& image, int x, int y, Colour expected, float tolerance) {
   for (int i = 0; i < 3; ++i) {
     EXPECT_NEAR(image.at(x, y)[i], std::round(expected[i] * 255.0F), tolerance)

@@ -15,8 +15,8 @@ TEST_F(SceneRendererTest, TriangleHasItsColourAndStandsUpright) {
   const Image image = renderer.draw(triangle_frame(), small_picture());
   ASSERT_EQ(image.width_px, 96);
   ASSERT_EQ(image.channels, 3);
-  expect_colour(image, 48, 40, rgb(0x2E8B57), 1.0F);
-  expect_colour(image, 26, 60, rgb(0x2E8B57), 1.0F);
+  expect_colour(image, 48, 40, lit_by(sky_colour, rgb(0x2E8B57)), 1.0F);
+  expect_colour(image, 26, 60, lit_by(sky_colour, rgb(0x2E8B57)), 1.0F);
   expect_colour(image, 26, 4, rgb(0xFFFFFF), 0.0F);
   expect_colour(image, 2, 60, rgb(0xFFFFFF), 0.0F);
 }
@@ -31,7 +31,7 @@ TEST_F(SceneRendererTest, AKeptPictureIsShownAgainAndStretched) {
     renderer.show_kept(framebuffer, factor * drawn.width_px, factor * drawn.height_px);
     const Image shown =
         read_framebuffer(*context, framebuffer, factor * drawn.width_px, factor * drawn.height_px);
-    expect_colour(shown, factor * 48, factor * 40, rgb(0x2E8B57), 1.0F);
+    expect_colour(shown, factor * 48, factor * 40, lit_by(sky_colour, rgb(0x2E8B57)), 1.0F);
     expect_colour(shown, factor * 26, factor * 4, rgb(0xFFFFFF), 0.0F);
     if (factor == 1) {
       EXPECT_EQ(shown.pixels, drawn.pixels);
@@ -84,6 +84,7 @@ FrameView shadow_frame() {
 // Over white, what is transparent is the picture before white.
 TEST_F(SceneRendererTest, ATransparentBackgroundKeepsClothAndShadow) {
   FrameView frame = shadow_frame();
+  frame.camera.target.y = -0.8F;  // the shadow away from the lower edge
   frame.backdrop.upper_colour = frame.backdrop.lower_colour = rgb(0xFFFFFF);
   for (const int samples : {1, 4}) {
     for (const int supersampling : {1, 2}) {
@@ -169,11 +170,8 @@ TEST_F(SceneRendererTest, TheOtherSideHasTheInsideColour) {
   FrameView frame = triangle_frame();
   frame.camera.eye.z = -4.0F;
   const Image image = renderer.draw(frame, small_picture());
-  // Seen from inside, the normal points down, to the studio's floor: 0.25 + 0.75 * 0.5 of the light.
-  const Colour inside = rgb(0xC05020);
-  Colour expected;
-  for (int i = 0; i < 3; ++i) expected[i] = linear_to_srgb(0.625F * srgb_to_linear(inside[i]));
-  expect_colour(image, 48, 40, expected, 2.0F);
+  // Seen from inside, the normal points down, to the studio's floor: half of the light, and warm.
+  expect_colour(image, 48, 40, lit_by({0.565F, 0.55F, 0.52F}, rgb(0xC05020)), 2.0F);
 }
 
 TEST_F(SceneRendererTest, EveryGreyComesOutAsItWentIn) {
@@ -257,6 +255,24 @@ TEST_F(SceneRendererTest, ShadowFallsAwayFromTheKeyLight) {
   EXPECT_LT(with.at(in_shadow.x, in_shadow.y)[1], without.at(in_shadow.x, in_shadow.y)[1] - 30);
   EXPECT_GT(with.at(in_shadow.x, in_shadow.y)[1], 60) << "shadows are not black";
   EXPECT_EQ(with.at(in_light.x, in_light.y)[1], without.at(in_light.x, in_light.y)[1]);
+}
+
+TEST_F(SceneRendererTest, NoShadowIsCutByTheLowerEdge) {
+  FrameView frame = shadow_frame();
+  PictureSettings settings = small_picture();
+  const auto darker_at = [&](float target_m, int from_below) {
+    frame.camera.target.y = target_m;
+    settings.shadows = true;
+    const Image with = renderer.draw(frame, settings);
+    settings.shadows = false;
+    const Image without = renderer.draw(frame, settings);
+    int most = 0;
+    const int y = with.height_px - 1 - from_below;
+    for (int x = 0; x < with.width_px; ++x) most = std::max(most, without.at(x, y)[1] - with.at(x, y)[1]);
+    return most;
+  };
+  EXPECT_GT(darker_at(-0.6F, 20), 40);
+  EXPECT_LT(std::max({darker_at(0.1F, 0), darker_at(0.1F, 1), darker_at(0.1F, 2)}), 20);
 }
 
 TEST_F(SceneRendererTest, FloorHidesWhatIsBelowIt) {

@@ -39,6 +39,7 @@ std::array<glm::vec3, 3> material(float scale) {
 
 TEST_F(WeaveTest, ShowsUpCloseAndKeepsTheMean) {
   FrameView frame = triangle_frame();
+  frame.surfaces[0].style.unevenness = 0.0F;
   const Brightness smooth = brightness(renderer.draw(frame, small_picture()));
   EXPECT_LT(smooth.deviation, 0.1);
   const auto close = material(0.004F);  // a stitch is 13 pixels wide
@@ -48,6 +49,20 @@ TEST_F(WeaveTest, ShowsUpCloseAndKeepsTheMean) {
   EXPECT_NEAR(woven.mean, smooth.mean, 1.5);
   frame.surfaces[0].style.weave = 0.0F;
   EXPECT_LT(brightness(renderer.draw(frame, small_picture())).deviation, 0.1);
+}
+
+TEST_F(WeaveTest, YarnsAreUnevenAsFarAsTheStyleSays) {
+  FrameView frame = triangle_frame();
+  const auto near = material(0.02F);
+  frame.surfaces[0].material_coordinates = near;
+  frame.surfaces[0].style.threads_per_m = 1e5F;
+  double before = -1.0;
+  for (const float unevenness : {0.0F, 0.3F, 1.0F}) {
+    frame.surfaces[0].style.unevenness = unevenness;
+    const double deviation = brightness(renderer.draw(frame, small_picture())).deviation;
+    EXPECT_GT(deviation, before + 0.5) << unevenness;
+    before = deviation;
+  }
 }
 
 TEST_F(WeaveTest, FadesBeforeItCouldAlias) {

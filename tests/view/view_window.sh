@@ -46,9 +46,8 @@ press space
 drag 480 330 300 250
 sleep 0.3
 xdotool mouseup 1
-move $(place preset.pinned-9x9-5 5)
-xdotool click 1
 move 100 100
+press Next
 save_until pinned-9x9-5 '^columns = 9$'
 kill -INT $window
 wait $window || true

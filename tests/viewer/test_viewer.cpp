@@ -2,8 +2,10 @@
 
 #include <glm/geometric.hpp>
 
+#include "app/base/files.hpp"
 #include "app/drawing/drawn_scene.hpp"
 #include "app/models/garment_import.hpp"
+#include "app/output/picture_record.hpp"
 #include "app/viewer/headless_viewer.hpp"
 #include "app/viewer/panel/panel.hpp"
 #include "app/viewer/picture/scene_picture.hpp"
@@ -183,6 +185,63 @@ TEST(Window, AThreadLeadsToAHandThatTheClothDoesNotFollow) {
   EXPECT_TRUE(thread_to(away_px + glm::vec2(200.0F, 0.0F)));
   person.act(left(false));
   EXPECT_FALSE(hand_thread(state, *state.shown, area)) << "let go";
+}
+
+// What a press is meant for is what was drawn when it was made.
+TEST(Window, AHandTakesTheClothThatWasSeen) {
+  Person person("cloth-fall");
+  person.wait(20);
+  const ViewerState& state = person.viewer.state();
+  const ViewArea area = scene_area(person.viewer.layout());
+  const SnapshotPtr seen = state.shown;
+  const sim::Index vertex = 20 * 33 + 16;  // far from the held corners
+  SessionFrame late;
+  late.elapsed_s = 0.2;
+  const glm::vec2 px = *state.camera.pixel_of(glm::vec3(seen->positions()[vertex]), area);
+  late.events = {renderer::WindowEvent(renderer::PointerMoved{px.x, px.y}),
+                 renderer::WindowEvent(renderer::ButtonChanged{PointerButton::left, true})};
+  person.viewer.update(late);
+  ASSERT_GT(state.shown->record.frame, seen->record.frame + 5) << "the cloth has moved on";
+  ASSERT_TRUE(state.held);
+  EXPECT_LT(glm::distance(seen->positions()[state.held->vertex], seen->positions()[vertex]), 0.03);
+}
+
+TEST(Window, KeysGoToTheNextSceneAndBack) {
+  Person person("pinned-9x9-5");
+  const ViewerState& state = person.viewer.state();
+  const auto own = std::ranges::find(state.scenes, "pinned-9x9-5", &Choice::name);
+  ASSERT_NE(own, state.scenes.begin());
+  EXPECT_EQ(own->label, "Figure 4, left: a 9x9 cloth held by its upper corners, at rest stretched by less than 5 %");
+  person.press(keys::page_down);
+  person.wait(3);
+  EXPECT_EQ(state.scene.name, std::next(own)->name);
+  person.press(keys::page_up);
+  person.wait(3);
+  person.press(keys::page_up);
+  person.wait(3);
+  EXPECT_EQ(state.scene.name, std::prev(own)->name);
+}
+
+TEST(Window, APictureThatIsDroppedIsItsScene) {
+  const TemporaryFolder folder;
+  const DrawnScene scene = find_scene("cloth-fall", std::vector{parse_override("wind.speed=3")});
+  const std::filesystem::path file = folder / "picture.png";
+  write_file(file,
+             renderer::encode_png(renderer::make_image(4, 4),
+                                  picture_texts({"taut render", scene_text(scene, GarmentNaming::full_path), ""}, {})));
+  Person person("pinned-9x9-5");
+  person.act(renderer::WindowEvent(renderer::FileDropped{file.string()}));
+  person.wait(3);
+  EXPECT_EQ(person.viewer.state().scene.surroundings.forces.wind.speed_m_per_s, 3.0);
+  EXPECT_EQ(person.viewer.state().scene.garment.grid.columns, scene.garment.grid.columns);
+}
+
+TEST(Window, GarmentsAreSortedBySize) {
+  std::vector<std::string> names;
+  for (const Choice& garment : garment_choices()) names.push_back(garment.name);
+  ASSERT_GE(names.size(), 3U);
+  EXPECT_EQ(std::vector(names.begin(), names.begin() + 3),
+            (std::vector<std::string>{"tshirt_1028", "tshirt_5280", "tshirt_10600"}));
 }
 
 // Scenes of grids have a number of time steps for their own solver.

@@ -43,6 +43,13 @@ void explain(ViewerState& state, const std::string& name) {
   const std::string text = hint_for(name);
   if (text.empty() || is_hint_due(state)) return;
   constexpr float letters_in_line = 26.0F;
+  // Left of the panel and of its lists, above the time bar: it covers nothing that is pointed at or read.
+  const ImVec2 lower = ImGui::GetItemRectMin(), size = ImGui::GetIO().DisplaySize;
+  const float gap = ImGui::GetStyle().ItemSpacing.x;
+  const bool is_beside = lower.x > 0.5F * size.x && ImGui::GetWindowPos().x > 0.0F;
+  const ImVec2 corner = is_beside ? ImVec2(ImGui::GetWindowPos().x - gap, lower.y) : ImVec2(lower.x, lower.y - gap);
+  ImGui::SetNextWindowPos(corner, ImGuiCond_Always,
+                          {is_beside ? 1.0F : lower.x / size.x, is_beside ? lower.y / size.y : 1.0F});
   ImGui::BeginTooltip();
   ImGui::PushTextWrapPos(letters_in_line * ImGui::GetFontSize());
   ImGui::TextUnformatted(text.c_str());
@@ -126,7 +133,7 @@ void note_place(ViewerState& state, const char* name) {
 std::optional<std::size_t> list_of(ViewerState& state, const char* label, const std::string& name,
                                    const std::string& closed, const std::vector<ListEntry>& entries) {
   std::optional<std::size_t> clicked;
-  if (ImGui::BeginCombo(label, closed.c_str())) {
+  if (ImGui::BeginCombo(label, closed.c_str(), ImGuiComboFlags_HeightLarge)) {
     if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false)) ImGui::CloseCurrentPopup();
     for (std::size_t k = 0; k < entries.size(); ++k) {
       clicked = ImGui::Selectable(entries[k].label.c_str(), entries[k].is_chosen) ? k : clicked;
@@ -206,8 +213,6 @@ std::string hint_for(const std::string& name) {
   if (const auto* text = hints.get_as<std::string>(name)) return text->get();
   constexpr std::string_view compare = "compare.";
   if (name.starts_with(compare)) return hint_for("solver." + name.substr(compare.size()));
-  constexpr std::string_view preset = "preset.";
-  if (name.starts_with(preset)) return "Load the scene " + name.substr(preset.size()) + " of this figure.";
   static const std::vector<Key<Scene>> keys = scene_keys();
   const auto key = std::ranges::find(keys, name, &Key<Scene>::name);
   if (key == keys.end()) return "";

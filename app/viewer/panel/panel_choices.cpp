@@ -7,30 +7,26 @@
 namespace taut::app {
 namespace {
 
-void lay_out_presets(ViewerState& state) {
-  ImGui::AlignTextToFramePadding();
-  ImGui::TextUnformatted("Figures");
-  for (const Choice& scene : state.scenes) {
-    if (scene.label.empty()) continue;
-    const float width = ImGui::CalcTextSize(scene.label.c_str()).x + 2.0F * ImGui::GetStyle().FramePadding.x;
-    const float end = ImGui::GetItemRectMax().x + ImGui::GetStyle().ItemSpacing.x + width;
-    if (end < ImGui::GetWindowPos().x + ImGui::GetContentRegionMax().x) ImGui::SameLine();
-    if (ImGui::Button(scene.label.c_str())) state.scene_asked = scene.name;
-    note_place(state, ("preset." + scene.name).c_str());
-  }
-}
-
 std::vector<ListEntry> entries_of(const std::vector<Choice>& choices, const std::string& chosen) {
   std::vector<ListEntry> entries;
-  for (const Choice& choice : choices) entries.push_back({choice.name, choice.name, choice.name == chosen});
+  for (const Choice& choice : choices) {
+    entries.push_back({choice.label.empty() ? choice.name : choice.label, choice.name, choice.name == chosen});
+  }
   return entries;
 }
 
 void lay_out_scene_list(ViewerState& state) {
   const std::string& name = state.scene.name;
-  if (const auto clicked = list_of(state, "scene", "scene", name, entries_of(state.scenes, name))) {
+  if (const auto clicked = list_of(state, "##scene", "scene", name, entries_of(state.scenes, name))) {
     state.scene_asked = state.scenes[*clicked].name;
   }
+  const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
+  ImGui::SameLine(0.0F, gap);
+  action_button(state, "<", Action::previous_scene, "previous scene");
+  ImGui::SameLine(0.0F, gap);
+  action_button(state, ">", Action::next_scene, "next scene");
+  ImGui::SameLine(0.0F, gap);
+  ImGui::TextUnformatted("scene");
 }
 
 void lay_out_garment_list(ViewerState& state) {
@@ -319,7 +315,6 @@ void gust_and_gravity(ViewerState& state) {
 
 void lay_out_choices(ViewerState& state) {
   ImGui::Separator();
-  lay_out_presets(state);
   lay_out_scene_list(state);
   lay_out_garment_list(state);
   lay_out_fabric_list(state);

@@ -156,6 +156,12 @@ std::optional<std::pair<double, SlowedBy>> speed_of(const ViewerState& state) {
   return std::pair(*factor, slowed_by(*factor, state.speed, m.worked_ms, frame_ms, m.real_time.busy_share()));
 }
 
+std::string pictures_text(const ViewerState& state) {
+  const Measurements& m = state.measurements;
+  return m.shows_times && m.real_time.factor() ? fmt::format("{:.0f} pictures a second", m.real_time.pictures_per_s())
+                                               : "pictures a second: not known here";
+}
+
 bool stands_still(const ViewerState& state) { return state.newest->paused || has_stopped(*state.newest); }
 
 std::string speed_text(const ViewerState& state) {
@@ -272,6 +278,7 @@ void lay_out_measurements(ViewerState& state, float scale) {
   plot_stretch(state, scale);
   plot_convergence(state, scale);
   plot_times(state, scale);
+  reading_line(state, "measured.pictures", pictures_text(state));
   reading_line(state, "measured.size", size_text(*state.newest->loaded->garment));
   reading_line(state, "measured.speed", speed_text(state));
   offer_coarser(state);

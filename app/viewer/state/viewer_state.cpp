@@ -26,12 +26,11 @@ constexpr std::size_t most_messages = 4;
 
 namespace fs = std::filesystem;
 
-// "Figure 5, right: the T-shirt" is labelled "5, right".
-std::string figure_label(const std::string& title) {
-  const std::string figure = "Figure ";
-  const std::size_t colon = title.find(':');
-  return title.starts_with(figure) && colon != std::string::npos ? title.substr(figure.size(), colon - figure.size())
-                                                                 : "";
+// Of "tshirt_10600": "tshirt_" and 10600; 0 without a number.
+std::pair<std::string, int> kind_and_number(const std::string& name) {
+  const std::size_t digits = name.find_last_not_of("0123456789") + 1;
+  const bool is_of_kind = digits > 0 && name[digits - 1] == '_';
+  return {name.substr(0, digits), is_of_kind ? number_in<int>(name.substr(digits)).value_or(0) : 0};
 }
 
 BodySource moved_by(BodySource source, const Choice& motion) {
@@ -65,7 +64,7 @@ std::vector<Choice> choices_for(const BodySource& source, const std::shared_ptr<
 
 namespace keys = renderer::keys;
 
-constexpr std::array<KeyBinding, 29> bindings = {{
+constexpr std::array<KeyBinding, 31> bindings = {{
     {"Left drag", "on cloth: pull it; elsewhere: orbit"},
     {"Right drag", "move the view"},
     {"Wheel", "nearer to what is under the pointer, farther"},
@@ -85,6 +84,8 @@ constexpr std::array<KeyBinding, 29> bindings = {{
     {"", "", '3', Action::see_side},
     {"", "", '7', Action::see_back},
     {"", "", '9', Action::see_three_quarters},
+    {"PgUp, PgDn", "the scene before, the next one", keys::page_up, Action::previous_scene},
+    {"", "", keys::page_down, Action::next_scene},
     {"F12", "picture of the scene, without the panel", keys::f12, Action::screenshot},
     {"F10", "record the scene, stop recording", keys::f10, Action::record},
     {"S", "save the settings as a scene file", 'S', Action::save_scene},
@@ -94,7 +95,7 @@ constexpr std::array<KeyBinding, 29> bindings = {{
     {"Esc", "close a list, or this sheet", keys::escape, Action::close_keys},
     {"Ctrl + Q", "end", 'Q', Action::quit, false, true},
     {"Ctrl + click", "on a number: type it"},
-    {"Drop a file", "a model, or a scene file: load it"},
+    {"Drop a file", "a model, a scene file or a picture: load it"},
 }};
 
 }  // namespace
@@ -104,11 +105,12 @@ void RecentValues::add(float value) {
   values_.push_back(value);
 }
 
-void RealTime::add(double elapsed_s, double simulated_s, double busy_s) {
+void RealTime::add(double elapsed_s, double simulated_s, double busy_s, int pictures) {
   const double kept = std::exp(-elapsed_s / memory_s);
   elapsed_s_ = kept * elapsed_s_ + elapsed_s;
   simulated_s_ = kept * simulated_s_ + simulated_s;
   busy_s_ = kept * busy_s_ + busy_s;
+  pictures_ = kept * pictures_ + pictures;
 }
 
 std::optional<double> RealTime::factor() const {
@@ -124,17 +126,11 @@ SlowedBy slowed_by(double factor, double asked, double simulate_ms, double frame
 }
 
 const Choice* coarser_than(const std::string& name, std::span<const Choice> garments) {
-  // Of "tshirt_10600": "tshirt_" and 10600; 0 without a number.
-  const auto split = [](const std::string& text) {
-    const std::size_t digits = text.find_last_not_of("0123456789") + 1;
-    const bool is_of_kind = digits > 0 && text[digits - 1] == '_';
-    return std::pair(text.substr(0, digits), is_of_kind ? number_in<int>(text.substr(digits)).value_or(0) : 0);
-  };
-  const auto [kind, triangles] = split(name);
+  const auto [kind, triangles] = kind_and_number(name);
   const Choice* best = nullptr;
   int most = 0;
   for (const Choice& choice : garments) {
-    const auto [other, count] = split(choice.name);
+    const auto [other, count] = kind_and_number(choice.name);
     if (other != kind || count >= triangles || count <= most) continue;
     best = &choice;
     most = count;
@@ -207,7 +203,7 @@ std::vector<Choice> scene_choices() {
   std::size_t count_without_contact = 0;
   for (const BuiltInScene& scene : built_in_scenes()) {
     try {
-      choices.push_back({scene.name, figure_label(read_scene_file(scene.file).title), scene.file});
+      choices.push_back({scene.name, read_scene_file(scene.file).title, scene.file});
       count_without_contact += scene.is_of_contact ? 0 : 1;
     } catch (const InputError&) {
       continue;
@@ -226,7 +222,8 @@ std::vector<Choice> files_in(const std::string& folder, const std::string& endin
       choices.push_back({entry.path().stem().string(), "", entry.path()});
     }
   }
-  std::ranges::sort(choices, {}, &Choice::name);
+  std::ranges::sort(choices, {},
+                    [](const Choice& choice) { return std::pair(kind_and_number(choice.name), choice.name); });
   return choices;
 }
 

@@ -26,18 +26,20 @@ class RecentValues {
 class RealTime {
  public:
   /// In `elapsed_s` of real time, `simulated_s` was simulated. `busy_s` is the processor time this program
-  /// used, divided by the number of processors.
-  void add(double elapsed_s, double simulated_s, double busy_s);
+  /// used, divided by the number of processors. `pictures` were shown.
+  void add(double elapsed_s, double simulated_s, double busy_s, int pictures = 0);
   void forget() { *this = {}; }
   /// Simulated seconds per second of real time. Empty at the beginning.
   std::optional<double> factor() const;
   /// Fraction of all processors' time that this program used.
   double busy_share() const;
+  double pictures_per_s() const { return elapsed_s_ > 0.0 ? pictures_ / elapsed_s_ : 0.0; }
 
  private:
   double elapsed_s_ = 0.0;
   double simulated_s_ = 0.0;
   double busy_s_ = 0.0;
+  double pictures_ = 0.0;
 };
 
 /// Why a simulation is slower than it should be.
@@ -101,6 +103,8 @@ enum class Action {
   show_keys,
   close_keys,
   show_panel,
+  previous_scene,
+  next_scene,
   quit,
 };
 
@@ -113,8 +117,7 @@ struct ItemPlace {
 /// A built-in scene, a garment or a motion that the user can choose.
 struct Choice {
   std::string name;
-  /// Of a scene the figure of the paper, such as "5, left", or empty; of a motion what the list says.
-  std::string label;
+  std::string label;           ///< for people, such as the title of a scene; empty: the name does
   std::filesystem::path file;  ///< of an animation of the body itself: empty
 };
 
@@ -195,11 +198,12 @@ const Snapshot& pointed_at(const ViewerState& state);
 /// Shows a message for some seconds.
 void tell(ViewerState& state, const std::string& text, bool is_error = false);
 
-/// The built-in scenes, those about contact last. Those that belong to a figure of the paper have its label.
-/// A scene that cannot be read is left out.
+/// The built-in scenes with their titles, sorted by these, those about contact last. A scene that cannot be read is
+/// left out.
 std::vector<Choice> scene_choices();
 
-/// The files with this ending in a folder of those that come with the program, sorted by name.
+/// The files with this ending in a folder of those that come with the program, sorted by name and by the numbers that
+/// these end in.
 std::vector<Choice> files_in(const std::string& folder, const std::string& ending);
 
 /// The garments that come with the program.

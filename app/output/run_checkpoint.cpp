@@ -124,13 +124,13 @@ void restore(const std::filesystem::path& file, const RunCheckpoint& checkpoint,
   }
 }
 
-void dress(const Scene& scene, sim::Simulation& simulation, const StageReport& begin, bool hangs) {
+void dress(const Scene& scene, sim::Simulation& simulation, const StageReport& begin) {
   const int frames = scene.dressing_frames();
   if (frames == 0) return;
   const sim::Surroundings surroundings = simulation.surroundings();
   // Clothes would fall off a body that is thin, and slide to where they have room.
   sim::Surroundings still = surroundings;
-  if (!hangs) still.forces.gravity_m_per_s2 = sim::Vec3(0.0);
+  still.forces.gravity_m_per_s2 = sim::Vec3(0.0);
   still.forces.gravity_path.clear();
   still.forces.wind.speed_m_per_s = 0.0;
   for (sim::Body& body : still.bodies) body.friction = 0.0;

@@ -37,8 +37,8 @@ void restore(const std::filesystem::path& file, const RunCheckpoint& checkpoint,
 /// Simulates the frames before 0 s in which the scene's bodies grow into the clothes (dressing.hpp), without
 /// gravity and wind, and ends with the clock at 0 s. Throws PromiseBroken if a frame cannot be made without a
 /// crossing, or if several in a row break the bound where the scene does not accept that; Diverged;
-/// Interrupted. `begin` is told each frame. Gravity stays for a garment that hangs on shoulders.
-void dress(const Scene& scene, sim::Simulation& simulation, const StageReport& begin = {}, bool hangs = false);
+/// Interrupted. `begin` is told each frame.
+void dress(const Scene& scene, sim::Simulation& simulation, const StageReport& begin = {});
 
 /// Puts the simulation into the state that start.checkpoint of its scene names. Returns the number of that
 /// frame. Without start.checkpoint it dresses the scene's bodies and returns 0. Throws InputError, also for a

@@ -102,7 +102,7 @@ void wear(const Scene& scene, const SewingSettings& settings, const std::functio
   };
   try {
     stage("the body grows into it");
-    dress(scene, simulation, {}, !garment.pieces.first_seams.empty());
+    dress(scene, simulation);
     simulation.set_settings(simulation_settings(scene.simulation));
     sim::Surroundings thick_air = scene.surroundings;
     double& air_per_s = thick_air.forces.air_drag_per_s;

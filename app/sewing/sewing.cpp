@@ -85,7 +85,11 @@ void wear(const Scene& scene, const SewingSettings& settings, const std::functio
   sewn.garment.parted_m.clear();
   RunSettings run = scene.simulation;
   run.solver.max_substeps = std::min(run.solver.max_substeps, most_substeps);
-  sim::Simulation simulation(sim::share(sewn.garment), {}, simulation_settings(run), scene.surroundings,
+  sim::Surroundings thick_air = scene.surroundings;
+  double& air_per_s = thick_air.forces.air_drag_per_s;
+  air_per_s = std::max(air_per_s, resting_drag_per_s);
+  // In it cloth that comes loose is no faster than it can be kept apart.
+  sim::Simulation simulation(sim::share(sewn.garment), {}, simulation_settings(run), thick_air,
                              sewn.garment.mesh.positions);
   const auto keep = [&] {
     sewn.garment.mesh.positions = simulation.state().current;
@@ -106,9 +110,6 @@ void wear(const Scene& scene, const SewingSettings& settings, const std::functio
     stage("the body grows into it");
     dress(scene, simulation);
     simulation.set_settings(simulation_settings(scene.simulation));
-    sim::Surroundings thick_air = scene.surroundings;
-    double& air_per_s = thick_air.forces.air_drag_per_s;
-    air_per_s = std::max(air_per_s, resting_drag_per_s);
     double sweeps = 0.0;
     for (; garment.frames < settings.frames && !simulation.state().asleep && sweeps < most_sweeps; ++garment.frames) {
       throw_if_interrupted();

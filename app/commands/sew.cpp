@@ -54,14 +54,14 @@ void write_picture(const std::filesystem::path& file, const DrawnScene& scene, c
 }
 
 void write_steps(const std::filesystem::path& file, const DrawnScene& scene, const SewnGarment& sewn,
-                 const std::string& backend) {
+                 const char* last, const std::string& backend) {
   std::vector<GarmentMoment> moments;
   for (const SewingStep& step : sewn.steps) {
     const bool is_flat = moments.empty();
     moments.push_back(
         {step.name, step.garment, step.positions_m, is_flat ? std::nullopt : std::optional<double>(step.time_s)});
   }
-  moments.push_back({"worn", sewn.sewn.garment, sewn.sewn.garment.mesh.positions, sewn.time_s});
+  moments.push_back({last, sewn.sewn.garment, sewn.sewn.garment.mesh.positions, sewn.time_s});
   write_file(file, renderer::encode_png(draw_moments(scene, moments, backend)));
 }
 
@@ -70,6 +70,7 @@ void write_steps(const std::filesystem::path& file, const DrawnScene& scene, con
       options.picture.empty() ? free_name("", scene.name + "-open", ".png") : options.picture;
   std::string shown = fmt::format("'{}' shows it", file.string());
   try {
+    if (!options.steps.empty()) write_steps(options.steps, scene, error.garment, "as it is", options.backend);
     write_picture(file, scene, error.garment, error.what(), options.backend);
   } catch (const std::exception& reason) {
     shown = std::string("there is no picture of it: ") + reason.what();
@@ -111,7 +112,7 @@ int run(const SewOptions& asked) {
         100.0 * sewn.max_stretch);
     progress.begin("drawing it");
     if (!options.picture.empty()) write_picture(options.picture, scene, sewn, measured, options.backend);
-    if (!options.steps.empty()) write_steps(options.steps, scene, sewn, options.backend);
+    if (!options.steps.empty()) write_steps(options.steps, scene, sewn, "worn", options.backend);
     progress.hide();
     print_body_remarks(scene, sewn.remarks, remarks);
     if (options.json) {

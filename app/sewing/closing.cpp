@@ -267,8 +267,8 @@ class Closing {
       layer_began_ = frame;
       strength_ = 1.0;
     }
-    const bool is_carried = frame - layer_began_ >= most_frames_for_first || is_layer_closed(pieces_.first_seams);
-    std::vector<std::size_t> seams = is_carried ? all : pieces_.first_seams;
+    is_carried_ = frame - layer_began_ >= most_frames_for_first || is_layer_closed(pieces_.first_seams);
+    std::vector<std::size_t> seams = is_carried_ ? all : pieces_.first_seams;
     std::erase_if(seams, [&](std::size_t s) { return layer_of(s) != layer_; });
     return seams;
   }
@@ -288,6 +288,15 @@ class Closing {
       const Index group = together.find(v);
       sums[group] += now_m()[v];
       counts[group] += 1.0;
+    }
+    if (!is_carried_) {
+      // Panels tilt as their shoulders are drawn together, which brings these down: beside the body, not over it.
+      std::vector<double> highest_m(now_m().size(), -std::numeric_limits<double>::infinity());
+      for (std::size_t v = 0; v < pieces_.flat_m.size(); ++v) {
+        double& height_m = highest_m[together.find(sewn_.vertex_of[v])];
+        height_m = std::max(height_m, pieces_.placed_m[v].y);
+      }
+      for (std::size_t g = 0; g < sums.size(); ++g) sums[g].y = counts[g] > 1.0 ? counts[g] * highest_m[g] : sums[g].y;
     }
     const auto is_pulled = [&](Index v) { return counts[together.find(v)] > 1.0; };
     for (std::size_t v = 0; v < pieces_.flat_m.size(); ++v) {
@@ -461,6 +470,7 @@ class Closing {
   double reach_m_ = near_enough * pieces_.edge_m;  ///< vertices that are nearer become one
   int steps_ = 0;                                  ///< that were made
   std::size_t layer_ = 0;                          ///< that is sewn
+  bool is_carried_ = false;                        ///< by the seams that do so: all are pulled
   int layer_began_ = 0;                            ///< in this frame
   SewnPieces sewn_;
   std::optional<sim::Simulation> simulation_;

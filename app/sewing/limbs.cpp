@@ -13,12 +13,13 @@ using sim::Vec3;
 constexpr double beside_shoulder = 1.1;   ///< times as far out as its joint: what is sewn to nothing there is a cuff
 constexpr double beside_trunk = 0.6;      ///< times as far out: a panel of a sleeve is no further in
 constexpr double below_shoulder_m = 0.2;  ///< the top of a sleeve, at most
+constexpr double over_shoulder_m = 0.12;  ///< the middle of a panel of a sleeve, at most: that of a hood is higher
 constexpr double outermost = 0.85;        ///< of the furthest of them
 constexpr double arms_down = 0.2;         ///< of their length
 constexpr std::array arm_joints = {"arm", "forearm", "hand"};
 constexpr std::array leg_joints = {"upleg", "leg", "foot"};
 constexpr double near_hem_m = 0.05;
-constexpr double beyond_middle_m = 0.08;  ///< of a panel of one leg
+constexpr double of_one_leg = 0.15;  ///< of its width: the middle of a panel of one leg is further to that side
 
 /// The part of a pattern that goes around an arm.
 struct Sleeve {
@@ -32,7 +33,8 @@ Sleeve sleeve_of(const SewingPattern& pattern, const CutPieces& pieces, const Ve
                  double side) {
   const std::vector<sim::Extent> boxes = panel_boxes(pieces);
   const auto is_beside = [&](std::size_t p) {
-    return (side > 0.0 ? boxes[p].lower.x : -boxes[p].upper.x) > beside_trunk * side * shoulder_m.x;
+    return boxes[p].middle().y < shoulder_m.y + over_shoulder_m &&
+           (side > 0.0 ? boxes[p].lower.x : -boxes[p].upper.x) > beside_trunk * side * shoulder_m.x;
   };
   Sleeve sleeve;
   for (std::size_t p = 0; p < boxes.size(); ++p) {
@@ -108,8 +110,8 @@ void add_legs(const Wearer& wearer, const CutPieces& pieces, std::vector<TurnedB
     double count = 0.0;
     for (std::size_t v = 0; v < pieces.placed_m.size() && !chain.empty(); ++v) {
       const Index p = pieces.panel_of[v];
-      const double inner_m = side > 0.0 ? boxes[p].lower.x : -boxes[p].upper.x;
-      if (pieces.placed_m[v].y < lowest_m && inner_m > -beyond_middle_m) {
+      const double width_m = boxes[p].upper.x - boxes[p].lower.x;
+      if (pieces.placed_m[v].y < lowest_m && side * boxes[p].middle().x > of_one_leg * width_m) {
         on_a_side.insert(p);
         sum += pieces.placed_m[v];
         count += 1.0;

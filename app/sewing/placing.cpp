@@ -119,11 +119,16 @@ std::vector<std::string> place_pieces(CutPieces& pieces, Scene& scene) {
   wearer.motion = std::make_shared<const FramesBetween>(
       wearer.full_m, own_shape_m(scene.body_sources[b], {1.0, frame_rate_hz}), frame_rate_hz);
   wearer.rate_hz = frame_rate_hz;
-  // Limbs turn while they are thin: sleeves are cut for arms that hang, and pull at shoulders otherwise.
-  std::vector<RigPose> poses = turning_back(*wearer.rig, wearer.pose, turned_limbs(wearer, pieces));
-  poses.insert(poses.end(), poses.size(), wearer.pose);
-  std::get<sim::BodyMesh>(body.shape).frames = growing(wearer, poses);
-  const std::size_t moved = part_and_draw_in(body, thin_time_s(scene), *wearer.measures.neck_m, pieces);
+  std::size_t moved = 0;
+  // Pieces that were moved take the limbs with them that belong into them.
+  for (std::size_t last = 1; last > 0;) {
+    // Limbs turn while they are thin: sleeves are cut for arms that hang, and pull at shoulders otherwise.
+    std::vector<RigPose> poses = turning_back(*wearer.rig, wearer.pose, turned_limbs(wearer, pieces));
+    poses.insert(poses.end(), poses.size(), wearer.pose);
+    std::get<sim::BodyMesh>(body.shape).frames = growing(wearer, poses);
+    last = moved == 0 ? part_and_draw_in(body, thin_time_s(scene), *wearer.measures.neck_m, pieces) : 0;
+    moved += last;
+  }
   if (moved == 0) return {};
   return {fmt::format("{} of its {} pieces crossed another or the body where they were placed: moved apart", moved,
                       pieces.panel_count())};

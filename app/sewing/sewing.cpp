@@ -26,6 +26,8 @@ constexpr int most_substeps = 250;
 constexpr double resting_drag_per_s = 6.0;
 constexpr double thicker = 1.5;
 constexpr int frames_to_thicker = 60;
+/// Over all of it, until it rests. Cloth that is nearly too small takes as many in each frame as others in all.
+constexpr double most_sweeps = 150e3;
 constexpr double of_one_limb = 0.6;  ///< of a girth, at most
 
 [[noreturn]] void refuse_open(SewnGarment garment) {
@@ -83,7 +85,11 @@ void wear(const Scene& scene, const SewingSettings& settings, const std::functio
   sewn.garment.parted_m.clear();
   RunSettings run = scene.simulation;
   run.solver.max_substeps = std::min(run.solver.max_substeps, most_substeps);
-  sim::Simulation simulation(sim::share(sewn.garment), {}, simulation_settings(run), scene.surroundings,
+  sim::Surroundings thick_air = scene.surroundings;
+  double& air_per_s = thick_air.forces.air_drag_per_s;
+  air_per_s = std::max(air_per_s, resting_drag_per_s);
+  // In it cloth that comes loose is no faster than it can be kept apart.
+  sim::Simulation simulation(sim::share(sewn.garment), {}, simulation_settings(run), thick_air,
                              sewn.garment.mesh.positions);
   const auto keep = [&] {
     sewn.garment.mesh.positions = simulation.state().current;
@@ -104,10 +110,8 @@ void wear(const Scene& scene, const SewingSettings& settings, const std::functio
     stage("the body grows into it");
     dress(scene, simulation);
     simulation.set_settings(simulation_settings(scene.simulation));
-    sim::Surroundings thick_air = scene.surroundings;
-    double& air_per_s = thick_air.forces.air_drag_per_s;
-    air_per_s = std::max(air_per_s, resting_drag_per_s);
-    for (; garment.frames < settings.frames && !simulation.state().asleep; ++garment.frames) {
+    double sweeps = 0.0;
+    for (; garment.frames < settings.frames && !simulation.state().asleep && sweeps < most_sweeps; ++garment.frames) {
       throw_if_interrupted();
       stage(fmt::format("worn for {} of {} frames", garment.frames, settings.frames));
       if (garment.frames % frames_to_thicker == 0) {
@@ -115,6 +119,7 @@ void wear(const Scene& scene, const SewingSettings& settings, const std::functio
         air_per_s *= thicker;
       }
       simulation.advance_frame(throw_if_interrupted);
+      sweeps += simulation.last_report().sweeps;
     }
   } catch (const InputError& error) {
     refuse(error);

@@ -221,11 +221,13 @@ TEST_F(Sewing, ASleeveIsTurnedToTheArmWithItsCuff) {
     pattern.stitches.push_back({{3 * p + 1, 2}, {3 * p, 1}});
     pattern.stitches.push_back({{3 * p + 1, 0}, {3 * p + 2, 2}});
   }
+  pattern.panels.push_back(rectangle("hood", 0.15, 0.35, {0.24, 1.8, 0.1}));
   CutPieces pieces = cut_pieces(pattern, 600);
-  bring_to_body(pattern, scene, pieces);
+  turn_sleeves(pattern, sim::Vec3(0.0), *dressed_body(scene).wearer, pieces);
   const std::vector<sim::Extent> boxes = panel_boxes(pieces);
   EXPECT_GT(boxes[2].middle().y, boxes[0].upper.y - 0.2) << "the cuff still hangs";
   EXPECT_LT(glm::distance(boxes[1].middle(), boxes[2].middle()), 0.3) << "it is torn from the sleeve";
+  EXPECT_NEAR(boxes[6].upper.x - boxes[6].lower.x, 0.15, 1e-9) << "the hood is turned with it";
 }
 
 TEST_F(Sewing, SaysThatPanelsLieOnEachOther) {
@@ -280,6 +282,9 @@ TEST_F(Sewing, LegsBeginInTrousersOnly) {
       {rectangle("left", 0.3, 0.9, {0.2, 1.0, 0.1}), rectangle("right", 0.3, 0.9, {-0.2, 1.0, 0.1})}, {}};
   constexpr std::size_t bones_of_arms = 4, bones_of_all = 8;
   EXPECT_EQ(turned_limbs(wearer, cut_pieces(pattern, 300)).size(), bones_of_all);
+  const SewingPattern wide = {
+      {rectangle("left", 0.6, 0.9, {0.2, 1.0, 0.1}), rectangle("right", 0.6, 0.9, {-0.2, 1.0, 0.1})}, {}};
+  EXPECT_EQ(turned_limbs(wearer, cut_pieces(wide, 300)).size(), bones_of_all);
   pattern.panels.push_back(rectangle("front", 0.6, 0.9, {0.0, 1.0, 0.2}));
   EXPECT_EQ(turned_limbs(wearer, cut_pieces(pattern, 300)).size(), bones_of_arms) << "it is a skirt";
 }

@@ -26,13 +26,14 @@ constexpr double base_of_neck = 1.35;  ///< times its smallest girth
 constexpr double neck_to_head = 0.75;  ///< where the neck is measured
 constexpr double share_of_body = 0.8;  ///< of the height: a surface that is as high is the body without hair
 
-constexpr double still_joining = 1.02;   ///< times the girth one level below
-constexpr double furthest_ring_m = 0.1;  ///< the middle of an arm from where it was looked for
-constexpr double beside_middle = 0.15;   ///< of the upper arm's length
-constexpr double beside_joint_m = 0.03;  ///< the end of the shoulder
-constexpr int steps_of_armhole = 40;     ///< to the middle of the upper arm
-constexpr double still_armhole = 0.98;   ///< times the girth a step before; what shrinks faster is still the shoulder
-constexpr double most_of_armhole = 2.0;  ///< times the girth of the arm; what is more is the trunk
+constexpr double still_joining = 1.02;    ///< times the girth one level below
+constexpr double furthest_ring_m = 0.1;   ///< the middle of an arm from where it was looked for
+constexpr double beside_middle = 0.15;    ///< of the upper arm's length
+constexpr double beside_joint_m = 0.03;   ///< the end of the shoulder
+constexpr int steps_of_armhole = 40;      ///< to the middle of the upper arm
+constexpr double still_armhole = 0.98;    ///< times the girth a step before; what shrinks faster is still the shoulder
+constexpr double most_of_armhole = 2.0;   ///< times the girth of the arm; what is more is the trunk
+constexpr double least_of_armhole = 0.7;  ///< times the girth of the arm or sleeve; what is less is a fold
 
 using Levels = std::vector<LevelTape>;
 using Level = Levels::const_iterator;
@@ -319,12 +320,12 @@ BodyMeasures measure_body(const Surface& whole, const JointPlaces& joints) {
   return measures;
 }
 
-std::optional<RingAround> ring_near(const Surface& surface, const CuttingPlane& plane) {
+std::optional<RingAround> ring_near(const Surface& surface, const CuttingPlane& plane, double least_m) {
   std::optional<RingAround> nearest;
   double nearest_m = furthest_ring_m;
   for (const SectionCurve& curve : section_of(surface, plane)) {
     const sim::Vec2 middle = middle_of(curve.points_m);
-    if (curve.is_closed && glm::length(middle) < nearest_m) {
+    if (curve.is_closed && glm::length(middle) < nearest_m && length_m(curve) >= least_m) {
       nearest_m = glm::length(middle);
       nearest = {length_m(curve), tight_tape_m(curve.points_m), place_in(plane, middle), lowest_of(curve, plane)};
     }
@@ -339,7 +340,7 @@ std::optional<RingAround> ring_at_shoulder(const Surface& surface, const ArmJoin
   std::optional<RingAround> found;
   for (int step = 0; step < steps_of_armhole; ++step) {
     const sim::Vec3 point_m = arm.shoulder_m + 0.5 * step / steps_of_armhole * along;
-    const auto ring = ring_near(surface, {point_m, normal});
+    const auto ring = ring_near(surface, {point_m, normal}, least_of_armhole * arm_m);
     const bool is_there = found && ring && ring->tape_m > next_share * found->tape_m;
     if (is_there) break;
     found = ring && ring->tape_m < most_of_armhole * arm_m ? ring : std::nullopt;
@@ -353,7 +354,8 @@ std::optional<RingAround> armhole_of(const Surface& garment, const ArmJoints& ar
   const sim::Vec3 over_m = arm.shoulder_m + beside_joint_m * arm.outwards;
   const sim::Vec3 front = glm::cross(arm.outwards, sim::Vec3(0.0, 1.0, 0.0));
   const sim::Vec3 normal = glm::cross(front, over_m - sleeve->lowest_m);
-  return ring_near(garment, {0.5 * (over_m + sleeve->lowest_m), glm::normalize(normal)});
+  return ring_near(garment, {0.5 * (over_m + sleeve->lowest_m), glm::normalize(normal)},
+                   least_of_armhole * sleeve->tape_m);
 }
 
 std::vector<ArmJoints> arms_of(const JointPlaces& joints) {

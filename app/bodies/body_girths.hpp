@@ -77,8 +77,9 @@ struct RingAround {
   sim::Vec3 middle_m, lowest_m;
 };
 
-/// Returns the ring whose middle is nearest to the plane's point; empty if none is near.
-std::optional<RingAround> ring_near(const Surface& surface, const CuttingPlane& plane);
+/// Returns the ring whose middle is nearest to the plane's point, of those that are at least so long; empty if none is
+/// near.
+std::optional<RingAround> ring_near(const Surface& surface, const CuttingPlane& plane, double least_m = 0.0);
 
 /// Returns the ring around the shoulder: the first from its joint outwards that is around the arm alone, whose girth
 /// is given, and from which on the next one, a few millimetres further, is not smaller than this share; on a plane

@@ -305,6 +305,20 @@ TEST(BodyGirths, AreTheSameWhereverArmsHang) {
   }
 }
 
+// As where the hem of a shoulder is rolled in.
+TEST(BodyGirths, ARollOfClothIsNoArmhole) {
+  const ArmJoints arm = {{0.2, 1.4, 0.0}, {0.2, 1.1, 0.0}, {1.0, 0.0, 0.0}};
+  sim::Mesh sleeve = stacked({{1.0, 0.09, 0.09, 0}, {1.6, 0.09, 0.09, 0}});
+  for (sim::Vec3& p : sleeve.positions) p.x += 0.2;
+  const auto hole = armhole_of({sleeve.positions, sleeve.triangles}, arm, 0.56);
+  ASSERT_TRUE(hole.has_value());
+  EXPECT_GT(hole->tape_m, 0.5);
+  add(stacked({{1.0, 0.003, 0.003, 0}, {1.6, 0.003, 0.003, 0}}), {0.2, 0.0, 0.0}, sleeve);
+  const auto beside_roll = armhole_of({sleeve.positions, sleeve.triangles}, arm, 0.56);
+  ASSERT_TRUE(beside_roll.has_value());
+  EXPECT_DOUBLE_EQ(beside_roll->tape_m, hole->tape_m);
+}
+
 // Hair down to the hips and shoes.
 TEST(BodyGirths, WhatIsNoSkinIsLeftOut) {
   sim::Mesh mesh = with_arms("female_34", 43.0, 1.0);

@@ -406,7 +406,7 @@ std::vector<std::string> option_names(const CLI::App& command) {
   return names;
 }
 
-/// Of a command line that cannot be understood.
+/// For a command line that cannot be understood.
 std::string what_is_wrong(const CLI::App& app, const CLI::ParseError& error, std::span<const char* const> arguments) {
   const CLI::App* command = &app;
   std::string help = "taut";

@@ -54,7 +54,7 @@ void require_promises_kept(const std::string& broken) {
   if (!broken.empty()) throw PromiseBroken(broken);
 }
 
-/// Of a start that is not handed out.
+/// For a start that is not handed out.
 void verify_start(const sim::Simulation& simulation, const FrameOutputs& outputs) {
   if (outputs.verify) {
     FrameRecord record = measure_frame(simulation, outputs.start_frame);

@@ -33,7 +33,7 @@ struct SurfaceStyle {
   WeaveKind weave_kind = WeaveKind::knit;
   float threads_per_m = 1100.0F;  ///< or columns of stitches of a knit; jersey
   float unevenness = 0.14F;       ///< 0 to 1; how much yarns differ in brightness, and along their length
-  /// Of the threads of hems and seams. None: a lighter shade of the cloth.
+  /// The colour of the threads of hems and seams. None: a lighter shade of the cloth.
   std::optional<Colour> stitch_colour;
 };
 

@@ -58,7 +58,7 @@ float fringe_albedo(float facing, float roughness) {
   return max(c.x + x * (c.y + x * (c.z + x * c.w)), 0.0);
 }
 
-// What they reflect of each lamp, for a Lambertian's 1: the distribution of Estevez and Kulla (2017), the visibility
+// Their reflection of each lamp, for a Lambertian's 1: the distribution of Estevez and Kulla (2017), the visibility
 // of Neubelt and Pettineo (2013). glTF's KHR_materials_sheen means the same.
 vec3 fringes(vec3 cosines, vec3 to_eye, float facing, float roughness) {
   float a = roughness * roughness;

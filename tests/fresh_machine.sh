@@ -21,7 +21,7 @@ fail() {
 command -v debootstrap >/dev/null || fail "there is no debootstrap"
 command=$(sed -En "s|^(\./setup\.sh && cmake --workflow --preset $preset)( .*)?\$|\1|p" "$source/README.md")
 [ -n "$command" ] || [ "$preset" = package ] || fail "README.md has no command for '$preset'; expected test, figures or package"
-# What apt on this machine takes Debian from: a line each for the release, its updates and its security.
+# The sources of apt on this machine: a line each for the release, its updates and its security.
 sources=$(apt-get indextargets --format 'deb $(REPO_URI) $(RELEASE) $(COMPONENT)' \
   'Created-By: Packages' 'Origin: Debian' |
   awk -v release=$release 'index($3, release) == 1')
@@ -33,7 +33,7 @@ machine=$folder/machine
 [ ! -e "$machine" ] || fail "$machine is there already"
 mkdir -p "$folder"
 
-# What is mounted is so for the processes of the machine alone, and they end with their first one: nothing is left to
+# Mounts are there for the processes of the machine alone, and they end with their first one: nothing is left to
 # be unmounted, however this script ends.
 child=
 clean_up() {

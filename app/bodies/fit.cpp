@@ -9,7 +9,7 @@ namespace {
 
 /// A girth so little above a garment is that of its edge.
 constexpr double edge_m = 0.02;
-// Of a shoulder width.
+// For a shoulder width.
 constexpr double narrow_below_m = -0.02;
 constexpr double wide_from_m = 0.03;
 /// An opening that is nearer to the shoulder's joint is an armhole and no cuff.

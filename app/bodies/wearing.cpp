@@ -119,7 +119,7 @@ void add_limbs(const Wearer& wearer, const sim::Body& body, const std::array<con
   }
 }
 
-/// Of a garment that the body crosses: lets its limbs begin where sleeves and legs are. Returns what it did.
+/// Where the body crosses the garment, lets its limbs begin where sleeves and legs are. Returns what it did.
 std::string begin_in_limbs(const Wearer& wearer, const GarmentMarks& marks, const LoadedGarment& loaded,
                            sim::Body& body) {
   std::vector<TurnedBone> bones;

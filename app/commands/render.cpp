@@ -82,7 +82,7 @@ class PictureOutput {
     written_.push_back(record.frame);
   }
 
-  /// Of a run that ends early: keeps and says what was drawn. Why there is no video is said beside what ended
+  /// Keeps and says what was drawn in a run that ends early. Why there is no video is said beside what ended
   /// the run.
   void keep() {
     try {

@@ -28,7 +28,7 @@ struct Areas {
   double in_uv = 0.0;  ///< below 0: mirrored
 };
 
-// Of a garment for an adult; others have a share of it.
+// For an adult's garment; others have a share of it.
 constexpr float hem_m = 0.02F;
 constexpr float neckband_m = 0.018F;
 constexpr double diagonal_of_adult_m = 0.8;

@@ -97,7 +97,7 @@ inline renderer::Colour spring_colour(sim::SpringKind kind) {
   return colours[static_cast<std::size_t>(kind)];
 }
 
-/// Of a surface that lines are drawn over.
+/// For a surface that lines are drawn over.
 inline const renderer::Colour pale_outside = renderer::rgb(0xE8EDF2);
 inline const renderer::Colour pale_inside = renderer::rgb(0xF3DFC0);
 

@@ -11,7 +11,7 @@ using sim::Vec3;
 
 /// How much further away a triangle may be that faces the same way.
 constexpr double preferred = 2.0;
-/// Of a triangle's own normal beside those of its vertices.
+/// The share of a triangle's own normal beside those of its vertices.
 constexpr double own_share = 0.1;
 constexpr double infinite = std::numeric_limits<double>::infinity();
 

@@ -61,7 +61,7 @@ struct GarmentInScene {
 /// A scene's garment with all that was found out about it.
 struct LoadedGarment : GarmentInScene {
   Landmarks landmarks;
-  // Of a model file; a grid is made, not read.
+  // For a model file; a grid is made, not read.
   /// With positions, without triangles; the optional members are empty for a grid.
   std::optional<ImportedModel> model;
   std::optional<sim::MeshReport> repairs;

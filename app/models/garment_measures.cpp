@@ -12,7 +12,7 @@ constexpr double in_the_middle = 0.15;
 constexpr double open_front = 0.7;
 /// A share of the part's height: so much of that border, from its top on, is around the neck.
 constexpr double around_neck = 0.08;
-/// Of a stand collar, in m: how level its edge is, how high it is at most, and a step down it.
+/// A stand collar, in m: how level its edge is, how high it is at most, and a step down it.
 constexpr double level_edge_m = 0.03, highest_collar_m = 0.12, collar_step_m = 0.005;
 /// Times the collar's girth, where shoulders begin below it.
 constexpr double shoulders_begin = 1.2;
@@ -57,7 +57,7 @@ struct Finder {
     return is_in_middle(opening) && opening.range.size().y > open_front * part.range.size().y;
   }
 
-  /// Of a jacket that is open in front.
+  /// For a jacket that is open in front.
   std::vector<sim::Index> neck_of_open_front(const GarmentMarks& marks) const {
     std::vector<sim::Index> neck;
     const double from_m = part.range.upper.y - around_neck * part.range.size().y;

@@ -157,7 +157,7 @@ constexpr std::uint32_t architecture = AUDIT_ARCH_AARCH64;
 constexpr std::uint32_t architecture = 0;  // where the filter would refuse nothing
 #endif
 
-/// Has the system refuse these calls. Those of other architectures' numbers end the process.
+/// Has the system refuse these calls. Calls by other architectures' numbers end the process.
 void keep_from_calls() {
   constexpr std::array refused = {SYS_socket, SYS_socketpair,        SYS_execve,        SYS_execveat, SYS_ptrace,
                                   SYS_kill,   SYS_process_vm_writev, SYS_io_uring_setup};

@@ -82,7 +82,7 @@ struct Piece {
   bool is_left_out = false;
 };
 
-/// The length of the borders. Those of what was cut away go to and fro from triangle to triangle, which is left out.
+/// The length of the borders, without those of parts that were cut away: these go to and fro from triangle to triangle.
 double border_of(const sim::Mesh& mesh, const std::vector<sim::Triangle>& triangles) {
   std::vector<sim::Edge> edges;
   for (const sim::Triangle& t : triangles) {

@@ -167,7 +167,7 @@ SurfaceMaterial material_of(const aiMaterial& from, bool is_gltf) {
   return material;
 }
 
-/// Returns the same of all materials of a scene, in their order. Those of glTF are linear, and multiply their
+/// Returns the same of all materials of a scene, in their order. glTF's are linear, and multiply their
 /// images; those of other formats are taken as what programs show, and their images replace them.
 std::vector<SurfaceMaterial> materials_of(const aiScene& scene, bool is_gltf) {
   std::vector<SurfaceMaterial> materials;

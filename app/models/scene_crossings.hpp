@@ -9,7 +9,7 @@ namespace taut::app {
 /// Where the cloth crosses itself, or a body.
 struct SceneCrossings {
   std::optional<std::size_t> body = {};  ///< its place among the bodies; empty: the cloth itself
-  /// Of a body that is no mesh: the triangles that enter it, with `second` 0 and the triangle's middle.
+  /// For a body that is no mesh, the triangles that enter it, with `second` 0 and the triangle's middle.
   std::vector<CrossingPair> pairs = {};
 };
 

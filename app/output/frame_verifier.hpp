@@ -19,7 +19,7 @@ class FrameVerifier {
   /// are apart in a frame that is checked; so are, in each frame, pairs of two triangles of one group of what
   /// the solver leaves out (sim::LeftOutTriangle). Returns what crosses, for people; empty: nothing.
   ///
-  /// Of a run that is resumed the start is that of the whole run, before the checkpoint: a pair that crosses
+  /// A resumed run has the start of the whole run, before the checkpoint: a pair that crosses
   /// where the run is resumed counts unless it crossed at that start. That a pair was apart in the meantime
   /// is not known.
   std::string begin(const sim::Simulation& simulation);

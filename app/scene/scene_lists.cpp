@@ -194,7 +194,7 @@ std::vector<Key<BodyInScene>> common_keys() {
   std::vector<Key<B>> keys = {{"shape", "", shape_names, "", [](const toml::node&, const Source&, B&) { return true; },
                                [](const B& entry) { return Json(name_of(entry.body.shape)); }},
                               text_key<B>("name", MEMBER(body.name), "for messages"),
-                              // Of a body 0 is a friction as good as any other.
+                              // A body's friction may be 0.
                               member_key<B>(
                                   "friction", "", describe("a number", friction), MEMBER(body.friction),
                                   "Coulomb's coefficient; not set: cloth.friction",

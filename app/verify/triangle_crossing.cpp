@@ -64,7 +64,7 @@ Vec3 meeting_place(const Segment& s, const Segment& t) {
   return s.from + std::clamp(at, 0.0, 1.0) * along_s;
 }
 
-/// Of a point in the triangle's plane: whether it is inside, off the edges. False without area.
+/// Returns whether a point in the triangle's plane is inside, off the edges. False without area.
 bool is_inside(const Vec3& p, const Corners& t) {
   for (int axis = 0; axis < 3; ++axis) {
     const int side = orientation_without(axis, t[0], t[1], p);
@@ -76,7 +76,7 @@ bool is_inside(const Vec3& p, const Corners& t) {
   return false;
 }
 
-/// Of a segment in the triangle's plane, or of any segment if the triangle has no area.
+/// For a segment in the triangle's plane, or any segment if the triangle has no area.
 std::optional<Vec3> place_in_plane(const Segment& s, const Corners& t) {
   for (std::size_t k = 0; k < 3; ++k) {
     if (segments_meet(s, edge_of(t, k))) return meeting_place(s, edge_of(t, k));

@@ -34,7 +34,7 @@ const std::array<FitLevel, 3>& fit_levels() {
 // its size.
 constexpr FitPhase settling = {.frames = 10, .flexural = 0.02, .air_drag_per_s = 60.0};
 
-// Of the pattern for cisMaleAdult40.
+// From the pattern for cisMaleAdult40.
 constexpr double male_half_chest_m = 0.29484;
 constexpr double male_cuff_m = 0.43096;
 

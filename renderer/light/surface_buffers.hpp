@@ -93,7 +93,7 @@ class SurfaceBuffers {
   }
 
  private:
-  // Of a triangle that is trimmed.
+  // For a triangle that is trimmed.
   struct Trim {
     std::array<glm::vec4, 3> corners;
     glm::vec4 band;

@@ -4,7 +4,7 @@
 
 namespace taut::sim {
 
-// Elementary functions made of additions, products and quotients only. Those of the C library give other last
+// Elementary functions made of additions, products and quotients only. The C library's give other last
 // bits on processors without fused multiply-add, and so another state.
 
 /// sin(2 pi `turns`) with an error of at most 4e-16.

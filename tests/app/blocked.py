@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""What a run leaves that cannot go on without a crossing, and what --verify leaves out.   blocked.py PROGRAM FOLDER SCENE"""
+"""Tests a run that cannot go on without a crossing, and what --verify leaves out.   blocked.py PROGRAM FOLDER SCENE"""
 import json
 import pathlib
 import re
@@ -107,7 +107,7 @@ run(0, 'simulate', *through, '--frames', ':3', '--checkpoint', 'early')
 out, _ = run(0, 'simulate', *through, '--frames', ':30', '--resume', 'early')
 expect(re.search(r'outside what crosses since the start: [1-9]\d* pairs then', out), 'resumed: ' + out)
 
-# What came to cross before a run is resumed counts, although it crosses where the run goes on.
+# Crossings from before a run is resumed count, although they cross where the run goes on.
 vertices, faces = [], []
 add_sheet(9, lambda u, v: (0.4 * u, 0.0, 0.4 * v))
 add_sheet(5, lambda u, v: (0.013 + 0.1 * u, 0.1 * v + 0.06, 0.007))

@@ -1,5 +1,5 @@
 #!/bin/sh
-# What goes wrong while the program runs: it ends with an error that says what, and files that exist are
+# Faults while the program runs: it ends with an error that says what, and files that exist are
 # complete.   faults.sh PROGRAM FOLDER CASE
 set -eu
 program=$1 folder=$2 fault=$3

@@ -37,7 +37,7 @@ file(GLOB_RECURSE unfinished ${DIR}/*.part* ${DIR}/*.tmp* ${DIR}/.*)
 if(unfinished)
   message(FATAL_ERROR "left behind: ${unfinished}")
 endif()
-# What was measured before a run failed is worth having; lines are whole.
+# Measurements from before a run failed are worth having; lines are whole.
 if(EXISTS ${DIR}/run.jsonl)
   file(STRINGS ${DIR}/run.jsonl lines)
   foreach(line IN LISTS lines)

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""What the program says of a run and of itself, and how much it writes.   said.py PROGRAM FOLDER"""
+"""Tests what the program says of a run and of itself, and how much it writes.   said.py PROGRAM FOLDER"""
 import csv
 import json
 import os

@@ -1,4 +1,4 @@
-// What an eye hardly sees and a picture test must, besides the changes in tests/golden/CMakeLists.txt: those
+// Changes that an eye hardly sees and a picture test must, besides the changes in tests/golden/CMakeLists.txt: those
 // that no scene can ask for.
 
 #include <gtest/gtest.h>

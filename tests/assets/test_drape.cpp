@@ -15,7 +15,7 @@ namespace {
 
 const std::filesystem::path assets = TAUT_ASSETS_DIR;
 
-/// What can be said of a shape whatever its mesh, over its surface, in m.
+/// Measures of a shape that do not depend on its mesh, over its surface, in m.
 struct Shape {
   double mean_height_m = 0.0;
   double lowest_m = 0.0;

@@ -1,4 +1,4 @@
-// What a tape measure says of bodies.
+// Girths of bodies as a tape measure has them.
 
 #include <fmt/core.h>
 

@@ -1,4 +1,4 @@
-// What is found on a garment: its neck or waist, hem, cuffs and front, and how far up it goes around a trunk.
+// The parts that are found on a garment: its neck or waist, hem, cuffs and front, and how far up it goes around a trunk.
 
 #include <gtest/gtest.h>
 

@@ -23,7 +23,7 @@ void put_big_endian(Number number, std::string& bytes) {
   bytes.append(little.rbegin(), little.rend());
 }
 
-/// Of the tetrahedron, which moves along x from one frame to the next.
+/// The frames of the tetrahedron, which moves along x from one frame to the next.
 std::string mdd(std::int32_t frames, float frame_s, float step_m) {
   std::string bytes;
   put_big_endian(frames, bytes);

@@ -14,7 +14,7 @@ using test::GltfModel;
 
 const double half = std::sqrt(0.5);
 
-/// What is in the file is of single precision.
+/// Numbers in the file are of single precision.
 constexpr double tolerance_m = 1e-6;
 
 sim::Vec3 turned_about_z(const sim::Vec3& p, const sim::Vec3& about, double angle) {
@@ -189,7 +189,7 @@ TEST(RigClips, AllAreLookedAtAtOnce) {
   EXPECT_LT(glm::distance(moved_m("all", 9.0), sim::Vec3(0.0, 0.5, 0.25)), tolerance_m) << "the longer";
 }
 
-// Of a file in another unit than its format has.
+// For a file in another unit than its format has.
 TEST(RigClips, AJumpOfABodyThatIsNoPersonsSizeIsSaidWithItsHeight) {
   const test::TemporaryFolder folder;
   GltfModel model = test::tube();

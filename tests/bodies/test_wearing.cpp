@@ -64,7 +64,7 @@ struct Wearing : testing::Test {
   void turn(double degrees) {
     motion.spin = {.turns_per_s = degrees / 360.0, .from_s = -9.0, .until_s = -8.0};
   }
-  /// What is said when the skirt, which is wider than deep, is put on by a body that stands so.
+  /// Returns the message when the skirt, which is wider than deep, is put on by a body that stands so.
   std::string said_of_skirt(const sim::Vec3& at_m, double degrees) {
     sim::Mesh mesh = test::moved(test::skirt(), at_m);
     for (sim::Vec3& p : mesh.positions) {

@@ -118,7 +118,7 @@ def expect_gltf():
 
 
 def usd_value(text, name):
-    """What stands behind NAME = on its line, or in the braces that begin there, by its keys."""
+    """Returns the text behind NAME = on its line, or in the braces that begin there, by its keys."""
     found = re.search(r'\b%s = (.*)' % re.escape(name), text)
     expect(found, 'USD: no ' + name)
     if found.group(1) != '{':

@@ -25,7 +25,7 @@ const std::string seamed =
     "o shirt\ng left panel\nusemtl red\ns 1\nf 3/1/1 4/2/1 2/3/1 5/4/1\nf 5/4/1 2/3/1 11/3/1 12/2/1 10/1/1\n"
     "g right panel\nusemtl blue\nf 7/5/1 6/6/1 8/7/1 9/8/1\nf 9/8/1 8/7/1 13/6/1\n";
 
-/// What an OBJ says of its faces: a line each, with the numbers of vertices and the coordinates of their
+/// The faces of an OBJ: a line each, with the numbers of vertices and the coordinates of their
 /// texture; and of groups and materials.
 std::vector<std::string> faces_in(const std::string& obj) {
   std::vector<std::string> found;

@@ -226,7 +226,7 @@ TEST(Verdicts, LieOnTheirBounds) {
   EXPECT_EQ(verdict_after("growth", growth_like(1.19)), no);
 }
 
-// What was once measured, and was called "holds with a condition".
+// A result that was once measured, and was called "holds with a condition".
 TEST(Claims, WhatTheLetterOfThePaperReachesIsNoBound) {
   ClaimResults results = results_of_the_paper();
   results.pinned[0]->largest_stretch = 0.067;
@@ -441,7 +441,7 @@ TEST(Report, ShowsEachVerdictAndWhatBoundedReaches) {
   }
 }
 
-/// Of a bounded scene with contact that keeps both promises, and of one without contact.
+/// Returns the results of a bounded scene with contact that keeps both promises, and of one without contact.
 ClaimResults results_with_promises() {
   ClaimResults results;
   for (const std::size_t i : {1U, 2U}) {

@@ -15,7 +15,7 @@ namespace {
 
 using test::TemporaryFolder;
 
-// What a reader of the triangles finds, without the program's own topology.
+// Measures that a reader of the triangles finds, without the program's own topology.
 struct Shape {
   std::size_t border_edges = 0;
   std::size_t borders = 0;        ///< closed lines of them

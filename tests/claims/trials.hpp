@@ -76,7 +76,7 @@ struct TrialLengths {
   double steps_s = 1.0;
 };
 
-/// Makes the trials of one test. Those of time take turns of a few frames, so that other load on the machine
+/// Makes the trials of one test. Trials of time take turns of a few frames, so that other load on the machine
 /// meets all methods alike; nothing else of the program should run meanwhile. `meshes` are theirs alone.
 MethodTrials make_trials(MethodTest test, const ProgressCallback& report_progress, const TrialLengths& lengths = {},
                          std::span<const int> meshes = trial_meshes);
@@ -169,7 +169,7 @@ struct TimeGrowth {
 /// Fits both laws to the times that were measured with this number of substeps.
 TimeGrowth measure_growth(const std::vector<FrameTimes>& times, int substeps);
 
-/// What figure 8 and the claims are judged by besides the results of the other figures.
+/// The results that figure 8 and the claims are judged by besides the results of the other figures.
 struct ClaimResults : Results {
   std::vector<GarmentTrial> garments;
   /// Ideal springs with the short step, one run for each of stiffness_factors.

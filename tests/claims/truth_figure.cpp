@@ -33,7 +33,7 @@ const renderer::Colour& colour_of(std::size_t curve) {
 
 constexpr std::array markers = {Marker::ring, Marker::square, Marker::disc, Marker::cross};
 
-/// What is published of a curve, as a line.
+/// Returns the published numbers of a curve as a line.
 Curve line_of(const std::string& name, std::size_t number, std::span<const TruthPoint> points) {
   Curve curve = {name, {}, {colour_of(number), 3.5F, {}}};
   for (const TruthPoint& point : points) {

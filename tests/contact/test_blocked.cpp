@@ -40,7 +40,7 @@ ContactScene sheet_led_into(const Shape& shape) {
   return scene;
 }
 
-/// What ends the run within a second; `before` is the state of its last frame.
+/// Returns the error that ends the run within a second; `before` is the state of its last frame.
 std::optional<ContactBlocked> blocked_in(Simulation& simulation, State& before) {
   for (int frame = 0; frame < 60; ++frame) {
     before = simulation.state();

@@ -1,4 +1,4 @@
-// What crosses when the cloth begins: nothing new crosses outside the patches around it.
+// Cloth that crosses when it begins: nothing new crosses outside the patches around it.
 
 #include <gtest/gtest.h>
 

@@ -38,7 +38,7 @@ TEST(ContactBench, StartsAreMovedAtRandomAndCanBeRepeated) {
   EXPECT_EQ(start_m, jittered_start(cloth, 0.002, 7));
   EXPECT_NE(start_m, jittered_start(cloth, 0.002, 8));
   EXPECT_EQ(start_m[3], rest_m[3]) << "pinned";
-  // Of a generator whose numbers are the same everywhere.
+  // From a generator whose numbers are the same everywhere.
   EXPECT_NEAR(start_m[0].x - rest_m[0].x, 5.0877061e-05, 1e-12);
   double furthest_m = 0.0;
   for (std::size_t v = 0; v < rest_m.size(); ++v) {

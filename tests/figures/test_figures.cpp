@@ -111,7 +111,7 @@ TEST(Jobs, FirstErrorStopsTheOthersAndIsThrownOn) {
     EXPECT_STREQ(error.what(), "no such garment");
   }
   EXPECT_EQ(stopped, 1);
-  // What is thrown while drawing stops the work as well.
+  // An exception while drawing stops the work as well.
   const std::vector<Job> drawn = {endless, {"short", 1.0, [](const ProgressCallback&) {}}};
   EXPECT_THROW(run_jobs(drawn, 2, [](std::size_t) { throw std::logic_error("pen broken"); }),
                std::logic_error);

@@ -30,7 +30,7 @@ if(NOT first STREQUAL second)
   message(FATAL_ERROR "the records differ:\n${first}\n${second}")
 endif()
 
-# What has changed since is said: here the shape of the garment.
+# Changes since are said: here the shape of the garment.
 if(CHANGED_GARMENT)
   file(READ ${CHANGED_GARMENT} garment)
   file(WRITE ${OUTPUT_DIR}/garment.obj "${garment}")

@@ -34,7 +34,7 @@ function(run_taut folder)
   endif()
 endfunction()
 
-# What drew the pictures of the run that left `stats`.
+# The renderer that drew the pictures of the run that left `stats`.
 function(read_renderer stats result)
   file(STRINGS ${stats} run LIMIT_COUNT 1)
   string(JSON renderer GET "${run}" versions gl_renderer)

@@ -68,7 +68,7 @@ struct Enters {
   bool operator()(const BodyMesh&) const { return false; }
 };
 
-/// Returns whether the triangle begins in the balls of which a tapered limb consists. What a radius at right
+/// Returns whether the triangle begins in the balls of which a tapered limb consists. A radius at right
 /// angles to its axis reaches (app/verify) is a little less.
 bool begins_within_balls(const app::Corners& triangle, const Shape& shape) {
   const auto* limb = std::get_if<Capsule>(&shape);

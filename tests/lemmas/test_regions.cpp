@@ -194,7 +194,7 @@ TEST(Lemma, KinematicVerticesNearToTheirChordsAreCrossedByNothing) {
   EXPECT_GT(tried, 20U) << "that are pressed together";
 }
 
-// What else there is room for is in plane_gap.hpp.
+// The other terms are in plane_gap.hpp.
 TEST(Lemma, RegionsThatDoNotFitLetNothingMoveButWhatMust) {
   std::size_t tried = 0;
   ASSERT_TRUE(holds("regions that do not fit", [&] {

@@ -6,7 +6,7 @@
 #include "app/output/frame_record.hpp"
 #include "cloths.hpp"
 
-// What the border costs: cost SCENE FRAMES steps one cloth inside, by sim::Simulation itself, and its twin
+// The cost of the border: cost SCENE FRAMES steps one cloth inside, by sim::Simulation itself, and its twin
 // through the C interface, with the positions taken out, in turn, and prints the mean processor times of a
 // frame in ms.
 int main(int count, char** arguments) {

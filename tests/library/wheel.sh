@@ -13,7 +13,7 @@ fail() { echo "wheel.sh: $*" >&2; exit 1; }
 unset TAUT_LIBRARY TAUT_IMPORTER TAUT_ASSETS PYTHONPATH
 /usr/bin/python3 -m venv bare
 unshare -n bare/bin/pip install --quiet --no-index "$wheel"
-# What the build machine has installed must not stand in for what is missing.
+# Packages of the build machine must not stand in for what is missing.
 libraries=$(echo bare/lib/python3*/site-packages/taut_cloth/lib)
 for file in "$libraries"/* "$libraries"/../libexec/taut/taut-import; do
   ldd "$file" | awk '$3 ~ /^\// && $3 !~ /taut_cloth/ {print $1}' |

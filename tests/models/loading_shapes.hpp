@@ -17,7 +17,7 @@ inline app::LoadedGarment load(const TemporaryFolder& folder, const sim::Mesh& m
   return app::load_garment(scene);
 }
 
-/// What is said of it, a line each.
+/// Returns the messages about it, a line each.
 inline std::string remarks(const app::LoadedGarment& loaded) {
   std::string text;
   for (const std::string& line : app::remarks_of(loaded)) {

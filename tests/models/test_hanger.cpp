@@ -161,7 +161,7 @@ TEST_F(OnHanger, ACollarIsNoShoulder) {
       << "what reaches to 0.4 of its half length is one: it rises by 3 of the 12 cm that are left";
 }
 
-// What is above the shoulders of a wide garment is narrow.
+// The part above the shoulders of a wide garment is narrow.
 TEST_F(OnHanger, IsAtLeastHalfAsLongAsTheLongest) {
   const auto mesh = [](double half_width_m) {
     const auto body = [=](double x, double y) {

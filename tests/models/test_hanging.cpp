@@ -1,4 +1,4 @@
-// What holds a garment without a body, on models of each kind that people have.
+// Pins and hangers of a garment without a body, on models of each kind that people have.
 
 #include <gtest/gtest.h>
 

@@ -149,7 +149,7 @@ TEST_F(PinsOfAFile, NumberForcesToo) {
                   "forces.vertex: vertex 0 of the file belongs to no face");
 }
 
-// What the window holds is a vertex of the mesh; a scene that is saved names it as any reader finds it.
+// The window holds a vertex of the mesh; a scene that is saved names it as any reader finds it.
 TEST_F(PinsOfAFile, AreFoundAgainFromTheMesh) {
   const LoadedGarment loaded = load("strip.obj", strip_obj, {});
   for (sim::Index v = 0; v < loaded.garment->mesh.positions.size(); ++v) {

@@ -1,4 +1,4 @@
-// What is said of files that no reader takes.
+// Messages about files that no reader takes.
 
 #include <gtest/gtest.h>
 

@@ -104,7 +104,7 @@ struct Untangle : testing::Test {
     return crossing_pairs(surface_at_start(loaded)).size();
   }
 
-  /// What breaks a promise in 30 frames and at the start; empty: nothing, with nothing left out.
+  /// Returns what breaks a promise in 30 frames and at the start; empty: nothing, with nothing left out.
   static std::string broken_in_a_run(const Scene& scene, const LoadedGarment& loaded) {
     sim::Simulation simulation = make_simulation(scene, loaded);
     EXPECT_EQ(simulation.state().current, *loaded.start_m) << "was moved once more";

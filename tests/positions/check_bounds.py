@@ -26,7 +26,7 @@ def frames_of(time):
 
 
 def check(program, scene, frames, held, checked):
-    """What does not hold of a scene's frames. Prints how many there were."""
+    """Returns what does not hold of a scene's frames. Prints how many there were."""
     shutil.rmtree(program.folder, ignore_errors=True)
     program.folder.mkdir(parents=True)
     cloth, count, found = program.cloth(scene), 0, []

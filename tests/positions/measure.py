@@ -20,7 +20,7 @@ def nearest_rank_99(values):
     return sorted(values)[math.ceil(0.99 * len(values)) - 1]
 
 
-# What is said of the stretches of a cloth.
+# The words for the stretches of a cloth.
 MEASURES = {
     "max_stretch": lambda of: max(of.structural),
     "p99_stretch": lambda of: nearest_rank_99(of.structural),
@@ -40,7 +40,7 @@ class Stretches:
     surface: list  # of each triangle that is no needle, along the direction that is longest
 
     def over(self, bound, kind):
-        """What exceeds a bound of this kind, one text for springs and one for triangles."""
+        """Returns what exceeds a bound of this kind, one text for springs and one for triangles."""
         springs, found = max(self.structural + self.shear), []
         if not springs <= bound + ROUNDING:
             found.append(f"a spring is stretched by {100 * springs:.7f} %, more than {100 * bound:g} %")
@@ -64,7 +64,7 @@ def largest_stretch(rest, now):
     """Between two metrics of a triangle: the square root of the larger root of det(now - x rest) = 0, minus 1.
 
     With l, m, n for the metric now the roots are (t +- sqrt(t^2 - 4 det(rest) det(now))) / (2 det(rest)) where
-    t = E n - 2 F m + G l. What is under the root cancels where the roots are alike. It equals r^2 - 4 p q of
+    t = E n - 2 F m + G l. The number under the root cancels where the roots are alike. It equals r^2 - 4 p q of
     r = E n - G l, p = E m - F l, q = F n - G m (so do the equations of principal curvatures), and with
     E q = F r - G p the sum of the squares of r - 2 p F / E and 2 p sqrt(det(rest)) / E, which does not."""
     e, f, g = rest
@@ -172,7 +172,7 @@ class Printed:
 
     @classmethod
     def all_of(cls, where, record):
-        """What a record of the program says, by the names of the measures."""
+        """Returns what a record of the program says, by the names of the measures."""
         return [cls(where, float(record[name]), name) for name in MEASURES if name in record]
 
 
@@ -190,7 +190,7 @@ class Shape:
 
 
 def complaints(shape):
-    """What does not hold of a shape, one text each."""
+    """Returns what does not hold of a shape, one text each."""
     try:
         stretches = shape.cloth.stretches(shape.points, shape.faces)
     except (ValueError, IndexError) as error:

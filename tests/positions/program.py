@@ -26,7 +26,7 @@ class Program:
         self.taut, self.assets, self.folder = taut, assets, folder
 
     def run(self, *arguments):
-        """What it prints. Raises RuntimeError unless it ends well."""
+        """Returns what it prints. Raises RuntimeError unless it ends well."""
         command = [self.taut, *map(str, arguments)]
         done = subprocess.run(command, cwd=self.folder, capture_output=True, text=True)
         if done.returncode != 0:
@@ -57,7 +57,7 @@ class Program:
         return solver["max_stretch"] if solver["kind"] == "bounded" else None
 
     def statistics(self, name):
-        """What was measured of every frame; before and after those stand what was run and what came of it."""
+        """Returns what was measured of every frame; before and after those stand what was run and what came of it."""
         lines = (self.folder / name).read_text(encoding="utf-8").splitlines()
         return [record for record in map(json.loads, lines) if "frame" in record]
 
@@ -80,7 +80,7 @@ def png_texts(path):
 
 
 def pdf_text(path):
-    """What is written on the pages of a PDF as Cairo makes it with Latin letters."""
+    """Returns the text on the pages of a PDF as Cairo makes it with Latin letters."""
     text = ""
     for stream in re.findall(rb"/FlateDecode\s*>>\s*stream\n(.*?)\nendstream", path.read_bytes(), re.DOTALL):
         for words in re.findall(rb"\(((?:[^\\()]|\\.)*)\)\s*Tj", zlib.decompress(stream)):

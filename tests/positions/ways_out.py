@@ -63,12 +63,12 @@ def table(path):
 
 
 def percents(where, texts):
-    """What a text of the program says in percent, by the names of the measures; an empty one says nothing."""
+    """Returns the percents in a text of the program, by the names of the measures; an empty one says nothing."""
     return [Printed.percent(where, texts[name], name) for name in MEASURES if texts.get(name)]
 
 
 def captions(path):
-    """What a figure says below each panel that shows a shape; below others it may say more of the same shapes."""
+    """Returns the text of a figure below each panel that shows a shape; below others it may say more of the same shapes."""
     text = pdf_text(path)
     said = [percents("its caption", {"max_stretch": springs, "max_surface_stretch": surface}) for springs, surface
             in re.findall(r"largest stretch(?:: springs)? ([-\d.]+) %(?:, surface ([-\d.]+) %)?", text)]

@@ -12,7 +12,7 @@
 #include "scene_support.hpp"
 
 // Cloth that flew apart: every part of the renderer that looks at positions is handed some that are anywhere
-// or nowhere. What comes out may show nothing, but nothing is read or written outside of what there is.
+// or nowhere. The picture may show nothing, but nothing is read or written outside of what there is.
 
 namespace taut::renderer {
 namespace {
@@ -182,7 +182,7 @@ TEST_F(LostPicturesTest, CoveredSquaresStayInTheTile) {
   });
 }
 
-// Whole pictures, with all that may be in one. What is not finite is refused by name; what is far is drawn,
+// Whole pictures, with all that may be in one. A number that is not finite is refused by name; a far one is drawn,
 // and what is near beside it is seen.
 TEST_F(LostPicturesTest, AreDrawnOrRefused) {
   for (const float far : {1e5F, 1e9F, 1e12F, 1e30F, largest, inf, nan}) {

@@ -62,7 +62,7 @@ struct TwoSheets {
     classifier.classify(frame.surfaces[0], triangles);
     return triangles;
   }
-  // Of a triangle of the large sheet: how far its nearest and its farthest corner are from the middle, as
+  // How far, for a triangle of the large sheet, its nearest and its farthest corner are from the middle, as
   // squares around it are.
   glm::vec2 reach_m(std::size_t triangle) const {
     glm::vec2 reach{1e9F, 0.0F};
@@ -109,7 +109,7 @@ TEST(ShadowClassifier, PenumbraSpreadsOverSeveralTriangles) {
   }
 }
 
-// What is close above throws a sharp shadow, which reaches less far.
+// A thing close above throws a sharp shadow, which reaches less far.
 TEST(ShadowClassifier, FewerTrianglesArePartialWhereTheShadowIsSharp) {
   const auto partial_among = [](const std::vector<KeyVisibility>& visibility) {
     return std::count(visibility.begin(), visibility.end(), KeyVisibility::partial);

@@ -13,7 +13,7 @@ struct Brightness {
   double deviation = 0.0;
 };
 
-// Of the inside of the triangle, in steps of 255.
+// Inside the triangle, in steps of 255.
 Brightness brightness(const Image& image) {
   double sum = 0.0;
   double squares = 0.0;

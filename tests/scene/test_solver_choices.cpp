@@ -6,7 +6,7 @@
 #include "app/viewer/simulation/live_simulation.hpp"
 #include "app/viewer/state/viewer_state.hpp"
 
-// What a person can choose in the window's lists, in the way the window does it.
+// Choices that a person has in the window's lists, in the way the window does it.
 
 namespace taut::app {
 namespace {

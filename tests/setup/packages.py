@@ -1,4 +1,4 @@
-"""What Debian's package manager says: which packages setup.sh brings, and which files those have."""
+"""Asks Debian's package manager: which packages setup.sh brings, and which files those have."""
 import os
 import re
 import subprocess

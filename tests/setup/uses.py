@@ -1,4 +1,4 @@
-"""What a build folder and the scripts of the sources use of the machine: headers, libraries, programs."""
+"""Finds what a build folder and the scripts of the sources use of the machine: headers, libraries, programs."""
 import json
 import os
 import pathlib

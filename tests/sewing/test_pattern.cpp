@@ -71,7 +71,7 @@ TEST_F(Pattern, ReadsCurvesOfBezierRelativeToTheEdgeOrAsTheyStand) {
 }
 
 TEST_F(Pattern, ReadsArcsToBothSidesAndThePolylinesOfOtherPrograms) {
-  // Of a circle through both ends and (5, -2.5): radius 6.25.
+  // On a circle through both ends and (5, -2.5): radius 6.25.
   const auto arc = [&](const char* large, const char* right) {
     return line(std::string(R"({"type": "circle", "params": [6.25, )") + large + ", " + right + "]}");
   };

@@ -13,7 +13,7 @@ struct Scene {
   Float4Array positions;
   Float4Array moves;
   std::vector<float> radii;
-  /// What boxes leave out of all moves; see NearPairs.
+  /// The move that boxes leave out of all; see NearPairs.
   Float4 together = {};
 
   ContactMesh mesh() const { return make_contact_mesh(cloth, bodies); }

@@ -52,7 +52,7 @@ Spring spring_between(const SpringBlock& block, std::size_t k, const Float4* row
   return {x, y, z, (x * x + y * y) + z * z};
 }
 
-/// What end j moves by along one axis, where end i has moved the other way by the rest of it.
+/// Returns how far end j moves along one axis, where end i has moved the other way by the rest of it.
 float shorten_along(float whole, float share_i, float& i) {
   const float part_i = whole * share_i;
   i = i - part_i;

@@ -31,7 +31,7 @@ double largest_stretch(const Garment& garment, std::span<const Vec3> positions) 
   return largest;
 }
 
-/// What the bound holds.
+/// Returns the largest stretch that the bound holds.
 double largest_held(const Garment& garment, std::span<const Vec3> positions, BoundKind bound) {
   const double springs = largest_stretch(garment, positions);
   return bound == BoundKind::springs ? springs
@@ -80,7 +80,7 @@ TEST_P(Bounded, KeepsTheBoundInEveryFrame) {
 }
 
 TEST_P(Bounded, ReportsABrokenBoundIfPinsPullTheClothApart) {
-  // Of a smaller cloth: its corners are pinned further apart than the bound allows.
+  // Corners of a smaller cloth: they are pinned further apart than the bound allows.
   const Garment garment = make_garment(sheet(9, 0.9));
   SimulationSettings settings = bounded_by(0.01, GetParam());
   settings.solver.max_substeps = 40;

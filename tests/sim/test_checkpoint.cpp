@@ -76,7 +76,7 @@ SimulationSettings settings_of(const Case& c) {
   return settings;
 }
 
-/// What a frame shows of itself.
+/// The readings of a frame.
 struct Shown {
   std::uint64_t state;
   FrameReport report;
@@ -156,7 +156,7 @@ std::string saved_in_a_storm(const SolverSettings& solver) {
   return encode(simulation.save(), simulation.garment());
 }
 
-/// What is said of bytes that are no checkpoint of a sheet in a storm.
+/// Returns the message about bytes that are no checkpoint of a sheet in a storm.
 std::string refusal(const std::string& bytes, SolverKind solver = SolverKind::bounded) {
   SimulationSettings settings;
   settings.solver = solver_of(solver);

@@ -73,7 +73,7 @@ TEST(ImplicitConditions, HaveTheGradientsOfTheirDifferences) {
   }
 }
 
-/// What a system of this condition says: forces, and their derivatives by positions and velocities.
+/// The system of this condition: forces, and their derivatives by positions and velocities.
 struct Assembled {
   BlockMatrix matrix;
   std::vector<Vec3> right_side = std::vector<Vec3>(4, Vec3(0.0));
@@ -431,7 +431,7 @@ TEST(Implicit, HalvesItsStepWhereStretchChangesAndDoublesItAgain) {
   EXPECT_NEAR(simulation.state().time_s, 61.0 / 60.0, 1e-12);
 }
 
-// What it goes on from decides which steps it tries.
+// The step it goes on from decides which steps it tries.
 TEST(Implicit, GoesOnWithTheStepItHad) {
   const Garment cloth = make_garment(make_grid({}));
   Positions start = cloth.mesh.positions;

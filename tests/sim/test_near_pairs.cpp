@@ -1,4 +1,4 @@
-// What could meet, against a search through all pairs in double precision.
+// Pairs that could meet, against a search through all pairs in double precision.
 
 #include <gtest/gtest.h>
 
@@ -256,7 +256,7 @@ TEST(NearPairs, AreNearIfTheirDistanceIsLessThanTheirRadii) {
         };
         const auto [distance, reach, rounding] = gap_of(pair, scene);
         EXPECT_TRUE(is_found(distance * (1.0 + 1e-6))) << pair.first_count << ' ' << size_m.y;
-        // What touches has no line between nearest points.
+        // A pair that touches has no line between nearest points.
         if (distance > rounding) {
           EXPECT_FALSE(is_found(distance * (1.0 - 2e-5) - rounding))
               << pair.first_count << ": " << distance << " m, " << size_m.y;

@@ -1,4 +1,4 @@
-// What a sweep and the projection do to one triangle, against what must hold of any.
+// One triangle after a sweep and after the projection, against what must hold of any.
 
 #include <gtest/gtest.h>
 

@@ -40,7 +40,7 @@ PictureDifference compare(const renderer::Image& expected, const renderer::Image
 /// Whether the sizes are equal and no limit is exceeded.
 bool passes(const PictureDifference& difference, const PictureLimit& limit);
 
-/// What differs, in words, with the ten worst pixels.
+/// Returns the difference in words, with the ten worst pixels.
 std::string describe(const PictureDifference& difference, const PictureLimit& limit);
 
 /// Factor by which amplified_difference() multiplies differences.

@@ -47,7 +47,7 @@ wait $window || true
 
 grep -q '^columns = 9$' pinned-9x9-5-1.toml || fail "a broken file replaced the garment"
 grep -q '^\["state",' session.txt || fail "the record has no end"
-# What was told right after the drop of two files that cannot be read.
+# The messages right after the drop of two files that cannot be read.
 awk '/^\["key",83,/ { exit } { print }' session.txt >begin.txt
 "$taut" view --headless --script begin.txt >begin.log
 grep -q "^error: .*broken.obj" begin.log || fail "nothing was said about broken.obj"

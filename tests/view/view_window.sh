@@ -1,7 +1,7 @@
 #!/bin/sh
 # A real window on a display of its own, with a real pointer and keyboard: the wind slider, back in time and
-# on from there, pause, step, reset, a pull at the cloth, another scene, screenshots, saved scenes. What the
-# window did is read from what it saved, and its record has to replay to the same state.
+# on from there, pause, step, reset, a pull at the cloth, another scene, screenshots, saved scenes. Its
+# doings are read from what it saved, and its record has to replay to the same state.
 #   view_window.sh TAUT FOLDER
 set -eu
 taut=$1

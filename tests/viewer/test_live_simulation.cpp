@@ -87,7 +87,7 @@ TEST(LiveSimulation, GoesOnFromAFrameOfThePast) {
   EXPECT_EQ(live.state_hash(), then) << "the same frames come again";
 }
 
-// What the solver remembers is gone back to as well.
+// The solver's memory is gone back to as well.
 TEST(LiveSimulation, PlaysOnFromAnyFrameBitForBit) {
   for (const char* solver : {"strong", "bounded"}) {
     const std::vector<Override> overrides = {

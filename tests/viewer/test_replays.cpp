@@ -9,7 +9,7 @@
 #include "app/viewer/headless_viewer.hpp"
 #include "sim/measures.hpp"
 
-// What people did in the window and what went wrong, as it was recorded.
+// Sessions of people in the window in which something went wrong, as it was recorded.
 
 namespace taut::app {
 namespace {

@@ -89,7 +89,7 @@ TEST(Window, EveryControlSaysWhatItDoes) {
   }
 }
 
-// What is said beside them grows and shrinks while the pointer rests there.
+// The text beside them grows and shrinks while the pointer rests there.
 TEST(Window, ReadingsAreExplainedAllAcrossThePanel) {
   Person person("pinned-9x9-5");
   const auto right_of = [&](const char* name) { return person.viewer.state().places.at(name).upper_px.x; };
@@ -187,7 +187,7 @@ TEST(Window, AThreadLeadsToAHandThatTheClothDoesNotFollow) {
   EXPECT_FALSE(hand_thread(state, *state.shown, area)) << "let go";
 }
 
-// What a press is meant for is what was drawn when it was made.
+// A press is meant for the picture that was shown when it was made.
 TEST(Window, AHandTakesTheClothThatWasSeen) {
   Person person("cloth-fall");
   person.wait(20);
@@ -342,7 +342,7 @@ TEST(Window, CanBeDrawnBeforeItsFirstFrame) {
   EXPECT_EQ(window.draw().width_px, 1280);
 }
 
-// What F12 and F10 take: the scene and its legends.
+// The picture that F12 and F10 take: the scene and its legends.
 TEST(Window, APictureHasNothingOfTheWindow) {
   SessionStart start;
   start.size = {900, 600};

@@ -7,7 +7,7 @@
 #include "sim/measures.hpp"
 #include "temporary_folder.hpp"
 
-// What the window shows and lets choose of stretch.
+// Stretch in the window: its readings and choices.
 
 namespace taut::app {
 namespace {

@@ -4,7 +4,7 @@ using System.Runtime.InteropServices;
 using System.Text;
 
 /// Cloth that keeps a bound on its stretch and crosses nothing: libtaut for C#, in Unity and elsewhere. Metres,
-/// kilograms, seconds, newtons; y is up. What each call does is said in taut.h. Positions are flat arrays, three
+/// kilograms, seconds, newtons; y is up. The header taut.h says what each call does. Positions are flat arrays, three
 /// numbers for each vertex. Everything that fails throws a TautException.
 namespace Taut {
 
@@ -293,7 +293,7 @@ public sealed class Cloth : IDisposable {
     CheckWith(targets, (ref Native.Points points) => Native.taut_move_pins(cloth, vertices, ref points));
   }
 
-  /// Returns the body's number. What crosses it may stay so: it is logged, and counted in Info.CrossingsAtStart.
+  /// Returns the body's number. Cloth that crosses it may stay so: it is logged, and counted in Info.CrossingsAtStart.
   public int AddBody(Body body) {
     using (var pinned = new Pinned()) {
       var native = pinned.Body(body);

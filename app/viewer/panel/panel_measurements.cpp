@@ -64,7 +64,7 @@ void draw_curve(std::span<const float> values, const ItemPlace& place, float hig
     const auto from_end = static_cast<float>(values.size() - 1 - i);
     points.emplace_back(place.upper_px.x - step * from_end, height_of(values[i], place, highest));
   }
-  // Of a whole number of pixels: two triangles for each point instead of six.
+  // A whole number of pixels: two triangles for each point instead of six.
   ImGui::GetWindowDrawList()->AddPolyline(points.data(), static_cast<int>(points.size()), colour, ImDrawFlags_None,
                                           std::round(1.5F * scale));
 }

@@ -8,7 +8,7 @@ constexpr int fewest_frames = 30;
 // The window may be so many snapshots behind the newest and still look back as far as it promises.
 constexpr int slack = 120;
 constexpr int look_after = 16;
-// Of a checkpoint while cloth moves: three arrays of positions, and the correction of the last frame.
+// A checkpoint while cloth moves: three arrays of positions, and the correction of the last frame.
 constexpr std::size_t vertex_bytes = 3 * sizeof(sim::Vec3) + 3 * sizeof(float);
 
 int reach_frames(const Snapshot& newest) {

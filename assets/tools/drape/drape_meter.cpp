@@ -115,7 +115,7 @@ using Points = std::vector<glm::dvec2>;
 constexpr double scatter = 0.25;
 /// How near to a circle no point of the lattice is, as a fraction of the edges.
 constexpr double clearance = 0.65;
-/// Of the triangle around all, in radii of the disc: so far that it bends no circle through the border.
+/// The size of the triangle around all, in radii of the disc: so far that it bends no circle through the border.
 constexpr double far_away = 50.0;
 /// Points of a circle are joined as if each were this far beside it, as a fraction of the edges: of more than
 /// three on one circle none is in it.

@@ -32,7 +32,7 @@ inline constexpr double clamped_radius_m = 0.09;
 
 /// The shadow of a draped disc.
 struct DrapeShadow {
-  /// Of the ring that hangs, the fraction that is in the shadow: 0 where it hangs straight down, 1 where it
+  /// The fraction of the hanging ring that is in the shadow: 0 where it hangs straight down, 1 where it
   /// stands off like a board.
   double coefficient = 0.0;
   int folds = 0;

@@ -47,7 +47,7 @@ struct Part {
   double edge_m = 0.029;    ///< of the triangles there
   bool on_midline = false;  ///< goes through x = 0, and is there once and not twice
   Frame frame;              ///< on the reference body
-  /// Of the place along the axis, in metres: centre to the side, centre to the front, the squares of half the
+  /// At the place along the axis, in metres: centre to the side, centre to the front, the squares of half the
   /// width, of the depth to the back and of that to the front, squareness from -1 (lozenge) over 0 (ellipse)
   /// to 1 (rectangle).
   Curve<6> sections;

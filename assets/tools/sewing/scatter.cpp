@@ -9,12 +9,12 @@
 namespace taut::tailor {
 namespace {
 
-// Of the edge length: nearly as dense as random points can be.
+// Part of the edge length: nearly as dense as random points can be.
 constexpr double first_spacing = 0.85;
 // Factor on the spacing after misses_before_decay points in a row that did not fit.
 constexpr double spacing_decay = 0.98;
 constexpr int misses_before_decay = 2000;
-// Of the edge length. A point closer to the outline could lie in the circle over an outline edge; then that
+// Part of the edge length. A point closer to the outline could lie in the circle over an outline edge; then that
 // edge would not be a Delaunay edge.
 constexpr double outline_clearance = 0.6;
 // More rounds give a more regular mesh; many would approach a hexagonal grid.

@@ -416,7 +416,7 @@ void Contacts::keep_apart(const Layout& layout, double time_s, double time_step_
   }
 }
 
-// Of a few rows it is their trembling that balls hold back. Where there are many, something else was to be
+// If there are few, it is their trembling that balls hold back. Where there are many, something else was to be
 // expected, and a ball is nothing to bump into: they are late, and as fast as they were.
 void Contacts::let_go(std::span<const HeldBack> held_back, Motion& motion) {
   for (const HeldBack& held : held_back) add(motion.previous[held.row], -held.out);

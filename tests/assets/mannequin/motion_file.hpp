@@ -26,7 +26,7 @@ struct MotionFile {
 /// Throws std::runtime_error for anything else.
 MotionFile read_motion(const std::filesystem::path& file);
 
-/// Returns where the body's vertices are in that frame: linear blend skinning. What the root moves since the
+/// Returns where the body's vertices are in that frame: linear blend skinning. The root's way since the
 /// first frame is scaled by the height of the hips.
 std::vector<sim::Vec3> posed(const BodyFile& body, const MotionFile& motion, std::size_t frame);
 

@@ -255,7 +255,7 @@ TEST_P(Mannequin, HasWeightsThatAddUpToOne) {
   }
 }
 
-/// What hangs on a joint follows it and not another one.
+/// A part that hangs on a joint follows it and not another one.
 TEST_P(Mannequin, MovesAllJoints) {
   std::vector<double> sums(body.names.size(), 0.0);
   for (std::size_t v = 0; v < body.weights.size(); ++v) {

@@ -56,7 +56,7 @@ def wait_until(is_so, what):
 
 
 def drive():
-    """What a person does, one thing after the other; each yields the seconds until the next."""
+    """Does what a person does, one thing after the other; each yields the seconds until the next."""
     window = bpy.context.window_manager.windows[0]
     area = next(area for area in window.screen.areas if area.type == 'VIEW_3D')
     with bpy.context.temp_override(window=window, area=area):

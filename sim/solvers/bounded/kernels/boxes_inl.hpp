@@ -225,7 +225,7 @@ std::size_t overlapping_codes(const BoxLevel& a, const BoxLevel& b, const BlockP
     LaneBits hits;
     for (; reaching != 0; reaching &= reaching - 1) {
       const auto lane = static_cast<std::uint32_t>(std::countr_zero(reaching));
-      // What is before a lane of the same block has been its other.
+      // Lanes before this one of the same block have had it as their other.
       const std::uint32_t before = is_same ? (1U << lane) - 1U : 0U;
       hits.of[lane] = static_cast<std::uint16_t>(overlapping_bits(box_in(mine, lane), others) &
                                                  ~(before | std::uint32_t{left_out[lane]}));

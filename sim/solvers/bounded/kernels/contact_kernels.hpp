@@ -22,7 +22,7 @@ struct alignas(64) RoundedBoxes {
 };
 
 /// Takes coordinates to whole numbers from -32767 to 32766: (x - origin) * per_m without its fraction, or the nearest
-/// of these. What is less or equal stays so, and boxes that overlap do.
+/// of these. Numbers that are less or equal stay so, and boxes that overlap do.
 struct BoxGrid {
   std::array<float, 3> origin = {};  ///< in m
   std::array<float, 3> per_m = {1.0F, 1.0F, 1.0F};

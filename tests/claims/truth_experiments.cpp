@@ -5,6 +5,7 @@
 #include "sim/mesh/grid.hpp"
 #include "sim/simulation.hpp"
 #include "tests/claims/truth.hpp"
+#include "tests/contact/scenes.hpp"
 
 namespace taut::app {
 namespace {
@@ -136,12 +137,14 @@ TruthPoint pulled(const TruthExperiment& experiment, const Pull& pull, const Siz
   sim::Garment garment =
       sim::make_garment(rectangle(size, width_m, length_m, sim::GridPlane::vertical), {}, pull.material);
   const Vec3 warp(std::sin(pull.angle), std::cos(pull.angle), 0.0);
+  const Vec3 weft(warp.y, -warp.x, 0.0);
+  std::vector<glm::vec2> threads;
   for (const sim::Triangle& t : garment.mesh.triangles) {
-    const std::array<Vec3, 3> at = sim::corners_of(t, garment.mesh.positions);
-    const Vec3 first = glm::normalize(at[1] - at[0]);
-    const Vec3 second = glm::cross(glm::normalize(glm::cross(first, at[2] - at[0])), first);
-    garment.warps.emplace_back(glm::dot(warp, first), glm::dot(warp, second));
+    for (const Vec3& p : sim::corners_of(t, garment.mesh.positions)) {
+      threads.emplace_back(glm::dot(p, weft), glm::dot(p, warp));
+    }
   }
+  garment.warps = sim::warps_of(garment.mesh, threads);
   Surroundings surroundings = in_vacuum();
   surroundings.forces.gravity_m_per_s2 = Vec3(0.0);
   surroundings.forces.air_drag_per_s = 2.0;
@@ -210,16 +213,11 @@ TruthPoint slid(const TruthExperiment& experiment, const Size& size, double fric
   Surroundings surroundings = in_vacuum();
   std::vector<Index> pins;
   if (is_on_cloth) {
-    mesh.quads.clear();
-    for (std::size_t v = 0; v < count; ++v) {
-      pins.push_back(static_cast<Index>(count + v));
-      mesh.positions.push_back(mesh.positions[v] * Vec3(8.0, 0.0, 2.0) - Vec3(0.0, 0.0, 0.2));
-    }
-    const std::vector<sim::Triangle> upper = mesh.triangles;
-    for (const auto& [a, b, c] : upper) {
-      const auto n = static_cast<Index>(count);
-      mesh.triangles.push_back({a + n, b + n, c + n});
-    }
+    sim::Mesh lower = mesh;
+    for (Vec3& p : lower.positions) p = p * Vec3(8.0, 0.0, 2.0) - Vec3(0.0, 0.0, 0.2);
+    mesh = sim::both(std::move(mesh), lower);
+    pins.resize(count);
+    std::iota(pins.begin(), pins.end(), static_cast<Index>(count));
   } else {
     surroundings.bodies = {{.name = "slope", .shape = sim::Plane{}, .friction = physics * friction}};
   }
@@ -298,18 +296,13 @@ std::vector<TruthPoint> run_fall(const TruthExperiment& experiment, double physi
 /// is the force times the time.
 std::vector<TruthPoint> collided(const TruthExperiment& experiment, const Size& size, double physics) {
   constexpr double force_n = 0.2, apart_m = 0.05;
-  sim::Mesh mesh = rectangle(size, 0.4, 0.4, sim::GridPlane::horizontal);
-  mesh.quads.clear();
-  const std::size_t count = mesh.positions.size();
-  const std::vector<sim::Triangle> upper = mesh.triangles;
-  for (std::size_t v = 0; v < count; ++v) mesh.positions.push_back(mesh.positions[v] - Vec3(0.03, apart_m, 0.02));
-  for (const auto& [a, b, c] : upper) {
-    const auto n = static_cast<Index>(count);
-    mesh.triangles.push_back({a + n, b + n, c + n});
-  }
+  const sim::Mesh upper = rectangle(size, 0.4, 0.4, sim::GridPlane::horizontal);
+  const std::size_t count = upper.positions.size();
+  sim::Mesh lower = upper;
+  for (Vec3& p : lower.positions) p -= Vec3(0.03, apart_m, 0.02);
   Surroundings surroundings = in_vacuum();
   surroundings.forces.gravity_m_per_s2 = Vec3(0.0);
-  const auto garment = sim::share(sim::make_garment(std::move(mesh), {}, {}));
+  const auto garment = sim::share(sim::make_garment(sim::both(upper, lower), {}, {}));
   double pushed_kg = 0.0;
   for (Index v = 0; v < count; ++v) pushed_kg += garment->masses_kg[v];
   for (Index v = 0; v < count; ++v) {

@@ -36,7 +36,8 @@ Vec3 wind_velocity(const Wind& wind, double time_s);
 /// triangle, its normal part u_n and its tangential part u_t:
 ///   F = 1/2 rho A (C_n |u_n| u_n + C_t |u| u_t)
 /// (quadratic drag as in Keckeisen, Kimmerle, Thomaszewski and Wacker 2004). A light triangle would take on
-/// more than the air's velocity within one step. The factor 1 / (1 + dt F' / m) prevents that.
+/// more than the air's velocity within one step. The factor 1 / (1 + dt F' / m) prevents that. It holds for cloth that
+/// air alone moves; the longer the step, the less presses on what pins hold (see SlowForces for a law without that).
 void add_wind_forces(const Garment& garment, const State& state, const Wind& wind, double time_step_s,
                      std::span<Vec3> forces_n);
 

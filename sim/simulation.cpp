@@ -29,7 +29,7 @@ void require_equal(const char* what, std::size_t found, std::size_t expected) {
 
 constexpr std::string_view magic = "TAUTSAVE";
 /// Raised whenever something is written otherwise, or a solver remembers otherwise.
-constexpr std::uint32_t version = 6;
+constexpr std::uint32_t version = 7;
 
 constexpr double largest = std::numeric_limits<double>::max();
 /// No run lasts for thirty years. Gusts count their periods.

@@ -115,6 +115,10 @@ Soup make_soup(const SoupSettings& settings) {
     add_row({}, {}, 0.0F, 0.0F, soup.rows);
   }
   soup.rows.cloth_count = soup.rows.radii.size();
+  if (settings.has_normals) {
+    soup.rows.normals.resize(soup.rows.cloth_count);
+    add_normals(soup.cloth, soup.rows.positions, soup.rows.normals);
+  }
   for (int k = 0; k < settings.body_triangles; ++k) {
     add_where_apart(settings, true, random, soup);
   }

@@ -17,6 +17,7 @@ struct SoupSettings {
   float radius_m = 0.002F;  ///< of a ball, at most
   float from_origin_m = 0.1F;
   bool has_pins = true;
+  bool has_normals = true;  ///< of the cloth
 };
 
 /// Triangles of cloth and of a body that cross nowhere, and how they are expected to move. Single ones and

@@ -200,7 +200,7 @@ void push_against(Body body, Numbers& some, Beside& beside) {
     std::vector<Vec3> ends_m = cloth.positions;
     std::generate(current.begin(), current.end(), [&] { return float4_of(some.vector(0.1)); });
     const Float4Array pushed = current;
-    regions.bring_back(1.0F, 0.1F, since, previous, current, kernels);
+    regions.bring_back(1.0F, since, previous, current, kernels);
     for (std::size_t v = 0; v < block_size; ++v) {
       ends_m[v] += vector_of(current[v]);
       beside.pressed += length_of(scaled_sum(current[v], pushed[v], -1.0F)) > 0.0F ? 1 : 0;

@@ -21,6 +21,7 @@ SoupSettings some_soup() {
   settings.move_m = *rc::gen::element(0.0F, 1e-4F, 1e-3F, 1e-2F);
   settings.radius_m = *rc::gen::element(1e-4F, 1e-3F, 4e-3F);
   settings.from_origin_m = *rc::gen::element(0.0F, 0.5F, 2.0F);
+  settings.has_normals = *rc::gen::arbitrary<bool>();
   return settings;
 }
 
@@ -45,7 +46,7 @@ struct Kept {
     go_further(current);
     Float4Array previous(current.size());
     const Float4Array since(current.size());
-    held_back += regions.bring_back(time, 0.1F, since, previous, current, kernels).size();
+    held_back += regions.bring_back(time, since, previous, current, kernels).size();
     return current;
   }
 
@@ -137,7 +138,7 @@ TEST(Lemma, BringingBackEndsWithinTheRegionFromAnywhere) {
     Float4Array previous(rows.cloth_count);
     const Float4Array once = kept.bring_back(time, further_m, random);
     Float4Array twice = once;
-    kept.regions.bring_back(time, 0.1F, since, previous, twice, kept.kernels);
+    kept.regions.bring_back(time, since, previous, twice, kept.kernels);
     for (std::size_t row = 0; row < rows.cloth_count; ++row) {
       if (rows.inverse_masses_per_kg[row] > 0.0F) {
         const float off_m = length_of(scaled_sum(once[row], rows.moves[row], -time));
@@ -217,6 +218,35 @@ TEST(Lemma, RegionsThatDoNotFitLetNothingMoveButWhatMust) {
     }
   }));
   EXPECT_GT(tried, 20U);
+}
+
+// Two parallel edges of level sheets, one beside and above the other; the upper one is to slide past the lower one.
+TEST(Regions, LetLayersSlidePastEdgesWithinEachOther) {
+  constexpr float thickness_m = 1e-3F;
+  RowMoves rows;
+  rows.positions.resize(block_size);
+  rows.moves.resize(block_size);
+  rows.radii.assign(block_size, 2e-3F);
+  rows.inverse_masses_per_kg.assign(block_size, 1e4F);
+  rows.cloth_count = block_size;
+  const std::array<Float4, 4> ends = {
+      {{0.0F, 0.9e-3F, 0.0F}, {0.01F, 0.9e-3F, 0.0F}, {0.0F, 0.0F, 3e-3F}, {0.01F, 0.0F, 3e-3F}}};
+  std::copy(ends.begin(), ends.end(), rows.positions.begin());
+  rows.moves[0] = rows.moves[1] = {0.0F, 0.0F, 6e-3F};
+  const ContactPair pair = {{{0, 1, 2, 3}, 2}, thickness_m};
+  ParallelKernels kernels(kernels_for(available_vector_units().front()), 1);
+  const auto deviation_m = [&](const Float4Array& normals) {
+    rows.normals = normals;
+    Regions regions;
+    RowMoves made = rows;
+    EXPECT_TRUE(regions.make(std::span(&pair, 1), made, kernels));
+    return regions.deviation(0);
+  };
+  EXPECT_GT(deviation_m({}), 1e-3F);
+  EXPECT_GT(deviation_m(Float4Array(block_size)), 1e-3F) << "unknown";
+  EXPECT_LT(deviation_m(Float4Array(block_size, Float4{0.0F, 1e-4F, 0.0F, 0.0F})), 1e-6F);
+  EXPECT_LT(deviation_m(Float4Array(block_size, Float4{0.0F, -1e-4F, 0.0F, 0.0F})), 1e-6F);
+  EXPECT_GT(deviation_m(Float4Array(block_size, Float4{1e-4F, 0.0F, 0.0F, 0.0F})), 1e-3F) << "along the edges";
 }
 
 }  // namespace

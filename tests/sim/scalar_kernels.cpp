@@ -312,7 +312,8 @@ void largest_surface_ratios(const SurfaceLanes& triangles, std::size_t begin, st
 }
 
 void wind(const TriangleLanes& triangles, const AirFlow& air, std::size_t begin, std::size_t end,
-          const Float4* start, const Float4* current, const Float4* previous, Float4* corner_forces) {
+          const Float4* start, const Float4* current, const Float4* previous, const Float4* opposed,
+          Float4* corner_forces) {
   for (std::size_t t = begin; t < end; ++t) {
     const std::uint32_t a = triangles.at[0][t] / 4;
     const std::uint32_t b = triangles.at[1][t] / 4;
@@ -334,7 +335,13 @@ void wind(const TriangleLanes& triangles, const AirFlow& air, std::size_t begin,
     const float pressure = air.half_density_pressure * std::abs(u_n);
     const float friction = air.half_density_friction * std::sqrt(dot(u, u));
     const float twice_per_density = air.time_per_density * 2.0F;
-    const Triple per_area = along_normal * (pressure / (1.0F + twice_per_density * pressure)) +
+    const Triple others = sum(opposed[a], opposed[b]) + sum(opposed[c], {});
+    const float movable = std::max((opposed[a].fourth + opposed[b].fourth) + opposed[c].fourth, 1.0F);
+    const float along = dot(others, normal) / movable;
+    const float against = std::min(std::max(u_n < 0.0F ? along : -along, 0.0F),
+                                   (air.time_per_density * pressure) * std::abs(u_n));
+    const float held = (air.half_density_pressure * 2.0F) * against;
+    const Triple per_area = along_normal * ((pressure + held) / (1.0F + twice_per_density * pressure)) +
                             (u - along_normal) * (friction / (1.0F + twice_per_density * friction));
     const Triple share = per_area * (doubled_size / 6.0F);
     corner_forces[t] = {share.x, share.y, share.z, 0.0F};

@@ -213,8 +213,8 @@ TEST(Checkpoint, SaysWhatIsWrong) {
   EXPECT_EQ(refusal("nothing of ours"), "byte 0, what the bytes are: found 'nothing ', expected 'TAUTSAVE'");
   EXPECT_EQ(refusal("TAUT"), "byte 0, what the bytes are: found 4 bytes, expected at least 8");
   std::string later = saved_in_a_storm(solver_of(SolverKind::bounded));
-  later[8] = 7;
-  EXPECT_EQ(refusal(later), "byte 8, the version: found 7, expected 6");
+  later[8] = 8;
+  EXPECT_EQ(refusal(later), "byte 8, the version: found 8, expected 7");
   EXPECT_EQ(refusal(saved_in_a_storm(solver_of(SolverKind::strong))),
             "what the solver 'strong' remembers, expected 'bounded'");
   const Garment other = make_garment(make_grid({}));

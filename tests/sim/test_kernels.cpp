@@ -81,6 +81,7 @@ struct Inputs {
   Prediction prediction = {0.99F, 1e-6F, {0.01F, 0.02F, -0.01F, 0.0F}};
   AirFlow air = {{3.0F, -1.0F, 2.0F}, 0.7F, 0.03F, 0.02F, 1000.0F};
   SlicedMatrix matrix = make_sliced_matrix(some_entries(layout.vertex_count(), random));
+  Float4Array opposed;
 };
 
 Inputs::Inputs() {
@@ -110,6 +111,10 @@ Inputs::Inputs() {
   }
   for (const Float4& r : random_rows()) {
     tethers.push_back({r.x, r.y, r.z, 0.002F});
+  }
+  for (const Float4& r : random_rows()) {
+    const bool is_free = layout.inverse_masses_per_kg[opposed.size()] > 0.0F;
+    opposed.push_back({500.0F * r.x, 500.0F * r.y, 500.0F * r.z, is_free ? 1.0F : 0.0F});
   }
 }
 
@@ -163,7 +168,7 @@ std::map<std::string, Float4Array> results_of(const Kernels& kernels, const Inpu
                   in.current.data(), results["predict with tethers"].data());
   kernels.add_product(in.matrix, 0, in.matrix.slice_count(), in.start.data(), results["add_product"].data());
   kernels.wind(in.layout.triangles, in.air, 0, in.layout.triangles.lane_count(), in.start.data(),
-               in.current.data(), in.previous.data(), results["wind"].data());
+               in.current.data(), in.previous.data(), in.opposed.data(), results["wind"].data());
   kernels.largest_ratios(springs, 0, blocks.size(), in.current.data(),
                          floats_of(results["largest_ratios"].data()));
   return results;
@@ -186,7 +191,7 @@ TEST(Kernels, EveryVectorUnitGivesTheBitsOfTheScalarLoops) {
   for (const auto& [kernel, result] : expected) {
     EXPECT_TRUE(std::all_of(result.begin(), result.end(), [](const Float4& row) {
       return std::isfinite(row.x) && std::isfinite(row.y) && std::isfinite(row.z) &&
-             std::isfinite(row.unused);
+             std::isfinite(row.fourth);
     })) << kernel;
   }
   EXPECT_FALSE(same_bits(expected.at("predict"), expected.at("predict with tethers")));
@@ -291,6 +296,7 @@ TEST(Kernels, TheWindAgreesWithTheOtherSolvers) {
   external.wind = wind;
   for (const VectorUnit unit : available_vector_units()) {
     ParallelKernels kernels(kernels_for(unit), 1);
+    forces.begin_attempt({});
     forces.update_wind(garment, external.wind, motion, 0.0, 1e-3, 2e-3, kernels);
     forces.update(garment, external, motion, 0.0, 1e-3, 1e-3, kernels);
     for (std::size_t row = 0; row < layout.vertex_count(); ++row) {

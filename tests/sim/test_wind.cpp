@@ -4,6 +4,7 @@
 
 #include "sim/forces.hpp"
 #include "sim/mesh/grid.hpp"
+#include "sim/simulation.hpp"
 
 namespace taut::sim {
 namespace {
@@ -132,6 +133,29 @@ TEST(ExternalForces, AddUp) {
   EXPECT_NEAR(forces[5].x, 2.0, 1e-15);
   EXPECT_NEAR(forces[5].y, 2.0 - weight, 1e-15);
   EXPECT_NEAR(forces[40].y, -garment.masses_kg[40] * 10, 1e-15);
+}
+
+// In each of the two a force and the whole drag cancel out; where drag is less, the sheet moves against the wind.
+TEST(Wind, PressesWhatIsHeldAsMuchAsWhatFalls) {
+  const Garment garment = make_garment(make_grid({}));
+  Surroundings surroundings;
+  surroundings.forces.gravity_m_per_s2 = {0.0, 0.0, 0.0};
+  surroundings.forces.air_drag_per_s = 0.0;
+  surroundings.forces.wind.speed_m_per_s = 10.0;
+  std::vector<Vec3> pressed(garment.mesh.positions.size(), Vec3(0.0));
+  add_wind_forces(garment, make_state(garment), surroundings.forces.wind, 1e-12, pressed);
+  for (Index v = 0; v < pressed.size(); ++v) {
+    surroundings.forces.artificial_forces.push_back({v, -pressed[v]});
+  }
+  Simulation simulation(share(garment), {}, {}, surroundings);
+  for (int frame = 0; frame < 12; ++frame) {
+    simulation.advance_frame();
+    double fastest_m_per_s = 0.0;
+    for (Index v = 0; v < pressed.size(); ++v) {
+      fastest_m_per_s = std::max(fastest_m_per_s, glm::length(velocity(simulation.state(), v)));
+    }
+    EXPECT_LT(fastest_m_per_s, 0.1 * surroundings.forces.wind.speed_m_per_s) << frame;
+  }
 }
 
 }  // namespace

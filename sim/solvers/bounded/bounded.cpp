@@ -368,6 +368,7 @@ BoundedSolver::Attempt BoundedSolver::attempt(const Frame& frame, const State& s
     cloth.elasticity.begin_attempt(cloth.layout, cloth.motion.start, memory.elastic,
                                    aimed_stretch(settings_.max_stretch), frame.duration_s / substeps, *kernels_);
   }
+  cloth.forces.begin_attempt(memory.blown_m_per_s);
   cloth.contacts.begin_attempt(frame, cloth.layout, cloth.motion, memory.contact, {state.time_s, end_s}, how.caution,
                                how.allowed_work - substeps);
   if (!run_substeps(frame, state.time_s, substeps, how.is_last)) {
@@ -398,6 +399,7 @@ BoundedSolver::Attempt BoundedSolver::attempt(const Frame& frame, const State& s
       std::exchange(memory.shift, allowed_m > 0.0 ? attempt.projected.largest_shift_m / allowed_m : 0.0);
   attempt.is_far = memory.shift > tuning::costliest && memory.shift > tuning::more_steps * last_shift;
   attempt.blocked = cloth.contacts.blocked();
+  memory.blown_m_per_s = cloth.forces.blown_m_per_s();
   memory.contact = cloth.contacts.memory();
   if (cloth.elasticity.has_law()) {
     memory.elastic = cloth.elasticity.memory();

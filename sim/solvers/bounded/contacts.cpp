@@ -47,6 +47,8 @@ void Contacts::begin_attempt(const Frame& frame, const Layout& layout, const Mot
   memory_ = memory.rows;
   memory_.resize(layout.row_count());
   near_->forget();
+  rows_.normals.assign(layout.row_count(), Float4{});
+  add_normals(triangles_, motion.start.high, rows_.normals);
   bodies_of_frame_ = bodies;
   leave_out(memory, layout, motion, time.from_s);
 }
@@ -407,7 +409,7 @@ void Contacts::keep_apart(const Layout& layout, double time_s, double time_step_
   kept_at_ = time;
   regions_.collide(time, step, since_, motion.previous, motion.current);
   const std::span<const HeldBack> held_back =
-      regions_.bring_back(time, step, since_, motion.previous, motion.current, kernels);
+      regions_.bring_back(time, since_, motion.previous, motion.current, kernels);
   const double most_held_back = tuning::few / (caution_ * caution_);
   if (static_cast<double>(held_back.size()) > most_held_back * static_cast<double>(layout.vertex_count())) {
     let_go(held_back, motion);

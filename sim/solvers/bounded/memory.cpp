@@ -4,6 +4,20 @@ namespace taut::sim::bounded {
 
 namespace {
 
+void save(const Float4Array& rows, std::size_t vertex_count, ByteWriter& bytes) {
+  for (std::size_t row = 0; row < vertex_count; ++row) {
+    for (const float coordinate : {rows[row].x, rows[row].y, rows[row].z}) bytes.put(coordinate);
+  }
+}
+
+Float4Array restored_rows(std::size_t vertex_count, std::size_t row_count, const char* what, ByteReader& bytes) {
+  Float4Array rows(row_count);
+  for (std::size_t row = 0; row < vertex_count; ++row) {
+    for (float* coordinate : {&rows[row].x, &rows[row].y, &rows[row].z}) *coordinate = bytes.get<float>(what);
+  }
+  return rows;
+}
+
 void save(const ContactMemory& memory, ByteWriter& bytes) {
   bytes.put<std::uint8_t>(memory.may_have_crossed ? 1 : 0);
   bytes.put<std::uint8_t>(memory.bodies ? 1 : 0);
@@ -66,10 +80,9 @@ void save(const Memory& memory, std::size_t vertex_count, ByteWriter& bytes) {
   bytes.put(memory.shift);
   bytes.put(memory.median_work);
   memory.control.save(bytes);
-  for (std::size_t row = 0; row < vertex_count; ++row) {
-    const Float4& correction = memory.corrections[row];
-    for (const float coordinate_m : {correction.x, correction.y, correction.z}) bytes.put(coordinate_m);
-  }
+  save(memory.corrections, vertex_count, bytes);
+  bytes.put<std::uint8_t>(memory.blown_m_per_s.empty() ? 0 : 1);
+  if (!memory.blown_m_per_s.empty()) save(memory.blown_m_per_s, vertex_count, bytes);
   save(memory.elastic, bytes);
   const RowMemory& rows = memory.contact.rows;
   bytes.put<std::uint8_t>(rows.is_empty() ? 0 : 1);
@@ -82,12 +95,10 @@ void restore(const Frame& frame, std::size_t row_count, ByteReader& bytes, Memor
   memory.shift = bytes.get("the last frame's shift", 0.0, std::numeric_limits<double>::max());
   memory.median_work = bytes.get("the work of a frame", 0.0, std::numeric_limits<double>::max());
   memory.control.restore(bytes);
-  memory.corrections.assign(row_count, Float4{});
-  for (std::size_t row = 0; row < vertex_count; ++row) {
-    Float4& correction = memory.corrections[row];
-    for (float* coordinate_m : {&correction.x, &correction.y, &correction.z}) {
-      *coordinate_m = bytes.get<float>("the last frame's correction");
-    }
+  memory.corrections = restored_rows(vertex_count, row_count, "the last frame's correction", bytes);
+  memory.blown_m_per_s.clear();
+  if (bytes.get_bool("whether the wind was updated")) {
+    memory.blown_m_per_s = restored_rows(vertex_count, row_count, "what the wind brings about", bytes);
   }
   restore(frame, bytes, memory.elastic);
   if (bytes.get_bool("whether anything could touch")) {

@@ -52,6 +52,7 @@ SlowForces::SlowForces(const Garment& garment, const Pins& pins, const Layout& l
       accelerations_(layout.row_count()),
       corner_forces_n_(layout.triangles.lane_count()),
       wind_accelerations_(layout.row_count()),
+      opposed_(layout.row_count()),
       positions_(layout.row_count()) {}
 
 int SlowForces::wind_updates_per_frame(double frame_time_s) {
@@ -91,11 +92,29 @@ void SlowForces::add_hand(const Garment& garment, const ExternalForces& external
   }
 }
 
+void SlowForces::find_opposed(const Motion& motion, double time_step_s) {
+  const auto per_step = static_cast<float>(1.0 / time_step_s);
+  for (std::size_t row = 0; row < layout_.vertex_count(); ++row) {
+    const bool is_free = layout_.inverse_masses_per_kg[row] > 0.0F;
+    if (!is_free || blown_m_per_s_.empty()) {
+      opposed_[row] = {0.0F, 0.0F, 0.0F, is_free ? 1.0F : 0.0F};
+      continue;
+    }
+    const Float4 moved = scaled_sum(motion.current[row], motion.previous[row], -1.0F);
+    opposed_[row] = scaled_sum(times(moved, per_step), blown_m_per_s_[row], -1.0F);
+    opposed_[row].fourth = 1.0F;
+  }
+}
+
 void SlowForces::update_wind(const Garment& garment, const Wind& wind, const Motion& motion, double time_s,
                              double time_step_s, double interval_s, ParallelKernels& kernels) {
   const TriangleLanes& triangles = layout_.triangles;
+  find_opposed(motion, time_step_s);
   kernels.wind(triangles, air_flow(garment, wind, time_s, time_step_s, interval_s), motion.start.high.data(),
-               motion.current.data(), motion.previous.data(), corner_forces_n_.data());
+               motion.current.data(), motion.previous.data(), opposed_.data(), corner_forces_n_.data());
+  blown_m_per_s_.resize(layout_.row_count());
+  const auto per_step = static_cast<float>(1.0 / time_step_s);
+  const auto interval = static_cast<float>(interval_s);
   kernels.for_rows(0, layout_.vertex_count(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t row = begin; row < end; ++row) {
       Float4 force_n;
@@ -103,6 +122,8 @@ void SlowForces::update_wind(const Garment& garment, const Wind& wind, const Mot
         add_scaled(force_n, corner_forces_n_[triangles.corner_triangles[k]], 1.0F);
       }
       wind_accelerations_[row] = times(force_n, layout_.inverse_masses_per_kg[row]);
+      const Float4 moved = scaled_sum(motion.current[row], motion.previous[row], -1.0F);
+      blown_m_per_s_[row] = scaled_sum(times(moved, per_step), wind_accelerations_[row], interval);
     }
   });
 }

@@ -22,8 +22,15 @@ class SlowForces {
   /// The same for the wind alone, which turns with the cloth and need not follow waves of bending.
   static int wind_updates_per_frame(double frame_time_s);
 
+  /// Begins where the wind was last updated: by row, the velocities in m/s that the wind alone would have brought
+  /// about until now. Empty where that is not known.
+  void begin_attempt(const Float4Array& blown_m_per_s) { blown_m_per_s_ = blown_m_per_s; }
+  const Float4Array& blown_m_per_s() const { return blown_m_per_s_; }
+
   /// Evaluates the wind at the current motion, for the updates of the next `interval_s`. `time_step_s` is the
-  /// time between the two displacements of `motion`.
+  /// time between the two displacements of `motion`. Drag goes by the air's velocity relative to the cloth at the
+  /// end of that time. It counts on other forces, pins among them, to change velocities by as much as they did since
+  /// the last update: cloth that is held takes the whole pressure, and cloth that falls has its terminal speed.
   void update_wind(const Garment& garment, const Wind& wind, const Motion& motion, double time_s, double time_step_s,
                    double interval_s, ParallelKernels& kernels);
 
@@ -39,6 +46,7 @@ class SlowForces {
   void add_gravity_and_artificial(const ExternalForces& external, double time_s);
   void add_hand(const Garment& garment, const ExternalForces& external, const Motion& motion, double time_step_s,
                 double interval_s);
+  void find_opposed(const Motion& motion, double time_step_s);
   void add_wind(ParallelKernels& kernels);
   void add_bending(const Motion& motion, double ahead, ParallelKernels& kernels);
 
@@ -47,6 +55,8 @@ class SlowForces {
   Float4Array accelerations_;
   Float4Array corner_forces_n_;
   Float4Array wind_accelerations_;  ///< by row, in m/s^2, of the last update of the wind
+  Float4Array blown_m_per_s_;
+  Float4Array opposed_;  ///< by row, as the kernel of the wind takes it
   Float4Array positions_;
 };
 

@@ -25,6 +25,14 @@ Primitives primitives_of(std::span<const Triangle> triangles) {
 
 }  // namespace
 
+void add_normals(std::span<const Triangle> triangles, const Float4Array& positions, Float4Array& normals) {
+  for (const Triangle& t : triangles) {
+    const glm::vec3 corner = vec(positions[t[0]]);
+    const glm::vec3 normal = glm::cross(vec(positions[t[1]]) - corner, vec(positions[t[2]]) - corner);
+    for (const Index row : t) add(normals[row], normal);
+  }
+}
+
 ContactMesh make_contact_mesh(std::span<const Triangle> cloth, std::span<const Triangle> bodies) {
   return {primitives_of(cloth), primitives_of(bodies)};
 }

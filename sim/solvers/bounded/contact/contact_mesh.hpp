@@ -1,6 +1,7 @@
 #pragma once
 
 #include "sim/mesh/types.hpp"
+#include "sim/solvers/bounded/kernels/float4.hpp"
 
 namespace taut::sim::bounded {
 
@@ -19,5 +20,8 @@ struct ContactMesh {
 
 /// `cloth` and `bodies` are triangles of rows; no row is of both.
 ContactMesh make_contact_mesh(std::span<const Triangle> cloth, std::span<const Triangle> bodies);
+
+/// Adds to each row the vectors of area of its triangles, doubled.
+void add_normals(std::span<const Triangle> triangles, const Float4Array& positions, Float4Array& normals);
 
 }  // namespace taut::sim::bounded

@@ -126,7 +126,7 @@ std::span<const NearPair> LastingPairs::find(const ExpectedRows& rows, double un
   if (!lasts_) return found_;
   if (is_new) sort_by_kind(found_);
   moving_ = rows.moves;
-  for (std::size_t row = 0; row < rows.radii.size(); ++row) moving_[row].unused = rows.radii[row];
+  for (std::size_t row = 0; row < rows.radii.size(); ++row) moving_[row].fourth = rows.radii[row];
   const MovingRows moving = {rows.positions.data(), moving_.data()};
   pairs_.clear();
   keep_near(moving, 1, kernels.contact());

@@ -104,7 +104,7 @@ MovingRows NearPairs::moving_rows(const Float4Array& positions, const Float4Arra
   ways_.resize(moves.size());
   for (std::size_t row = 0; row < radii.size(); ++row) {
     ways_[row] = scaled_sum(moves[row], together_, -1.0F);
-    ways_[row].unused = radii[row];
+    ways_[row].fourth = radii[row];
   }
   return {positions.data(), ways_.data()};
 }

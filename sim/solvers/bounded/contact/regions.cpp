@@ -10,6 +10,25 @@ constexpr float infinity = std::numeric_limits<float>::infinity();
 /// Where what the normal tells apart is less than this part of the smallest distance, it is uncertain.
 constexpr float told_apart_part = 0.9F;
 
+/// Returns the normal of the surfaces of both things of a pair, on the side of the first; nothing where these are not
+/// known, or at right angles to the line between the two.
+std::optional<glm::vec3> normal_of_surfaces(const NearPair& near, const std::array<glm::vec3, 4>& p,
+                                            const glm::vec3& between, const RowMoves& rows) {
+  std::array<glm::vec3, 2> sides = {glm::vec3(0.0F), glm::vec3(0.0F)};
+  for (Index k = 0; k < 4; ++k) {
+    if (near.rows[k] >= rows.normals.size()) return std::nullopt;
+    sides[k < near.first_count ? 0 : 1] += vec(rows.normals[near.rows[k]]);
+  }
+  if (near.first_count == 1) sides[1] = glm::cross(p[2] - p[1], p[3] - p[1]);
+  glm::vec3 sum(0.0F);
+  for (const glm::vec3& side : sides) {
+    const float towards_first = glm::dot(side, between) < 0.0F ? -1.0F : 1.0F;
+    sum += towards_first / glm::length(side) * side;
+  }
+  const float length = glm::length(sum);
+  return length > 0.0F ? std::optional(sum / length) : std::nullopt;  // nor where one is not a number
+}
+
 }  // namespace
 
 // `p` are the corners of the pair.
@@ -44,9 +63,10 @@ Regions::Pair Regions::pair_of(const ContactPair& contact, const RowMoves& rows)
     set_heights(p, across);
     pair = across.distance > pair.distance ? across : pair;
   }
+  pair.error = distance_error_m(extent_of(near, p));
+  if (!contact.normal) level(p, rows, pair);
   // Not so where the distance is not a number, as things touch. A thing that begins within a body that knows its way
   // out is let out.
-  pair.error = distance_error_m(extent_of(near, p));
   pair.is_told_apart = contact.normal || pair.distance > pair.error;
   // Things that touch as near as they may would be left a little nearer, and held fast in the way of what
   // comes at them: so they are to be parted somewhat.
@@ -56,6 +76,24 @@ Regions::Pair Regions::pair_of(const ContactPair& contact, const RowMoves& rows)
   pair.wanted = std::max(pair.needed, std::min(pair.distance + more, contact.thickness_m));
   assert(!pair.is_told_apart || contact.normal || pair.needed > pair.error);
   return pair;
+}
+
+// Layers that slide pass the edges within each other. A plane at right angles to the shortest distance stands in the way of
+// what comes to lie beside such an edge, as if it were a step.
+void Regions::level(const std::array<glm::vec3, 4>& p, const RowMoves& rows, Pair& pair) const {
+  const float apart_at_end = span_at_end(pair).apart();
+  if (std::min(pair.distance, apart_at_end) > touched_m(pair.contact)) return;
+  const glm::vec3 between = pair.normal;
+  const std::optional<glm::vec3> normal = normal_of_surfaces(pair.contact.near, p, between, rows);
+  if (!normal) return;
+  Pair levelled = pair;
+  levelled.normal = *normal;
+  set_heights(p, levelled);
+  const auto lacks = [&](const Pair& of) {
+    return std::min(of.distance, of.contact.thickness_m) - span_at_end(of).apart();
+  };
+  const bool is_told_apart = levelled.distance > 2.0F * least_gap_m(pair.contact.thickness_m, pair.error);
+  if (is_told_apart && lacks(levelled) < lacks(pair)) pair = levelled;
 }
 
 // Pairs of what has not changed are found again in their order.
@@ -279,7 +317,8 @@ void Regions::set_half_spaces(const Pair& pair, std::span<const float> inverse_m
     const float at_end = sign * (plane(end, is_first) - pair.heights[k]);
     const float moved_up = sign * glm::dot(pair.normal, vec(moves_[near.rows[k]]));
     half_spaces_[pair.half_spaces[k]] = {sign * pair.normal, at_begin, at_end - at_begin,
-                                         std::min(-at_begin, moved_up - at_end)};
+                                         std::min(-at_begin, moved_up - at_end),
+                                         is_first ? is_second_fixed : is_first_fixed};
   }
 }
 
@@ -295,7 +334,7 @@ void Regions::make_half_spaces(std::span<const float> inverse_masses, ParallelKe
     for (std::size_t i = begin; i < end; ++i) set_half_spaces(pairs_[i], inverse_masses);
   });
   for (Index row = 0; row < radii_.size(); ++row) {
-    moves_[row].unused = inverse_masses[row] > 0.0F ? room_of(row) : infinity;
+    moves_[row].fourth = inverse_masses[row] > 0.0F ? room_of(row) : infinity;
   }
 }
 
@@ -305,7 +344,7 @@ void Regions::stand_still(const RowMoves& rows) {
     if (rows.inverse_masses_per_kg[row] > 0.0F) {
       moves_[row] = Float4{};
     } else {
-      moves_[row].unused = infinity;
+      moves_[row].fourth = infinity;
     }
   }
   expected_ = moves_;
@@ -316,8 +355,8 @@ void Regions::stand_still(const RowMoves& rows) {
 }
 
 bool Regions::make(std::span<const ContactPair> pairs, RowMoves& rows, ParallelKernels& kernels, bool is_again) {
-  make_pairs(pairs, rows, is_again, kernels);
   moves_ = rows.moves;
+  make_pairs(pairs, rows, is_again, kernels);
   resolve_moves(rows.inverse_masses_per_kg);
   hold_where_needed(rows);
   if (!fit_radii(rows)) {

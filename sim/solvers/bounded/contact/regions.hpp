@@ -28,6 +28,8 @@ struct RowMoves {
   std::vector<float> inverse_masses_per_kg;
   /// Where rows go whose pairs leave them no way of their own: with what leads the cloth.
   Float4 carried = {};
+  /// Of the cloth, of any length; fewer entries than rows, or none, where they are not known.
+  Float4Array normals = {};
   float displaced_m = 0.0F;     ///< how far a row has gone since the frame began, at most
   std::size_t cloth_count = 0;  ///< rows from here on are of bodies, and have no displacements
 };
@@ -48,8 +50,8 @@ struct HeldBack {
 /// crosses nothing, on straight ways between any two times.
 ///
 /// A region is a ball around the row as it moves, for all that was not near, and a half-space for each near
-/// pair: a plane between the two things at right angles to their distance, which moves along as both are
-/// expected to. Corners that are on one side keep their triangle on that side. Where a row is expected to be
+/// pair: a plane between the two things at right angles to their distance, or along their surfaces where that lets both
+/// go on as they are expected to. It moves along with them. Corners that are on one side keep their triangle on that side. Where a row is expected to be
 /// lies within its region at any time, so that rows can always be brought back, each by itself. (Planes:
 /// "divide and truncate", 2026; balls: Chen and others 2025. That planes move lets layers in contact move
 /// together.)
@@ -71,9 +73,9 @@ class Regions {
   void collide(float time, float step, const Float4Array& since, Float4Array& previous, Float4Array& current) const;
 
   /// Brings rows back into their regions at a time from 0 to 1. `since` are their displacements at the time
-  /// 0, `previous` a time step ago, which are changed so that nothing rebounds. Returns those that had gone
+  /// 0, `previous` a time step ago, which are changed so that planes change no velocity. Returns those that had gone
   /// out of their balls, in their order, until the next call.
-  std::span<const HeldBack> bring_back(float time, float step, const Float4Array& since, Float4Array& previous,
+  std::span<const HeldBack> bring_back(float time, const Float4Array& since, Float4Array& previous,
                                        Float4Array& current, ParallelKernels& kernels);
 
   /// The same at the time 1, where no time passes. Returns how many rows had gone out of their balls.
@@ -113,6 +115,7 @@ class Regions {
     float start;  ///< displacements along the normal are at least so much at the time 0
     float rate;   ///< and so much more at the time 1
     float room;   ///< how far the row's expected move stays within it, at both times
+    bool is_fixed;  ///< the other thing cannot be moved
   };
   enum class Held : std::uint8_t { no, carried, still };
   /// A pair that may touch until the time 1. Of the corners only those are kept that are rows of the cloth.
@@ -139,6 +142,7 @@ class Regions {
 
   PairExtent extent_of(const NearPair& near, const std::array<glm::vec3, 4>& positions) const;
   Pair pair_of(const ContactPair& contact, const RowMoves& rows) const;
+  void level(const std::array<glm::vec3, 4>& positions, const RowMoves& rows, Pair& pair) const;
   void make_pairs(std::span<const ContactPair> pairs, const RowMoves& rows, bool is_again, ParallelKernels& kernels);
   void find_same(std::span<const ContactPair> pairs, std::size_t rows);
   void note_blocked(const NearPair& near, float distance);
@@ -157,6 +161,7 @@ class Regions {
   void make_half_spaces(std::span<const float> inverse_masses, ParallelKernels& kernels);
   void set_half_spaces(const Pair& pair, std::span<const float> inverse_masses);
   float room_of(Index row) const;
+  static float touched_m(const ContactPair& contact);
   void make_touches(const RowMoves& rows);
   void add_touch(const Pair& pair, const std::array<float, 4>& weights, const RowMoves& rows);
   static void collide(const Touch& touch, float time, float step, const Float4* since, Float4* previous,
@@ -165,13 +170,16 @@ class Regions {
   glm::vec3 moved_less(Index row, float time, const glm::vec3& aim, const glm::vec3& end) const;
   glm::vec3 slid(Index row, float time, const glm::vec3& aim, const glm::vec3& end) const;
   static glm::vec3 end_within_ball(const glm::vec3& centre, float radius, const glm::vec3& aim, const glm::vec3& end);
-  template <typename Met> glm::vec3 projected(Index row, float time, const glm::vec3& start, const Met& met) const;
-  template <typename Met>
-  void bring_all_back(float time, const Float4Array& since, Float4Array& current, const Met& met,
+  glm::vec3 projected(Index row, float time, const glm::vec3& start, glm::vec3& stopped) const;
+  void bring_all_back(float time, const Float4Array& since, Float4Array* previous, Float4Array& current,
                       ParallelKernels& kernels);
-  template <typename Met>
-  std::optional<glm::vec3> bring_row_back(Index row, float time, const glm::vec3& since, const Met& met,
-                                          Float4& current) const;
+  /// Where planes let a row go since the time 0, and where its ball does besides.
+  struct BroughtBack {
+    glm::vec3 within_planes;
+    glm::vec3 end;
+    glm::vec3 stopped;  ///< what planes of kinematic things took of the way
+  };
+  BroughtBack bring_row_back(Index row, float time, const glm::vec3& moved) const;
 
   /// How far a row is from the origin, and how far it may go, in m.
   struct RowExtent {
@@ -187,7 +195,7 @@ class Regions {
   std::optional<BlockedPair> blocked_;
   float kinematic_gap_m_ = 0.0F;
   Float4Array expected_;  ///< the centres of balls at the time 1
-  /// As contact lets them, within the balls; `unused` is how far from there a row is certainly within its
+  /// As contact lets them, within the balls; `fourth` is how far from there a row is certainly within its
   /// region, and infinite where it moves by exactly its moves.
   Float4Array moves_;
   std::vector<Held> held_;

@@ -18,8 +18,7 @@ bool Regions::contains(Index row, float time, const Vec3& moved_m) const {
          });
 }
 
-template <typename Met>
-glm::vec3 Regions::projected(Index row, float time, const glm::vec3& start, const Met& met) const {
+glm::vec3 Regions::projected(Index row, float time, const glm::vec3& start, glm::vec3& stopped) const {
   glm::vec3 e = start;
   bool is_out = true;
   for (int projection = 0; projection < tuning::most_rounds && is_out; ++projection) {
@@ -28,7 +27,7 @@ glm::vec3 Regions::projected(Index row, float time, const glm::vec3& start, cons
       const float depth = half_space.start + time * half_space.rate - glm::dot(half_space.normal, e);
       if (depth > (projection == 0 ? 0.0F : tolerance_m)) {
         e += (projection == 0 ? depth : tuning::over_projected * depth) * half_space.normal;
-        if (projection == 0) met(half_space, e);
+        if (projection == 0 && half_space.is_fixed) stopped += depth * half_space.normal;
         is_out = true;
       }
     }
@@ -93,28 +92,18 @@ glm::vec3 Regions::end_within_ball(const glm::vec3& centre, float radius, const 
   return aim + std::clamp(s, 0.0F, 1.0F) * out;
 }
 
-// Returns how far the row had gone out of its ball, if it had.
-template <typename Met>
-std::optional<glm::vec3> Regions::bring_row_back(Index row, float time, const glm::vec3& since, const Met& met,
-                                                 Float4& current) const {
+Regions::BroughtBack Regions::bring_row_back(Index row, float time, const glm::vec3& moved) const {
   const glm::vec3 aim = time * vec(moves_[row]);
-  const glm::vec3 before = vec(current) - since;
-  const glm::vec3 end = projected(row, time, before, met);
+  glm::vec3 stopped(0.0F);
+  const glm::vec3 end = projected(row, time, moved, stopped);
   glm::vec3 e = moved_less(row, time, aim, end);
   if (e != end) e = moved_less(row, time, aim, slid(row, time, aim, end));
   const glm::vec3 centre = time * vec(expected_[row]);
-  std::optional<glm::vec3> out;
-  if (glm::dot(e - centre, e - centre) > radii_[row] * radii_[row]) {
-    const glm::vec3 within = end_within_ball(centre, radii_[row], aim, e);
-    out = e - within;
-    e = within;
-  }
-  if (e != before) current = {since.x + e.x, since.y + e.y, since.z + e.z, 0.0F};
-  return out;
+  if (!(glm::dot(e - centre, e - centre) > radii_[row] * radii_[row])) return {e, e, stopped};
+  return {e, end_within_ball(centre, radii_[row], aim, e), stopped};
 }
 
-template <typename Met>
-void Regions::bring_all_back(float time, const Float4Array& since, Float4Array& current, const Met& met,
+void Regions::bring_all_back(float time, const Float4Array& since, Float4Array* previous, Float4Array& current,
                              ParallelKernels& kernels) {
   const std::size_t blocks = current.size() / block_size;
   parts_.resize(std::max(parts_.size(), blocks / ParallelKernels::least_blocks + 1));
@@ -125,10 +114,11 @@ void Regions::bring_all_back(float time, const Float4Array& since, Float4Array& 
     const std::size_t off = kernels.contact().off_their_ways(since.data(), moves_.data(), time, begin, end,
                                                              current.data(), part.rows.data());
     for (const Index row : std::span(part.rows).first(off)) {
-      const auto met_by_row = [&](const HalfSpace& half_space, const glm::vec3& e) { met(row, half_space, e); };
-      if (const auto out = bring_row_back(row, time, vec(since[row]), met_by_row, current[row])) {
-        part.held_back.push_back({row, *out});
-      }
+      const glm::vec3 moved = vec(current[row]) - vec(since[row]);
+      const BroughtBack back = bring_row_back(row, time, moved);
+      if (back.end != moved) current[row] = float4_of(Vec3(vec(since[row]) + back.end));
+      if (previous != nullptr) add((*previous)[row], back.within_planes - moved - back.stopped);
+      if (back.end != back.within_planes) part.held_back.push_back({row, back.within_planes - back.end});
     }
   });
   held_back_.clear();
@@ -138,19 +128,15 @@ void Regions::bring_all_back(float time, const Float4Array& since, Float4Array& 
   }
 }
 
-std::span<const HeldBack> Regions::bring_back(float time, float step, const Float4Array& since, Float4Array& previous,
+// Only a collision gives what one thing loses to the other: what a plane holds is late, and as fast as it was.
+std::span<const HeldBack> Regions::bring_back(float time, const Float4Array& since, Float4Array& previous,
                                               Float4Array& current, ParallelKernels& kernels) {
-  const auto stop = [&](Index row, const HalfSpace& half_space, const glm::vec3& e) {
-    const float away = glm::dot(e - (vec(previous[row]) - vec(since[row])), half_space.normal) - step * half_space.rate;
-    add(previous[row], std::max(away, 0.0F) * half_space.normal);
-  };
-  bring_all_back(time, since, current, stop, kernels);
+  bring_all_back(time, since, &previous, current, kernels);
   return held_back_;
 }
 
 std::size_t Regions::bring_back(const Float4Array& since, Float4Array& current, ParallelKernels& kernels) {
-  bring_all_back(
-      1.0F, since, current, [](Index, const HalfSpace&, const glm::vec3&) {}, kernels);
+  bring_all_back(1.0F, since, nullptr, current, kernels);
   return held_back_.size();
 }
 

@@ -8,14 +8,14 @@
 
 namespace taut::sim::bounded {
 
-/// The three coordinates of one vertex and an unused fourth, which is always 0. Processors load and store
-/// four floats at once. The fourth is computed like the others, so that the compiler uses one vector
+/// The three coordinates of one vertex and a fourth number, which is 0 where nothing else is said of it. Processors
+/// load and store four floats at once. The fourth is computed like the others, so that the compiler uses one vector
 /// instruction for all.
 struct Float4 {
   float x = 0.0F;
   float y = 0.0F;
   float z = 0.0F;
-  float unused = 0.0F;
+  float fourth = 0.0F;
 };
 
 /// The same values as single floats, four per row.
@@ -35,12 +35,12 @@ inline void add_scaled(Float4& sum, const Float4& x, float factor) {
   sum.x += factor * x.x;
   sum.y += factor * x.y;
   sum.z += factor * x.z;
-  sum.unused += factor * x.unused;
+  sum.fourth += factor * x.fourth;
 }
 
 /// a + factor b.
 inline Float4 scaled_sum(const Float4& a, const Float4& b, float factor) {
-  return {a.x + factor * b.x, a.y + factor * b.y, a.z + factor * b.z, a.unused + factor * b.unused};
+  return {a.x + factor * b.x, a.y + factor * b.y, a.z + factor * b.z, a.fourth + factor * b.fourth};
 }
 
 /// Exact: every float is a double.

@@ -89,9 +89,12 @@ struct Kernels {
 
   /// Writes the force of the air that each corner of a triangle gets, in N, for triangles [begin, end),
   /// multiples of the block size. `corner_forces` has one entry per triangle. Positions are `start` +
-  /// `current`, in m; `previous` is one time step earlier. The law is that of sim/wind.hpp.
+  /// `current`, in m; `previous` is one time step earlier. `opposed` is the change of velocity in m/s that all
+  /// other forces are expected to bring about in the time; its fourth number is 1 in rows that can move. The law is
+  /// that of sim/forces.hpp, which knows no other forces.
   void (*wind)(const TriangleLanes& triangles, const AirFlow& air, std::size_t begin, std::size_t end,
-               const Float4* start, const Float4* current, const Float4* previous, Float4* corner_forces);
+               const Float4* start, const Float4* current, const Float4* previous, const Float4* opposed,
+               Float4* corner_forces);
 
   /// For the rows of slices [begin, end): result += sum over the columns of value (x_column - x_row).
   void (*add_product)(const SlicedMatrix& matrix, std::size_t begin, std::size_t end, const Float4* positions,

@@ -162,20 +162,30 @@ void largest_ratios(const SpringLanes& springs, std::size_t begin, std::size_t e
 struct LoadedCorner {
   Triple position;
   Triple moved;
+  Four opposed;
 };
 
 HWY_INLINE LoadedCorner load_corner(const TriangleLanes& triangles, std::size_t corner, std::size_t k,
-                                    const Float4* start, const Float4* current, const Float4* previous) {
+                                    const Float4* start, const Float4* current, const Float4* previous,
+                                    const Float4* opposed) {
   const std::uint32_t* at = &triangles.at[corner][k];
   const Four now = load_rows(floats_of(current), at);
   return {as_coordinates(load_rows(floats_of(start), at) + now),
-          as_coordinates(now - load_rows(floats_of(previous), at))};
+          as_coordinates(now - load_rows(floats_of(previous), at)), load_rows(floats_of(opposed), at)};
 }
 
-/// Turns half the air's density times a coefficient times a speed into the drag averaged over the time it
-/// acts.
-HWY_INLINE V acting_drag(V drag, V twice_per_density) {
-  return hn::Div(drag, hn::Add(hn::Set(Floats(), 1.0F), hn::Mul(twice_per_density, drag)));
+/// Turns half the air's density times a coefficient times a speed into the drag averaged over the time it acts, where
+/// other forces add to the speed.
+HWY_INLINE V acting_drag(V drag, V drag_with_others, V twice_per_density) {
+  return hn::Div(drag_with_others, hn::Add(hn::Set(Floats(), 1.0F), hn::Mul(twice_per_density, drag)));
+}
+
+/// Returns how far other forces turn a triangle against the air that comes along its normal, in m/s; at least 0.
+HWY_INLINE V against(const Four& opposed, const Triple& normal, V u_n) {
+  const Floats f;
+  const Four sum = transposed(opposed);
+  const V along = hn::Div(dot({sum.a, sum.b, sum.c}, normal), hn::Max(sum.d, hn::Set(f, 1.0F)));
+  return hn::Max(hn::IfThenElse(hn::Lt(u_n, hn::Zero(f)), along, hn::Neg(along)), hn::Zero(f));
 }
 
 HWY_INLINE Triple corner_force(const AirFlow& air, const LoadedCorner& a, const LoadedCorner& b,
@@ -193,19 +203,22 @@ HWY_INLINE Triple corner_force(const AirFlow& air, const LoadedCorner& a, const 
   const V u_n = dot(u, normal);
   const Triple along_normal = normal * u_n;
   const V pressure = hn::Mul(hn::Set(f, air.half_density_pressure), hn::Abs(u_n));
+  const V opposed = against(a.opposed + b.opposed + c.opposed, normal, u_n);
+  const V most = hn::Mul(hn::Mul(hn::Set(f, air.time_per_density), pressure), hn::Abs(u_n));
+  const V held = hn::Mul(hn::Set(f, air.half_density_pressure * 2.0F), hn::Min(opposed, most));
   const V friction = hn::Mul(hn::Set(f, air.half_density_friction), hn::Sqrt(dot(u, u)));
   const V twice_per_density = hn::Set(f, air.time_per_density * 2.0F);
-  const Triple per_area = along_normal * acting_drag(pressure, twice_per_density) +
-                          (u - along_normal) * acting_drag(friction, twice_per_density);
+  const Triple per_area = along_normal * acting_drag(pressure, hn::Add(pressure, held), twice_per_density) +
+                          (u - along_normal) * acting_drag(friction, friction, twice_per_density);
   return per_area * hn::Div(doubled_size, hn::Set(f, 6.0F));
 }
 
 void wind(const TriangleLanes& triangles, const AirFlow& air, std::size_t begin, std::size_t end, const Float4* start,
-          const Float4* current, const Float4* previous, Float4* corner_forces) {
+          const Float4* current, const Float4* previous, const Float4* opposed, Float4* corner_forces) {
   for (std::size_t k = begin; k < end; k += lanes) {
-    const Triple force = corner_force(air, load_corner(triangles, 0, k, start, current, previous),
-                                      load_corner(triangles, 1, k, start, current, previous),
-                                      load_corner(triangles, 2, k, start, current, previous));
+    const Triple force = corner_force(air, load_corner(triangles, 0, k, start, current, previous, opposed),
+                                      load_corner(triangles, 1, k, start, current, previous, opposed),
+                                      load_corner(triangles, 2, k, start, current, previous, opposed));
     store_rows(as_rows(force), floats_of(corner_forces), rows_from(k).data());
   }
 }

@@ -59,9 +59,10 @@ void ParallelKernels::largest_ratios(const SurfaceLanes& triangles, const Float4
 }
 
 void ParallelKernels::wind(const TriangleLanes& triangles, const AirFlow& air, const Float4* start,
-                           const Float4* current, const Float4* previous, Float4* corner_forces) {
+                           const Float4* current, const Float4* previous, const Float4* opposed,
+                           Float4* corner_forces) {
   pool_.split(0, triangles.lane_count() / block_size, least_blocks, [&](std::size_t b, std::size_t e) {
-    kernels_.wind(triangles, air, b * block_size, e * block_size, start, current, previous, corner_forces);
+    kernels_.wind(triangles, air, b * block_size, e * block_size, start, current, previous, opposed, corner_forces);
   });
 }
 

@@ -40,7 +40,7 @@ class ParallelKernels {
   void largest_ratios(const SpringLanes& springs, const Float4* rows, float* squared_ratios);
   void largest_ratios(const SurfaceLanes& triangles, const Float4* rows, float* squared_ratios);
   void wind(const TriangleLanes& triangles, const AirFlow& air, const Float4* start, const Float4* current,
-            const Float4* previous, Float4* corner_forces);
+            const Float4* previous, const Float4* opposed, Float4* corner_forces);
   void add_product(const SlicedMatrix& matrix, const Float4* positions, Float4* result);
 
   const ContactKernels& contact() const { return kernels_.contact; }

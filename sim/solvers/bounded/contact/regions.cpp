@@ -78,8 +78,8 @@ Regions::Pair Regions::pair_of(const ContactPair& contact, const RowMoves& rows)
   return pair;
 }
 
-// Layers that slide pass the edges within each other. A plane at right angles to the shortest distance stands in the way of
-// what comes to lie beside such an edge, as if it were a step.
+// Layers that slide pass the edges within each other. A plane at right angles to the shortest distance stands in the
+// way of what comes to lie beside such an edge, as if it were a step.
 void Regions::level(const std::array<glm::vec3, 4>& p, const RowMoves& rows, Pair& pair) const {
   const float apart_at_end = span_at_end(pair).apart();
   if (std::min(pair.distance, apart_at_end) > touched_m(pair.contact)) return;

@@ -51,10 +51,10 @@ struct HeldBack {
 ///
 /// A region is a ball around the row as it moves, for all that was not near, and a half-space for each near
 /// pair: a plane between the two things at right angles to their distance, or along their surfaces where that lets both
-/// go on as they are expected to. It moves along with them. Corners that are on one side keep their triangle on that side. Where a row is expected to be
-/// lies within its region at any time, so that rows can always be brought back, each by itself. (Planes:
-/// "divide and truncate", 2026; balls: Chen and others 2025. That planes move lets layers in contact move
-/// together.)
+/// go on as they are expected to. It moves along with them. Corners that are on one side keep their triangle on that
+/// side. Where a row is expected to be lies within its region at any time, so that rows can always be brought back,
+/// each by itself. (Planes: "divide and truncate", 2026; balls: Chen and others 2025. That planes move lets layers in
+/// contact move together.)
 class Regions {
  public:
   /// Makes the regions for the time 0 to 1. Every pair that could meet has to be among `pairs`. Returns false
@@ -112,9 +112,9 @@ class Regions {
   };
   struct HalfSpace {
     glm::vec3 normal;
-    float start;  ///< displacements along the normal are at least so much at the time 0
-    float rate;   ///< and so much more at the time 1
-    float room;   ///< how far the row's expected move stays within it, at both times
+    float start;    ///< displacements along the normal are at least so much at the time 0
+    float rate;     ///< and so much more at the time 1
+    float room;     ///< how far the row's expected move stays within it, at both times
     bool is_fixed;  ///< the other thing cannot be moved
   };
   enum class Held : std::uint8_t { no, carried, still };

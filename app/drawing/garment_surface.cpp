@@ -4,6 +4,7 @@
 #include "app/drawing/framing.hpp"
 #include "app/models/garment_measures.hpp"
 #include "app/models/garment_parts.hpp"
+#include "app/models/landmarks.hpp"
 #include "sim/mesh/groups.hpp"
 
 namespace taut::app {
@@ -140,8 +141,30 @@ bool has_own(const SurfaceColours& colours) {
                              [](const SurfaceMaterial& material) { return !material.map_file.empty(); });
 }
 
-DrawnColours colours_of(const PictureStyle& style, const GarmentInScene& loaded) {
+PictureStyle look_of(const std::string& fabric) {
+  DrawnScene scene;
+  apply_overrides(drawn_scene_format(), std::vector<Override>{{"cloth.fabric", fabric, "fabrics"}}, scene);
+  return scene.picture;
+}
+
+/// Layers of fabrics of their own have the colours of these.
+DrawnColours of_layers(const DrawnScene& scene, const GarmentInScene& loaded) {
+  DrawnColours drawn{
+      loaded.colours.corner_uv, {{scene.picture.cloth.outside_colour, inside_of(scene.picture.cloth), {}}}, {}};
+  for (const auto& [group, fabric] : fabrics_of_layers(scene.garment.model())) {
+    const renderer::SurfaceStyle cloth = look_of(fabric).cloth;
+    drawn.base_colours.push_back({cloth.outside_colour, inside_of(cloth), {}});
+  }
+  for (const sim::Triangle& t : loaded.garment->mesh.triangles) {
+    drawn.base_colour_of_triangle.push_back(loaded.garment->material_of[t[0]]);
+  }
+  return drawn;
+}
+
+DrawnColours colours_of(const DrawnScene& scene, const GarmentInScene& loaded) {
+  const PictureStyle& style = scene.picture;
   if (names_image(style.texture)) return print(style, loaded.colours);
+  if (style.texture != no_texture && !loaded.garment->material_of.empty()) return of_layers(scene, loaded);
   const bool is_coloured = style.cloth.outside_colour != renderer::SurfaceStyle().outside_colour;
   if (style.texture == no_texture || is_coloured || !has_own(loaded.colours)) {
     return {loaded.colours.corner_uv, {}, {}};
@@ -323,7 +346,7 @@ void SpringLines::add(std::span<const glm::vec3> positions, renderer::FrameView&
 }
 
 DrawnColours drawn_colours(const DrawnScene& scene, const GarmentInScene& loaded) {
-  DrawnColours colours = colours_of(scene.picture, loaded);
+  DrawnColours colours = colours_of(scene, loaded);
   colours.following = loaded.following;
   return colours;
 }

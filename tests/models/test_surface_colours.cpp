@@ -11,6 +11,7 @@
 #include "app/models/import_process.hpp"
 #include "app/models/obj_reading.hpp"
 #include "app/models/obj_writing.hpp"
+#include "app/scene/scene_format.hpp"
 #include "renderer/page/png.hpp"
 #include "temporary_folder.hpp"
 
@@ -177,6 +178,28 @@ TEST(SurfaceColours, GiveWayToWhatTheSceneAsksFor) {
   ASSERT_EQ(print.base_colours[0].map.rgba->size(), 64U);
   EXPECT_EQ(print.base_colours[0].map.rgba->at(3), 4);
   scene.picture = {};
+  scene.picture.texture = no_texture;
+  EXPECT_TRUE(drawn_colours(scene, loaded).base_colours.empty());
+}
+
+TEST(SurfaceColours, OfLayersAreThoseOfTheirFabrics) {
+  const TemporaryFolder folder;
+  folder.write("two.landmarks.toml", "layers = 2\n[fabrics]\n\"over.\" = \"denim\"\n");
+  DrawnScene scene = scene_of(folder.write(
+      "two.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 0 0.1\nv 1 0 0.1\nv 1 1 0.1\ng under\nf 1 2 3\ng over.front\nf 4 5 6\n"));
+  const auto make_of = [](const char* fabric, DrawnScene& made) {
+    apply_overrides(drawn_scene_format(), std::vector<Override>{{"cloth.fabric", fabric, "--fabric"}}, made);
+  };
+  make_of("cotton", scene);
+  const LoadedGarment loaded = load_garment(scene);
+  const DrawnColours drawn = drawn_colours(scene, loaded);
+  ASSERT_EQ(drawn.base_colours.size(), 2U);
+  EXPECT_EQ(drawn.base_colours[0].outside_colour, scene.picture.cloth.outside_colour);
+  EXPECT_NE(drawn.base_colours[0].outside_colour, drawn.base_colours[1].outside_colour);
+  DrawnScene denim;
+  make_of("denim", denim);
+  EXPECT_EQ(drawn.base_colours[1].outside_colour, denim.picture.cloth.outside_colour);
+  EXPECT_EQ(drawn.base_colour_of_triangle, (std::vector<std::uint32_t>{0, 1}));
   scene.picture.texture = no_texture;
   EXPECT_TRUE(drawn_colours(scene, loaded).base_colours.empty());
 }

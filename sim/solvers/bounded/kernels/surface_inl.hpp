@@ -151,11 +151,25 @@ HWY_INLINE void move_corners(const Place& at, const Found& found, float* rows) {
   store_rows(found.corners.c - as_rows(c * found.mobility.c), rows, &block->at[2][k]);
 }
 
-/// Corrects `count` places as `work` says: place(i) is the i-th, find(place, found) what to do there. Two are
-/// worked on at a time: one is computed while the other waits for a square root or a division.
+constexpr std::size_t places_per_block = block_size / lanes;
+
+/// Blocks are fetched so many before they are worked on.
+constexpr std::size_t blocks_ahead = 4;
+
+/// Fetches what place i is the time for, of `count` places.
+template <typename Work> HWY_INLINE void fetch_ahead(std::size_t i, std::size_t count, const Work& work) {
+  const std::size_t ahead = i + blocks_ahead * places_per_block;
+  if (i % places_per_block == 0 && ahead < count) work.fetch_block(ahead / places_per_block);
+}
+
+/// Corrects `count` places as `work` says: place(i) is the i-th, find(place, found) what to do there, and
+/// fetch_block(b) gets the b-th block. Two are worked on at a time: one is computed while the other waits for a square
+/// root or a division.
 template <typename Work> HWY_INLINE void correct(std::size_t count, const Work& work, float* rows) {
   std::size_t i = 0;
   for (; i + 1 < count; i += 2) {
+    fetch_ahead(i, count, work);
+    fetch_ahead(i + 1, count, work);
     const Place a = work.place(i);
     const Place b = work.place(i + 1);
     Found found_a;
@@ -180,8 +194,6 @@ template <typename Work> HWY_INLINE void correct(std::size_t count, const Work& 
     }
   }
 }
-
-constexpr std::size_t places_per_block = block_size / lanes;
 
 void start_surface(const StartRows& start, std::size_t begin, std::size_t end, SurfaceLanes& triangles) {
   for (std::size_t b = begin; b < end; ++b) {
@@ -212,6 +224,8 @@ template <bool sums_up> struct Sweep {
     const SurfaceBlock* block = blocks + i / places_per_block;
     return {block, &block->mobility, i % places_per_block * lanes};
   }
+
+  HWY_INLINE void fetch_block(std::size_t block) const { fetch(blocks[block]); }
 
   HWY_INLINE bool find(const Place& at, const float* rows, Found& found) const {
     const Floats f;
@@ -281,6 +295,11 @@ struct Shorten {
     return {&triangles.blocks[block], &triangles.projection_mobility[block], i % places_per_block * lanes};
   }
 
+  HWY_INLINE void fetch_block(std::size_t block) const {
+    fetch(triangles.blocks[blocks[block]]);
+    fetch(triangles.projection_mobility[blocks[block]]);
+  }
+
   HWY_INLINE bool find(const Place& at, const float* rows, Found& found) const {
     const Floats f;
     const V limit = hn::Set(f, squared_bound);
@@ -309,6 +328,7 @@ void largest_surface_ratios(const SurfaceLanes& triangles, std::size_t begin, st
   const Floats f;
   for (std::size_t b = begin; b < end; ++b) {
     const SurfaceBlock& block = triangles.blocks[b];
+    if (b + blocks_ahead < end) fetch(triangles.blocks[b + blocks_ahead]);
     V largest = hn::Zero(f);
     for (std::size_t k = 0; k < block_size; k += lanes) {
       const Corners corners = load_corners(block, k, floats_of(rows));

@@ -218,7 +218,8 @@ HWY_INLINE void add_to(V value, std::size_t k, std::array<float, block_size>& su
 template <bool sums_up> struct Sweep {
   const SurfaceBlock* blocks;
   SurfaceSums* sums;  ///< of the same blocks
-  float short_part;   ///< of the correction of what is too short: 1, or 0 for none
+  float relaxation;
+  float short_part;  ///< of the correction of what is too short: 1, or 0 for none
 
   HWY_INLINE Place place(std::size_t i) const {
     const SurfaceBlock* block = blocks + i / places_per_block;
@@ -238,11 +239,12 @@ template <bool sums_up> struct Sweep {
     const V per_both = hn::Div(one, hn::Mul(first_divisor, second_divisor));
     const V first = hn::Mul(hn::Mul(hn::Sub(s.largest(), one), second_divisor), per_both);
     const V second = hn::Mul(hn::Mul(hn::Sub(s.smallest(), one), first_divisor), per_both);
-    // A share is at most 1. So the larger value is the whole error where the triangle is too long, and the
-    // share of it otherwise.
+    // A share is at most 1, and relaxation at least. So the larger value is that of the error where the triangle is
+    // too long, and the share of it otherwise.
     const V share = hn::Mul(hn::Load(f, &at.block->short_share[at.k]), hn::Set(f, short_part));
-    found.first = hn::Max(first, hn::Mul(first, share));
-    found.second = hn::Max(second, hn::Mul(second, share));
+    const V whole = hn::Set(f, relaxation);
+    found.first = hn::Max(hn::Mul(first, whole), hn::Mul(first, share));
+    found.second = hn::Max(hn::Mul(second, whole), hn::Mul(second, share));
     return true;
   }
 
@@ -266,11 +268,12 @@ template <bool sums_up> struct Sweep {
 void sweep_surface(const SurfaceLanes& triangles, const BlockRange& range, SurfaceSums* sums, Float4* rows) {
   const SurfaceBlock* blocks = triangles.blocks.data() + range.begin;
   const std::size_t places = (range.end - range.begin) * places_per_block;
+  const float relaxation = triangles.relaxation;
   const float short_part = range.again ? 0.0F : 1.0F;
   if (sums == nullptr) {
-    correct(places, Sweep<false>{blocks, nullptr, short_part}, floats_of(rows));
+    correct(places, Sweep<false>{blocks, nullptr, relaxation, short_part}, floats_of(rows));
   } else {
-    correct(places, Sweep<true>{blocks, sums + range.begin, short_part}, floats_of(rows));
+    correct(places, Sweep<true>{blocks, sums + range.begin, relaxation, short_part}, floats_of(rows));
   }
 }
 

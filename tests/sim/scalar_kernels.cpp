@@ -264,8 +264,8 @@ void sweep_surface(const SurfaceLanes& triangles, const BlockRange& range, Surfa
     const float first = ((s.largest - 1.0F) * second_divisor) * per_both;
     const float second = ((s.smallest - 1.0F) * first_divisor) * per_both;
     const float share = range.again ? 0.0F : block.short_share[k];
-    const float shared_first = std::max(first, first * share);
-    const float shared_second = std::max(second, second * share);
+    const float shared_first = std::max(first * triangles.relaxation, first * share);
+    const float shared_second = std::max(second * triangles.relaxation, second * share);
     if (sums != nullptr) {
       const Symmetric change = symmetric(s, shared_first * (s.largest * 0.5F + 0.5F),
                                          shared_second * (s.smallest * 0.5F + 0.5F));

@@ -91,6 +91,7 @@ Inputs::Inputs() {
     std::generate(block.start_x.begin(), block.start_x.end(), [&] { return metres(random); });
     std::generate(block.start_z.begin(), block.start_z.end(), [&] { return metres(random); });
   }
+  surface.relaxation = 1.25F;
   for (SurfaceBlock& block : surface.blocks) {
     block.short_share.fill(0.1F);
     for (std::size_t axis = 0; axis < 3; ++axis) {

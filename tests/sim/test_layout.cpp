@@ -133,6 +133,25 @@ TEST(Layout, OnlyTrianglesNearThePinsAreSweptAgain) {
                            [](const BlockRange& range) { return range.again; }));
 }
 
+TEST(Layout, FineClothIsSweptLessAgainAndCorrectedMore) {
+  const auto laid_out = [](Index count) {
+    const Garment garment = make_garment(irregular_sheet(count, 1.0));
+    return make_layout(garment, make_pins(garment, {0}), BoundKind::surface).surface;
+  };
+  const auto part_again = [](const SurfaceLanes& lanes) {
+    double blocks = 0.0;
+    for (const auto [begin, end, again] : lanes.sweep) blocks += again ? end - begin : 0.0;
+    return blocks / static_cast<double>(lanes.block_count());
+  };
+  const SurfaceLanes coarse = laid_out(100);
+  const SurfaceLanes fine = laid_out(102);
+  EXPECT_EQ(coarse.relaxation, 1.0F);
+  EXPECT_GT(fine.relaxation, 1.2F);
+  EXPECT_LT(fine.relaxation, 4.0F / 3.0F) << "where time steps of a sweep each are stable";
+  EXPECT_NEAR(part_again(coarse), 0.35 + 0.12 + 0.04, 0.02);
+  EXPECT_NEAR(part_again(fine), 0.12 + 0.04, 0.02);
+}
+
 TEST(Layout, NeedlesAndBentCellsAreHeldByTheirSprings) {
   Mesh mesh = sheet(3, 1.0);
   const auto free_springs = [](const Mesh& cloth) {

@@ -17,7 +17,7 @@ constexpr std::array<Vec3, 3> rest = {Vec3(0.02, 0.01, 0.0), Vec3(0.05, 0.015, 0
 /// One triangle that is displaced from its rest shape.
 class OneTriangle {
  public:
-  OneTriangle(std::vector<Index> pins, double compression_share = 0.0)
+  OneTriangle(std::vector<Index> pins, double compression_share = 0.0, double relaxation = 1.0)
       : garment_(make_garment({{rest.begin(), rest.end()}, {{0, 1, 2}}, {}})),
         layout_(make_layout(garment_, make_pins(garment_, std::move(pins)), BoundKind::surface)),
         rows_(layout_.row_count()) {
@@ -25,6 +25,7 @@ class OneTriangle {
     set_start(layout_, garment_.mesh.positions, start);
     kernels_.start_surface(start, 0, layout_.surface.block_count(), layout_.surface);
     layout_.surface.blocks[0].short_share[0] = static_cast<float>(compression_share);
+    layout_.surface.relaxation = static_cast<float>(relaxation);
   }
 
   void place(const std::array<Vec3, 3>& corners) {
@@ -151,6 +152,14 @@ TEST(SurfaceKernels, WhatIsTooShortPushesByItsShareAndOnceInASweep) {
   const double error = (0.81 - 1.0) / (0.81 + 1.0);
   EXPECT_NEAR(triangle.stretches().smallest, 0.9 * (1.0 - 0.25 * error), 3e-4);
   EXPECT_NEAR(triangle.stretches().largest, 1.0, 1e-5);
+}
+
+TEST(SurfaceKernels, RelaxationIsOfWhatIsTooLongAlone) {
+  OneTriangle triangle({}, 0.25, 1.25);
+  triangle.place(stretched(1.02, 0.98));
+  triangle.sweep();
+  EXPECT_NEAR(triangle.stretches().largest, 0.995, 3e-4);
+  EXPECT_NEAR(triangle.stretches().smallest, 0.985, 3e-4);
 }
 
 }  // namespace

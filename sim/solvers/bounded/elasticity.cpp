@@ -122,6 +122,7 @@ Elasticity::Elasticity(const Garment& garment, const Layout& layout) : materials
   materials_.insert(materials_.end(), garment.others.begin(), garment.others.end());
   if (!sim::has_law(garment.material) || layout.surface.block_count() == 0) return;
   lanes_ = layout.surface;
+  lanes_.relaxation = 1.0F;  // tension is measured by whole corrections
   sums_.resize(lanes_.block_count());
   warps_.resize(lanes_.block_count());
   areas_m2_.resize(lanes_.lane_count());

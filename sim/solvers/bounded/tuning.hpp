@@ -45,6 +45,12 @@ inline constexpr double shift_per_reach = 0.004;
 /// After all colours this part of each, the nearest to the pins, is swept again, then this part of that, and
 /// so on while it is not few. More costs sweeps and leaves less to the projection.
 inline constexpr double swept_again = 0.35;
+/// Cloth of so many triangles is fine: of each colour only the second and later of those parts are swept again, and
+/// what is too long is corrected by more than its error. Coarser cloth needs more steps without the first part.
+inline constexpr std::size_t fine_triangles = 20000;
+/// The correction of what is too long in fine cloth over its error. More takes fewer steps, leaves single triangles
+/// longer, and is stable below 4/3.
+inline constexpr float fine_relaxation = 1.25F;
 /// Tethers are longer than the way along the cloth by the bound where springs are held, but by no more than
 /// this part of it: cloth made of springs gives a little across them, and tethers of the exact length lift
 /// it.

@@ -223,6 +223,9 @@ void wind(const TriangleLanes& triangles, const AirFlow& air, std::size_t begin,
   }
 }
 
+/// Entries of a slice are fetched so many before they are multiplied.
+constexpr std::size_t entries_ahead = 24;
+
 void add_product(const SlicedMatrix& matrix, std::size_t begin, std::size_t end, const Float4* positions,
                  Float4* result) {
   const Floats f;
@@ -234,6 +237,9 @@ void add_product(const SlicedMatrix& matrix, std::size_t begin, std::size_t end,
     Triple sum = {hn::Zero(f), hn::Zero(f), hn::Zero(f)};
     const std::size_t last = matrix.begin[slice + 1] * block_size;
     for (std::size_t e = matrix.begin[slice] * block_size + lane % block_size; e < last; e += block_size) {
+      const std::size_t ahead = std::min(e + entries_ahead * block_size, matrix.value.size() - 1);
+      fetch(matrix.column_at[ahead]);
+      fetch(matrix.value[ahead]);
       const Triple to_column = as_coordinates(load_rows(first, &matrix.column_at[e])) - x;
       sum = sum + to_column * hn::Load(f, &matrix.value[e]);
     }

@@ -98,6 +98,9 @@ struct SurfaceLanes {
   std::vector<Index> triangle;  ///< per lane the garment's; no_triangle in padding
   static constexpr Index no_triangle = ~Index{0};
   bool has_thin = false;  ///< some triangles' F is wrong by more than lengths are in single precision
+  /// The part of the error of what is too long that a sweep corrects. In time steps with one sweep each up to 4/3
+  /// is stable.
+  float relaxation = 1.0F;
   /// In the order of one sweep: the colours, and then again the part of each that is nearest to the pins.
   std::vector<BlockRange> sweep;
 

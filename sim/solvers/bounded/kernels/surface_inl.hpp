@@ -151,11 +151,25 @@ HWY_INLINE void move_corners(const Place& at, const Found& found, float* rows) {
   store_rows(found.corners.c - as_rows(c * found.mobility.c), rows, &block->at[2][k]);
 }
 
-/// Corrects `count` places as `work` says: place(i) is the i-th, find(place, found) what to do there. Two are
-/// worked on at a time: one is computed while the other waits for a square root or a division.
+constexpr std::size_t places_per_block = block_size / lanes;
+
+/// Blocks are fetched so many before they are worked on.
+constexpr std::size_t blocks_ahead = 4;
+
+/// Fetches what place i is the time for, of `count` places.
+template <typename Work> HWY_INLINE void fetch_ahead(std::size_t i, std::size_t count, const Work& work) {
+  const std::size_t ahead = i + blocks_ahead * places_per_block;
+  if (i % places_per_block == 0 && ahead < count) work.fetch_block(ahead / places_per_block);
+}
+
+/// Corrects `count` places as `work` says: place(i) is the i-th, find(place, found) what to do there, and
+/// fetch_block(b) gets the b-th block. Two are worked on at a time: one is computed while the other waits for a square
+/// root or a division.
 template <typename Work> HWY_INLINE void correct(std::size_t count, const Work& work, float* rows) {
   std::size_t i = 0;
   for (; i + 1 < count; i += 2) {
+    fetch_ahead(i, count, work);
+    fetch_ahead(i + 1, count, work);
     const Place a = work.place(i);
     const Place b = work.place(i + 1);
     Found found_a;
@@ -181,8 +195,6 @@ template <typename Work> HWY_INLINE void correct(std::size_t count, const Work& 
   }
 }
 
-constexpr std::size_t places_per_block = block_size / lanes;
-
 void start_surface(const StartRows& start, std::size_t begin, std::size_t end, SurfaceLanes& triangles) {
   for (std::size_t b = begin; b < end; ++b) {
     SurfaceBlock& block = triangles.blocks[b];
@@ -206,12 +218,15 @@ HWY_INLINE void add_to(V value, std::size_t k, std::array<float, block_size>& su
 template <bool sums_up> struct Sweep {
   const SurfaceBlock* blocks;
   SurfaceSums* sums;  ///< of the same blocks
-  float short_part;   ///< of the correction of what is too short: 1, or 0 for none
+  float relaxation;
+  float short_part;  ///< of the correction of what is too short: 1, or 0 for none
 
   HWY_INLINE Place place(std::size_t i) const {
     const SurfaceBlock* block = blocks + i / places_per_block;
     return {block, &block->mobility, i % places_per_block * lanes};
   }
+
+  HWY_INLINE void fetch_block(std::size_t block) const { fetch(blocks[block]); }
 
   HWY_INLINE bool find(const Place& at, const float* rows, Found& found) const {
     const Floats f;
@@ -224,11 +239,12 @@ template <bool sums_up> struct Sweep {
     const V per_both = hn::Div(one, hn::Mul(first_divisor, second_divisor));
     const V first = hn::Mul(hn::Mul(hn::Sub(s.largest(), one), second_divisor), per_both);
     const V second = hn::Mul(hn::Mul(hn::Sub(s.smallest(), one), first_divisor), per_both);
-    // A share is at most 1. So the larger value is the whole error where the triangle is too long, and the
-    // share of it otherwise.
+    // A share is at most 1, and relaxation at least. So the larger value is that of the error where the triangle is
+    // too long, and the share of it otherwise.
     const V share = hn::Mul(hn::Load(f, &at.block->short_share[at.k]), hn::Set(f, short_part));
-    found.first = hn::Max(first, hn::Mul(first, share));
-    found.second = hn::Max(second, hn::Mul(second, share));
+    const V whole = hn::Set(f, relaxation);
+    found.first = hn::Max(hn::Mul(first, whole), hn::Mul(first, share));
+    found.second = hn::Max(hn::Mul(second, whole), hn::Mul(second, share));
     return true;
   }
 
@@ -252,11 +268,12 @@ template <bool sums_up> struct Sweep {
 void sweep_surface(const SurfaceLanes& triangles, const BlockRange& range, SurfaceSums* sums, Float4* rows) {
   const SurfaceBlock* blocks = triangles.blocks.data() + range.begin;
   const std::size_t places = (range.end - range.begin) * places_per_block;
+  const float relaxation = triangles.relaxation;
   const float short_part = range.again ? 0.0F : 1.0F;
   if (sums == nullptr) {
-    correct(places, Sweep<false>{blocks, nullptr, short_part}, floats_of(rows));
+    correct(places, Sweep<false>{blocks, nullptr, relaxation, short_part}, floats_of(rows));
   } else {
-    correct(places, Sweep<true>{blocks, sums + range.begin, short_part}, floats_of(rows));
+    correct(places, Sweep<true>{blocks, sums + range.begin, relaxation, short_part}, floats_of(rows));
   }
 }
 
@@ -279,6 +296,11 @@ struct Shorten {
   HWY_INLINE Place place(std::size_t i) const {
     const std::uint32_t block = blocks[i / places_per_block];
     return {&triangles.blocks[block], &triangles.projection_mobility[block], i % places_per_block * lanes};
+  }
+
+  HWY_INLINE void fetch_block(std::size_t block) const {
+    fetch(triangles.blocks[blocks[block]]);
+    fetch(triangles.projection_mobility[blocks[block]]);
   }
 
   HWY_INLINE bool find(const Place& at, const float* rows, Found& found) const {
@@ -309,6 +331,7 @@ void largest_surface_ratios(const SurfaceLanes& triangles, std::size_t begin, st
   const Floats f;
   for (std::size_t b = begin; b < end; ++b) {
     const SurfaceBlock& block = triangles.blocks[b];
+    if (b + blocks_ahead < end) fetch(triangles.blocks[b + blocks_ahead]);
     V largest = hn::Zero(f);
     for (std::size_t k = 0; k < block_size; k += lanes) {
       const Corners corners = load_corners(block, k, floats_of(rows));

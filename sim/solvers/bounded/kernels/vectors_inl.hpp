@@ -7,6 +7,7 @@
 #define TAUT_VECTORS_INL
 #endif
 
+#include <hwy/cache_control.h>
 #include <hwy/highway.h>
 
 #include "sim/solvers/bounded/kernels/blocks.hpp"
@@ -24,6 +25,14 @@ using Floats = hn::CappedTag<float, block_size>;
 using V = hn::Vec<Floats>;
 
 constexpr std::size_t lanes = hn::MaxLanes(Floats());
+
+/// Asks for what is needed soon: where the processor does not foresee it, it is waited for in caches that hold all
+/// of it, too.
+template <typename T> HWY_INLINE void fetch(const T& what) {
+  constexpr auto line_bytes = static_cast<std::size_t>(LineAligned<T>::line_bytes);
+  const char* const bytes = reinterpret_cast<const char*>(&what);
+  for (std::size_t at = 0; at < sizeof(T); at += line_bytes) hwy::Prefetch(bytes + at);
+}
 
 /// Four vectors: of rows as loaded, or of one coordinate each.
 struct Four {

@@ -3,7 +3,6 @@
 #include <CLI/CLI.hpp>
 
 #include "app/base/errors.hpp"
-#include "app/base/version.hpp"
 #include "app/base/words.hpp"
 #include "app/bodies/fit.hpp"
 #include "app/caches/frame_sink.hpp"

@@ -2,8 +2,8 @@
 
 #include <thread>
 
-#include "app/base/interruption.hpp"
-#include "app/base/stopwatch.hpp"
+#include "app/base/errors.hpp"
+#include "app/base/progress.hpp"
 
 namespace taut::app {
 namespace {

@@ -5,7 +5,7 @@
 
 #include "app/base/errors.hpp"
 #include "app/output/frame_record.hpp"
-#include "renderer/page/image.hpp"
+#include "renderer/page/png.hpp"
 
 namespace taut::app {
 

@@ -1,5 +1,4 @@
 #include "app/base/errors.hpp"
-#include "app/base/interruption.hpp"
 #include "app/command_line.hpp"
 #include "sim/simulation.hpp"
 

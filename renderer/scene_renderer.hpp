@@ -2,7 +2,7 @@
 
 #include "renderer/context/context.hpp"
 #include "renderer/frame_view.hpp"
-#include "renderer/page/image.hpp"
+#include "renderer/page/png.hpp"
 
 namespace taut::renderer {
 

@@ -4,7 +4,7 @@
 
 #include <atomic>
 
-#include "app/base/interruption.hpp"
+#include "app/base/errors.hpp"
 #include "app/base/progress.hpp"
 
 namespace taut::app {

@@ -2,12 +2,61 @@
 
 #include <chrono>
 #include <condition_variable>
+#include <ctime>
 #include <mutex>
 #include <thread>
 
 #include "prelude.hpp"
 
 namespace taut::app {
+
+/// Measures wall time from its construction.
+class Stopwatch {
+ public:
+  /// Milliseconds since construction.
+  double elapsed_ms() const {
+    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start_).count();
+  }
+
+ private:
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+/// Measures processor time from its construction. Other programs do not add to it directly. They can still
+/// lengthen it, because they displace data from the caches.
+class ProcessorStopwatch {
+ public:
+  /// `clock` is CLOCK_THREAD_CPUTIME_ID for this thread, or CLOCK_PROCESS_CPUTIME_ID for all threads of the
+  /// program.
+  explicit ProcessorStopwatch(clockid_t clock = CLOCK_THREAD_CPUTIME_ID) : clock_(clock) {}
+
+  double elapsed_ms() const { return now_ms() - start_ms_; }
+
+ private:
+  double now_ms() const {
+    timespec time{};
+    ::clock_gettime(clock_, &time);
+    return 1e3 * static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_nsec);
+  }
+
+  clockid_t clock_;
+  double start_ms_ = now_ms();
+};
+
+/// The value at place `fraction` (0 to 1) of the sorted values, between two places the lower. It is always
+/// one of the values, as a count of steps must be. `values` must not be empty.
+template <class Number> Number ranked(std::vector<Number> values, double fraction) {
+  const auto rank = static_cast<std::ptrdiff_t>(fraction * static_cast<double>(values.size() - 1));
+  std::nth_element(values.begin(), values.begin() + rank, values.end());
+  return values[static_cast<std::size_t>(rank)];
+}
+
+/// The median of the values, which must not be empty. For an even number of values it is the mean of the two
+/// in the middle. `ranked(values, 0.5)` is the lower of the two.
+inline double median(std::vector<double> values) {
+  std::ranges::sort(values);
+  return 0.5 * (values[(values.size() - 1) / 2] + values[values.size() / 2]);
+}
 
 /// One line on the terminal that says what the program is doing. If that takes long, it also says for how
 /// long. Prints nothing if standard error is not a terminal. All functions may be called from any thread.

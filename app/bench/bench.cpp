@@ -3,9 +3,7 @@
 #include <random>
 
 #include "app/base/errors.hpp"
-#include "app/base/interruption.hpp"
-#include "app/base/ranks.hpp"
-#include "app/base/stopwatch.hpp"
+#include "app/base/progress.hpp"
 #include "app/base/words.hpp"
 #include "app/drawing/drawn_scene.hpp"
 #include "app/output/csv.hpp"

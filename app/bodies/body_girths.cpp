@@ -1,6 +1,6 @@
 #include "app/bodies/body_girths.hpp"
 
-#include "app/bodies/joint_names.hpp"
+#include "app/bodies/rig_pose.hpp"
 #include "sim/mesh/extent.hpp"
 #include "sim/mesh/groups.hpp"
 

@@ -1,12 +1,12 @@
 #pragma once
 
 #include "app/bodies/rig_pose.hpp"
+#include "app/models/garment_measures.hpp"
 #include "app/models/placement.hpp"
-#include "app/models/section.hpp"
 
 namespace taut::app {
 
-/// Where the joints of a body are, in m, by the parts that they move (joint_names.hpp).
+/// Where the joints of a body are, in m, by the parts that they move (rig_pose.hpp).
 using JointPlaces = std::map<std::string, sim::Vec3>;
 
 /// Returns the nodes of joints by the parts that they move, of several with the same part the first.

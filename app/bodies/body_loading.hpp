@@ -1,9 +1,12 @@
 #pragma once
 
+#include "app/bodies/body_girths.hpp"
 #include "app/bodies/dressing.hpp"
+#include "app/bodies/motion_opening.hpp"
 #include "app/models/garment_import.hpp"
 #include "app/models/rig.hpp"
 #include "app/scene/scene_file.hpp"
+#include "app/scene/scene_key.hpp"
 
 namespace taut::app {
 
@@ -55,5 +58,14 @@ ReadBody body_of(const BodySource& source, ImportedModel model, const ShownTime&
 
 /// Prints the lines that load_bodies() returned, with the scene's name in front. Null: prints nothing.
 void print_body_remarks(const Scene& scene, const std::vector<std::string>& remarks, std::FILE* output);
+
+/// Reads a body and goes through all of its motion. Returns for programs, with units in the names of numbers:
+/// its size, girths as it was stored, joints that vertices follow, the motion or the clip that is played, the
+/// frames in which it crosses itself, of some spread over the motion, and what was guessed and repaired.
+/// Throws InputError as load_bodies() does.
+Json inspect_body(const BodySource& source);
+
+/// The same as text for people.
+std::string describe_body(const Json& body);
 
 }  // namespace taut::app

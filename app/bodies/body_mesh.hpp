@@ -19,7 +19,7 @@ struct LoadedMesh {
 inline constexpr double longest_border_m = 0.6;
 
 /// Makes the mesh of a body of a model. Equal positions are welded, triangles without area become one with a
-/// neighbour (flat_faces.hpp), small holes are closed and triangles are turned to face outwards. Throws
+/// neighbour, small holes are closed and triangles are turned to face outwards. Throws
 /// InputError that names the file and the place, in the file's unit and axes:
 /// - on a mesh that is not closed: an edge with one triangle or with more than two, or a surface with one
 /// side;

@@ -3,7 +3,7 @@
 #include "app/base/errors.hpp"
 #include "app/base/files.hpp"
 #include "app/base/words.hpp"
-#include "app/bodies/joint_names.hpp"
+#include "app/bodies/rig_pose.hpp"
 #include "sim/mesh/elementary.hpp"
 
 namespace taut::app {

@@ -48,7 +48,7 @@ struct RetargetedMotion {
   std::vector<std::string> remarks;
 };
 
-/// Moves a body as a BVH motion says. Joints are matched by their names (joint_names.hpp). The stored pose of
+/// Moves a body as a BVH motion says. Joints are matched by their names (rig_pose.hpp). The stored pose of
 /// the body is taken as the zero pose of the motion: a matched joint is turned from there as the motion's
 /// joint is turned from its zero pose, in the axes of the scene; others keep their place under the joint
 /// above. The hips go as those of the motion do, times the ratio of the heights of the hips over the lowest

@@ -1,10 +1,9 @@
 #include "app/bodies/motion_opening.hpp"
 
 #include "app/base/errors.hpp"
-#include "app/base/interruption.hpp"
 #include "app/base/words.hpp"
 #include "app/bodies/bvh_frames.hpp"
-#include "app/bodies/point_cache.hpp"
+#include "app/bodies/frame_source.hpp"
 
 namespace taut::app {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <fmt/core.h>
 
-#include "app/bodies/joint_names.hpp"
+#include "app/bodies/rig_pose.hpp"
 #include "app/models/garment_measures.hpp"
 #include "app/models/hanger.hpp"
 

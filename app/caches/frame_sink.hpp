@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/bodies/point_cache.hpp"
+#include "app/bodies/frame_source.hpp"
 #include "app/models/garment_loading.hpp"
 #include "app/output/output_pattern.hpp"
 #include "renderer/frame_view.hpp"

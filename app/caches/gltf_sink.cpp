@@ -2,7 +2,6 @@
 
 #include "app/base/errors.hpp"
 #include "app/base/files.hpp"
-#include "app/base/version.hpp"
 #include "app/base/words.hpp"
 #include "app/caches/frame_sink.hpp"
 #include "app/models/surface_colours.hpp"

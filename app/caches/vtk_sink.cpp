@@ -1,6 +1,5 @@
 #include <pugixml.hpp>
 
-#include "app/base/base64.hpp"
 #include "app/base/files.hpp"
 #include "app/base/words.hpp"
 #include "app/caches/frame_sink.hpp"

@@ -1,7 +1,6 @@
 #include "app/bench/bench.hpp"
 
 #include "app/base/errors.hpp"
-#include "app/base/interruption.hpp"
 #include "app/base/progress.hpp"
 #include "app/base/words.hpp"
 #include "app/bodies/body_loading.hpp"

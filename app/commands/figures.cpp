@@ -1,5 +1,6 @@
+#include "app/figures/figures.hpp"
+
 #include "app/commands/options.hpp"
-#include "app/figures/draw_figures.hpp"
 
 namespace taut::app {
 

@@ -3,10 +3,10 @@
 #include "app/bodies/wearing.hpp"
 #include "app/commands/run.hpp"
 #include "app/drawing/inspection_picture.hpp"
-#include "app/models/garment_remarks.hpp"
+#include "app/models/inspection.hpp"
 #include "app/output/run_checkpoint.hpp"
 #include "app/scene/scene_key.hpp"
-#include "app/sewing/sewn_scene.hpp"
+#include "app/sewing/sewing.hpp"
 #include "renderer/page/png.hpp"
 
 namespace taut::app {

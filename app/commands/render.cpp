@@ -1,7 +1,6 @@
 #include "app/base/errors.hpp"
 #include "app/base/files.hpp"
-#include "app/base/stopwatch.hpp"
-#include "app/base/version.hpp"
+#include "app/base/progress.hpp"
 #include "app/base/words.hpp"
 #include "app/commands/run.hpp"
 #include "app/drawing/framing.hpp"

@@ -4,7 +4,6 @@
 #include "app/base/files.hpp"
 #include "app/base/words.hpp"
 #include "app/commands/options.hpp"
-#include "app/sweeps/sweep_results.hpp"
 #include "app/sweeps/sweep_run.hpp"
 
 namespace taut::app {

@@ -2,7 +2,7 @@
 #include "app/base/files.hpp"
 #include "app/bodies/body_loading.hpp"
 #include "app/commands/options.hpp"
-#include "app/sewing/sewn_scene.hpp"
+#include "app/sewing/sewing.hpp"
 #include "app/viewer/headless_viewer.hpp"
 #include "renderer/page/png.hpp"
 

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "renderer/frame_view.hpp"
-#include "renderer/primitives.hpp"
 #include "renderer/surface/smooth_surface.hpp"
 #include "sim/contact/bodies.hpp"
 #include "sim/forces.hpp"

@@ -1,7 +1,7 @@
 #include <fmt/core.h>
 
 #include "app/drawing/plots/plot.hpp"
-#include "app/figures/experiments/recording.hpp"
+#include "app/figures/experiments/experiments.hpp"
 #include "app/figures/figures.hpp"
 #include "app/models/garment_loading.hpp"
 #include "app/output/csv.hpp"

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "app/drawing/garment_painter.hpp"
-#include "app/figures/experiments/recording.hpp"
-#include "app/scene/fabric.hpp"
+#include "app/figures/experiments/experiments.hpp"
+#include "app/scene/scene_file.hpp"
 
 namespace taut::app {
 

@@ -2,14 +2,213 @@
 
 #include <fmt/core.h>
 
-#include "app/fitting/joining.hpp"
-#include "app/fitting/walls.hpp"
+#include "app/fitting/sheets.hpp"
+#include "app/fitting/surface_tree.hpp"
 #include "app/verify/crossing_pairs.hpp"
 #include "sim/mesh/extent.hpp"
+#include "sim/mesh/groups.hpp"
 #include "sim/mesh/topology.hpp"
+#include "sim/mesh/welding.hpp"
 
 namespace taut::app {
 namespace {
+
+constexpr double layered = 0.95;    ///< cosine between the ways into the cloth above which one border lies on the other
+constexpr double facing = -0.3;     ///< and below which borders of one sheet can be a seam
+constexpr double going_on = -0.7;   ///< and below which another part goes on beyond a gap
+constexpr double not_across = 0.3;  ///< cosine between the way into the cloth and to the other border of the same sheet
+
+constexpr double narrow_hole = 0.07;  ///< width over the length round a hole that is closed; then twice that length
+
+/// A border edge in the way of its triangle.
+struct BorderEdge {
+  sim::Index from, to, triangle;
+  sim::Vec3 inwards;
+};
+
+std::vector<BorderEdge> border_edges(const sim::Mesh& mesh) {
+  const sim::Adjacency adjacency = sim::make_adjacency(mesh);
+  std::vector<BorderEdge> edges;
+  for (std::size_t e = 0; e < adjacency.edges.size(); ++e) {
+    if (adjacency.edge_triangles[e].size() != 1) continue;
+    const sim::Index t = adjacency.edge_triangles[e][0];
+    auto [from, to] = adjacency.edges[e];
+    if (!sim::runs_along(mesh.triangles[t], adjacency.edges[e])) std::swap(from, to);
+    const sim::Vec3 way = mesh.positions[to] - mesh.positions[from];
+    const sim::Vec3 in = glm::cross(sim::doubled_area_vector(mesh.positions, mesh.triangles[t]), way);
+    edges.push_back({from, to, t, glm::dot(in, in) > 0.0 ? glm::normalize(in) : in});
+  }
+  return edges;
+}
+
+/// A vertex to be welded to a place on an edge.
+struct Weld {
+  std::size_t edge;
+  double way_m;  ///< from where the edge begins
+  sim::Index vertex;
+  auto operator<=>(const Weld&) const = default;
+};
+
+class Seams {
+  struct Border {
+    sim::Vec3 inwards = sim::Vec3(0.0);
+    std::set<sim::Index> near;  ///< the vertex and those before and after it
+  };
+
+ public:
+  Seams(double distance_m, sim::Mesh& mesh)
+      : distance_m_(distance_m), mesh_(mesh), edges_(border_edges(mesh)), part_of_(mesh.positions.size()) {
+    for (const sim::Triangle& t : mesh.triangles) {
+      part_of_.join(t[0], t[1]);
+      part_of_.join(t[0], t[2]);
+    }
+    for (const BorderEdge& edge : edges_) {
+      for (const sim::Index v : {edge.from, edge.to}) {
+        Border& border = borders_[v];
+        border.inwards += edge.inwards;
+        border.near.insert({edge.from, edge.to});
+      }
+    }
+  }
+
+  /// Of one part and others that lie on each other.
+  std::vector<Weld> find_seams() {
+    return find(distance_m_, [this](sim::Index v, const Border& border, const BorderEdge& edge,
+                                    const SurfacePoint& place) { return may_join(v, border, edge, place); });
+  }
+
+  /// Of other parts, on the other side of a gap along most of a border.
+  std::vector<Weld> find_gaps(double gap_m) {
+    std::vector<Weld> welds =
+        find(gap_m, [this](sim::Index v, const Border& border, const BorderEdge& edge, const SurfacePoint& place) {
+          return part_of_.find(v) != part_of_.find(edge.from) && goes_on_beyond(v, border, edge, place, going_on);
+        });
+    std::vector<std::size_t> loop_of(mesh_.positions.size());
+    std::vector<std::array<std::size_t, 2>> counts;  ///< of its vertices: those found, all
+    for (const std::vector<sim::Index>& loop : border_loops(mesh_)) {
+      for (const sim::Index v : loop) loop_of[v] = counts.size();
+      counts.push_back({0, loop.size()});
+    }
+    for (const Weld& weld : welds) ++counts[loop_of[weld.vertex]][0];
+    const auto is_most = [&](sim::Index v) { return 2 * counts[loop_of[v]][0] > counts[loop_of[v]][1]; };
+    std::erase_if(welds, [&](const Weld& w) { return !is_most(w.vertex) && !is_most(edges_[w.edge].from); });
+    return welds;
+  }
+
+  std::size_t join(std::vector<Weld> welds) {
+    std::ranges::sort(welds);
+    pairs_.clear();
+    for (std::size_t begin = 0; begin < welds.size();) {
+      std::size_t end = begin;
+      while (end < welds.size() && welds[end].edge == welds[begin].edge) ++end;
+      split(edges_[welds[begin].edge], std::span(welds).subspan(begin, end - begin));
+      begin = end;
+    }
+    weld();
+    return welds.size();
+  }
+
+ private:
+  bool may_join(sim::Index v, const Border& border, const BorderEdge& edge, const SurfacePoint& place) {
+    if (part_of_.find(v) != part_of_.find(edge.from)) {
+      return glm::dot(border.inwards, edge.inwards) < layered * glm::length(border.inwards);
+    }
+    return goes_on_beyond(v, border, edge, place, facing);
+  }
+
+  bool goes_on_beyond(sim::Index v, const Border& border, const BorderEdge& edge, const SurfacePoint& place,
+                      double most_cosine) const {
+    const double length = glm::length(border.inwards);
+    return glm::dot(border.inwards, edge.inwards) < most_cosine * length &&
+           glm::dot(place.place_m - mesh_.positions[v], border.inwards) <= not_across * place.distance_m * length;
+  }
+
+  template <class Accept> std::vector<Weld> find(double reach_m, const Accept& accept) {
+    std::vector<sim::Triangle> segments;
+    for (const BorderEdge& edge : edges_) segments.push_back({edge.from, edge.to, edge.to});
+    const SurfaceTree tree(mesh_.positions, segments);
+    std::vector<Weld> welds;
+    for (const auto& [v, border] : borders_) {
+      const auto found =
+          tree.nearest(mesh_.positions[v], reach_m, [&, vertex = v, &own = border](const SurfacePoint& place) {
+            const BorderEdge& edge = edges_[place.triangle];
+            return !own.near.contains(edge.from) && !own.near.contains(edge.to) && accept(vertex, own, edge, place);
+          });
+      if (found) {
+        const sim::Vec3& from = mesh_.positions[edges_[found->triangle].from];
+        welds.push_back({found->triangle, glm::distance(from, found->place_m), v});
+      }
+    }
+    return welds;
+  }
+
+  /// Puts vertices where others are to be welded, but for those near its ends or each other.
+  void split(const BorderEdge& edge, std::span<const Weld> welds) {
+    const sim::Vec3 from = mesh_.positions[edge.from], to = mesh_.positions[edge.to];
+    const double length = glm::distance(from, to);
+    sim::Index last = edge.from;
+    double last_m = 0.0;
+    for (const Weld& weld : welds) {
+      if (length - weld.way_m < distance_m_) {
+        pairs_.push_back({weld.vertex, weld.way_m - last_m < length - weld.way_m ? last : edge.to});
+        continue;
+      }
+      if (weld.way_m - last_m >= distance_m_) {
+        const auto added = static_cast<sim::Index>(mesh_.positions.size());
+        mesh_.positions.push_back(from + weld.way_m / length * (to - from));
+        cut_side(edge.triangle, last, edge.to, added);
+        last = added;
+        last_m = weld.way_m;
+      }
+      pairs_.push_back({weld.vertex, last});
+    }
+  }
+
+  /// Cuts the triangle, or the one of its pieces, that has this side.
+  void cut_side(sim::Index triangle, sim::Index from, sim::Index to, sim::Index between) {
+    std::vector<sim::Index> pieces = pieces_[triangle];
+    pieces.push_back(triangle);
+    for (const sim::Index t : pieces) {
+      for (int k = 0; k < 3; ++k) {
+        sim::Triangle& corners = mesh_.triangles[t];
+        if (corners[k] == from && corners[(k + 1) % 3] == to) {
+          sim::Triangle rest = corners;
+          rest[k] = between;
+          corners[(k + 1) % 3] = between;
+          pieces_[triangle].push_back(static_cast<sim::Index>(mesh_.triangles.size()));
+          mesh_.triangles.push_back(rest);
+          return;
+        }
+      }
+    }
+  }
+
+  void weld() {
+    sim::Groups groups(mesh_.positions.size());
+    for (const sim::Edge& pair : pairs_) groups.join(pair[0], pair[1]);
+    std::vector<sim::Vec3> sums(mesh_.positions.size(), sim::Vec3(0.0));
+    std::vector<double> counts(mesh_.positions.size(), 0.0);
+    for (sim::Index v = 0; v < sums.size(); ++v) {
+      sums[groups.find(v)] += mesh_.positions[v];
+      counts[groups.find(v)] += 1.0;
+    }
+    for (sim::Index v = 0; v < sums.size(); ++v) {
+      mesh_.positions[v] = sums[groups.find(v)] / counts[groups.find(v)];
+    }
+    std::erase_if(mesh_.triangles, [&](sim::Triangle& t) {
+      for (sim::Index& v : t) v = groups.find(v);
+      return t[0] == t[1] || t[1] == t[2] || t[2] == t[0];
+    });
+  }
+
+  double distance_m_;
+  sim::Mesh& mesh_;
+  std::vector<BorderEdge> edges_;
+  sim::Groups part_of_;
+  std::map<sim::Index, Border> borders_;
+  std::map<sim::Index, std::vector<sim::Index>> pieces_;  ///< of a triangle that was cut, without itself
+  std::vector<sim::Edge> pairs_;
+};
 
 constexpr double smallest_sheet = 0.02;           ///< share of the area; what is smaller is carried
 constexpr double smallest_beside_largest = 0.05;  ///< where all are small, of the largest
@@ -119,6 +318,55 @@ std::size_t needles_of(const sim::Mesh& mesh) {
 }
 
 }  // namespace
+
+std::size_t join_borders(double distance_m, sim::Mesh& mesh) {
+  Seams seams(distance_m, mesh);
+  return seams.join(seams.find_seams());
+}
+
+std::size_t join_parts(double gap_m, double spacing_m, sim::Mesh& mesh) {
+  Seams seams(spacing_m, mesh);
+  return seams.join(seams.find_gaps(gap_m));
+}
+
+std::vector<std::vector<sim::Index>> border_loops(const sim::Mesh& mesh) {
+  std::map<sim::Index, sim::Index> next;
+  for (const BorderEdge& edge : border_edges(mesh)) next[edge.from] = edge.to;
+  std::vector<std::vector<sim::Index>> loops;
+  while (!next.empty()) {
+    std::vector<sim::Index>& loop = loops.emplace_back();
+    for (auto at = next.begin(); at != next.end();) {
+      loop.push_back(at->first);
+      const sim::Index to = at->second;
+      next.erase(at);
+      at = next.find(to);
+    }
+  }
+  return loops;
+}
+
+std::size_t fill_small_holes(double longest_m, sim::Mesh& mesh) {
+  std::size_t closed = 0;
+  for (const std::vector<sim::Index>& loop : border_loops(mesh)) {
+    double length = 0.0;
+    sim::Vec3 sum(0.0), doubled_area(0.0);
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+      doubled_area += glm::cross(mesh.positions[loop[i]] - mesh.positions[loop[0]],
+                                 mesh.positions[loop[(i + 1) % loop.size()]] - mesh.positions[loop[0]]);
+      length += glm::distance(mesh.positions[loop[i]], mesh.positions[loop[(i + 1) % loop.size()]]);
+      sum += mesh.positions[loop[i]];
+    }
+    const bool is_slit = glm::length(doubled_area) < narrow_hole * longest_m * length;
+    if (length >= (is_slit ? 2.0 : 1.0) * longest_m) continue;
+    ++closed;
+    const auto middle = static_cast<sim::Index>(mesh.positions.size());
+    mesh.positions.push_back(sum / static_cast<double>(loop.size()));
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+      mesh.triangles.push_back({loop[(i + 1) % loop.size()], loop[i], middle});
+    }
+  }
+  return closed;
+}
 
 double gap_between_parts(const sim::Mesh& model_m, const FittingSettings& settings) {
   const sim::Vec3 size = sim::extent_of(model_m.positions).size();

@@ -1,7 +1,6 @@
 #include <OpenMesh/Core/Mesh/TriConnectivity.hh>
 
 #include "app/fitting/fitted_mesh.hpp"
-#include "app/fitting/joining.hpp"
 #include "app/fitting/sheets.hpp"
 #include "app/fitting/surface_tree.hpp"
 #include "sim/mesh/groups.hpp"

@@ -1,5 +1,6 @@
 #include "app/fitting/sheets.hpp"
 
+#include "app/fitting/surface_tree.hpp"
 #include "sim/mesh/groups.hpp"
 #include "sim/mesh/topology.hpp"
 #include "sim/mesh/welding.hpp"
@@ -157,6 +158,216 @@ std::vector<char> too_many_at_edges(const Sheets& sheets) {
   return marked;
 }
 
+constexpr double thickest_m = 0.012;      ///< from wall to wall
+constexpr double usual_size_m = 0.8;      ///< of the diagonal; of smaller garments all lengths here are smaller
+constexpr double entering_m = 0.0005;     ///< walls that cross each other a little still are two
+constexpr double against = -0.7;          ///< cosine between the normals of two walls
+constexpr double goes_on = 0.7;           ///< and of neighbours in one wall
+constexpr double bends = 0.6;             ///< and where it is creased, but not yet a rim between two walls
+constexpr double shell_share = 0.3;       ///< of a sheet's area that has another wall, to be cut into walls
+constexpr double flat_m = 0.04;           ///< a garment laid flat has two sides, not two walls
+constexpr double lies_on_m = 0.006;       ///< from a sheet to what it lies on
+constexpr double lying_share = 0.8;       ///< of its area
+constexpr double over = 0.7;              ///< cosine between the way to the cloth and its normal: above, not beside
+constexpr std::size_t most_tried = 4000;  ///< triangles of a piece, for how much of it lies on others
+constexpr sim::Index most_looks = 400;    ///< rays of a piece that see whether it is outside
+
+sim::Vec3 middle_of(const sim::Mesh& mesh, sim::Index t) {
+  const auto& [a, b, c] = mesh.triangles[t];
+  return (mesh.positions[a] + mesh.positions[b] + mesh.positions[c]) / 3.0;
+}
+
+bool share_vertex(const sim::Triangle& a, const sim::Triangle& b) {
+  return std::ranges::any_of(a, [&](sim::Index v) { return v == b[0] || v == b[1] || v == b[2]; });
+}
+
+/// The garment, prepared for rays, areas and looks.
+struct View {
+  explicit View(const Sheets& source)
+      : sheets(source), normals(unit_normals(source.mesh)), tree(source.mesh.positions, source.mesh.triangles) {
+    size_m = glm::length(sim::extent_of(source.mesh.positions).size());
+    unit = std::min(1.0, size_m / usual_size_m);
+    for (const sim::Triangle& t : source.mesh.triangles) {
+      areas.push_back(0.5 * glm::length(sim::doubled_area_vector(source.mesh.positions, t)));
+    }
+  }
+
+  /// The share of this piece that sees nothing of the garment along its normals times `side`.
+  double openness(std::span<const sim::Index> piece, double side) const {
+    const std::size_t stride = piece.size() / most_looks + 1;
+    double open = 0.0, all = 0.0;
+    for (std::size_t i = 0; i < piece.size(); i += stride) {
+      const sim::Index t = piece[i];
+      const auto seen =
+          tree.first_hit(middle_of(sheets.mesh, t), side * normals[t], 0.0, size_m, [&](const SurfacePoint& p) {
+            return p.distance_m > 1e-5 * size_m &&
+                   !share_vertex(sheets.mesh.triangles[t], sheets.mesh.triangles[p.triangle]);
+          });
+      all += areas[t];
+      open += seen ? 0.0 : areas[t];
+    }
+    return all > 0.0 ? open / all : 0.0;
+  }
+
+  const Sheets& sheets;
+  std::vector<sim::Vec3> normals;
+  std::vector<double> areas;
+  SurfaceTree tree;
+  double size_m;
+  double unit;  ///< below 1 for a doll's clothes, which are thinner
+};
+
+/// Rows of triangles by the number that each has; those of `sim::no_vertex` are left out.
+std::vector<std::vector<sim::Index>> gathered(const std::vector<sim::Index>& number_of, sim::Index count) {
+  std::vector<std::vector<sim::Index>> rows(count);
+  for (sim::Index t = 0; t < number_of.size(); ++t) {
+    if (number_of[t] != sim::no_vertex) rows[number_of[t]].push_back(t);
+  }
+  return rows;
+}
+
+bool is_closed(const Sheets& sheets, std::span<const sim::Index> sheet) {
+  return std::ranges::none_of(sheet, [&](sim::Index t) {
+    return std::any_of(&sheets.beyond[3 * t], &sheets.beyond[3 * t] + 3,
+                       [](sim::Index beyond) { return beyond == sim::no_vertex; });
+  });
+}
+
+double volume(const sim::Mesh& mesh, std::span<const sim::Index> sheet) {
+  double sum = 0.0;
+  const sim::Vec3 origin = middle_of(mesh, sheet.front());
+  for (const sim::Index t : sheet) {
+    sum += glm::dot(sim::doubled_area_vector(mesh.positions, mesh.triangles[t]), middle_of(mesh, t) - origin);
+  }
+  return sum;
+}
+
+double area_of(const View& view, std::span<const sim::Index> piece) {
+  double area = 0.0;
+  for (const sim::Index t : piece) area += view.areas[t];
+  return area;
+}
+
+/// Pieces that are kept or carried as a whole: sheets, and walls of those that have two.
+class Pieces {
+ public:
+  Pieces(const View& view, const OtherWalls& other)
+      : view_(view), other_(other), piece_of_(view.areas.size(), sim::no_vertex) {
+    const auto all = gathered(view.sheets.sheet_of, view.sheets.count);
+    const sim::Vec3 size = sim::extent_of(view.sheets.mesh.positions).size();
+    const bool is_flat = std::min({size.x, size.y, size.z}) < view.unit * flat_m;
+    for (const auto& sheet : all) {
+      double doubled = 0.0;
+      for (const sim::Index t : sheet) doubled += other[t] != sim::no_vertex ? view.areas[t] : 0.0;
+      const bool is_shell = doubled > shell_share * area_of(view, sheet) && (!is_flat || is_closed(view.sheets, sheet));
+      if (is_shell) {
+        cut_into_walls(sheet);
+      } else {
+        for (const sim::Index t : sheet) piece_of_[t] = count_;
+        ++count_;
+      }
+    }
+  }
+
+  sim::Index count() const { return count_; }
+  const std::vector<sim::Index>& piece_of() const { return piece_of_; }
+
+ private:
+  bool goes_on_to(sim::Index t, int side, double least_cosine) const {
+    const sim::Index next = view_.sheets.beyond[3 * t + side];
+    return next != sim::no_vertex && glm::dot(view_.normals[t], view_.normals[next]) > least_cosine;
+  }
+
+  void flood(std::vector<sim::Index> front, bool all_kinds, double least_cosine) {
+    for (std::size_t i = 0; i < front.size(); ++i) {
+      const sim::Index t = front[i];
+      for (int side = 0; side < 3; ++side) {
+        const sim::Index next = view_.sheets.beyond[3 * t + side];
+        if (goes_on_to(t, side, least_cosine) && piece_of_[next] == sim::no_vertex &&
+            (all_kinds || other_[next] != sim::no_vertex)) {
+          piece_of_[next] = piece_of_[t];
+          front.push_back(next);
+        }
+      }
+    }
+  }
+
+  /// Regions with another wall first, the small ones then go with the large ones around them, as does the
+  /// rest.
+  void cut_into_walls(std::span<const sim::Index> sheet) {
+    const sim::Index first = count_;
+    for (const sim::Index t : sheet) {
+      if (piece_of_[t] == sim::no_vertex && other_[t] != sim::no_vertex) {
+        piece_of_[t] = count_++;
+        flood({t}, false, goes_on);
+      }
+    }
+    std::vector<double> areas(count_ - first, 0.0);
+    for (const sim::Index t : sheet) {
+      if (piece_of_[t] != sim::no_vertex) areas[piece_of_[t] - first] += view_.areas[t];
+    }
+    const double least = smallest_wall * area_of(view_, sheet);
+    std::vector<sim::Index> number(areas.size(), sim::no_vertex), front;
+    count_ = first;
+    for (std::size_t r = 0; r < areas.size(); ++r) number[r] = areas[r] >= least ? count_++ : sim::no_vertex;
+    for (const sim::Index t : sheet) {
+      if (piece_of_[t] != sim::no_vertex) piece_of_[t] = number[piece_of_[t] - first];
+    }
+    for (const double least_cosine : {goes_on, bends}) {
+      front.clear();
+      std::ranges::copy_if(sheet, std::back_inserter(front),
+                           [&](sim::Index t) { return piece_of_[t] != sim::no_vertex; });
+      flood(front, true, least_cosine);
+    }
+    fill_gaps(sheet);
+  }
+
+  /// Gives what is left to the one piece that is all around it; strips between two walls stay out.
+  void fill_gaps(std::span<const sim::Index> sheet) {
+    for (const sim::Index begin : sheet) {
+      if (piece_of_[begin] != sim::no_vertex || seen_[begin] != 0) continue;
+      std::vector<sim::Index> gap{begin}, around;
+      seen_[begin] = 1;
+      for (std::size_t i = 0; i < gap.size(); ++i) {
+        for (int side = 0; side < 3; ++side) {
+          const sim::Index next = view_.sheets.beyond[3 * gap[i] + side];
+          if (next == sim::no_vertex) continue;
+          if (piece_of_[next] != sim::no_vertex) {
+            around.push_back(piece_of_[next]);
+          } else if (seen_[next] == 0) {
+            seen_[next] = 1;
+            gap.push_back(next);
+          }
+        }
+      }
+      std::ranges::sort(around);
+      if (!around.empty() && around.front() == around.back()) {
+        for (const sim::Index t : gap) piece_of_[t] = around.front();
+      }
+    }
+  }
+
+  static constexpr double smallest_wall = 0.02;  ///< share of its sheet's area
+
+  const View& view_;
+  const OtherWalls& other_;
+  std::vector<sim::Index> piece_of_;
+  std::vector<char> seen_ = std::vector<char>(piece_of_.size(), 0);
+  sim::Index count_ = 0;
+};
+
+bool is_covered(const View& view, const OtherWalls& other, const std::vector<char>& kept, sim::Index t) {
+  if (other[t] != sim::no_vertex && kept[other[t]] != 0) return true;
+  const sim::Vec3 middle = middle_of(view.sheets.mesh, t);
+  return view.tree
+      .nearest(middle, view.unit * lies_on_m,
+               [&](const SurfacePoint& p) {
+                 const double height = std::abs(glm::dot(p.place_m - middle, view.normals[p.triangle]));
+                 return kept[p.triangle] != 0 && height >= over * p.distance_m;
+               })
+      .has_value();
+}
+
 }  // namespace
 
 Sheets cut_into_sheets(const sim::Mesh& mesh) {
@@ -180,6 +391,74 @@ std::vector<sim::Vec3> unit_normals(const sim::Mesh& mesh) {
     normals.push_back(length > 0.0 ? normal / length : sim::Vec3(0.0));
   }
   return normals;
+}
+
+void turn_outwards(Sheets& sheets) {
+  const View view(sheets);
+  const auto all = gathered(sheets.sheet_of, sheets.count);
+  std::vector<char> turn(sheets.count, 0);
+  for (sim::Index s = 0; s < sheets.count; ++s) {
+    turn[s] =
+        static_cast<char>(is_closed(sheets, all[s]) ? volume(sheets.mesh, all[s]) < 0.0
+                                                    : view.openness(all[s], -1.0) > view.openness(all[s], 1.0) + 0.1);
+  }
+  for (sim::Index t = 0; t < sheets.sheet_of.size(); ++t) {
+    if (turn[sheets.sheet_of[t]] != 0) {
+      std::swap(sheets.mesh.triangles[t][1], sheets.mesh.triangles[t][2]);
+      std::swap(sheets.beyond[3 * t], sheets.beyond[3 * t + 2]);
+    }
+  }
+}
+
+OtherWalls find_other_walls(const Sheets& sheets) {
+  const View view(sheets);
+  const double reach_m = view.unit * thickest_m;
+  OtherWalls other(sheets.mesh.triangles.size(), sim::no_vertex);
+  for (sim::Index t = 0; t < other.size(); ++t) {
+    if (view.normals[t] == sim::Vec3(0.0)) continue;
+    const auto hit = view.tree.first_hit(
+        middle_of(sheets.mesh, t), -view.normals[t], -view.unit * entering_m, reach_m, [&](const SurfacePoint& p) {
+          return glm::dot(view.normals[t], view.normals[p.triangle]) < against &&
+                 !share_vertex(sheets.mesh.triangles[t], sheets.mesh.triangles[p.triangle]);
+        });
+    other[t] = hit ? hit->triangle : sim::no_vertex;
+  }
+  return other;
+}
+
+double share_of_two_walls(const Sheets& sheets, const OtherWalls& other) {
+  double doubled = 0.0, all = 0.0;
+  for (std::size_t t = 0; t < other.size(); ++t) {
+    const double area = glm::length(sim::doubled_area_vector(sheets.mesh.positions, sheets.mesh.triangles[t]));
+    all += area;
+    doubled += other[t] != sim::no_vertex ? area : 0.0;
+  }
+  return all > 0.0 ? doubled / all : 0.0;
+}
+
+std::vector<char> choose_walls(const Sheets& sheets, const OtherWalls& other) {
+  const View view(sheets);
+  const Pieces pieces(view, other);
+  const auto triangles_of = gathered(pieces.piece_of(), pieces.count());
+  std::vector<std::pair<double, sim::Index>> order;
+  for (sim::Index p = 0; p < pieces.count(); ++p) {
+    order.emplace_back(-area_of(view, triangles_of[p]) * (1.0 + view.openness(triangles_of[p], 1.0)), p);
+  }
+  std::ranges::sort(order);
+  std::vector<char> kept(view.areas.size(), 0);
+  for (const auto& [score, p] : order) {
+    double covered = 0.0, all = 0.0;
+    const std::size_t stride = triangles_of[p].size() / most_tried + 1;
+    for (std::size_t i = 0; i < triangles_of[p].size(); i += stride) {
+      const sim::Index t = triangles_of[p][i];
+      covered += is_covered(view, other, kept, t) ? view.areas[t] : 0.0;
+      all += view.areas[t];
+    }
+    if (covered < lying_share * all) {
+      for (const sim::Index t : triangles_of[p]) kept[t] = 1;
+    }
+  }
+  return kept;
 }
 
 }  // namespace taut::app

@@ -1,9 +1,9 @@
 #include "app/bodies/body_loading.hpp"
 #include "app/bodies/wearing.hpp"
 #include "app/library/border.hpp"
-#include "app/models/garment_remarks.hpp"
+#include "app/models/inspection.hpp"
 #include "app/scene/scene_format.hpp"
-#include "app/sewing/sewn_scene.hpp"
+#include "app/sewing/sewing.hpp"
 #include "sim/solvers/bounded/settings.hpp"
 
 namespace taut::library {

@@ -1,7 +1,6 @@
 #include "app/base/files.hpp"
-#include "app/base/version.hpp"
+#include "app/base/words.hpp"
 #include "app/library/border.hpp"
-#include "app/scene/fabric.hpp"
 #include "app/scene/scene_file.hpp"
 #include "sim/solvers/bounded/kernels/vector_unit.hpp"
 

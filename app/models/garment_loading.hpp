@@ -1,10 +1,10 @@
 #pragma once
 
+#include "app/fitting/following.hpp"
 #include "app/models/garment_import.hpp"
 #include "app/models/hanging.hpp"
 #include "app/models/landmarks.hpp"
 #include "app/models/mending.hpp"
-#include "app/models/offset_limits.hpp"
 #include "app/models/scene_crossings.hpp"
 
 namespace taut::app {
@@ -13,6 +13,8 @@ namespace taut::app {
 /// Models of panels have them within the last digits of their coordinates; larger, layers of cloth could be
 /// taken for seams.
 inline constexpr double sewn_within_m = 1e-3;
+
+class OffsetLimits;
 
 /// A model that follows a simulation mesh which was fitted to it. It is what is drawn and exported.
 struct FollowingModel {

@@ -2,7 +2,7 @@
 
 #include "app/base/errors.hpp"
 #include "app/models/garment_loading.hpp"
-#include "app/verify/solid_bodies.hpp"
+#include "app/verify/crossing_pairs.hpp"
 
 namespace taut::app {
 namespace {

@@ -1,7 +1,7 @@
 #include "app/models/mending.hpp"
 
 #include "app/base/words.hpp"
-#include "app/verify/solid_bodies.hpp"
+#include "app/verify/crossing_pairs.hpp"
 #include "sim/mesh/groups.hpp"
 #include "sim/mesh/point_cells.hpp"
 #include "sim/mesh/welding.hpp"

@@ -1,8 +1,8 @@
 #include "app/models/scene_crossings.hpp"
 
-#include "app/base/interruption.hpp"
+#include "app/base/errors.hpp"
 #include "app/base/words.hpp"
-#include "app/verify/solid_bodies.hpp"
+#include "app/verify/crossing_pairs.hpp"
 #include "sim/untangle/untangle.hpp"
 
 namespace taut::app {

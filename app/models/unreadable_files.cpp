@@ -20,7 +20,7 @@ std::string head_of(const std::filesystem::path& path) {
   return head;
 }
 
-bool contains(std::string_view text, std::string_view part) { return text.find(part) != std::string_view::npos; }
+bool has_text(std::string_view text, std::string_view part) { return text.find(part) != std::string_view::npos; }
 
 /// The texts that stand behind "key": in JSON, in their order. Enough to tell what a glTF file needs, and it
 /// takes one that is damaged.
@@ -45,7 +45,7 @@ std::string why_not_gltf(const std::filesystem::path& path, const std::string& h
       is_binary ? head[4] == 1
                 : std::ranges::any_of(versions, [](const std::string& version) { return version.starts_with("1."); });
   if (is_first) return "it is glTF 1.0, which is not read; save it as glTF 2.0";
-  if (contains(head, "KHR_draco_mesh_compression")) {
+  if (has_text(head, "KHR_draco_mesh_compression")) {
     return "its meshes are compressed with Draco in a way that is not read; save it without compression";
   }
   for (const std::string& uri : texts_behind(head, "uri")) {
@@ -95,7 +95,7 @@ std::string head_of_3mf(const std::filesystem::path& path) {
 
 std::string why_not_3mf(const std::filesystem::path& path) {
   const std::string model = head_of_3mf(path);
-  return contains(model, "p:path=") || contains(model, "requiredextensions=\"p\"")
+  return has_text(model, "p:path=") || has_text(model, "requiredextensions=\"p\"")
              ? "its objects lie in files of their own within it (3MF production extension), which are not "
                "read; save it as plain 3MF, STL or OBJ"
              : "";

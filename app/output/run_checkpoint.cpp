@@ -2,9 +2,7 @@
 
 #include "app/base/errors.hpp"
 #include "app/base/files.hpp"
-#include "app/base/interruption.hpp"
 #include "app/base/progress.hpp"
-#include "app/base/stopwatch.hpp"
 #include "app/bodies/fit.hpp"
 
 namespace taut::app {

@@ -4,7 +4,7 @@
 
 #include "app/base/errors.hpp"
 #include "app/base/files.hpp"
-#include "app/base/version.hpp"
+#include "app/base/words.hpp"
 
 namespace taut::app {
 namespace {

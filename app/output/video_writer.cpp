@@ -8,7 +8,6 @@
 
 #include "app/base/errors.hpp"
 #include "app/base/files.hpp"
-#include "app/base/interruption.hpp"
 #include "app/base/words.hpp"
 
 namespace taut::app {

@@ -3,7 +3,7 @@
 #include <filesystem>
 
 #include "app/base/child_process.hpp"
-#include "renderer/page/image.hpp"
+#include "renderer/page/png.hpp"
 
 namespace taut::app {
 

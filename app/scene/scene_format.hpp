@@ -1,7 +1,6 @@
 #pragma once
 
 #include "app/base/files.hpp"
-#include "app/scene/fabric.hpp"
 #include "app/scene/scene_file.hpp"
 
 namespace taut::app {

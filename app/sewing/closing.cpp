@@ -1,6 +1,6 @@
 #include "app/sewing/closing.hpp"
 
-#include "app/base/interruption.hpp"
+#include "app/base/errors.hpp"
 #include "app/bodies/wearing.hpp"
 #include "app/fitting/surface_tree.hpp"
 #include "app/models/garment_loading.hpp"

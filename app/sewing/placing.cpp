@@ -5,10 +5,161 @@
 #include "app/base/errors.hpp"
 #include "app/bodies/body_loading.hpp"
 #include "app/bodies/wearing.hpp"
-#include "app/sewing/parting.hpp"
+#include "app/models/scene_crossings.hpp"
 
 namespace taut::app {
 namespace {
+
+using sim::Index;
+using sim::Vec3;
+
+constexpr double step_m = 0.01;
+constexpr double clear_m = 0.03;  ///< of pieces from what they are drawn to
+constexpr double same_way = 0.8;  ///< cosine
+constexpr double nearly_same_way = 0.5;
+constexpr double over_m = 0.04;      ///< an outer layer over an inner one
+constexpr double least_level = 0.1;  ///< part of a normal, or the piece lies flat
+constexpr int most_pushes = 80;
+
+/// Panels that cross another, or the body.
+using Crossings = std::set<std::pair<Index, std::optional<Index>>>;
+
+/// Pieces among which none shall touch another or the body.
+class Surrounded {
+ public:
+  Surrounded(const sim::Body& body, double time_s, const Vec3& axis_m, CutPieces& pieces)
+      : body_m_(mesh_positions_m(body, time_s)),
+        body_triangles_(std::get<sim::BodyMesh>(body.shape).data->triangles),
+        axis_m_(axis_m),
+        pieces_(pieces) {
+    const std::vector<sim::Extent> boxes = panel_boxes(pieces);
+    for (std::size_t p = 0; p < boxes.size(); ++p) {
+      const auto [a, b, c] = pieces.triangles[pieces.panel_triangles[p]];
+      const auto& at = pieces.placed_m;
+      const Vec3 normal = glm::cross(at[b] - at[a], at[c] - at[a]), middle = boxes[p].middle() - axis_m;
+      const double across = std::hypot(normal.x, normal.z);
+      // A piece that lies flat is above what it is drawn to.
+      Vec3 way =
+          across > least_level * glm::length(normal) ? Vec3(normal.x, 0.0, normal.z) / across : Vec3(0.0, 1.0, 0.0);
+      way = way.y == 0.0 && glm::dot(way, middle) < 0.0 ? -way : way;
+      ways_.push_back(way);
+      out_m_.push_back(glm::dot(middle, way));
+    }
+    put_over();
+  }
+
+  /// Moves pieces outwards, along their normals, that cross the body or another piece, which then is further
+  /// in; and sideways those that cross one which faces the same way. Returns how many moved.
+  std::size_t part() {
+    std::set<Index> all;
+    Crossings before;
+    for (int push = 0; push < most_pushes; ++push) {
+      std::set<Index> moved;
+      Crossings found = crossing(pieces_.placed_m);
+      // Pieces that have come apart are pushed once more, so that they do not nearly touch.
+      const Crossings& pushed = found.empty() ? before : found;
+      if (pushed.empty()) break;
+      for (const auto& [a, b] : pushed) {
+        if (b && pieces_.layer_of[a] != pieces_.layer_of[*b]) {
+          moved.insert(pieces_.layer_of[a] > pieces_.layer_of[*b] ? a : *b);
+        } else if (b && glm::dot(ways_[a], ways_[*b]) > same_way) {
+          part_sideways(a, *b);
+          all.insert({a, *b});
+        } else {
+          moved.insert(b && out_m_[*b] >= out_m_[a] ? *b : a);
+        }
+      }
+      move(moved, step_m, pieces_.placed_m);
+      for (const Index p : moved) out_m_[p] += step_m;
+      all.merge(moved);
+      before = std::move(found);
+    }
+    return all.size();
+  }
+
+  /// Moves pieces inwards as far as they keep clear of all, so that threads have less to draw: together all
+  /// that face the same way, which pass none of each other so.
+  void draw_in() {
+    std::set<Index> moving;
+    const std::vector<sim::Extent> boxes = panel_boxes(pieces_);
+    for (Index p = 0; p < pieces_.panel_count(); ++p) {
+      // Hoods stay wide, or they would close around a neck that is thin.
+      if (ways_[p].y == 0.0 && boxes[p].middle().y < axis_m_.y) moving.insert(p);
+    }
+    while (!moving.empty()) {
+      std::vector<Vec3> ahead_m = pieces_.placed_m;
+      std::set<Index> stopped;
+      // In steps, as a thin body may lie between here and there.
+      for (double ahead = 0.0; ahead < clear_m + 0.5 * step_m; ahead += step_m) {
+        move(moving, -step_m, ahead_m);
+        for (const auto& [a, b] : crossing(ahead_m)) {
+          stopped.insert(a);
+          stopped.insert(b.value_or(a));
+        }
+      }
+      for (const Index p : moving) {
+        if (out_m_[p] < clear_m) stopped.insert(p);
+      }
+      std::erase_if(moving, [&](Index p) {
+        return std::ranges::any_of(stopped, [&](Index other) { return glm::dot(ways_[p], ways_[other]) > same_way; });
+      });
+      move(moving, -step_m, pieces_.placed_m);
+      for (const Index p : moving) out_m_[p] -= step_m;
+    }
+  }
+
+ private:
+  /// Moves pieces of outer layers further out than those of inner ones that face nearly the same way.
+  void put_over() {
+    for (Index a = 0; a < ways_.size(); ++a) {
+      double out_m = out_m_[a];
+      for (Index b = 0; b < a; ++b) {
+        if (pieces_.layer_of[b] < pieces_.layer_of[a] && glm::dot(ways_[a], ways_[b]) > nearly_same_way) {
+          out_m = std::max(out_m, out_m_[b] + over_m);
+        }
+      }
+      move({a}, out_m - out_m_[a], pieces_.placed_m);
+      out_m_[a] = out_m;
+    }
+  }
+
+  /// Moves two pieces that face the same way apart from each other, half a step each.
+  void part_sideways(Index a, Index b) {
+    const std::vector<sim::Extent> boxes = panel_boxes(pieces_);
+    Vec3 way = boxes[b].middle() - boxes[a].middle();
+    way -= glm::dot(way, ways_[a]) * ways_[a];
+    way = glm::length(way) > 1e-3 ? glm::normalize(way) : glm::cross(Vec3(0.0, 1.0, 0.0), ways_[a]);
+    for (std::size_t v = 0; v < pieces_.placed_m.size(); ++v) {
+      const Index p = pieces_.panel_of[v];
+      pieces_.placed_m[v] += p == a ? -0.5 * step_m * way : p == b ? 0.5 * step_m * way : Vec3(0.0);
+    }
+  }
+
+  Crossings crossing(const std::vector<Vec3>& positions_m) const {
+    const Surface cloth = {positions_m, pieces_.triangles};
+    const auto panel = [&](Index t) { return pieces_.panel_of[pieces_.triangles[t][0]]; };
+    Crossings found;
+    for (const CrossingPair& pair : crossing_pairs(cloth, {body_m_, body_triangles_})) {
+      found.insert({panel(pair.first), std::nullopt});
+    }
+    for (const CrossingPair& pair : crossing_pairs(cloth)) found.insert({panel(pair.first), panel(pair.second)});
+    return found;
+  }
+
+  void move(const std::set<Index>& panels, double by_m, std::vector<Vec3>& positions_m) const {
+    for (std::size_t v = 0; v < positions_m.size(); ++v) {
+      const Index p = pieces_.panel_of[v];
+      positions_m[v] += panels.contains(p) ? by_m * ways_[p] : Vec3(0.0);
+    }
+  }
+
+  std::vector<Vec3> body_m_;
+  std::span<const sim::Triangle> body_triangles_;
+  Vec3 axis_m_;
+  CutPieces& pieces_;
+  std::vector<Vec3> ways_;     ///< per panel, level and outwards
+  std::vector<double> out_m_;  ///< per panel, how far out its middle is
+};
 
 using sim::Index;
 using sim::Vec3;
@@ -95,6 +246,13 @@ const Wearer& wearer_of(const Scene& scene) {
 }
 
 }  // namespace
+
+std::size_t part_and_draw_in(const sim::Body& body, double time_s, const Vec3& axis_m, CutPieces& pieces) {
+  Surrounded surrounded(body, time_s, axis_m, pieces);
+  const std::size_t moved = surrounded.part();
+  Surrounded(body, time_s, axis_m, pieces).draw_in();
+  return moved;
+}
 
 double thin_time_s(const Scene& scene) {
   const Dressed dressed = dressed_body(scene);

@@ -1,7 +1,6 @@
 #include "app/sweeps/sweep.hpp"
 
 #include "app/base/errors.hpp"
-#include "app/base/interruption.hpp"
 #include "app/scene/scene_format.hpp"
 
 namespace taut::app {

@@ -1,6 +1,6 @@
 #include "app/viewer/headless_viewer.hpp"
 
-#include "app/base/interruption.hpp"
+#include "app/base/errors.hpp"
 
 namespace taut::app {
 

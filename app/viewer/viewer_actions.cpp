@@ -3,7 +3,7 @@
 #include "app/drawing/framing.hpp"
 #include "app/models/hanger.hpp"
 #include "app/output/picture_record.hpp"
-#include "app/sewing/sewn_scene.hpp"
+#include "app/sewing/sewing.hpp"
 #include "app/viewer/viewer.hpp"
 
 // Actions of the viewer's keys and buttons.

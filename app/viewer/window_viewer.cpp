@@ -1,6 +1,6 @@
 #include <fmt/core.h>
 
-#include "app/base/interruption.hpp"
+#include "app/base/errors.hpp"
 #include "app/viewer/picture/viewer_picture.hpp"
 #include "app/viewer/viewer.hpp"
 #include "renderer/context/window.hpp"

@@ -6,7 +6,7 @@
 #include <sstream>
 
 #include "app/base/files.hpp"
-#include "app/models/obj_writing.hpp"
+#include "app/models/file_mesh.hpp"
 
 namespace taut::tailor {
 namespace {
@@ -94,8 +94,7 @@ Model make_model(const Shirt& shirt, const std::vector<Vec3>& positions) {
     for (Index& v : t) {
       if (number[v] == unused) {
         number[v] = static_cast<Index>(model.mesh.positions.size());
-        model.mesh.positions.emplace_back(rounded(positions[v].x), rounded(positions[v].y),
-                                          rounded(positions[v].z));
+        model.mesh.positions.emplace_back(rounded(positions[v].x), rounded(positions[v].y), rounded(positions[v].z));
       }
       v = number[v];
     }

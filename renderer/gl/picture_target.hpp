@@ -1,7 +1,7 @@
 #pragma once
 
 #include "renderer/gl/gl_objects.hpp"
-#include "renderer/page/image.hpp"
+#include "renderer/page/png.hpp"
 
 namespace taut::renderer {
 

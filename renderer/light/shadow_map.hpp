@@ -1,6 +1,6 @@
 #pragma once
 
-#include "renderer/gl/frame_block.hpp"
+#include "renderer/gl/gl_objects.hpp"
 
 namespace taut::renderer {
 

@@ -1,8 +1,38 @@
 #pragma once
 
-#include "renderer/page/image.hpp"
+#include "prelude.hpp"
 
 namespace taut::renderer {
+
+/// Pixels in memory: rows from top to bottom, without padding, `channels` bytes per pixel. Colour is
+/// sRGB-encoded; alpha is not premultiplied.
+struct Image {
+  int width_px = 0;
+  int height_px = 0;
+  int channels = 3;  ///< 3 = RGB, 4 = RGBA
+  std::vector<std::uint8_t> pixels;
+
+  /// Return the first byte of a pixel; 0 <= x_px < width_px, 0 <= y_px < height_px.
+  std::uint8_t* at(int x_px, int y_px) { return pixels.data() + offset(x_px, y_px); }
+  const std::uint8_t* at(int x_px, int y_px) const { return pixels.data() + offset(x_px, y_px); }
+
+ private:
+  std::size_t offset(int x_px, int y_px) const {
+    return (static_cast<std::size_t>(y_px) * static_cast<std::size_t>(width_px) + static_cast<std::size_t>(x_px)) *
+           static_cast<std::size_t>(channels);
+  }
+};
+
+/// Returns a black (with four channels, transparent) image. Throws std::invalid_argument unless both sizes
+/// are positive and there are 3 or 4 channels.
+inline Image make_image(int width_px, int height_px, int channels = 3) {
+  if (width_px <= 0 || height_px <= 0) throw std::invalid_argument("an image needs a positive size");
+  if (channels != 3 && channels != 4) throw std::invalid_argument("an image has 3 or 4 channels");
+  Image image{width_px, height_px, channels, {}};
+  image.pixels.resize(static_cast<std::size_t>(width_px) * static_cast<std::size_t>(height_px) *
+                      static_cast<std::size_t>(channels));
+  return image;
+}
 
 /// One PNG tEXt entry, e.g. {"Software", "taut 0.1.0"}. Keyword: 1 to 79 Latin-1 characters.
 struct PngText {

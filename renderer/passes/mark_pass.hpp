@@ -2,7 +2,6 @@
 
 #include "renderer/frame_view.hpp"
 #include "renderer/gl/gl_objects.hpp"
-#include "renderer/primitives.hpp"
 
 namespace taut::renderer {
 

@@ -1,9 +1,8 @@
 #include "renderer/surface/smooth_surface.hpp"
 
-#include "renderer/primitives.hpp"
+#include "renderer/frame_view.hpp"
 
 namespace taut::renderer {
-
 namespace {
 
 // Share of the allowed bulge that the first split may use, and of what is left that each later one may: a
@@ -41,6 +40,23 @@ glm::vec3 border_shift(const RefinedMesh::BorderCurve& curve, std::span<const gl
   if (starts) return (way - after) / 8.0F;
   if (ends) return (before - way) / 8.0F;
   return (before - after) / 16.0F;
+}
+
+/// Cloth is shortened by so much without a wrinkle, as meshes tremble.
+constexpr float least_shortening = 0.003F;
+/// A wave that runs into the surface by more than this does not show on it.
+constexpr float most_across = 0.7F;
+/// The share of what is lacking that wrinkles take up; folds that the mesh shows take the rest.
+constexpr float share_of_wrinkles = 0.5F;
+/// How often values are averaged with those of neighbours.
+constexpr int rounds = 2;
+
+/// The directions of waves: the axes of a regular dodecahedron's corners, so that each surface has some in it.
+std::array<glm::vec3, 10> directions() {
+  const float a = 1.0F / std::sqrt(3.0F), golden = 0.5F * (1.0F + std::sqrt(5.0F));
+  const float b = a / golden, c = a * golden;
+  return {glm::vec3(a, a, a), {a, a, -a}, {a, -a, a}, {-a, a, a},   {0.0F, b, c},
+          {0.0F, b, -c},      {b, c, 0},  {b, -c, 0}, {c, 0.0F, b}, {c, 0.0F, -b}};
 }
 
 }  // namespace
@@ -217,6 +233,112 @@ void SmoothSurface::place(const RefinedMesh::Level& level) {
         0.5F * start + 0.5F * end + std::clamp(bulge, -most_bulge, most_bulge) * normal +
         shortened(shift - bulge * normal, most_border_shift * std::min(glm::distance(start, end), farthest));
   }
+}
+
+Wrinkles::Wrinkles(std::span<const glm::vec3> rest_positions, std::span<const std::uint32_t> triangles,
+                   float wavelength)
+    : ways_(directions()),
+      triangles_(triangles.begin(), triangles.end()),
+      weights_(rest_positions.size(), 0.0F),
+      wavelength_(wavelength) {
+  for (std::size_t i = 0; i + 2 < triangles_.size(); i += 3) {
+    const glm::vec3& a = rest_positions[triangles_[i]];
+    const glm::vec3 b = rest_positions[triangles_[i + 1]] - a, c = rest_positions[triangles_[i + 2]] - a;
+    const glm::vec3 normal = glm::cross(b, c);
+    const float squared = glm::dot(normal, normal);
+    const float inverse = squared > 0.0F ? 1.0F / squared : 0.0F;
+    planes_.push_back({inverse * glm::cross(c, normal), inverse * glm::cross(normal, b), std::sqrt(squared), {}});
+    for (std::size_t k = 0; k < waves; ++k) {
+      const float into = glm::dot(ways_[k], normal);
+      const float along = 1.0F - into * into * inverse;
+      planes_.back().along[k] = along < 1.0F - most_across * most_across ? 0.0F : along;
+    }
+    for (std::size_t k = 0; k < 3; ++k) weights_[triangles_[i + k]] += planes_.back().area;
+  }
+  for (const TriangleSide& side : sorted_sides(triangles_)) {
+    if (edges_.empty() || edges_.back() != side.ends) edges_.push_back(side.ends);
+  }
+}
+
+void Wrinkles::refine(std::span<const glm::vec3> fine_rest_positions, std::span<const VertexPair> parents) {
+  parents_.assign(parents.begin(), parents.end());
+  shapes_.clear();
+  const float number = 2.0F * std::numbers::pi_v<float> / wavelength_;
+  for (const glm::vec3& p : fine_rest_positions) {
+    PerWave& shape = shapes_.emplace_back();
+    for (std::size_t k = 0; k < waves; ++k) {
+      // Slow bends of its fronts, so that no wave is straight.
+      const float bend = 1.4F * std::sin(0.23F * number * glm::dot(ways_[(k + 3) % waves], p)) +
+                         0.9F * std::sin(0.41F * number * glm::dot(ways_[(k + 7) % waves], p) + static_cast<float>(k));
+      shape[k] = std::cos(number * glm::dot(ways_[k], p) + bend + 2.4F * static_cast<float>(k)) / number;
+    }
+  }
+}
+
+// The shortest of the waves' directions in the triangle gives the slope, and those near it share it.
+Wrinkles::PerWave Wrinkles::squared_slopes_of(std::size_t t, std::span<const glm::vec3> positions) const {
+  const glm::vec3& a = positions[triangles_[3 * t]];
+  const glm::vec3 b = positions[triangles_[3 * t + 1]] - a, c = positions[triangles_[3 * t + 2]] - a;
+  const Plane& plane = planes_[t];
+  PerWave shares{};
+  float most = 0.0F, sum = 0.0F;
+  for (std::size_t k = 0; k < waves; ++k) {
+    if (plane.along[k] == 0.0F) continue;
+    const glm::vec3 now = glm::dot(plane.side_b, ways_[k]) * b + glm::dot(plane.side_c, ways_[k]) * c;
+    const float shortened = 1.0F - std::sqrt(glm::dot(now, now) / plane.along[k]) - least_shortening;
+    shares[k] = std::max(shortened, 0.0F);
+    most = std::max(most, shares[k]);
+  }
+  for (float& share : shares) {
+    const float nearness = most > 0.0F ? share / most : 0.0F;
+    share = nearness * nearness * nearness * nearness;
+    sum += share;
+  }
+  for (float& share : shares) share *= sum > 0.0F ? 4.0F * share_of_wrinkles * most / sum : 0.0F;
+  return shares;
+}
+
+void Wrinkles::spread(std::vector<PerWave>& values) const {
+  std::vector<PerWave> sums = values;
+  std::vector<float> counts(weights_.size(), 1.0F);
+  for (const auto& [a, b] : edges_) {
+    for (std::size_t k = 0; k < waves; ++k) {
+      sums[a][k] += values[b][k];
+      sums[b][k] += values[a][k];
+    }
+    counts[a] += 1.0F;
+    counts[b] += 1.0F;
+  }
+  for (std::size_t v = 0; v < sums.size(); ++v) {
+    for (std::size_t k = 0; k < waves; ++k) values[v][k] = sums[v][k] / counts[v];
+  }
+}
+
+std::span<const float> Wrinkles::heights(std::span<const glm::vec3> positions) {
+  slopes_.assign(weights_.size(), PerWave{});
+  for (std::size_t t = 0; t < planes_.size(); ++t) {
+    const PerWave squared = squared_slopes_of(t, positions);
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::uint32_t v = triangles_[3 * t + k];
+      const float share = planes_[t].area / std::max(weights_[v], 1e-30F);
+      for (std::size_t w = 0; w < waves; ++w) slopes_[v][w] += share * squared[w];
+    }
+  }
+  for (int round = 0; round < rounds; ++round) spread(slopes_);
+  for (PerWave& slopes : slopes_) {
+    for (float& slope : slopes) slope = std::sqrt(slope);
+  }
+  heights_.assign(shapes_.size(), 0.0F);
+  for (std::size_t v = 0; v < shapes_.size(); ++v) {
+    if (v >= weights_.size()) {
+      const auto& [a, b] = parents_[v - weights_.size()];
+      PerWave mean{};
+      for (std::size_t k = 0; k < waves; ++k) mean[k] = 0.5F * (slopes_[a][k] + slopes_[b][k]);
+      slopes_.push_back(mean);
+    }
+    for (std::size_t k = 0; k < waves; ++k) heights_[v] += slopes_[v][k] * shapes_[v][k];
+  }
+  return heights_;
 }
 
 }  // namespace taut::renderer

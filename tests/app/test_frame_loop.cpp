@@ -4,7 +4,6 @@
 #include <numeric>
 
 #include "app/base/errors.hpp"
-#include "app/base/interruption.hpp"
 #include "app/drawing/drawn_scene.hpp"
 #include "app/frame_loop.hpp"
 #include "app/models/garment_loading.hpp"
@@ -94,8 +93,7 @@ TEST(FrameLoop, EndsWithAFrameThatBreaksAPromise) {
     outputs.write_frame = [&](const FrameRecord& record, const auto&) { drawn.push_back(record.frame); };
     outputs.write_shape = [&](int frame, const sim::Simulation&) { written.push_back(frame); };
     outputs.report = [&](const FrameRecord& record) { reported.push_back(record.frame); };
-    EXPECT_EQ(test::message_of<PromiseBroken>([&] { run_frames(simulation, 6, outputs); }),
-              "frame 4 is broken");
+    EXPECT_EQ(test::message_of<PromiseBroken>([&] { run_frames(simulation, 6, outputs); }), "frame 4 is broken");
     checked.resize(5);  // overlapped, it may have begun with later ones
     EXPECT_EQ(checked, (std::vector<int>{0, 1, 2, 3, 4})) << "the start too";
     EXPECT_EQ(reported, (std::vector<int>{1, 2, 3, 4}));
@@ -111,8 +109,7 @@ TEST(FrameLoop, VerifiesAStartThatIsNotHandedOut) {
     return record.frame == 0 ? "the start is broken" : "";
   };
   outputs.report = [](const FrameRecord& record) { ADD_FAILURE() << record.frame; };
-  EXPECT_EQ(test::message_of<PromiseBroken>([&] { run_frames(simulation, 6, outputs); }),
-            "the start is broken");
+  EXPECT_EQ(test::message_of<PromiseBroken>([&] { run_frames(simulation, 6, outputs); }), "the start is broken");
 }
 
 TEST(FrameLoop, DrawsAndWritesTheFramesAskedFor) {
@@ -127,9 +124,7 @@ TEST(FrameLoop, DrawsAndWritesTheFramesAskedFor) {
     drawn.push_back(positions);
     return renderer::Image{};
   };
-  outputs.write_frame = [&](const FrameRecord& record, const renderer::Image&) {
-    written.push_back(record.frame);
-  };
+  outputs.write_frame = [&](const FrameRecord& record, const renderer::Image&) { written.push_back(record.frame); };
   outputs.report = [&](const FrameRecord&) { ++reported; };
   const auto records = run_frames(simulation, 4, outputs);
   EXPECT_EQ(written, pictures);
@@ -291,15 +286,13 @@ TEST(FrameRecord, MeasuresWhatTheBoundHolds) {
     scene.simulation.solver.bounded = {.bound = bound, .max_stretch = 0.01, .allow_exceeding = true};
     sim::Simulation simulation = make_simulation(scene, load_garment(scene));
     for (const FrameRecord& record : run_frames(simulation, 20, {})) {
-      EXPECT_GE(record.surface_stretch.max, record.stretch.max - 1e-12)
-          << "a spring is one direction of many";
+      EXPECT_GE(record.surface_stretch.max, record.stretch.max - 1e-12) << "a spring is one direction of many";
       if (record.frame > 0 && simulation.frame_report().bound_kept) {
         EXPECT_EQ(record.bound_kept, is_within(scene.simulation.solver.bounded, record)) << record.frame;
       }
     }
     const FrameRecord last = measure_frame(simulation, 20);
-    const double expected =
-        sim::measure_surface_stretch(simulation.garment(), simulation.state().current).max;
+    const double expected = sim::measure_surface_stretch(simulation.garment(), simulation.state().current).max;
     EXPECT_EQ(last.surface_stretch.max, expected);
     EXPECT_GT(expected, 0.001);
   }
@@ -319,10 +312,9 @@ TEST(BoundVerdict, SaysWhatExceedsTheBoundAndByHowMuch) {
     EXPECT_EQ(judge_bound(scene, summary_of(records)), 3);
     return testing::internal::GetCapturedStderr();
   };
-  EXPECT_CONTAINS(
-      said(sim::BoundKind::surface),
-      "1 of 2 frames exceeds solver.max_stretch = 0.05 of the surface, the first is frame 1; "
-      "springs are stretched by up to 0.04; the surface is stretched by up to 0.25, 0.2 too much.");
+  EXPECT_CONTAINS(said(sim::BoundKind::surface),
+                  "1 of 2 frames exceeds solver.max_stretch = 0.05 of the surface, the first is frame 1; "
+                  "springs are stretched by up to 0.04; the surface is stretched by up to 0.25, 0.2 too much.");
   records[1].stretch.max = 0.06;
   const std::string of_springs = said(sim::BoundKind::springs);
   EXPECT_CONTAINS(of_springs,

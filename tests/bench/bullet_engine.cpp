@@ -3,8 +3,8 @@
 #include <BulletSoftBody/btSoftRigidDynamicsWorld.h>
 #include <btBulletDynamicsCommon.h>
 
-#include "app/base/interruption.hpp"
-#include "app/base/stopwatch.hpp"
+#include "app/base/errors.hpp"
+#include "app/base/progress.hpp"
 #include "race.hpp"
 #include "sim/measures.hpp"
 #include "sim/simulation.hpp"
@@ -16,9 +16,7 @@ btVector3 to_bullet(const sim::Vec3& v) {
   return {static_cast<btScalar>(v.x), static_cast<btScalar>(v.y), static_cast<btScalar>(v.z)};
 }
 
-sim::Vec3 from_bullet(const btVector3& v) {
-  return {v.x(), v.y(), v.z()};
-}
+sim::Vec3 from_bullet(const btVector3& v) { return {v.x(), v.y(), v.z()}; }
 
 // Bullet's world with all it needs to exist, although nothing collides in it.
 struct World {
@@ -38,8 +36,8 @@ sim::Vec3 centre_of(const sim::Garment& garment) {
   return sum / static_cast<double>(garment.mesh.positions.size());
 }
 
-std::unique_ptr<btSoftBody> make_body(btSoftBodyWorldInfo& world, const sim::Garment& garment,
-                                      const sim::Pins& pins, const sim::Vec3& origin_m) {
+std::unique_ptr<btSoftBody> make_body(btSoftBodyWorldInfo& world, const sim::Garment& garment, const sim::Pins& pins,
+                                      const sim::Vec3& origin_m) {
   const std::size_t count = garment.mesh.positions.size();
   btAlignedObjectArray<btVector3> nodes;
   btAlignedObjectArray<btScalar> masses;
@@ -59,8 +57,8 @@ std::unique_ptr<btSoftBody> make_body(btSoftBodyWorldInfo& world, const sim::Gar
 
 class BulletEngine : public Engine {
  public:
-  BulletEngine(const sim::Garment& garment, const std::vector<sim::Index>& pins,
-               const sim::Surroundings& surroundings, double frame_time_s, const BulletSettings& settings)
+  BulletEngine(const sim::Garment& garment, const std::vector<sim::Index>& pins, const sim::Surroundings& surroundings,
+               double frame_time_s, const BulletSettings& settings)
       : garment_(garment),
         pins_(pins),
         surroundings_(surroundings),
@@ -126,11 +124,9 @@ class BulletEngine : public Engine {
     if (surroundings_.pin_motion.amplitude_m == sim::Vec3(0.0)) {
       return;
     }
-    const sim::Vec3 offset =
-        sim::pin_displacement(surroundings_.pin_motion, {0.0, state_.time_s + substep_s_});
+    const sim::Vec3 offset = sim::pin_displacement(surroundings_.pin_motion, {0.0, state_.time_s + substep_s_});
     for (const sim::Index pin : pins_) {
-      body_->m_nodes[static_cast<int>(pin)].m_x =
-          to_bullet(garment_.mesh.positions[pin] + offset - origin_m_);
+      body_->m_nodes[static_cast<int>(pin)].m_x = to_bullet(garment_.mesh.positions[pin] + offset - origin_m_);
     }
   }
 

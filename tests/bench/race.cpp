@@ -7,10 +7,9 @@
 #include <numeric>
 #include <tuple>
 
-#include "app/base/ranks.hpp"
+#include "app/base/errors.hpp"
+#include "app/base/progress.hpp"
 #include "app/base/words.hpp"
-#include "app/base/interruption.hpp"
-#include "app/base/stopwatch.hpp"
 #include "app/drawing/drawn_scene.hpp"
 #include "app/scene/scene_format.hpp"
 #include "sim/simulation.hpp"
@@ -65,9 +64,7 @@ Entrant taut_entrant(const std::string& engine, const std::string& name, std::op
 // Substeps and iterations of each.
 using Division = std::pair<int, int>;
 
-std::string in_words(const Division& division) {
-  return fmt::format("{} x {}", division.first, division.second);
-}
+std::string in_words(const Division& division) { return fmt::format("{} x {}", division.first, division.second); }
 
 std::vector<Entrant> bounded_entrants(const std::vector<double>& bounds, const std::string& name = "bounded",
                                       const Settings& changes = {}) {
@@ -88,10 +85,10 @@ std::vector<Entrant> strong_entrants(bool full) {
                                      {40, 1}, {80, 1}, {120, 1}, {160, 1}, {240, 1}, {320, 1}};
   std::vector<Entrant> entrants;
   for (const Division& division : full ? all : quick) {
-    entrants.push_back(taut_entrant("strong", in_words(division), {},
-                                    {"solver.kind=strong", fmt::format("solver.substeps={}", division.first),
-                                     fmt::format("solver.iterations={}", division.second),
-                                     "solver.compression=1.0", "solver.flexural=1.0"}));
+    entrants.push_back(taut_entrant(
+        "strong", in_words(division), {},
+        {"solver.kind=strong", fmt::format("solver.substeps={}", division.first),
+         fmt::format("solver.iterations={}", division.second), "solver.compression=1.0", "solver.flexural=1.0"}));
   }
   return entrants;
 }
@@ -105,11 +102,11 @@ std::vector<Entrant> bullet_entrants(bool full) {
                                      {160, 2}, {200, 2}, {250, 2}, {320, 2}, {90, 1}, {40, 4},  {160, 4}};
   std::vector<Entrant> entrants;
   for (const Division& division : full ? all : quick) {
-    entrants.push_back(
-        {"bullet", in_words(division), {}, [division](const GarmentInScene& cloth, const Scene& scene) {
-           return make_bullet_engine(*cloth.garment, cloth.pins, scene.surroundings,
-                                     1.0 / scene.simulation.frame_rate_hz, {division.first, division.second});
-         }});
+    entrants.push_back({"bullet", in_words(division), {}, [division](const GarmentInScene& cloth, const Scene& scene) {
+                          return make_bullet_engine(*cloth.garment, cloth.pins, scene.surroundings,
+                                                    1.0 / scene.simulation.frame_rate_hz,
+                                                    {division.first, division.second});
+                        }});
   }
   return entrants;
 }
@@ -119,9 +116,8 @@ RunEnd end_so_far(const std::vector<FrameSample>& frames, const RaceSettings& se
   if (frames.size() < 6) {
     return RunEnd::finished;
   }
-  const double sum_ms =
-      std::accumulate(frames.begin(), frames.end(), 0.0,
-                      [](double sum, const FrameSample& frame) { return sum + frame.cost.cpu_ms; });
+  const double sum_ms = std::accumulate(frames.begin(), frames.end(), 0.0,
+                                        [](double sum, const FrameSample& frame) { return sum + frame.cost.cpu_ms; });
   return sum_ms > settings.slowest_frame_ms * static_cast<double>(frames.size()) ? RunEnd::too_slow
          : frames.back().springs.max > settings.hopeless_stretch                 ? RunEnd::hopeless
                                                                                  : RunEnd::finished;
@@ -165,15 +161,12 @@ Scene make_race_scene(const RaceScene& race_scene, const RaceSize& size) {
   Scene scene = find_scene("tshirt-gravity", {});
   scene.garment.file = scene.garment.file.parent_path() / fmt::format("tshirt_{}.obj", size.model);
   return with_settings(
-      with_settings(std::move(scene),
-                    {fmt::format("garment.subdivisions={}", size.subdivisions),
-                     R"(pins.at=["front_neckline", "back_neckline"])", "solver.contact=false"}),
+      with_settings(std::move(scene), {fmt::format("garment.subdivisions={}", size.subdivisions),
+                                       R"(pins.at=["front_neckline", "back_neckline"])", "solver.contact=false"}),
       race_scene.settings);
 }
 
-std::vector<std::string> engine_names() {
-  return {"bounded", "bullet", "strong"};
-}
+std::vector<std::string> engine_names() { return {"bounded", "bullet", "strong"}; }
 
 std::vector<Entrant> entrants_of(const std::string& engine, const std::vector<double>& bounds, bool full) {
   return engine == "bounded"  ? bounded_entrants(bounds)
@@ -239,8 +232,7 @@ RunFacts facts_of(const Run& run) {
   }
   if (!times_ms.empty()) {
     facts.median_ms = ranked(times_ms, 0.5);
-    facts.mean_ms =
-        std::accumulate(times_ms.begin(), times_ms.end(), 0.0) / static_cast<double>(times_ms.size());
+    facts.mean_ms = std::accumulate(times_ms.begin(), times_ms.end(), 0.0) / static_cast<double>(times_ms.size());
     facts.p99_ms = ranked(times_ms, 0.99);
     facts.median_substeps = ranked(substeps, 0.5);
   }
@@ -248,9 +240,8 @@ RunFacts facts_of(const Run& run) {
 }
 
 int frames_over(const Run& run, double bound) {
-  return static_cast<int>(std::count_if(run.frames.begin(), run.frames.end(), [&](const FrameSample& frame) {
-    return !(frame.springs.max <= bound);
-  }));
+  return static_cast<int>(std::count_if(run.frames.begin(), run.frames.end(),
+                                        [&](const FrameSample& frame) { return !(frame.springs.max <= bound); }));
 }
 
 const Run* best_run(std::span<const Run> runs, const std::string& engine, double bound) {

@@ -8,10 +8,9 @@
 #include <map>
 
 #include "app/bodies/body_girths.hpp"
-#include "app/bodies/body_inspection.hpp"
+#include "app/bodies/body_loading.hpp"
 #include "app/bodies/dressing.hpp"
-#include "app/bodies/shape_rig.hpp"
-#include "app/models/section.hpp"
+#include "app/models/garment_measures.hpp"
 #include "loading.hpp"
 
 namespace taut::app {
@@ -52,9 +51,7 @@ sim::Mesh stacked(const std::vector<Ring>& rings) {
 }
 
 /// Ramanujan 1914.
-double around_ellipse(double a, double b) {
-  return pi * (3.0 * (a + b) - std::sqrt((3.0 * a + b) * (a + 3.0 * b)));
-}
+double around_ellipse(double a, double b) { return pi * (3.0 * (a + b) - std::sqrt((3.0 * a + b) * (a + 3.0 * b))); }
 
 /// A person in a long robe, without arms.
 const std::vector<Ring> robe = {{0.0, 0.20, 0.13, 0},    {0.9, 0.20, 0.13, 0},    {1.1, 0.15, 0.10, 0},
@@ -165,8 +162,7 @@ sim::Mesh person(double arms_m) {
   for (const double side : {-1.0, 1.0}) {
     add(stacked({{0.3, 0.08, 0.08, 0}, {0.82, 0.08, 0.08, 0}}), {0.1 * side, 0.0, 0.0}, mesh);
     // A shaft about the leg; toes point forwards.
-    add(stacked(
-            {{0.0, 0.09, 0.09, 0}, {0.05, 0.09, 0.09, 0.1}, {0.12, 0.09, 0.09, -0.3}, {0.55, 0.09, 0.09, 0}}),
+    add(stacked({{0.0, 0.09, 0.09, 0}, {0.05, 0.09, 0.09, 0.1}, {0.12, 0.09, 0.09, -0.3}, {0.55, 0.09, 0.09, 0}}),
         {0.2 * side, 0.0, 0.0}, mesh);
     add(stacked({{0.70, 0.04, 0.04, 0}, {0.82, 0.04, 0.04, 0}, {0.9, 0.04, 0.04, 0}, {1.35, 0.05, 0.05, 0}}),
         {0.26 * side, 0.0, 0.0}, mesh);
@@ -226,8 +222,7 @@ TEST(ShapeRig, PutsJointsWhereTheyAreInPeople) {
 }
 
 TEST(BodyGirths, ATableHasNone) {
-  const sim::Mesh mesh =
-      stacked({{0.0, 0.1, 0.1, 0}, {0.7, 0.1, 0.1, 0}, {0.71, 0.6, 0.6, 0}, {0.75, 0.6, 0.6, 0}});
+  const sim::Mesh mesh = stacked({{0.0, 0.1, 0.1, 0}, {0.7, 0.1, 0.1, 0}, {0.71, 0.6, 0.6, 0}, {0.75, 0.6, 0.6, 0}});
   EXPECT_TRUE(measure_body({mesh.positions, mesh.triangles}, {}).girths.empty());
 }
 
@@ -350,8 +345,7 @@ TEST(BodyGirths, OfTheMannequinsAreNearThePublishedOnes) {
     };
     EXPECT_NEAR(share(0, p.neck), 0.0, 0.013) << p.name;
     EXPECT_NEAR(share(2, p.chest), 0.0, 0.026) << p.name << ", at the fullest level towards the front";
-    EXPECT_NEAR(share(3, p.waist), -0.01, 0.012)
-        << p.name << ", the narrowest level is above the published one";
+    EXPECT_NEAR(share(3, p.waist), -0.01, 0.012) << p.name << ", the narrowest level is above the published one";
     EXPECT_NEAR(share(4, p.seat), 0.03, 0.03) << p.name << ", the fullest level is above the published one";
     EXPECT_NEAR(share(8, p.biceps), 0.0, 0.001) << p.name;
     EXPECT_CONTAINS(describe_body(body), "girths: neck ");

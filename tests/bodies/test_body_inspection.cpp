@@ -1,6 +1,6 @@
 #include <cmath>
 
-#include "app/bodies/body_inspection.hpp"
+#include "app/bodies/body_loading.hpp"
 #include "gltf_text.hpp"
 #include "loading.hpp"
 
@@ -31,8 +31,7 @@ TEST(BodyInspection, SaysWhatIsInABodyAndHowItMoves) {
   EXPECT_CONTAINS(text, "2.000 m high");
   EXPECT_CONTAINS(text, "3 joints: Hips, Spine, LeftFoot");
   EXPECT_CONTAINS(text, "animations: 'Rise' (3 s)");
-  EXPECT_CONTAINS(text,
-                  "repeated, its motion goes on from frame 0, which its last is again (loop, --body-loop)");
+  EXPECT_CONTAINS(text, "repeated, its motion goes on from frame 0, which its last is again (loop, --body-loop)");
   EXPECT_EQ(motion["repeats_from_frame"], 0);
 }
 

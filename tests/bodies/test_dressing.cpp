@@ -8,7 +8,7 @@
 #include "app/bodies/dressing.hpp"
 #include "app/drawing/drawn_scene.hpp"
 #include "app/models/garment_loading.hpp"
-#include "app/models/garment_remarks.hpp"
+#include "app/models/inspection.hpp"
 #include "app/models/scene_crossings.hpp"
 #include "app/output/run_checkpoint.hpp"
 #include "gltf_text.hpp"
@@ -20,9 +20,7 @@ namespace {
 using test::GltfModel;
 
 /// How far a point is from the axis of the tube.
-double from_axis(const sim::Vec3& p) {
-  return glm::length(sim::Vec3(p.x, 0.0, p.z));
-}
+double from_axis(const sim::Vec3& p) { return glm::length(sim::Vec3(p.x, 0.0, p.z)); }
 
 struct Dressing : testing::Test {
   BodySource source_of(const GltfModel& model) const {
@@ -38,18 +36,18 @@ struct Dressing : testing::Test {
     std::string ring;
     for (int k = 0; k < 16; ++k) {
       const double angle = 0.25 * 3.14159265358979 * (k / 2);
-      ring += "v " + std::to_string(x_m + 0.26 * std::cos(angle)) + ' ' +
-              std::to_string(0.6 + 0.2 * (k % 2)) + ' ' + std::to_string(0.26 * std::sin(angle)) + '\n';
+      ring += "v " + std::to_string(x_m + 0.26 * std::cos(angle)) + ' ' + std::to_string(0.6 + 0.2 * (k % 2)) + ' ' +
+              std::to_string(0.26 * std::sin(angle)) + '\n';
     }
     for (int k = 0; k < 16; k += 2) {
       const auto at = [&](int step) { return ' ' + std::to_string(1 + (k + step) % 16); };
       ring += 'f' + at(0) + at(1) + at(3) + at(2) + '\n';
     }
     folder.write("ring.obj", ring);
-    DrawnScene scene = read_scene_file(
-        folder.write("scene.toml",
-                     "[garment]\nfile = \"ring.obj\"\nscale = 1\nup = \"y\"\n[pins]\nat = \"none\"\n"
-                     "[[bodies]]\nshape = \"mesh\"\nfile = \"body.gltf\"\ndress = 60\n"));
+    DrawnScene scene =
+        read_scene_file(folder.write("scene.toml",
+                                     "[garment]\nfile = \"ring.obj\"\nscale = 1\nup = \"y\"\n[pins]\nat = \"none\"\n"
+                                     "[[bodies]]\nshape = \"mesh\"\nfile = \"body.gltf\"\ndress = 60\n"));
     load_bodies(scene);
     return scene;
   }
@@ -91,8 +89,7 @@ TEST_F(Dressing, AMotionBeginsWhenTheBodyHasGrown) {
       EXPECT_LT(glm::distance(found_m[v], expected_m[v]), 1e-12) << v;
     }
   }
-  EXPECT_NEAR(dressed.positions_m(-0.5)[0].y, 0.5, 1e-6)
-      << "it grows in the pose that the motion begins with";
+  EXPECT_NEAR(dressed.positions_m(-0.5)[0].y, 0.5, 1e-6) << "it grows in the pose that the motion begins with";
 }
 
 // Half a turn: vertices go straight from pose to pose and come no nearer to the joint than by 2 %.
@@ -114,11 +111,9 @@ TEST(TurningBack, GoesThroughPosesThatAreNear) {
 TEST_F(Dressing, NeedsJoints) {
   GltfModel model = test::tube();
   model.weights.clear();
-  EXPECT_CONTAINS(error_of(source_of(model)),
-                  "found a body to be dressed (dress, --dress) without joints; expected");
+  EXPECT_CONTAINS(error_of(source_of(model)), "found a body to be dressed (dress, --dress) without joints; expected");
   BodySource source = source_of(test::tube());
-  source.file =
-      folder.write("body.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n");
+  source.file = folder.write("body.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n");
   EXPECT_CONTAINS(error_of(source), "without joints");
 }
 
@@ -127,14 +122,13 @@ TEST_F(Dressing, ClothThatBeganInTheBodyIsAroundItAtFrame0) {
   const LoadedGarment loaded = load_garment(scene);
   sim::Simulation simulation = make_simulation(scene, loaded);
   const auto crossings = [&] {
-    return scene_crossings({simulation.state().current, simulation.garment().mesh.triangles},
-                           scene.surroundings.bodies, 0.0)
+    return scene_crossings({simulation.state().current, simulation.garment().mesh.triangles}, scene.surroundings.bodies,
+                           0.0)
         .back()
         .pairs.size();
   };
   EXPECT_GT(crossings(), 0U) << "as it was modelled";
-  EXPECT_EQ(remarks_on_start(scene, loaded).lines, std::vector<std::string>{})
-      << "the run begins with a thin body";
+  EXPECT_EQ(remarks_on_start(scene, loaded).lines, std::vector<std::string>{}) << "the run begins with a thin body";
   const sim::Surroundings surroundings = simulation.surroundings();
   EXPECT_EQ(go_to_start(scene, simulation), 0);
   EXPECT_EQ(simulation.surroundings(), surroundings) << "with gravity again";
@@ -149,8 +143,7 @@ TEST_F(Dressing, ClothThatCrossesTheBodyWhenItHasGrownEndsTheRun) {
   DrawnScene scene = ring_at(0.25);
   const LoadedGarment loaded = load_garment(scene);
   sim::Simulation simulation = make_simulation(scene, loaded);
-  EXPECT_CONTAINS(test::message_of<PromiseBroken>([&] { go_to_start(scene, simulation); }),
-                  "when it is dressed, ");
+  EXPECT_CONTAINS(test::message_of<PromiseBroken>([&] { go_to_start(scene, simulation); }), "when it is dressed, ");
   scene.simulation.solver.bounded.allow_crossing = true;
   sim::Simulation allowed = make_simulation(scene, loaded);
   EXPECT_EQ(go_to_start(scene, allowed), 0);
@@ -168,16 +161,16 @@ std::optional<RoomForCloth> room_between(double gap_m, bool are_fingers = false,
     const sim::Vec3 middle(side * (0.2 + gap_m), 0.5, 0.0);
     const char* leg = side > 0.0 ? "LeftLeg" : "RightLeg";
     const char* finger = side > 0.0 ? "LeftHandIndex1" : "LeftHandMiddle1";
-    rig.nodes.push_back({are_fingers ? finger : leg, are_fingers ? 0 : no_node,
-                         glm::translate(glm::dmat4(1.0), middle)});
+    rig.nodes.push_back(
+        {are_fingers ? finger : leg, are_fingers ? 0 : no_node, glm::translate(glm::dmat4(1.0), middle)});
     rig.bones.push_back({node, glm::translate(glm::dmat4(1.0), -middle)});
     const auto bone = static_cast<sim::Index>(rig.bones.size() - 1);
     const auto first = static_cast<sim::Index>(rig.in_part.size());
     for (sim::Index k = 0; k < 44; ++k) {
       const sim::Index corner = k % 4;
       rig.influences.push_back({rig.in_part.size(), bone, 1.0});
-      rig.in_part.push_back(middle + sim::Vec3(corner == 0 || corner == 3 ? 0.1 : -0.1, 0.1 * (k / 4) - 0.5,
-                                               corner < 2 ? 0.1 : -0.1));
+      rig.in_part.push_back(
+          middle + sim::Vec3(corner == 0 || corner == 3 ? 0.1 : -0.1, 0.1 * (k / 4) - 0.5, corner < 2 ? 0.1 : -0.1));
     }
     for (sim::Index k = 0; k < 40; ++k) {
       const sim::Index next = k % 4 == 3 ? k - 3 : k + 1;

@@ -6,7 +6,6 @@
 #include <thread>
 
 #include "app/bodies/frame_source.hpp"
-#include "app/bodies/point_cache.hpp"
 #include "app/models/import_process.hpp"
 #include "loading.hpp"
 #include "sim/bytes.hpp"
@@ -17,8 +16,7 @@ namespace {
 const std::string corners = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n";
 const std::string tetrahedron = corners + "f 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
 
-template <class Number>
-void put_big_endian(Number number, std::string& bytes) {
+template <class Number> void put_big_endian(Number number, std::string& bytes) {
   const auto little = sim::little_endian(number);
   bytes.append(little.rbegin(), little.rend());
 }
@@ -34,8 +32,7 @@ std::string mdd(std::int32_t frames, float frame_s, float step_m) {
   for (std::int32_t k = 0; k < frames; ++k) {
     for (int v = 0; v < 4; ++v) {
       for (int axis = 0; axis < 3; ++axis) {
-        put_big_endian((v == axis + 1 ? 1.0F : 0.0F) + (axis == 0 ? static_cast<float>(k) * step_m : 0.0F),
-                       bytes);
+        put_big_endian((v == axis + 1 ? 1.0F : 0.0F) + (axis == 0 ? static_cast<float>(k) * step_m : 0.0F), bytes);
       }
     }
   }
@@ -65,25 +62,20 @@ TEST_F(PointCaches, MddHasTheRateOfItsTimes) {
 TEST_F(PointCaches, MddIsRefusedWithWhatIsWrong) {
   const std::string good = mdd(3, 0.04F, 0.1F);
   EXPECT_EQ(error_of(source_of("walk.mdd", good)), "");
-  EXPECT_CONTAINS(error_of(source_of("walk.mdd", good.substr(0, 6))),
-                  "found 6 bytes, expected the numbers of frames");
+  EXPECT_CONTAINS(error_of(source_of("walk.mdd", good.substr(0, 6))), "found 6 bytes, expected the numbers of frames");
   EXPECT_CONTAINS(error_of(source_of("walk.mdd", good.substr(0, 100))),
                   "walk.mdd': found 100 bytes, expected 164 for 3 frames of 4 vertices");
-  EXPECT_CONTAINS(error_of(source_of("walk.mdd", mdd(0, 0, 0))),
-                  "byte 0, the number of frames: found 0, expected 1");
+  EXPECT_CONTAINS(error_of(source_of("walk.mdd", mdd(0, 0, 0))), "byte 0, the number of frames: found 0, expected 1");
   EXPECT_CONTAINS(error_of(source_of("walk.mdd", mdd(3, 0.04F, 1.5F))),
                   "walk.mdd': frame 1, vertex 0: found at [1.5, 0, 0] m, 1.5 m from where");
 }
 
 TEST_F(PointCaches, OneFrameIsSaid) {
-  EXPECT_CONTAINS(load(source_of("walk.mdd", mdd(1, 0.04F, 0.1F))).said(),
-                  "its motion has 1 frame, in which");
+  EXPECT_CONTAINS(load(source_of("walk.mdd", mdd(1, 0.04F, 0.1F))).said(), "its motion has 1 frame, in which");
 }
 
 TEST_F(PointCaches, OtherEndingsAreRefused) {
-  EXPECT_CONTAINS(
-      error_of(source_of("walk.abc", "x")),
-      "walk.abc': expected a motion that ends in .pc2, .mdd or .bvh");
+  EXPECT_CONTAINS(error_of(source_of("walk.abc", "x")), "walk.abc': expected a motion that ends in .pc2, .mdd or .bvh");
 }
 
 TEST_F(PointCaches, AFileThatShrinksDuringTheRunIsNamed) {
@@ -108,8 +100,7 @@ TEST_F(PointCaches, MemoryDoesNotGrowWithTheLengthOfAMotion) {
   constexpr std::size_t frames = 100'000;
   BodySource source = source_of("long.pc2", "");
   std::string header("POINTCACHE2\0", 12);
-  for (const std::int32_t number :
-       {1, 4, 0, std::bit_cast<std::int32_t>(1.0F), static_cast<std::int32_t>(frames)}) {
+  for (const std::int32_t number : {1, 4, 0, std::bit_cast<std::int32_t>(1.0F), static_cast<std::int32_t>(frames)}) {
     const auto bytes = sim::little_endian(number);
     header.append(bytes.begin(), bytes.end());
   }

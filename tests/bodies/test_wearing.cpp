@@ -6,8 +6,8 @@
 #include "../models/garment_shapes.hpp"
 #include "app/bodies/fit.hpp"
 #include "app/bodies/wearing.hpp"
+#include "app/models/file_mesh.hpp"
 #include "app/models/garment_measures.hpp"
-#include "app/models/obj_writing.hpp"
 #include "app/models/scene_crossings.hpp"
 #include "app/output/run_checkpoint.hpp"
 #include "loading.hpp"
@@ -61,9 +61,7 @@ struct Wearing : testing::Test {
   }
 
   /// The body stands turned by this angle.
-  void turn(double degrees) {
-    motion.spin = {.turns_per_s = degrees / 360.0, .from_s = -9.0, .until_s = -8.0};
-  }
+  void turn(double degrees) { motion.spin = {.turns_per_s = degrees / 360.0, .from_s = -9.0, .until_s = -8.0}; }
   /// Returns the message when the skirt, which is wider than deep, is put on by a body that stands so.
   std::string said_of_skirt(const sim::Vec3& at_m, double degrees) {
     sim::Mesh mesh = test::moved(test::skirt(), at_m);
@@ -91,11 +89,9 @@ TEST_F(Wearing, WhatLiesAboutTheBodyStays) {
 }
 
 TEST_F(Wearing, AGarmentComesToTheBodyFromAnywhere) {
-  const Fitting from_far =
-      put(shirt([](const sim::Vec3& p) { return p + sim::Vec3(3.0, -1.0, 0.5); }), "male_40");
+  const Fitting from_far = put(shirt([](const sim::Vec3& p) { return p + sim::Vec3(3.0, -1.0, 0.5); }), "male_40");
   ASSERT_EQ(from_far.said.size(), 1U);
-  EXPECT_CONTAINS(from_far.said[0],
-                  "it is moved by 3.21 m, so that its neck is at that of the body 'male_40'");
+  EXPECT_CONTAINS(from_far.said[0], "it is moved by 3.21 m, so that its neck is at that of the body 'male_40'");
   EXPECT_EQ(from_far.crossings(-1.5), 0U);
   const GarmentMarks marks = marks_of(*from_far.loaded.garment, from_far.places_m(), {});
   EXPECT_NEAR(marks.top->upper.y, 1.64, 1e-6) << "as high as the joint of the neck";
@@ -280,10 +276,8 @@ TEST_F(Wearing, TrousersComeForkToForkAndAreMeasuredRoundBothLegs) {
   ASSERT_TRUE(tube && tube->fork_m);
   EXPECT_NEAR(*tube->fork_m, measures.levels[measures.fork].height_m - 0.01, 0.005);
   const sim::Extent box = sim::extent_of(worn.places_m());
-  const double leg_m =
-      leg_at({worn.places_m(), worn.loaded.garment->mesh.triangles}, box.lower.y + 0.05).value();
-  EXPECT_GT(girth_at({worn.places_m(), worn.loaded.garment->mesh.triangles}, box.lower.y + 0.05).value(),
-            1.2 * leg_m);
+  const double leg_m = leg_at({worn.places_m(), worn.loaded.garment->mesh.triangles}, box.lower.y + 0.05).value();
+  EXPECT_GT(girth_at({worn.places_m(), worn.loaded.garment->mesh.triangles}, box.lower.y + 0.05).value(), 1.2 * leg_m);
 }
 
 TEST_F(Wearing, SaysWhereClothIsStretchedMost) {
@@ -294,8 +288,7 @@ TEST_F(Wearing, SaysWhereClothIsStretchedMost) {
   for (sim::Vec3& p : wide_m) {
     p.z *= p.y < 1.25 && p.z > 0.0 ? 1.2 : 1.0;  // at the waist in front
   }
-  EXPECT_CONTAINS(describe_tightness(worn.scene, *worn.loaded.garment, wide_m, rows),
-                  "stretched most: at the ");
+  EXPECT_CONTAINS(describe_tightness(worn.scene, *worn.loaded.garment, wide_m, rows), "stretched most: at the ");
 }
 
 }  // namespace

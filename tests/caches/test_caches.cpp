@@ -6,7 +6,7 @@
 #include <sstream>
 
 #include "app/base/errors.hpp"
-#include "app/bodies/point_cache.hpp"
+#include "app/bodies/frame_source.hpp"
 #include "app/caches/frame_sink.hpp"
 #include "temporary_folder.hpp"
 
@@ -67,14 +67,12 @@ struct Caches : testing::Test {
     return {(folder / name).string(), frames, 25.0};
   }
   /// Writes the frames up to this one. Returns their positions in the file's vertices.
-  std::vector<std::vector<sim::Vec3>> write(FrameSink& sink, sim::Simulation& moment, int first,
-                                            int last) const {
+  std::vector<std::vector<sim::Vec3>> write(FrameSink& sink, sim::Simulation& moment, int first, int last) const {
     std::vector<std::vector<sim::Vec3>> written;
     for (int frame = first; frame <= last; ++frame) {
       moment.advance_frame();
       sink.write(frame, moment);
-      std::vector<sim::Vec3>& positions =
-          written.emplace_back(WrittenCloth(loaded).positions(moment.state().current));
+      std::vector<sim::Vec3>& positions = written.emplace_back(WrittenCloth(loaded).positions(moment.state().current));
       for (sim::Vec3& p : positions) {
         p = sim::Vec3(glm::vec3(p));
       }
@@ -197,8 +195,7 @@ TEST_F(Caches, GoesOnOnlyFromTheFrameItStoppedAt) {
       expected.push_back(std::move(frame));
     }
     sink->finish();
-    expect_frames(std::string(name) == "clip.pc2" ? *open_pc2(folder / name) : *open_mdd(folder / name),
-                  expected);
+    expect_frames(std::string(name) == "clip.pc2" ? *open_pc2(folder / name) : *open_mdd(folder / name), expected);
   }
 }
 

@@ -1,4 +1,4 @@
-#include "app/base/interruption.hpp"
+#include "app/base/errors.hpp"
 #include "app/models/garment_loading.hpp"
 #include "tests/claims/trials.hpp"
 

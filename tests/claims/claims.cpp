@@ -4,7 +4,7 @@
 #include <toml++/toml.h>
 
 #include "app/base/words.hpp"
-#include "app/drawing/plots/axis.hpp"
+#include "app/drawing/plots/plot.hpp"
 #include "tests/claims/report.hpp"
 
 namespace taut::app {

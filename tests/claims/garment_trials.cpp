@@ -1,4 +1,4 @@
-#include "app/base/ranks.hpp"
+#include "app/base/progress.hpp"
 #include "app/frame_loop.hpp"
 #include "app/models/garment_loading.hpp"
 #include "tests/claims/trials.hpp"

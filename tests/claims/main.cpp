@@ -2,7 +2,6 @@
 
 #include "app/base/errors.hpp"
 #include "app/base/files.hpp"
-#include "app/base/interruption.hpp"
 #include "tests/claims/report.hpp"
 
 // judge_claims: every figure of the paper, figure 8 and a report that judges the paper's claims by them.

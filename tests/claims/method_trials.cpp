@@ -1,6 +1,5 @@
-#include "app/base/interruption.hpp"
-#include "app/base/ranks.hpp"
-#include "app/base/stopwatch.hpp"
+#include "app/base/errors.hpp"
+#include "app/base/progress.hpp"
 #include "app/base/words.hpp"
 #include "app/models/garment_loading.hpp"
 #include "tests/claims/trials.hpp"

@@ -6,8 +6,6 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
-#include "app/base/base64.hpp"
-#include "app/base/version.hpp"
 #include "app/base/words.hpp"
 #include "renderer/page/png.hpp"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/figures/draw_figures.hpp"
+#include "app/figures/figures.hpp"
 #include "tests/claims/claims.hpp"
 
 namespace taut::app {

@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <tuple>
 
-#include "app/base/base64.hpp"
+#include "app/base/words.hpp"
 #include "claims/made_trials.hpp"
 #include "temporary_folder.hpp"
 #include "tests/claims/report.hpp"
@@ -61,8 +61,7 @@ ClaimResults results_of_the_paper() {
     }
   }
   for (const double stiffness_n_per_m : {50.0, 100.0}) {
-    results.ideal_stiffnesses.push_back(
-        {sim::SolverKind::ideal, 0.001, {0.08}, {1e-9}, {}, stiffness_n_per_m});
+    results.ideal_stiffnesses.push_back({sim::SolverKind::ideal, 0.001, {0.08}, {1e-9}, {}, stiffness_n_per_m});
   }
   test::make_up_trials(results);
   return results;
@@ -175,26 +174,12 @@ Verdict verdict_after(const std::string& id, const std::function<void(ClaimResul
 
 TEST(Verdicts, ANumberThatIsLostProvesNothing) {
   for (const double lost : {NAN, INFINITY}) {
-    EXPECT_EQ(verdict_after("stretch-bound",
-                            [=](ClaimResults& r) {
-                              r.strong_runs[0].stretch = {0.04, lost};
-                            }),
-              no);
-    EXPECT_EQ(verdict_after("stretch-bound",
-                            [=](ClaimResults& r) {
-                              r.strong_runs[0].stretch = {lost, 0.04};
-                            }),
-              no);
-    EXPECT_EQ(verdict_after("free-surface",
-                            [=](ClaimResults& r) {
-                              r.strong_runs[0].surface = {0.2, lost};
-                            }),
-              partly);
+    EXPECT_EQ(verdict_after("stretch-bound", [=](ClaimResults& r) { r.strong_runs[0].stretch = {0.04, lost}; }), no);
+    EXPECT_EQ(verdict_after("stretch-bound", [=](ClaimResults& r) { r.strong_runs[0].stretch = {lost, 0.04}; }), no);
+    EXPECT_EQ(verdict_after("free-surface", [=](ClaimResults& r) { r.strong_runs[0].surface = {0.2, lost}; }), partly);
     EXPECT_EQ(verdict_after("free-surface", [=](ClaimResults& r) { r.strong_runs[0].surface = {lost, 0.2}; }), no);
-    EXPECT_EQ(verdict_after("any-garment", [=](ClaimResults& r) { r.garments[0].strong.largest_stretch = lost; }),
-              no);
-    EXPECT_EQ(verdict_after("ideal-overstretches", [=](ClaimResults& r) { r.methods[2].max_stretch = {lost}; }),
-              no);
+    EXPECT_EQ(verdict_after("any-garment", [=](ClaimResults& r) { r.garments[0].strong.largest_stretch = lost; }), no);
+    EXPECT_EQ(verdict_after("ideal-overstretches", [=](ClaimResults& r) { r.methods[2].max_stretch = {lost}; }), no);
   }
   EXPECT_EQ(verdict_after("real-time", [](ClaimResults& r) { r.frame_times[0].largest_stretch = NAN; }), yes)
       << "one setting of a model is enough";
@@ -211,8 +196,7 @@ TEST(Verdicts, LieOnTheirBounds) {
   EXPECT_EQ(verdict_after("convergence", moved_last(9e-4)), yes);
   EXPECT_EQ(verdict_after("convergence", moved_last(2e-3)), partly);
   EXPECT_EQ(verdict_after("convergence", moved_last(0.2)), no);
-  for (const Mapping& bad :
-       {Mapping{3, 1, 10, 9, 3, 0}, {3, 1, 10, 10, 0, 0}, {3, 1, 10, 10, 3, 1}, Mapping{}}) {
+  for (const Mapping& bad : {Mapping{3, 1, 10, 9, 3, 0}, {3, 1, 10, 10, 0, 0}, {3, 1, 10, 10, 3, 1}, Mapping{}}) {
     EXPECT_EQ(verdict_after("any-garment", [&](ClaimResults& r) { r.garments[0].mapping = bad; }), no);
   }
   const auto growth_like = [](double power) {
@@ -234,8 +218,7 @@ TEST(Claims, WhatTheLetterOfThePaperReachesIsNoBound) {
                          {"shirt", false, 1, 50, {1.48, 2.1}},
                          {"shirt", false, 1, 200, {0.46, 0.5}}};
   results.frame_times.clear();
-  for (const auto& [triangles, few_ms, many_ms] :
-       {std::tuple(1028, 0.4, 4.3), {5280, 2.1, 22.0}, {10600, 4.2, 46.0}}) {
+  for (const auto& [triangles, few_ms, many_ms] : {std::tuple(1028, 0.4, 4.3), {5280, 2.1, 22.0}, {10600, 4.2, 46.0}}) {
     results.frame_times.push_back({triangles, 1, 10, {few_ms}, triangles > 2000 ? 8.48 : 0.46});
     results.frame_times.push_back({triangles, 100, 1, {many_ms}, 0.047});
   }
@@ -263,14 +246,12 @@ TEST(Claims, BoundedHasALineOfItsOwnAndDecidesNothing) {
       EXPECT_EQ(before[i].judgement.finding.text, after[i].judgement.finding.text);
     }
     for (const char* id : {"stretch-bound", "real-time", "any-garment"}) {
-      const Finding &then = claim_of(before, id).judgement.bounded,
-                    &now = claim_of(after, id).judgement.bounded;
+      const Finding &then = claim_of(before, id).judgement.bounded, &now = claim_of(after, id).judgement.bounded;
       EXPECT_NE(then.text.find(" ms"), std::string::npos) << then.text;
       EXPECT_NE(then.text, now.text) << id;
     }
     const Finding& surface = claim_of(after, "free-surface").judgement.bounded;
-    EXPECT_NE(surface.text.find("springs 900 %, the surface 950 %, 99 of 100 triangles 850 %"),
-              std::string::npos)
+    EXPECT_NE(surface.text.find("springs 900 %, the surface 950 %, 99 of 100 triangles 850 %"), std::string::npos)
         << surface.text;
   }
 }
@@ -278,12 +259,10 @@ TEST(Claims, BoundedHasALineOfItsOwnAndDecidesNothing) {
 TEST(Claims, FindingsSayTheNumbersThatDecide) {
   const std::vector<Claim> in_part = judge_claims(results_in_part());
   const std::vector<Claim> against = judge_claims(results_against_it());
-  const auto expect_in = [](const std::vector<Claim>& claims, const std::string& id,
-                            const std::string& text) {
+  const auto expect_in = [](const std::vector<Claim>& claims, const std::string& id, const std::string& text) {
     const Judgement& judgement = claim_of(claims, id).judgement;
     EXPECT_NE((judgement.part + judgement.finding.text).find(text), std::string::npos)
-        << id << ": '" << text << "' is not in '" << judgement.part << "', '" << judgement.finding.text
-        << "'";
+        << id << ": '" << text << "' is not in '" << judgement.part << "', '" << judgement.finding.text << "'";
   };
   expect_in(in_part, "stretch-bound", "2 of 3 runs keep 5 % in every frame");
   expect_in(in_part, "stretch-bound", "on the way 6.7 %");
@@ -292,8 +271,7 @@ TEST(Claims, FindingsSayTheNumbersThatDecide) {
   expect_in(in_part, "free-surface", "In 1 of 3 runs one triangle in a hundred");
   expect_in(in_part, "free-surface", "springs 6.7 %, the surface 16 %, 99 of 100 triangles 6 %");
   expect_in(in_part, "real-time", "for 1028 triangles; 5280 triangles");
-  expect_in(against, "real-time",
-            "10600 triangles, 1 step x 1 sweep: a frame 11 ms, largest stretch 848 %");
+  expect_in(against, "real-time", "10600 triangles, 1 step x 1 sweep: a frame 11 ms, largest stretch 848 %");
   expect_in(against, "growth", "exponent of the power 1,");
   expect_in(in_part, "growth", "not by a geometric law with both settings");
   expect_in(in_part, "any-garment", "1 of 2 within the bound");
@@ -359,8 +337,8 @@ TEST(Claims, JsonIsCompleteEvenWhereARunDiverged) {
   ASSERT_EQ(json["claims"].size(), 15U);
   bool has_null = false;
   for (const auto& claim : json["claims"]) {
-    for (const char* key : {"id", "section", "claim", "test", "rule", "measured", "verdict", "part",
-                            "finding", "bounded", "remark"}) {
+    for (const char* key :
+         {"id", "section", "claim", "test", "rule", "measured", "verdict", "part", "finding", "bounded", "remark"}) {
       EXPECT_TRUE(claim.contains(key)) << key;
     }
     const std::string verdict = claim["verdict"];
@@ -463,11 +441,10 @@ TEST(Report, SaysOfEveryCheckedSceneWhatIsPromisedAndKept) {
   ClaimResults results = results_with_promises();
   const std::vector<PromiseResult> promises = promise_results(results);
   ASSERT_EQ(promises.size(), 3U) << "nobody has checked the other one";
-  EXPECT_EQ(
-      describe(promises),
-      "583 frames of 3 scenes were checked. A bound on stretch is promised in 2 of the scenes and kept in "
-      "every frame of 2; that nothing crosses is promised in 1 and kept in every frame of 1. Where contact "
-      "is off nothing is promised about it, and triangles do cross: 70 pairs in all frames together.");
+  EXPECT_EQ(describe(promises),
+            "583 frames of 3 scenes were checked. A bound on stretch is promised in 2 of the scenes and kept in "
+            "every frame of 2; that nothing crosses is promised in 1 and kept in every frame of 1. Where contact "
+            "is off nothing is promised about it, and triangles do cross: 70 pairs in all frames together.");
   const std::string html = report_html({}, promises, {}, {});
   EXPECT_CONTAINS(html,
                   "apart</a></td><td class=\"number\">241</td><td class=\"number\">0.9900 %</td>"

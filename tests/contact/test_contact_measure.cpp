@@ -6,7 +6,6 @@
 #include <random>
 
 #include "app/verify/crossing_pairs.hpp"
-#include "app/verify/solid_bodies.hpp"
 #include "sim/contact/contact_measure.hpp"
 #include "sim/contact/triangle_pair.hpp"
 #include "sim/mesh/grid.hpp"
@@ -107,8 +106,8 @@ TEST(ContactMeasure, FindsTheNearestPair) {
           return Corners{triangles.positions_m[3 * n], triangles.positions_m[3 * n + 1],
                          triangles.positions_m[3 * n + 2]};
         };
-        expected = std::min({expected, sampled_distance_m(corners(s), corners(t)),
-                             sampled_distance_m(corners(t), corners(s))});
+        expected = std::min(
+            {expected, sampled_distance_m(corners(s), corners(t)), sampled_distance_m(corners(t), corners(s))});
       }
     }
     const double found = triangles.measured(1.0).nearest_m;
@@ -125,8 +124,8 @@ TEST(ContactMeasure, MeasuresBodies) {
   const Shape3 sheet = crumpled_sheet(0.03, 3);
   const Vec3 far_m = {0.0, 0.0, 2.0};
   const Shape3 lower = soup(200, 0.1, 5);
-  const Body mesh = {.shape = BodyMesh{std::make_shared<const BodyMeshData>(
-                         BodyMeshData{lower.positions_m, lower.triangles})}};
+  const Body mesh = {
+      .shape = BodyMesh{std::make_shared<const BodyMeshData>(BodyMeshData{lower.positions_m, lower.triangles})}};
   const Shape3 alone = {sheet.positions_m, sheet.triangles};
   const std::size_t own = alone.measured(0.001).crossing_pairs;
   EXPECT_EQ(alone.measured(0.001, {mesh}).crossing_pairs - own,

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "app/drawing/drawing.hpp"
-#include "app/drawing/plots/axis.hpp"
 #include "app/drawing/plots/plot.hpp"
 #include "app/output/csv.hpp"
 
@@ -106,9 +105,8 @@ TEST(Plot, CurveEndsAtTheDataAreaAndStandsWhereItsValuesSay) {
   plot.x = {"x", 0.0, 1.0};
   plot.y = {"y", 1.0, 100.0, true};
   plot.legend = LegendCorner::none;
-  plot.curves = {{"",
-                  {{0.0, 10.0}, {0.5, 10.0}, {0.6, 0.0}, {0.7, 1e9}, {0.8, 1e9}},
-                  {renderer::Colour{0.0F}, 6.0F, {}}}};
+  plot.curves = {
+      {"", {{0.0, 10.0}, {0.5, 10.0}, {0.6, 0.0}, {0.7, 1e9}, {0.8, 1e9}}, {renderer::Colour{0.0F}, 6.0F, {}}}};
   const Area area{0.0F, 0.0F, 600.0F, 400.0F};
   renderer::Canvas canvas(600, 400);
   const Area data_area = data_area_of(canvas, plot, area);

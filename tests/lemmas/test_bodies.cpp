@@ -6,7 +6,6 @@
 #include <glm/geometric.hpp>
 
 #include "app/verify/crossing_pairs.hpp"
-#include "app/verify/solid_bodies.hpp"
 #include "check.hpp"
 #include "numbers.hpp"
 #include "sim/mesh/grid.hpp"
@@ -56,9 +55,7 @@ Body some_body(Numbers& some) {
 struct Enters {
   const app::Corners& triangle;
 
-  bool operator()(const Plane& plane) const {
-    return app::enters_half_space(triangle, plane.point_m, plane.normal);
-  }
+  bool operator()(const Plane& plane) const { return app::enters_half_space(triangle, plane.point_m, plane.normal); }
   bool operator()(const Sphere& ball) const {
     return app::enters_limb(triangle, {ball.centre_m, ball.centre_m, ball.radius_m, ball.radius_m});
   }

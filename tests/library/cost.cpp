@@ -1,7 +1,7 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include "app/base/stopwatch.hpp"
+#include "app/base/progress.hpp"
 #include "app/library/session.hpp"
 #include "app/output/frame_record.hpp"
 #include "cloths.hpp"
@@ -39,8 +39,7 @@ int main(int count, char** arguments) {
     }
     through_ms += calling.elapsed_ms();
   }
-  std::printf("C: inside %.3f ms, measured %.3f ms, through the interface %.3f ms, %.4f of both\n",
-              inside_ms / frames, measuring_ms / frames, through_ms / frames,
-              through_ms / (inside_ms + measuring_ms));
+  std::printf("C: inside %.3f ms, measured %.3f ms, through the interface %.3f ms, %.4f of both\n", inside_ms / frames,
+              measuring_ms / frames, through_ms / frames, through_ms / (inside_ms + measuring_ms));
   return 0;
 }

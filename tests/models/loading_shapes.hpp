@@ -2,9 +2,9 @@
 
 #include <string>
 
+#include "app/models/file_mesh.hpp"
 #include "app/models/garment_loading.hpp"
-#include "app/models/garment_remarks.hpp"
-#include "app/models/obj_writing.hpp"
+#include "app/models/inspection.hpp"
 #include "temporary_folder.hpp"
 
 namespace taut::test {

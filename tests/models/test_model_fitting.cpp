@@ -8,8 +8,8 @@
 
 #include "app/base/errors.hpp"
 #include "app/caches/frame_sink.hpp"
+#include "app/models/file_mesh.hpp"
 #include "app/models/model_fitting.hpp"
-#include "app/models/obj_writing.hpp"
 #include "app/scene/scene_file.hpp"
 #include "garment_shapes.hpp"
 #include "loading_shapes.hpp"
@@ -110,8 +110,7 @@ TEST_F(ModelFitting, AModelThatIsFitIsSimulatedAndOneIsWhereThatIsAskedFor) {
   scene.garment.mesh = MeshChoice::fitted;
   EXPECT_TRUE(load_garment(scene).following);
   scene.garment.subdivisions = 1;
-  EXPECT_CONTAINS(test::message_of<InputError>([&] { load_garment(scene); }),
-                  "garment.triangles says how fine");
+  EXPECT_CONTAINS(test::message_of<InputError>([&] { load_garment(scene); }), "garment.triangles says how fine");
 }
 
 TEST_F(ModelFitting, ACoarseModelGetsAFinerMeshAndIsDrawnAsFinely) {
@@ -186,8 +185,8 @@ TEST_F(ModelFitting, ThreadsRunAlongTheModelsTextureCoordinates) {
   for (int y = 0; y < columns; ++y) {
     for (int x = 0; x < columns; ++x) {
       const int a = y * (columns + 1) + x + 1, b = a + columns + 1;
-      obj << "f " << a << '/' << a << ' ' << a + 1 << '/' << a + 1 << ' ' << b + 1 << '/' << b + 1 << ' ' << b
-          << '/' << b << '\n';
+      obj << "f " << a << '/' << a << ' ' << a + 1 << '/' << a + 1 << ' ' << b + 1 << '/' << b + 1 << ' ' << b << '/'
+          << b << '\n';
     }
   }
   Scene scene;

@@ -5,9 +5,9 @@
 #include <glm/geometric.hpp>
 
 #include "app/base/errors.hpp"
+#include "app/models/file_mesh.hpp"
 #include "app/models/garment_loading.hpp"
-#include "app/models/garment_remarks.hpp"
-#include "app/models/obj_writing.hpp"
+#include "app/models/inspection.hpp"
 #include "app/scene/scene_file.hpp"
 #include "temporary_folder.hpp"
 
@@ -84,14 +84,12 @@ TEST_F(Start, TellsOfClothAndPinsInBodiesAndOfBodiesThatCrossThemselves) {
   const auto remarks = [&] { return remarks_on_start(scene, load_garment(scene)).lines; };
   EXPECT_EQ(remarks(), std::vector<std::string>());
   const sim::Vec3 corner = load_garment(scene).garment->mesh.positions[0];
-  scene.surroundings.bodies = {
-      {.name = "ball", .shape = sim::Sphere{corner - sim::Vec3(0.0, 0.0, 0.04), 0.05}}};
+  scene.surroundings.bodies = {{.name = "ball", .shape = sim::Sphere{corner - sim::Vec3(0.0, 0.0, 0.04), 0.05}}};
   std::vector<std::string> said = remarks();
   ASSERT_EQ(said.size(), 2U);
   EXPECT_CONTAINS(said[0], "at the start ");
   EXPECT_CONTAINS(said[0], " the body 'ball', the first: triangle ");
-  EXPECT_CONTAINS(said[1],
-                  "1 pinned vertex begins within the body 'ball', the first: vertex 0, 10 mm deep at [");
+  EXPECT_CONTAINS(said[1], "1 pinned vertex begins within the body 'ball', the first: vertex 0, 10 mm deep at [");
   // A tetrahedron around all of it.
   const double far_m = 10.0;
   sim::BodyMeshData around;
@@ -101,8 +99,8 @@ TEST_F(Start, TellsOfClothAndPinsInBodiesAndOfBodiesThatCrossThemselves) {
   scene.surroundings.bodies = {{.shape = sim::BodyMesh{std::make_shared<sim::BodyMeshData>(around)}}};
   said = remarks();
   ASSERT_EQ(said.size(), 2U);
-  EXPECT_CONTAINS(
-      said[0], "at the start 1 part of the cloth is wholly within body 0, the first: that of vertex 0 at [");
+  EXPECT_CONTAINS(said[0],
+                  "at the start 1 part of the cloth is wholly within body 0, the first: that of vertex 0 at [");
   EXPECT_CONTAINS(said[1], "2 pinned vertices begin within body 0, the first: vertex 0, in it at [");
   // Two spikes that go through each other, beside the cloth.
   const auto spike = [](std::vector<sim::Vec3>& positions_m, const sim::Vec3& base, const sim::Vec3& tip) {

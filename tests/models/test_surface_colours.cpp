@@ -7,10 +7,10 @@
 
 #include "app/base/errors.hpp"
 #include "app/drawing/garment_surface.hpp"
+#include "app/models/file_mesh.hpp"
 #include "app/models/garment_import.hpp"
 #include "app/models/import_process.hpp"
 #include "app/models/obj_reading.hpp"
-#include "app/models/obj_writing.hpp"
 #include "app/scene/scene_format.hpp"
 #include "renderer/page/png.hpp"
 #include "temporary_folder.hpp"
@@ -101,16 +101,15 @@ TEST(SurfaceColours, ACubeHasTheSameCornersAfterItIsWrittenAndRead) {
 // so.
 TEST(SurfaceColours, FollowTrianglesThatAreDroppedTurnedAndSubdivided) {
   const TemporaryFolder folder;
-  const auto path =
-      folder.write("sheet.obj",
-                   "v 0 0 0\nv 1 0 0\nv 2 0 0\nv 0 1 0\nv 1 1 0\nv 2 1 0\nv 1.5 2 0\nv 0 2 0\nv 0.5 0 0\n"
-                   "vt 0 0\nvt 1 0\nvt 2 0\nvt 0 1\nvt 1 1\nvt 2 1\nvt 1.5 2\nvt 0 2\nvt 0.5 0\nvt 7 7\n"
-                   "f 1/10 9/10 2/10\n"  // without area
-                   "f 1/1 2/2 5/5 4/4\n"
-                   "f 2/2 6/6 3/3\n"  // faces the other side
-                   "f 2/2 6/6 5/5\n"
-                   "f 2/10 5/10 6/10\n"  // repeated
-                   "f 4/4 5/5 6/6 7/7 8/8\n");
+  const auto path = folder.write("sheet.obj",
+                                 "v 0 0 0\nv 1 0 0\nv 2 0 0\nv 0 1 0\nv 1 1 0\nv 2 1 0\nv 1.5 2 0\nv 0 2 0\nv 0.5 0 0\n"
+                                 "vt 0 0\nvt 1 0\nvt 2 0\nvt 0 1\nvt 1 1\nvt 2 1\nvt 1.5 2\nvt 0 2\nvt 0.5 0\nvt 7 7\n"
+                                 "f 1/10 9/10 2/10\n"  // without area
+                                 "f 1/1 2/2 5/5 4/4\n"
+                                 "f 2/2 6/6 3/3\n"  // faces the other side
+                                 "f 2/2 6/6 5/5\n"
+                                 "f 2/10 5/10 6/10\n"  // repeated
+                                 "f 4/4 5/5 6/6 7/7 8/8\n");
   DrawnScene scene = scene_of(path);
   scene.garment.subdivisions = 1;
   const LoadedGarment loaded = load_garment(scene);
@@ -131,9 +130,8 @@ TEST(SurfaceColours, OfAnObjAreReadWhateverIsDamaged) {
                                 "2//3 3\nvt 3 4\nf 1/3 2/-3 3/x\n")
                                 .value();
   const glm::vec2 none(0.0F);
-  EXPECT_EQ(
-      model.colours.corner_uv,
-      (std::vector<glm::vec2>{{0.5F, 0.25F}, none, none, none, none, none, {3, 4}, {0.5F, 0.25F}, none}));
+  EXPECT_EQ(model.colours.corner_uv,
+            (std::vector<glm::vec2>{{0.5F, 0.25F}, none, none, none, none, none, {3, 4}, {0.5F, 0.25F}, none}));
   EXPECT_TRUE(read_obj("v 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 3\n")->colours.corner_uv.empty());
 }
 
@@ -149,8 +147,7 @@ TEST(SurfaceColours, OfAnObjComeFromItsMaterials) {
   const TemporaryFolder folder;
   folder.write("check.png", png_of(2, 3, {10, 20, 30, 255}));
   const DrawnScene scene = scene_of(write_two(
-      folder,
-      "newmtl red cotton\nKd 0.5 0.25 0\nmap_Kd -s 1 1 1 C:\\cloth\\check.png\r\nnewmtl blue\nKd 0 0 1\n"));
+      folder, "newmtl red cotton\nKd 0.5 0.25 0\nmap_Kd -s 1 1 1 C:\\cloth\\check.png\r\nnewmtl blue\nKd 0 0 1\n"));
   const LoadedGarment loaded = load_garment(scene);
   EXPECT_EQ(loaded.colours.material_of_face, (std::vector<sim::Index>{0, 1}));
   const DrawnColours drawn = drawn_colours(scene, loaded);
@@ -221,14 +218,13 @@ TEST(SurfaceColours, DoNotComeFromOutsideOfTheModelsFolder) {
 
 TEST(SurfaceColours, SayWhichImageIsMissingAndWhereItWasLookedFor) {
   const TemporaryFolder folder;
-  const DrawnScene scene = scene_of(write_two(
-      folder, "newmtl blue\nKd 0 0 1\nmap_Kd stripes/fine.png\nnewmtl red cotton\nmap_Kd two.mtl\n"));
+  const DrawnScene scene = scene_of(
+      write_two(folder, "newmtl blue\nKd 0 0 1\nmap_Kd stripes/fine.png\nnewmtl red cotton\nmap_Kd two.mtl\n"));
   const LoadedGarment loaded = load_garment(scene);
   ASSERT_EQ(loaded.colours.remarks.size(), 2U);
   const std::string said = loaded.colours.remarks[0] + loaded.colours.remarks[1];
   EXPECT_CONTAINS(
-      said,
-      "the image 'stripes/fine.png' of its material 'blue' is not drawn, its base colour is: it is neither");
+      said, "the image 'stripes/fine.png' of its material 'blue' is not drawn, its base colour is: it is neither");
   EXPECT_CONTAINS(said, (folder / "textures/fine.png").string());
   EXPECT_CONTAINS(said, "the image 'two.mtl' of its material 'red cotton' is not drawn");
   const DrawnColours drawn = drawn_colours(scene, loaded);
@@ -254,8 +250,7 @@ TEST(SurfaceColours, APrintNeedsCoordinatesAndAnImage) {
 }
 
 TEST(SurfaceColours, OfTheTShirtAreToScale) {
-  const LoadedGarment loaded =
-      load_garment(scene_of(std::string(TAUT_ASSETS_FOLDER) + "/garments/tshirt_1028.obj"));
+  const LoadedGarment loaded = load_garment(scene_of(std::string(TAUT_ASSETS_FOLDER) + "/garments/tshirt_1028.obj"));
   EXPECT_EQ(loaded.metres_per_uv, 1.5);
   EXPECT_NEAR(metres_per_uv(loaded.garment->mesh, loaded.colours.corner_uv), 1.5, 0.01);
   EXPECT_EQ(metres_per_uv(loaded.garment->mesh, {}), 0.0);
@@ -275,17 +270,17 @@ TEST(SurfaceColours, OfAGltfComeFromWithinIt) {
   // Positions (0,0,0) (1,0,0) (0,1,0), then coordinates (0,1) (1,1) (0,0).
   const std::array<float, 15> numbers = {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 1, 1, 1, 0, 0};
   const std::string bytes(reinterpret_cast<const char*>(numbers.data()), sizeof(numbers));
-  const auto path = folder.write(
-      "shirt.gltf", R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],
+  const auto path =
+      folder.write("shirt.gltf", R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],
 "meshes":[{"primitives":[{"attributes":{"POSITION":0,"TEXCOORD_0":1},"material":0}]}],
 "materials":[{"name":"cotton","pbrMetallicRoughness":{"baseColorTexture":{"index":0},"baseColorFactor":[0.5,1,1,1]}}],
 "textures":[{"source":0}],"images":[{"mimeType":"image/png","uri":"data:image/png;base64,)" +
-                        base64(png_of(2, 2, {255, 100, 50, 128})) + R"("}],
+                                     base64(png_of(2, 2, {255, 100, 50, 128})) + R"("}],
 "accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3","min":[0,0,0],"max":[1,1,0]},
 {"bufferView":1,"componentType":5126,"count":3,"type":"VEC2"}],
 "bufferViews":[{"buffer":0,"byteLength":36},{"buffer":0,"byteOffset":36,"byteLength":24}],
 "buffers":[{"byteLength":60,"uri":"data:application/octet-stream;base64,)" +
-                        base64(bytes) + R"("}]})");
+                                     base64(bytes) + R"("}]})");
   const ImportedModel model = import_garment(path, {}, ReadParts::model);
   EXPECT_EQ(model.colours.corner_uv, (std::vector<glm::vec2>{{0, 0}, {1, 0}, {0, 1}}));
   ASSERT_EQ(model.colours.material_of_face.size(), 1U);
@@ -295,8 +290,7 @@ TEST(SurfaceColours, OfAGltfComeFromWithinIt) {
   ASSERT_EQ(model.colours.maps.size(), 1U);
   // Half of the light of 255 is 188; what is opaque has no alpha.
   const std::vector<std::uint8_t>& rgba = *model.colours.maps[0].rgba;
-  EXPECT_EQ(std::vector<std::uint8_t>(rgba.begin(), rgba.begin() + 4),
-            (std::vector<std::uint8_t>{188, 100, 50, 255}));
+  EXPECT_EQ(std::vector<std::uint8_t>(rgba.begin(), rgba.begin() + 4), (std::vector<std::uint8_t>{188, 100, 50, 255}));
   EXPECT_TRUE(import_garment(path).colours.maps.empty());
 }
 

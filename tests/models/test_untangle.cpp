@@ -7,11 +7,10 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 
+#include "app/models/file_mesh.hpp"
 #include "app/models/garment_loading.hpp"
-#include "app/models/garment_remarks.hpp"
-#include "app/models/obj_writing.hpp"
+#include "app/models/inspection.hpp"
 #include "app/output/frame_verifier.hpp"
-#include "sim/untangle/contours.hpp"
 #include "sim/untangle/untangle.hpp"
 #include "temporary_folder.hpp"
 
@@ -55,16 +54,14 @@ sim::Mesh tube_of_two_walls(double waves_m) {
 
 sim::Mesh sheet() {
   sim::Mesh mesh;
-  add_grid(mesh, 21, 21, false,
-           [](double u, double v) { return sim::Vec3(0.4 * u - 0.2, 0.0, 0.4 * v - 0.2); });
+  add_grid(mesh, 21, 21, false, [](double u, double v) { return sim::Vec3(0.4 * u - 0.2, 0.0, 0.4 * v - 0.2); });
   return mesh;
 }
 
 /// It hangs through the sheet by 3 cm and is 20 cm long.
 sim::Mesh sheet_and_tongue() {
   sim::Mesh mesh = sheet();
-  add_grid(mesh, 5, 11, false,
-           [](double u, double v) { return sim::Vec3(0.013 + 0.08 * u, 0.2 * v - 0.031, 0.007); });
+  add_grid(mesh, 5, 11, false, [](double u, double v) { return sim::Vec3(0.013 + 0.08 * u, 0.2 * v - 0.031, 0.007); });
   return mesh;
 }
 
@@ -155,9 +152,8 @@ TEST_F(Untangle, PullsATongueOutOnTheNearerSide) {
     const sim::Vec3& rest_m = loaded.garment->mesh.positions[v];
     const double height_m = (*loaded.start_m)[v].y;
     tip_m += rest_m.y < -0.03 ? height_m / 5.0 : 0.0;
-    sheet_m += rest_m.y == 0.0 && std::abs(rest_m.z) < 1e-9 && rest_m.x > 0.01 && rest_m.x < 0.11
-                   ? height_m / 5.0
-                   : 0.0;
+    sheet_m +=
+        rest_m.y == 0.0 && std::abs(rest_m.z) < 1e-9 && rest_m.x > 0.01 && rest_m.x < 0.11 ? height_m / 5.0 : 0.0;
   }
   EXPECT_GT(tip_m, sheet_m) << "the tip is above the sheet";
   EXPECT_EQ(broken_in_a_run(scene, loaded), "");
@@ -183,8 +179,7 @@ TEST_F(Untangle, LayersThatAreOneAtRestCarryEachOther) {
   });
   Scene scene = scene_of(layers, true);
   scene.pins.emplace();
-  for (const auto& corner :
-       {sim::Vec3(0, 0, 0), sim::Vec3(0.2, 0, 0), sim::Vec3(0, 0, 0.2), sim::Vec3(0.2, 0, 0.2)}) {
+  for (const auto& corner : {sim::Vec3(0, 0, 0), sim::Vec3(0.2, 0, 0), sim::Vec3(0, 0, 0.2), sim::Vec3(0.2, 0, 0.2)}) {
     scene.pins->push_back(NearestTo{corner});
   }
   const LoadedGarment loaded = load_garment(scene);
@@ -275,10 +270,9 @@ TEST_F(Untangle, PartsAStartThatWasDraped) {
 // Contact keeps neighbours apart by half of their distance at rest, and not at all where that is none.
 TEST(Gaps, AreFoundBetweenNeighboursThatAlmostTouch) {
   const double near_m = 5e-6;
-  const sim::Mesh mesh = {
-      {{0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}, {0.5, -1.0, 1.0}, {0.5, near_m, -0.3}, {0.5, near_m, 0.3}},
-      {{0, 1, 2}, {0, 3, 4}},
-      {}};
+  const sim::Mesh mesh = {{{0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}, {0.5, -1.0, 1.0}, {0.5, near_m, -0.3}, {0.5, near_m, 0.3}},
+                          {{0, 1, 2}, {0, 3, 4}},
+                          {}};
   const sim::Garment garment = sim::make_garment(mesh);
   EXPECT_TRUE(sim::find_gaps(garment, 1e-3, 1e-6, mesh.positions).empty());
   const std::vector<sim::Gap> gaps = sim::find_gaps(garment, 1e-3, 1e-5, mesh.positions);

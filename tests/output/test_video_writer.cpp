@@ -5,7 +5,6 @@
 
 #include "app/base/errors.hpp"
 #include "app/base/files.hpp"
-#include "app/base/interruption.hpp"
 #include "app/output/video_writer.hpp"
 #include "temporary_folder.hpp"
 

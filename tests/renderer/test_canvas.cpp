@@ -5,7 +5,6 @@
 #include <string>
 
 #include "renderer/page/canvas.hpp"
-#include "renderer/page/legend.hpp"
 
 namespace taut::renderer {
 namespace {
@@ -25,8 +24,7 @@ int dark_pixels(const Image& image, int x0, int y0, int x1, int y1) {
 
 TEST(Canvas, KeepsAnImageAndCoversWholePixels) {
   Image image = make_image(8, 6);
-  for (std::size_t i = 0; i < image.pixels.size(); ++i)
-    image.pixels[i] = static_cast<std::uint8_t>(i * 3 % 251);
+  for (std::size_t i = 0; i < image.pixels.size(); ++i) image.pixels[i] = static_cast<std::uint8_t>(i * 3 % 251);
   Canvas canvas(image);
   EXPECT_EQ(canvas.to_image().pixels, image.pixels);
   canvas.fill_rectangle(2, 1, 3, 2, rgb(0x12AB34));
@@ -148,8 +146,7 @@ TEST(Legend, BarKeepsItsColoursBetweenPixels) {
   draw_legend(canvas, legend, place);
   const Image drawn = canvas.to_image();
   for (int y = 50; y < 287; ++y) {
-    const Colour expected =
-        colour_at(legend.map, 1.0F - (static_cast<float>(y) - 48.0F) / place.bar_height_px);
+    const Colour expected = colour_at(legend.map, 1.0F - (static_cast<float>(y) - 48.0F) / place.bar_height_px);
     for (const int x : {26, 32, 39}) {
       for (int k = 0; k < 3; ++k) EXPECT_NEAR(pixel(drawn, x, y)[k], expected[k], 0.02F) << x << "," << y;
     }

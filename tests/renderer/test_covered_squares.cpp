@@ -1,4 +1,4 @@
-#include "renderer/passes/covered_squares.hpp"
+#include "renderer/passes/surface_pass.hpp"
 #include "scene_support.hpp"
 
 namespace taut::renderer {
@@ -11,8 +11,7 @@ struct CoveredSquaresTest : testing::Test {
   BaseColourMapTexture maps{context->gl()};
   CoveredSquares squares;
 
-  void find(const std::array<glm::vec3, 3>& positions, KeyVisibility key,
-            const glm::mat4& to_clip = glm::mat4{1.0F}) {
+  void find(const std::array<glm::vec3, 3>& positions, KeyVisibility key, const glm::mat4& to_clip = glm::mat4{1.0F}) {
     SurfaceView surface;
     surface.positions = positions;
     surface.normals = up_normals;

@@ -2,13 +2,13 @@
 #include <functional>
 #include <limits>
 
+#include "renderer/frame_view.hpp"
 #include "renderer/light/shadow_map.hpp"
 #include "renderer/light/studio_light.hpp"
 #include "renderer/light/surface_buffers.hpp"
 #include "renderer/passes/backdrop_pass.hpp"
-#include "renderer/passes/covered_squares.hpp"
 #include "renderer/passes/mark_pass.hpp"
-#include "renderer/primitives.hpp"
+#include "renderer/passes/surface_pass.hpp"
 #include "scene_support.hpp"
 
 // Cloth that flew apart: every part of the renderer that looks at positions is handed some that are anywhere
@@ -29,8 +29,7 @@ struct Runaway {
 
   Runaway(const glm::vec3& place, std::size_t lost) {
     // Not all in one place, or every triangle would be without area.
-    const std::array turns{glm::vec3{1, 1, 1}, glm::vec3{-1, 1, 1}, glm::vec3{1, -1, 0.5F},
-                           glm::vec3{0.5F, 1, -1}};
+    const std::array turns{glm::vec3{1, 1, 1}, glm::vec3{-1, 1, 1}, glm::vec3{1, -1, 0.5F}, glm::vec3{0.5F, 1, -1}};
     for (std::size_t i = 0; i < lost; ++i) positions[i] = place * turns[i];
   }
   SurfaceView view() const { return surface_of(positions, normals, triangles); }
@@ -38,8 +37,8 @@ struct Runaway {
 
 void for_each_runaway(const std::function<void(const Runaway&)>& look) {
   for (const float far : {1e5F, 1e9F, 3e9F, 1e12F, 1e19F, 1e30F, largest, inf, nan}) {
-    for (const glm::vec3& place : {glm::vec3{far, far, far}, glm::vec3{far, 0.3F, 0.2F},
-                                   glm::vec3{0.1F, -far, 0.2F}, glm::vec3{0.1F, 0.3F, far}}) {
+    for (const glm::vec3& place : {glm::vec3{far, far, far}, glm::vec3{far, 0.3F, 0.2F}, glm::vec3{0.1F, -far, 0.2F},
+                                   glm::vec3{0.1F, 0.3F, far}}) {
       for (const std::size_t lost : {1U, 2U, 4U}) look(Runaway(place, lost));
     }
   }
@@ -85,8 +84,7 @@ TEST(LostPositions, AmbientLightTakesAnyPosition) {
       EXPECT_EQ(light.size(), cloth.positions.size());
       std::vector<float> floor;
       sky.gather_floor({-2.0F, -2.0F, 0.25F, 0.25F}, -1.0F, floor);
-      sky.gather_floor({cloth.positions[0].x, cloth.positions[0].z, 0.25F, 0.25F}, cloth.positions[0].y,
-                       floor);
+      sky.gather_floor({cloth.positions[0].x, cloth.positions[0].z, 0.25F, 0.25F}, cloth.positions[0].y, floor);
       EXPECT_EQ(floor.size(), static_cast<std::size_t>(SkyLight::floor_px) * SkyLight::floor_px);
     }
   });
@@ -169,8 +167,7 @@ TEST_F(LostPicturesTest, CoveredSquaresStayInTheTile) {
   CoveredSquares squares;
   for_each_runaway([&](const Runaway& cloth) {
     surfaces.clear();
-    surfaces.add(cloth.view(), {{KeyVisibility::lit, KeyVisibility::partial}, std::vector<glm::vec2>(4)}, -1,
-                 maps);
+    surfaces.add(cloth.view(), {{KeyVisibility::lit, KeyVisibility::partial}, std::vector<glm::vec2>(4)}, -1, maps);
     for (const glm::mat4& matrix : {to_clip, glm::mat4{1.0F}}) {
       squares.find(surfaces, matrix, {96, 64});
       for (const bool partial : {false, true}) {

@@ -4,7 +4,7 @@
 #include <glm/geometric.hpp>
 #include <vector>
 
-#include "renderer/primitives.hpp"
+#include "renderer/frame_view.hpp"
 
 namespace taut::renderer {
 namespace {

@@ -4,8 +4,8 @@
 #include <limits>
 #include <vector>
 
+#include "renderer/frame_view.hpp"
 #include "renderer/gl/picture_target.hpp"
-#include "renderer/primitives.hpp"
 #include "scene_support.hpp"
 
 namespace taut::renderer {
@@ -29,8 +29,7 @@ TEST_F(SceneRendererTest, AKeptPictureIsShownAgainAndStretched) {
     const unsigned framebuffer = target.framebuffer(factor * drawn.width_px, factor * drawn.height_px);
     clear_framebuffer(*context, framebuffer, factor * drawn.width_px, factor * drawn.height_px, 0.0F);
     renderer.show_kept(framebuffer, factor * drawn.width_px, factor * drawn.height_px);
-    const Image shown =
-        read_framebuffer(*context, framebuffer, factor * drawn.width_px, factor * drawn.height_px);
+    const Image shown = read_framebuffer(*context, framebuffer, factor * drawn.width_px, factor * drawn.height_px);
     expect_colour(shown, factor * 48, factor * 40, lit_by(sky_colour, rgb(0x2E8B57)), 1.0F);
     expect_colour(shown, factor * 26, factor * 4, rgb(0xFFFFFF), 0.0F);
     if (factor == 1) {
@@ -129,8 +128,7 @@ TEST_F(SceneRendererTest, GradientsHaveNoBands) {
   int mixed_rows = 0;
   for (int y = 0; y < drawn.height_px; ++y) {
     const std::uint8_t* row = drawn.at(0, y);
-    mixed_rows +=
-        std::any_of(row, row + 3 * drawn.width_px, [&](std::uint8_t c) { return c != row[0]; }) ? 1 : 0;
+    mixed_rows += std::any_of(row, row + 3 * drawn.width_px, [&](std::uint8_t c) { return c != row[0]; }) ? 1 : 0;
   }
   EXPECT_GT(mixed_rows, 60);
   frame.backdrop = {rgb(0x808080), rgb(0x808080)};

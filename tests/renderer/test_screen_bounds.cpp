@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "renderer/passes/covered_squares.hpp"
+#include "renderer/passes/surface_pass.hpp"
 
 namespace taut::renderer {
 namespace {
@@ -19,9 +19,7 @@ PictureSettings large_picture() {
 }
 
 void expect_holds(const Tile& area, float left, float top, float right, float bottom) {
-  const auto near = [](int found, float expected) {
-    EXPECT_LE(std::abs(static_cast<float>(found) - expected), 40.0F);
-  };
+  const auto near = [](int found, float expected) { EXPECT_LE(std::abs(static_cast<float>(found) - expected), 40.0F); };
   EXPECT_LE(static_cast<float>(area.x_px), left);
   EXPECT_LE(static_cast<float>(area.y_px), top);
   EXPECT_GE(static_cast<float>(area.x_px + area.width_px), right);

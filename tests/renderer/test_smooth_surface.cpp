@@ -6,7 +6,7 @@
 #include <limits>
 #include <numbers>
 
-#include "renderer/primitives.hpp"
+#include "renderer/frame_view.hpp"
 #include "renderer/surface/smooth_surface.hpp"
 
 namespace taut::renderer {
@@ -21,8 +21,7 @@ struct Disc {
 
   explicit Disc(std::uint32_t corners) {
     for (std::uint32_t i = 0; i < corners; ++i) {
-      const float turn =
-          2.0F * std::numbers::pi_v<float> * static_cast<float>(i) / static_cast<float>(corners);
+      const float turn = 2.0F * std::numbers::pi_v<float> * static_cast<float>(i) / static_cast<float>(corners);
       positions.emplace_back(std::cos(turn), std::sin(turn), 0.0F);
       triangles.insert(triangles.end(), {0, i + 1, (i + 1) % corners + 1});
     }
@@ -87,8 +86,7 @@ TEST(SmoothSurface, TheBorderOfADiscIsRound) {
 }
 
 TEST(SmoothSurface, CornersStayCorners) {
-  const std::vector<glm::vec3> square{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {2, 1, 0},
-                                      {2, 2, 0}, {0, 2, 0}, {1, 1, 0}};
+  const std::vector<glm::vec3> square{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {2, 1, 0}, {2, 2, 0}, {0, 2, 0}, {1, 1, 0}};
   const std::vector<std::uint32_t> triangles{6, 0, 1, 6, 1, 2, 6, 2, 3, 6, 3, 4, 6, 4, 5, 6, 5, 0};
   SmoothSurface smooth(square, triangles, 2, {no_limit});
   smooth.place(square);
@@ -162,9 +160,7 @@ TEST(SmoothSurface, LostClothStaysFinite) {
   std::vector<glm::vec3> lost = disc.positions;
   for (std::size_t i = 0; i < lost.size(); ++i) {
     constexpr float largest = std::numeric_limits<float>::max();
-    lost[i] = i % 3 == 0   ? glm::vec3{largest, 0, -largest}
-              : i % 3 == 1 ? glm::vec3{-largest}
-                           : glm::vec3{1e20F};
+    lost[i] = i % 3 == 0 ? glm::vec3{largest, 0, -largest} : i % 3 == 1 ? glm::vec3{-largest} : glm::vec3{1e20F};
   }
   smooth.place(lost);
   for (const auto* values : {&smooth.positions(), &smooth.normals()}) {

@@ -5,7 +5,6 @@
 #include <numbers>
 
 #include "renderer/surface/smooth_surface.hpp"
-#include "renderer/surface/wrinkles.hpp"
 
 namespace taut::renderer {
 namespace {
@@ -21,21 +20,24 @@ struct WrinkledSheet {
   SmoothSurface smooth;
   Wrinkles wrinkles;
 
-  WrinkledSheet() : rest(places()), triangles(corners()), smooth(rest, triangles, 2, {}), wrinkles(rest, triangles, wavelength) {
+  WrinkledSheet()
+      : rest(places()), triangles(corners()), smooth(rest, triangles, 2, {}), wrinkles(rest, triangles, wavelength) {
     smooth.place(rest);
     wrinkles.refine(smooth.positions(), smooth.mesh().parents());
   }
   static std::vector<glm::vec3> places() {
     std::vector<glm::vec3> all;
     for (std::uint32_t v = 0; v < sheet_side * sheet_side; ++v) {
-      all.emplace_back(sheet_edge * static_cast<float>(v % sheet_side), sheet_edge * static_cast<float>(v / sheet_side), 0.0F);
+      all.emplace_back(sheet_edge * static_cast<float>(v % sheet_side), sheet_edge * static_cast<float>(v / sheet_side),
+                       0.0F);
     }
     return all;
   }
   static std::vector<std::uint32_t> corners() {
     std::vector<std::uint32_t> all;
     for (std::uint32_t v = 0; v + sheet_side < sheet_side * sheet_side; ++v) {
-      if (v % sheet_side + 1 < sheet_side) all.insert(all.end(), {v, v + 1, v + sheet_side + 1, v, v + sheet_side + 1, v + sheet_side});
+      if (v % sheet_side + 1 < sheet_side)
+        all.insert(all.end(), {v, v + 1, v + sheet_side + 1, v, v + sheet_side + 1, v + sheet_side});
     }
     return all;
   }

@@ -4,7 +4,7 @@
 
 #include "app/base/errors.hpp"
 #include "app/drawing/drawn_scene.hpp"
-#include "app/scene/fabric.hpp"
+#include "app/scene/scene_file.hpp"
 #include "app/scene/scene_format.hpp"
 #include "temporary_folder.hpp"
 
@@ -83,12 +83,11 @@ TEST(Fabric, ASavedSceneKeepsItAndWhatWasChangedSince) {
 
 TEST(Fabric, SaysWhatThereIsAndWhatIsWrong) {
   DrawnScene scene;
-  EXPECT_EQ(
-      message_of<UsageError>([&] {
-        apply_overrides(overrides({{"cloth.fabric", "denin"}}), scene);
-      }),
-      "--set cloth.fabric=denin: cloth.fabric: there is no fabric 'denin'; did you mean 'denim'? (fabrics: "
-      "canvas, cotton, denim, jersey, linen, silk, wool; a file that ends in .toml does as well)");
+  EXPECT_EQ(message_of<UsageError>([&] {
+              apply_overrides(overrides({{"cloth.fabric", "denin"}}), scene);
+            }),
+            "--set cloth.fabric=denin: cloth.fabric: there is no fabric 'denin'; did you mean 'denim'? (fabrics: "
+            "canvas, cotton, denim, jersey, linen, silk, wool; a file that ends in .toml does as well)");
   const TemporaryFolder folder;
   folder.write("my.toml", "title = \"mine\"\n[wind]\nspeed = 3\n");
   EXPECT_EQ(message_of<InputError>([&] {

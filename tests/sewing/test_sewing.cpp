@@ -19,7 +19,6 @@
 #include "app/scene/scene_format.hpp"
 #include "app/sewing/placing.hpp"
 #include "app/sewing/sewing.hpp"
-#include "app/sewing/sewn_scene.hpp"
 #include "app/verify/stretch.hpp"
 #include "sim/mesh/extent.hpp"
 #include "sim/mesh/topology.hpp"

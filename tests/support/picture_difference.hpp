@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "renderer/page/image.hpp"
+#include "renderer/page/png.hpp"
 
 namespace taut::tests {
 
@@ -34,8 +34,7 @@ struct PictureDifference {
 };
 
 /// Compares two RGB pictures pixel by pixel.
-PictureDifference compare(const renderer::Image& expected, const renderer::Image& actual,
-                          const PictureLimit& limit);
+PictureDifference compare(const renderer::Image& expected, const renderer::Image& actual, const PictureLimit& limit);
 
 /// Whether the sizes are equal and no limit is exceeded.
 bool passes(const PictureDifference& difference, const PictureLimit& limit);

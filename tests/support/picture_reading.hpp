@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <span>
 
-#include "renderer/page/image.hpp"
+#include "renderer/page/png.hpp"
 
 namespace taut::tests {
 

@@ -8,7 +8,6 @@
 #include "app/base/files.hpp"
 #include "app/drawing/drawn_scene.hpp"
 #include "app/sweeps/sweep.hpp"
-#include "app/sweeps/sweep_results.hpp"
 #include "app/sweeps/sweep_run.hpp"
 #include "temporary_folder.hpp"
 
@@ -88,10 +87,8 @@ TEST_F(SweepTest, TheManifestHasALineForEachRun) {
 }
 
 TEST_F(SweepTest, SaysWhichLineOfAStudyIsWrong) {
-  EXPECT_CONTAINS(refusal("solver.substep = [4]"),
-                  "study.toml:4: unknown key 'solver.substep'; did you mean");
-  EXPECT_CONTAINS(refusal("solver.substeps = [4,\n\"many\"]"),
-                  "study.toml:5: solver.substeps: found \"many\"");
+  EXPECT_CONTAINS(refusal("solver.substep = [4]"), "study.toml:4: unknown key 'solver.substep'; did you mean");
+  EXPECT_CONTAINS(refusal("solver.substeps = [4,\n\"many\"]"), "study.toml:5: solver.substeps: found \"many\"");
   EXPECT_CONTAINS(refusal("solver.substeps = 4"), "study.toml:4: solver.substeps: found 4, expected a list");
   EXPECT_CONTAINS(refusal("solver.substeps = []"), "expected a list of values");
   EXPECT_CONTAINS(refusal("garment.file = [\"none.obj\"]"), "there is no file 'none.obj'");
@@ -152,8 +149,7 @@ TEST_F(SweepTest, ResultsOfAnotherSceneOrProgramDoNotCount) {
   sweep.program = "another";
   EXPECT_FALSE(result_of(sweep, 0));
   EXPECT_EQ(status_of(sweep).missing.size(), 6U);
-  EXPECT_CONTAINS(message_of<InputError>([&] { require_planned_program(sweep); }),
-                  "planned for the program another");
+  EXPECT_CONTAINS(message_of<InputError>([&] { require_planned_program(sweep); }), "planned for the program another");
 }
 
 TEST_F(SweepTest, ABrokenPromiseIsAResult) {

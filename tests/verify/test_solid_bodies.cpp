@@ -6,7 +6,7 @@
 #include <random>
 #include <vector>
 
-#include "app/verify/solid_bodies.hpp"
+#include "app/verify/crossing_pairs.hpp"
 
 namespace taut::app {
 namespace {

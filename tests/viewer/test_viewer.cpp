@@ -8,7 +8,7 @@
 #include "app/output/picture_record.hpp"
 #include "app/viewer/headless_viewer.hpp"
 #include "app/viewer/panel/panel.hpp"
-#include "app/viewer/picture/scene_picture.hpp"
+#include "app/viewer/picture/viewer_picture.hpp"
 #include "person.hpp"
 #include "picture_reading.hpp"
 #include "temporary_folder.hpp"
@@ -22,9 +22,8 @@ using test::Person;
 
 TEST(Window, EscapeClosesAnOpenListAndTheSheetOfKeys) {
   Person person("pinned-9x9-5");
-  for (const auto& [list, entry] :
-       {std::pair("solver", "solver.ideal"), std::pair("scene", "scene.tshirt"),
-        std::pair("garment", "garment.tshirt_1028"), std::pair("speed", "speed.1/4")}) {
+  for (const auto& [list, entry] : {std::pair("solver", "solver.ideal"), std::pair("scene", "scene.tshirt"),
+                                    std::pair("garment", "garment.tshirt_1028"), std::pair("speed", "speed.1/4")}) {
     person.click(list);
     EXPECT_TRUE(person.shows(entry)) << list;
     person.press(keys::escape);
@@ -74,8 +73,7 @@ TEST(Window, TheScenesOwnFabricComesBack) {
 }
 
 TEST(Window, EveryControlSaysWhatItDoes) {
-  Person person("tshirt",
-                {parse_override("garment.file=\"" TAUT_ASSETS_FOLDER "/garments/tshirt_1028.obj\"")});
+  Person person("tshirt", {parse_override("garment.file=\"" TAUT_ASSETS_FOLDER "/garments/tshirt_1028.obj\"")});
   for (const sim::SolverKind solver : sim::all_solver_kinds) {
     person.click("solver");
     person.click(std::string("solver.") + sim::name_of(solver));
@@ -158,9 +156,7 @@ TEST(Window, ADragBeginsWhereTheButtonGoesDown) {
 
 TEST(Window, AThreadLeadsToAHandThatTheClothDoesNotFollow) {
   const auto at = [](glm::vec2 px) { return renderer::WindowEvent(renderer::PointerMoved{px.x, px.y}); };
-  const auto left = [](bool down) {
-    return renderer::WindowEvent(renderer::ButtonChanged{PointerButton::left, down});
-  };
+  const auto left = [](bool down) { return renderer::WindowEvent(renderer::ButtonChanged{PointerButton::left, down}); };
   Person person("pinned-9x9-5");
   person.press(keys::space);
   const ViewerState& state = person.viewer.state();
@@ -275,9 +271,8 @@ TEST(Window, WorkOfAPauseSlowsNothingLater) {
 // As a person meets it: springs fly apart, the window says so, and another solver is chosen from the list.
 TEST(Window, AnySolverOfTheListGoesOnAfterADivergence) {
   for (const sim::SolverKind solver : sim::all_solver_kinds) {
-    Person person("pinned-9x9-5",
-                  {parse_override("solver.kind=\"ideal\""), parse_override("solver.substeps=1"),
-                   parse_override("solver.stiffness.structural=1e9")});
+    Person person("pinned-9x9-5", {parse_override("solver.kind=\"ideal\""), parse_override("solver.substeps=1"),
+                                   parse_override("solver.stiffness.structural=1e9")});
     person.wait(100);
     ASSERT_TRUE(person.viewer.state().newest->stopped);
     EXPECT_NE(person.viewer.state().warning.find("stopped"), std::string::npos);
@@ -309,8 +304,7 @@ TEST(Window, ClothThatHasLeftIsSaidAndWhatToDo) {
 
 TEST(Window, TheShapeIsExportedAsItIsShown) {
   const test::TemporaryFolder folder;
-  Person person("tshirt",
-                {parse_override("garment.file=\"" TAUT_ASSETS_FOLDER "/garments/tshirt_1028.obj\"")},
+  Person person("tshirt", {parse_override("garment.file=\"" TAUT_ASSETS_FOLDER "/garments/tshirt_1028.obj\"")},
                 folder / "");
   person.wait(3);
   person.press(keys::space);
@@ -354,9 +348,7 @@ TEST(Window, APictureHasNothingOfTheWindow) {
     frame.pace = Pace{0, window.viewer().state().newest->serial};
     window.play(frame);
   };
-  const auto key = [](int code, bool down) {
-    return renderer::WindowEvent(renderer::KeyChanged{code, down});
-  };
+  const auto key = [](int code, bool down) { return renderer::WindowEvent(renderer::KeyChanged{code, down}); };
   play({});
   play({});
   const renderer::Image plain = window.draw_scene();
@@ -377,8 +369,7 @@ TEST(Window, APictureHasNothingOfTheWindow) {
   play({renderer::WindowEvent(renderer::ButtonChanged{PointerButton::left, false})});
   for (int i = 0; i < 3; ++i) play({});
   const renderer::Image coloured = window.draw_scene();
-  EXPECT_FALSE(std::equal(coloured.at(0, 120), coloured.at(100, 120), plain.at(0, 120)))
-      << "the legend is there";
+  EXPECT_FALSE(std::equal(coloured.at(0, 120), coloured.at(100, 120), plain.at(0, 120))) << "the legend is there";
 }
 
 }  // namespace

@@ -7,9 +7,8 @@
 #include "app/scene/scene.hpp"
 #include "app/viewer/keeping.hpp"
 #include "app/viewer/panel/panel.hpp"
-#include "app/viewer/picture/scene_picture.hpp"
+#include "app/viewer/picture/viewer_picture.hpp"
 #include "app/viewer/simulation/live_simulation.hpp"
-#include "app/viewer/simulation/snapshot.hpp"
 #include "app/viewer/state/orbit_camera.hpp"
 #include "app/viewer/state/viewer_state.hpp"
 #include "sim/mesh/grid.hpp"
@@ -86,8 +85,7 @@ TEST(OrbitCamera, FramesABoxAndStaysWithinBoundsHoweverFarTheWheelTurns) {
 }
 
 TEST(Picking, FindsTheNearestOfTwoTriangles) {
-  const std::vector<sim::Vec3> positions = {{-1, -1, 0},  {1, -1, 0},  {0, 1, 0},
-                                            {-1, -1, -1}, {1, -1, -1}, {0, 1, -1}};
+  const std::vector<sim::Vec3> positions = {{-1, -1, 0}, {1, -1, 0}, {0, 1, 0}, {-1, -1, -1}, {1, -1, -1}, {0, 1, -1}};
   const std::vector<sim::Triangle> triangles = {{3, 4, 5}, {0, 1, 2}};
   const auto picked = pick({{0.4F, -0.8F, 5.0F}, {0.0F, 0.0F, -1.0F}}, positions, triangles);
   ASSERT_TRUE(picked);
@@ -122,8 +120,7 @@ TEST(LostCloth, IsSaidWhereNothingOfItCanBeSeen) {
   for (const double far : {-70.0, 70.0}) {
     EXPECT_NE(said({0.0, far, 0.0}, {far, 1.0, 0.0}).find("F looks at it"), std::string::npos);
   }
-  EXPECT_NE(said({0.0, 1.0, 5.0}, {0.0, 1.0, 9.0}).find("F looks at it"), std::string::npos)
-      << "behind the eye";
+  EXPECT_NE(said({0.0, 1.0, 5.0}, {0.0, 1.0, 9.0}).find("F looks at it"), std::string::npos) << "behind the eye";
   for (const double far : {1e4, 1e30, inf, nan}) {
     EXPECT_NE(said({0.0, -far, 0.0}, {far, far, far}).find("left the world"), std::string::npos) << far;
   }

@@ -2,11 +2,45 @@
 
 #include <fmt/core.h>
 
-#include "app/base/interruption.hpp"
+#include "app/base/errors.hpp"
+#include "app/base/progress.hpp"
+#include "app/frame_loop.hpp"
 #include "app/models/garment_loading.hpp"
+#include "app/output/frame_verifier.hpp"
 
 namespace taut::app {
 namespace {
+
+Recording begin_recording(const DrawnScene& scene, const sim::Simulation& simulation) {
+  Recording recording;
+  recording.scene = scene;
+  recording.garment = simulation.shared_garment();
+  recording.pins = simulation.pins().vertices;
+  return recording;
+}
+
+void keep(const sim::Simulation& simulation, int frame, Recording& recording) {
+  recording.moments.push_back({measure_frame(simulation, frame), simulation.state().current});
+}
+
+/// Counts in a recording what frames are promised, whether it is kept or not.
+class PromiseCounter {
+ public:
+  explicit PromiseCounter(Recording& recording) : counts_(recording.promises.emplace()) {}
+
+  void count(const sim::Simulation& simulation, FrameRecord& record) {
+    verifier_.check(simulation, record);
+    counts_.frames = verifier_.frames();
+    counts_.stretch = verifier_.largest();
+    counts_.crossing_pairs += *record.crossing_pairs;
+    counts_.most_pairs = std::max(counts_.most_pairs, *record.crossing_pairs);
+    counts_.crossing_frames += *record.crossing_pairs > 0 ? 1 : 0;
+  }
+
+ private:
+  PromiseCounts& counts_;
+  FrameVerifier verifier_;
+};
 
 struct View {
   sim::Vec3 origin_m, right, up;
@@ -66,7 +100,133 @@ void run_methods(Results& results, const ProgressCallback& report_progress) {
   }
 }
 
+struct StepSettings {
+  int substeps;
+  int sweeps;
+};
+
+// {substeps, sweeps}: one long step with several sweeps, and many short steps with one sweep. The second
+// stretches far less.
+constexpr std::array<StepSettings, 2> measured_settings = {{{1, 10}, {100, 1}}};
+
+struct TimedRun {
+  sim::Simulation simulation;
+  FrameTimes times;
+};
+
+TimedRun make_timed_run(int triangles, DrawnScene scene) {
+  // The method alone: contact is another matter.
+  scene.simulation.solver.bounded.contact = false;
+  const bool is_strong = scene.simulation.solver.kind == sim::SolverKind::strong;
+  FrameTimes times;
+  times.triangles = triangles;
+  times.substeps = is_strong ? scene.simulation.solver.substeps.value_or(0) : 0;
+  times.sweeps = is_strong ? scene.simulation.solver.strong.iterations : 0;
+  return {make_simulation(scene, load_garment(scene)), times};
+}
+
+std::vector<TimedRun> make_timed_runs() {
+  std::vector<TimedRun> runs;
+  for (const StepSettings& settings : measured_settings) {
+    for (const int triangles : model_sizes) {
+      DrawnScene scene = strong_shirt_scene(triangles);
+      scene.simulation.solver.substeps = settings.substeps;
+      scene.simulation.solver.strong.iterations = settings.sweeps;
+      runs.push_back(make_timed_run(triangles, std::move(scene)));
+    }
+  }
+  for (const int triangles : model_sizes) {
+    runs.push_back(make_timed_run(triangles, shirt_scene(shirt_scenes[0], triangles)));
+  }
+  return runs;
+}
+
+void time_frame(TimedRun& run) {
+  const ProcessorStopwatch stopwatch;
+  run.simulation.advance_frame(throw_if_interrupted);
+  run.times.frame_ms.push_back(stopwatch.elapsed_ms());
+  const double stretch = sim::measure_stretch(run.simulation.garment().springs, run.simulation.state().current).max;
+  run.times.largest_stretch = std::max(run.times.largest_stretch, stretch);
+}
+
 }  // namespace
+
+void note_stretch(const FrameRecord& record, Recording& recording) {
+  sim::SurfaceStretch& largest = recording.largest_surface_stretch;
+  recording.largest_stretch = std::max(recording.largest_stretch, record.stretch.max);
+  largest.max = std::max(largest.max, record.surface_stretch.max);
+  largest.p99 = std::max(largest.p99, record.surface_stretch.p99);
+}
+
+Recording record_frames(const DrawnScene& scene, std::span<const int> frames, const ProgressCallback& report_progress,
+                        Checking checking) {
+  sim::Simulation simulation = make_simulation(scene, load_garment(scene));
+  Recording recording = begin_recording(scene, simulation);
+  std::optional<PromiseCounter> counter;
+  if (frames.front() == 0) keep(simulation, 0, recording);
+  FrameOutputs outputs;
+  outputs.write_shape = [&](int frame, const sim::Simulation& moment) {
+    if (std::ranges::binary_search(frames, frame)) keep(moment, frame, recording);
+  };
+  outputs.report = [&](const FrameRecord& record) {
+    note_stretch(record, recording);
+    report_progress(static_cast<double>(record.frame) / frames.back());
+  };
+  if (checking == Checking::promises) {
+    counter.emplace(recording);
+    outputs.verify = [&](const sim::Simulation& moment, FrameRecord& record) {
+      counter->count(moment, record);
+      return std::string();
+    };
+  }
+  run_frames(simulation, frames.back(), outputs);
+  return recording;
+}
+
+DrawnScene with_steps_as_frames(DrawnScene scene) {
+  RunSettings& settings = scene.simulation;
+  const int substeps = sim::equal_substeps(solver_settings(settings.solver));
+  settings.frame_rate_hz *= substeps;
+  settings.solver.substeps = 1;
+  settings.rest.frames *= substeps;
+  scene.frames *= substeps;
+  return scene;
+}
+
+StepRecording record_steps(const DrawnScene& scene, std::span<const int> frames, sim::Index vertex,
+                           const ProgressCallback& report_progress, Checking checking) {
+  const int steps_in_frame = sim::equal_substeps(solver_settings(scene.simulation.solver));
+  const DrawnScene stepped = with_steps_as_frames(scene);
+  sim::Simulation simulation = make_simulation(stepped, load_garment(stepped));
+  StepRecording recording{begin_recording(scene, simulation), simulation.frame_time_s(), vertex, {}, false};
+  if (frames.front() == 0) keep(simulation, 0, recording.frames);
+  std::optional<PromiseCounter> counter;
+  if (checking == Checking::promises) {
+    counter.emplace(recording.frames);
+    FrameRecord start;
+    counter->count(simulation, start);
+  }
+  for (int frame = 1; frame <= frames.back() && !recording.came_to_rest; ++frame) {
+    for (int step = 0; step < steps_in_frame && !recording.came_to_rest; ++step) {
+      simulation.advance_frame(throw_if_interrupted);
+      recording.came_to_rest = simulation.state().asleep;
+      // Cloth that is put to sleep is stopped; until then it moved.
+      if (!recording.came_to_rest) {
+        recording.moved_m.push_back(sim::convergence_of(simulation.change(), vertex));
+      }
+    }
+    FrameRecord record;
+    record.time_s = simulation.state().time_s;
+    measure_stretches(simulation, record);
+    note_stretch(record, recording.frames);
+    if (counter) counter->count(simulation, record);
+    if (recording.came_to_rest || std::ranges::binary_search(frames, frame)) {
+      keep(simulation, frame, recording.frames);
+    }
+    report_progress(static_cast<double>(frame) / frames.back());
+  }
+  return recording;
+}
 
 std::size_t SpringPatch::count(sim::SpringKind kind) const {
   return static_cast<std::size_t>(std::ranges::count(springs, kind, &PatchSpring::kind));
@@ -170,6 +330,66 @@ std::optional<Unrest> measure_unrest(const MethodRun& run) {
       std::minmax_element(run.max_stretch.begin() + static_cast<std::ptrdiff_t>(begin), run.max_stretch.end());
   const auto count = static_cast<double>(run.moved_rms_m.size() - begin);
   return Unrest{std::sqrt(squares / count) / run.time_step_s, *low, *high};
+}
+
+StraightLine fit_line(std::span<const std::array<double, 2>> points) {
+  const auto n = static_cast<double>(points.size());
+  double sum_x = 0.0, sum_y = 0.0, sum_xx = 0.0, sum_xy = 0.0;
+  for (const auto& [x, y] : points) {
+    sum_x += x;
+    sum_y += y;
+    sum_xx += x * x;
+    sum_xy += x * y;
+  }
+  StraightLine line;
+  line.slope = (n * sum_xy - sum_x * sum_y) / (n * sum_xx - sum_x * sum_x);
+  line.offset = (sum_y - line.slope * sum_x) / n;
+  double squares = 0.0;
+  for (const auto& [x, y] : points) {
+    const double distance = y - line.offset - line.slope * x;
+    squares += distance * distance;
+  }
+  line.misfit = std::sqrt(squares / n);
+  return line;
+}
+
+PowerLaw fit_power_law(std::span<const std::array<double, 2>> points) {
+  std::vector<std::array<double, 2>> logarithms;
+  for (const auto& [x, y] : points) logarithms.push_back({std::log(x), std::log(y)});
+  const StraightLine line = fit_line(logarithms);
+  return {line.slope, std::exp(line.offset), line.misfit};
+}
+
+double FrameTimes::median_ms() const { return median(frame_ms); }
+
+double FrameTimes::shortest_ms() const { return *std::ranges::min_element(frame_ms); }
+
+double FrameTimes::longest_ms() const { return *std::ranges::max_element(frame_ms); }
+
+void measure_frame_times(int repeats, const ProgressCallback& report_progress, Results& results) {
+  std::vector<TimedRun> runs = make_timed_runs();
+  for (TimedRun& run : runs) {
+    // The first frame fills the caches.
+    run.simulation.advance_frame(throw_if_interrupted);
+  }
+  // In turn: what else the machine does meanwhile meets all of them alike.
+  for (int repeat = 0; repeat < repeats; ++repeat) {
+    for (TimedRun& run : runs) time_frame(run);
+    report_progress(static_cast<double>(repeat + 1) / repeats);
+  }
+  for (TimedRun& run : runs) {
+    (run.times.substeps > 0 ? results.frame_times : results.bounded_times).push_back(std::move(run.times));
+  }
+}
+
+PowerLaw fit_power_law(const std::vector<FrameTimes>& times, int substeps) {
+  std::vector<std::array<double, 2>> points;
+  for (const FrameTimes& time : times) {
+    if (time.substeps == substeps) {
+      points.push_back({static_cast<double>(time.triangles), time.shortest_ms()});
+    }
+  }
+  return fit_power_law(points);
 }
 
 }  // namespace taut::app

@@ -1,7 +1,78 @@
 #include "app/viewer/picture/viewer_picture.hpp"
 
+#include "app/drawing/framing.hpp"
+
 namespace taut::app {
 namespace {
+
+// Cloth hangs from the hand by a spring, and follows it late: less than this apart it is in the hand. Smaller
+// shows threads of millimetres whenever the hand moves.
+constexpr float least_m = 0.005F;
+// The same in the picture. Smaller shows a dot on cloth that is far away.
+constexpr float least_px = 4.0F;
+
+// Dark with a light rim shows on cloth and ground of any colour.
+constexpr renderer::Colour rim_colour = renderer::rgb(0xFFFFFF);
+constexpr renderer::Colour core_colour = renderer::rgb(0x1C1C1C);
+constexpr float rim_width_px = 4.5F;
+constexpr float core_width_px = 2.0F;
+constexpr float rim_diameter_px = 11.0F;
+constexpr float core_diameter_px = 7.5F;
+constexpr float opacity_behind_surfaces = 0.35F;
+
+constexpr renderer::Colour normal_colour = renderer::rgb(0x2E7D32);
+// Length of lines that show normals, as a fraction of the diagonal of the garment at rest.
+constexpr float normal_length = 0.012F;
+
+/// Adds the thread to what is drawn: in front of everything, faint where surfaces hide it. `thread` must live
+/// as long as `frame` is used.
+void add_thread(const HandThread& thread, renderer::FrameView& frame) {
+  for (const bool hidden : {false, true}) {
+    renderer::LineView line{.points = thread,
+                            .colours = std::span(&rim_colour, 1),
+                            .width_px = rim_width_px,
+                            .opacity = hidden ? 1.0F : opacity_behind_surfaces,
+                            .hidden_by_surfaces = hidden};
+    frame.lines.push_back(line);
+    line.colours = std::span(&core_colour, 1);
+    line.width_px = core_width_px;
+    frame.lines.push_back(line);
+  }
+  renderer::PointView ends{.centres = thread,
+                           .colours = std::span(&rim_colour, 1),
+                           .diameter_px = rim_diameter_px,
+                           .hidden_by_surfaces = false};
+  frame.points.push_back(ends);
+  ends.colours = std::span(&core_colour, 1);
+  ends.diameter_px = core_diameter_px;
+  frame.points.push_back(ends);
+}
+
+// The first frames at a level are ignored, because they compile shaders and allocate memory.
+constexpr int ignored_frames = 2;
+// Slow frames in a row before the quality is reduced: 1/3 s. Fewer would react to short loads of other
+// programs.
+constexpr int frames_to_worsen = 10;
+// With a mean above this the quality is reduced sooner, after frames_to_worsen_fast frames.
+constexpr double far_too_long_ms = 1.6 * QualityControl::longest_ms;
+constexpr int frames_to_worsen_fast = 4;
+// A level that was kept for this many frames has proven itself.
+constexpr int proven_frames = 300;
+// Upper limit of patience_, in frames.
+constexpr int most_patience = 3000;
+// Weight of the newest frame in running means. A larger value reacts faster and less steadily.
+constexpr double newest_weight = 0.2;
+// A longer frame counts as this long, because one frame that another program delayed says little.
+constexpr double longest_believed_ms = 1.9 * QualityControl::longest_ms;
+// A better level is tried if its expected time is below this fraction of longest_ms.
+constexpr double room = 0.95;
+// Fractions of simulated time. Giving up more than `much` is visible as slow motion; less than `little` does
+// not matter.
+constexpr double much_given_up = 0.05;
+constexpr double little_given_up = 0.01;
+// How much the pause after a frame grows or shrinks in one frame.
+constexpr double more_rest_ms = 2.0;
+constexpr double less_rest_ms = 0.2;
 
 std::uint64_t hash_of(const renderer::OverlayView& overlay) {
   std::uint64_t hash = 0;
@@ -54,6 +125,152 @@ std::optional<GarmentSight> second_sight(const ViewerState& state, const WindowL
 }
 
 }  // namespace
+
+std::optional<HandThread> hand_thread(const ViewerState& state, const Snapshot& garment, const ViewArea& area) {
+  if (!state.held) return std::nullopt;
+  const std::vector<glm::vec3> ends = to_float({garment.positions()[state.held->vertex], state.held->hand_m});
+  const auto from_px = state.camera.pixel_of(ends[0], area);
+  const auto to_px = state.camera.pixel_of(ends[1], area);
+  const bool is_apart =
+      glm::distance(ends[0], ends[1]) > least_m && (!from_px || !to_px || glm::distance(*from_px, *to_px) > least_px);
+  return is_apart ? std::optional(HandThread{ends[0], ends[1]}) : std::nullopt;
+}
+
+bool ScenePicture::draw(unsigned framebuffer, const GarmentSight& sight, std::size_t level, bool anew) {
+  SceneLook look = look_of(sight);
+  const bool is_same = is_drawn(look, level);
+  if (is_same && is_kept_ && !anew) {
+    renderer_.show_kept(framebuffer, sight.area.width_px, sight.area.height_px, sight.left_px);
+    return false;
+  }
+  drawn_look_.reset();
+  draw_anew(framebuffer, sight, picture_qualities[level], anew || is_same || sight.left_px > 0);
+  drawn_look_ = std::move(look);
+  drawn_level_ = level;
+  return true;
+}
+
+ScenePicture::PaintedAs ScenePicture::painted_as(const GarmentSight& sight) {
+  const DrawnScene& scene = sight.state.scene;
+  const PictureStyle& picture = scene.picture;
+  return {sight.garment.loaded, sight.garment.pins, picture.surface, picture.stretch_of,  shown_stretch_range(scene),
+          scene.fabric,         picture.wireframe,  picture.springs, sight.area.height_px};
+}
+
+GarmentPainter& ScenePicture::painter_for(const GarmentSight& sight) {
+  const Snapshot& shown = sight.garment;
+  PaintedAs wanted = painted_as(sight);
+  if (!painter_ || wanted != painted_as_) {
+    DrawnScene scene = sight.state.scene;
+    scene.picture.settings.width_px = sight.area.width_px;
+    scene.picture.settings.height_px = sight.area.height_px;
+    painter_.emplace(renderer_, scene, *shown.loaded->garment, *shown.pins, shown.loaded->drawn_colours);
+    painted_as_ = std::move(wanted);
+  }
+  return *painter_;
+}
+
+void ScenePicture::add_normals(const Snapshot& garment, renderer::FrameView& frame) {
+  const renderer::SurfaceView surface = renderer::coarse_of(frame.surfaces.back());
+  const sim::Vec3 size_m = sim::extent_of(garment.loaded->garment->mesh.positions).size();
+  const float length_m = normal_length * static_cast<float>(glm::length(size_m));
+  normal_points_.clear();
+  for (std::size_t v = 0; v < surface.positions.size(); ++v) {
+    normal_points_.push_back(surface.positions[v]);
+    normal_points_.push_back(surface.positions[v] + length_m * surface.normals[v]);
+  }
+  frame.lines.push_back({.points = normal_points_, .colours = std::span(&normal_colour, 1), .width_px = 1.0F});
+}
+
+ScenePicture::SceneLook ScenePicture::look_of(const GarmentSight& sight) {
+  const ViewerState& state = sight.state;
+  return {painted_as(sight),   sight.garment.checkpoint,
+          state.camera,        state.scene.picture.settings.shadows,
+          state.show_normals,  hand_thread(state, sight.garment, sight.area),
+          sight.area.width_px, sight.left_px};
+}
+
+// A scene that stands still is drawn once more to be kept; one that moves would be kept for nothing.
+void ScenePicture::draw_anew(unsigned framebuffer, const GarmentSight& sight, const PictureQuality& quality,
+                             bool keep) {
+  const ViewerState& state = sight.state;
+  const ViewArea& area = sight.area;
+  GarmentPainter& painter = painter_for(sight);
+  painter.look_from(state.camera.camera(), quality.shortest_edge_px);
+  renderer::FrameView frame = painter.view(sight.garment.positions(), sight.garment.checkpoint->state.time_s);
+  frame.backdrop.transparent = false;
+  if (state.show_normals) add_normals(sight.garment, frame);
+  thread_ = hand_thread(state, sight.garment, area);
+  if (thread_) add_thread(*thread_, frame);
+  renderer::PictureSettings settings = state.scene.picture.settings;
+  settings.samples = quality.samples;
+  settings.supersampling = 1;
+  settings.shadow_map_px = quality.shadow_map_px;
+  settings.shading_px = quality.shading_px;
+  settings.shadow_taps = quality.shadow_taps;
+  settings.sky_directions = quality.sky_directions;
+  settings.width_px = area.width_px;
+  settings.height_px = area.height_px;
+  if (keep) {
+    renderer_.draw_kept(frame, settings);
+    renderer_.show_kept(framebuffer, area.width_px, area.height_px, sight.left_px);
+    is_kept_ = true;
+  } else {
+    is_kept_ = renderer_.draw_to(framebuffer, frame, settings);
+  }
+}
+
+void QualityControl::go_to(std::size_t level) {
+  level_ = std::min(level, picture_qualities.size() - 1);
+  frames_ = 0;
+  slow_frames_ = 0;
+  given_up_ = 0.0;
+}
+
+// The picture's rate is the last thing to give way, and the first to come back.
+void QualityControl::note_simulation(double share_given_up) {
+  given_up_ += newest_weight * (std::min(share_given_up, 1.0) - given_up_);
+  if (given_up_ > much_given_up && level_ + 1 == picture_qualities.size()) {
+    rest_ms_ = std::min(rest_ms_ + more_rest_ms, most_rest_ms);
+  } else if (given_up_ < little_given_up) {
+    rest_ms_ = std::max(rest_ms_ - less_rest_ms, 0.0);
+  }
+}
+
+bool QualityControl::is_too_slow() {
+  const bool is_slow = mean_ms_ > longest_ms || given_up_ > much_given_up;
+  slow_frames_ = is_slow ? slow_frames_ + 1 : 0;
+  return slow_frames_ >= (mean_ms_ > far_too_long_ms ? frames_to_worsen_fast : frames_to_worsen);
+}
+
+bool QualityControl::has_time_for_better() const {
+  if (level_ == 0 || rest_ms_ > 0.0 || given_up_ > little_given_up || frames_ < ignored_frames + patience_) {
+    return false;
+  }
+  const double dearer = picture_qualities[level_ - 1].cost / picture_qualities[level_].cost;
+  return mean_ms_ * dearer < room * longest_ms;
+}
+
+void QualityControl::note(double measured_ms, double given_up_ms) {
+  const double frame_ms = std::min(measured_ms, longest_believed_ms);
+  ++frames_;
+  if (frames_ <= ignored_frames) return;
+  mean_ms_ = frames_ == ignored_frames + 1 ? frame_ms : mean_ms_ + newest_weight * (frame_ms - mean_ms_);
+  note_simulation(given_up_ms / std::max(measured_ms, 1.0));
+  if (is_trial_ && frames_ > proven_frames) {
+    is_trial_ = false;
+    patience_ = least_patience;
+  }
+  if (is_too_slow() && level_ + 1 < picture_qualities.size()) {
+    // A trial that failed should not be seen again soon: the picture would pump.
+    patience_ = is_trial_ ? std::min(2 * patience_, most_patience) : patience_;
+    is_trial_ = false;
+    go_to(level_ + (mean_ms_ > far_too_long_ms ? 2 : 1));
+  } else if (has_time_for_better()) {
+    is_trial_ = true;
+    go_to(level_ - 1);
+  }
+}
 
 InterfacePicture::InterfacePicture(renderer::Context& context)
     : context_(context), pass_(context), panel_target_(context) {}

@@ -3,7 +3,6 @@
 #include <time.h>
 
 #include "app/base/errors.hpp"
-#include "app/base/interruption.hpp"
 
 namespace taut::app {
 namespace {

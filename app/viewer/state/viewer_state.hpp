@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/drawing/drawn_scene.hpp"
-#include "app/viewer/simulation/snapshot.hpp"
+#include "app/viewer/simulation/live_simulation.hpp"
 #include "app/viewer/state/orbit_camera.hpp"
 
 namespace taut::app {

@@ -12,7 +12,7 @@
 #include <numeric>
 #include <random>
 
-#include "app/base/interruption.hpp"
+#include "app/base/errors.hpp"
 #include "renderer/light/surface_buffers.hpp"
 #include "sim/mesh/elementary.hpp"
 #include "sim/simulation.hpp"
@@ -35,12 +35,11 @@ constexpr double air_drag_per_s = 6.0;
 /// more often than at rest.
 constexpr double lowered_in_s = 3.0;
 
-std::vector<char> shadow_squares(std::span<const sim::Triangle> triangles,
-                                 std::span<const sim::Vec3> positions_m) {
+std::vector<char> shadow_squares(std::span<const sim::Triangle> triangles, std::span<const sim::Vec3> positions_m) {
   std::vector<char> squares(static_cast<std::size_t>(side_squares) * side_squares, 0);
   const auto place = [&](sim::Index v) {
-    return glm::vec3(positions_m[v].x / square_m + 0.5 * side_squares,
-                     positions_m[v].z / square_m + 0.5 * side_squares, 0.0);
+    return glm::vec3(positions_m[v].x / square_m + 0.5 * side_squares, positions_m[v].z / square_m + 0.5 * side_squares,
+                     0.0);
   };
   for (const sim::Triangle& t : triangles) {
     renderer::rasterise_triangle(place(t[0]), place(t[1]), place(t[2]), side_squares,
@@ -154,8 +153,7 @@ void add_lattice(double inner_m, double radius_m, double edge_m, Random& random,
       const double y = 0.8660254037844386 * row + random.between(-scatter, scatter);
       const glm::dvec2 point = edge_m * (x * along + y * across);
       const double from_middle_m = glm::length(point);
-      if (from_middle_m < radius_m - clearance * edge_m &&
-          std::abs(from_middle_m - inner_m) > clearance * edge_m) {
+      if (from_middle_m < radius_m - clearance * edge_m && std::abs(from_middle_m - inner_m) > clearance * edge_m) {
         points.push_back(point);
       }
     }
@@ -244,15 +242,13 @@ std::string measured_text(const DrapedFabric& draped) {
 
 DrapeShadow drape_shadow(std::span<const sim::Triangle> triangles, std::span<const sim::Vec3> positions_m) {
   const std::vector<char> squares = shadow_squares(triangles, positions_m);
-  const double shadow_m2 =
-      square_m * square_m * static_cast<double>(std::count(squares.begin(), squares.end(), 1));
+  const double shadow_m2 = square_m * square_m * static_cast<double>(std::count(squares.begin(), squares.end(), 1));
   const double clamped_m2 = std::numbers::pi * clamped_radius_m * clamped_radius_m;
   const double flat_m2 = std::numbers::pi * draped_radius_m * draped_radius_m;
   return {(shadow_m2 - clamped_m2) / (flat_m2 - clamped_m2), fold_count(evened_out(outline_m(squares)))};
 }
 
-DrapeRun run_drape(const sim::Material& fabric, const DiscMesh& mesh,
-                   const ProgressCallback& report_progress) {
+DrapeRun run_drape(const sim::Material& fabric, const DiscMesh& mesh, const ProgressCallback& report_progress) {
   DrapeRun run;
   run.garment = sim::share(sim::make_garment(make_disc(clamped_radius_m, draped_radius_m, mesh), {}, fabric));
   const std::vector<sim::Vec3>& flat_m = run.garment->mesh.positions;

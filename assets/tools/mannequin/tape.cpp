@@ -2,7 +2,7 @@
 
 #include <stdexcept>
 
-#include "app/models/section.hpp"
+#include "app/models/garment_measures.hpp"
 
 namespace taut::tailor {
 

@@ -3,7 +3,7 @@
 #include "app/bodies/body_loading.hpp"
 #include "app/fitting/fitted_mesh.hpp"
 #include "app/models/garment_import.hpp"
-#include "app/sewing/sewn_scene.hpp"
+#include "app/sewing/sewing.hpp"
 
 // The parts of libtaut that a page does without, as the libraries behind them are not there. Those that are asked for
 // say so; a sewing pattern is a model that is not read.

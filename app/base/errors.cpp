@@ -1,8 +1,7 @@
-#include "app/base/interruption.hpp"
-
-#include <csignal>
 
 #include "app/base/errors.hpp"
+
+#include <csignal>
 
 namespace taut::app {
 namespace {

@@ -16,7 +16,7 @@ constexpr double steepest = 0.5;     ///< by how much shoulders fall, by how far
 constexpr double neck_reach = 0.4;   ///< of half its length; there may be a neckline and no shoulder
 constexpr double shortening = 0.93;  ///< by which it is shortened until it fits
 constexpr double shortest = 0.5;     ///< by the longest
-constexpr double lowest = 0.5;       ///< below the shoulders, of half its length; there is no room above it
+constexpr double most_lowered = 0.5;       ///< below the shoulders, of half its length; there is no room above it
 constexpr double lowering = 0.02;    ///< by which it is moved down until it is clear, of half its length
 constexpr double friction = 0.5;     ///< of wood
 
@@ -112,7 +112,7 @@ std::array<sim::Capsule, 2> bars_along(const ShoulderLine& line, const Wearer& w
 /// The bars as high as they are clear of the cloth; empty if there is no such place below the shoulders.
 std::optional<std::array<sim::Capsule, 2>> clear_bars(const Wearer& wearer) {
   const std::optional<ShoulderLine> line = shoulder_line(wearer);
-  for (double below_m = 0.0; line && below_m <= lowest * wearer.half_m; below_m += lowering * wearer.half_m) {
+  for (double below_m = 0.0; line && below_m <= most_lowered * wearer.half_m; below_m += lowering * wearer.half_m) {
     const std::array<sim::Capsule, 2> bars = bars_along(*line, wearer, below_m);
     if (wearer.is_clear(bars[0]) && wearer.is_clear(bars[1])) return bars;
   }

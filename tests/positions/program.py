@@ -38,8 +38,14 @@ class Program:
 
     def scenes(self):
         """The names of the built-in scenes, but for those about contact, which stand below an empty line: of these 1.5 s
-        take minutes, and what they promise is checked by `taut bench --contact`."""
-        return [line.split()[0] for line in self.run("scenes").split("\n\n")[0].splitlines()]
+        take minutes, and what they promise is checked by `taut bench --contact`. Those of garments that are at rest as they
+        are cut are left out: their lengths at rest are not in the positions of their files."""
+        names = [line.split()[0] for line in self.run("scenes").split("\n\n")[0].splitlines()]
+        return [name for name in names if not self.is_cut(self.scene(name)["garment"].get("file"))]
+
+    def is_cut(self, garment):
+        landmarks = self.assets / "scenes" / f"{garment}".replace(".obj", ".landmarks.toml")
+        return landmarks.exists() and "is_cut = true" in landmarks.read_text(encoding="utf-8")
 
     def scene(self, name):
         return tomllib.loads((self.assets / "scenes" / f"{name}.toml").read_text(encoding="utf-8"))

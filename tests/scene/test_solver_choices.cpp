@@ -34,8 +34,7 @@ void expect_frames(LiveSimulation& live, int frames, const std::string& what) {
     live.advance();
   }
   const SnapshotPtr after = live.take_snapshot();
-  EXPECT_FALSE(after->stopped) << what << ": "
-                               << (after->notices->empty() ? "" : after->notices->back().text);
+  EXPECT_FALSE(after->stopped) << what << ": " << (after->notices->empty() ? "" : after->notices->back().text);
   EXPECT_EQ(after->record.frame, frames) << what;
   // Springs that swing up reach any length; springs that only give do not.
   EXPECT_LT(after->record.stretch.max, 2.0) << what;
@@ -46,9 +45,7 @@ struct Chosen {
   sim::SolverKind solver;
 };
 
-void PrintTo(const Chosen& chosen, std::ostream* out) {
-  *out << chosen.garment << ", " << sim::name_of(chosen.solver);
-}
+void PrintTo(const Chosen& chosen, std::ostream* out) { *out << chosen.garment << ", " << sim::name_of(chosen.solver); }
 
 std::vector<Chosen> all_choices() {
   std::vector<Chosen> all;
@@ -57,6 +54,10 @@ std::vector<Chosen> all_choices() {
     for (const sim::SolverKind solver : sim::all_solver_kinds) {
       all.push_back({garment, solver});
     }
+  }
+  for (const char* garment :
+       {"dress", "hooded_top", "long_shirt", "long_sleeves", "outfit", "outfit_three", "skirt", "trousers"}) {
+    all.push_back({garment, sim::SolverKind::bounded});
   }
   return all;
 }
@@ -68,8 +69,7 @@ class SolverChoices : public testing::TestWithParam<Chosen> {};
 TEST_P(SolverChoices, RunsForASecondOrAQuarter) {
   DrawnScene scene = scene_with(GetParam().garment);
   const bool is_coarse = GetParam().garment == "grid" || GetParam().garment == "tshirt_1028";
-  const bool has_bound =
-      GetParam().solver == sim::SolverKind::bounded || GetParam().solver == sim::SolverKind::strong;
+  const bool has_bound = GetParam().solver == sim::SolverKind::bounded || GetParam().solver == sim::SolverKind::strong;
   LiveSimulation live(scene);
   live.apply(with_solver(scene, GetParam().solver));
   const bool solves_systems =
@@ -87,9 +87,8 @@ INSTANTIATE_TEST_SUITE_P(All, SolverChoices, testing::ValuesIn(all_choices()), [
 TEST(SolverChoices, HoldsEveryGarmentOfTheList) {
   for (const Choice& garment : garment_choices()) {
     const auto all = all_choices();
-    EXPECT_TRUE(std::any_of(all.begin(), all.end(), [&](const Chosen& c) {
-      return c.garment == garment.name;
-    })) << garment.name;
+    EXPECT_TRUE(std::any_of(all.begin(), all.end(), [&](const Chosen& c) { return c.garment == garment.name; }))
+        << garment.name;
   }
 }
 
@@ -100,8 +99,8 @@ TEST(SolverChoices, FollowOneAnother) {
   int frames = 0;
   for (const sim::SolverKind to :
        {sim::SolverKind::ideal, sim::SolverKind::strong, sim::SolverKind::provot, sim::SolverKind::bounded,
-        sim::SolverKind::implicit, sim::SolverKind::fast_projection, sim::SolverKind::ideal,
-        sim::SolverKind::vassilev, sim::SolverKind::bounded}) {
+        sim::SolverKind::implicit, sim::SolverKind::fast_projection, sim::SolverKind::ideal, sim::SolverKind::vassilev,
+        sim::SolverKind::bounded}) {
     live.apply(with_solver(scene, to));
     for (int i = 0; i < 20; ++i) {
       live.advance();

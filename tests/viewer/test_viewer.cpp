@@ -235,9 +235,9 @@ TEST(Window, APictureThatIsDroppedIsItsScene) {
 TEST(Window, GarmentsAreSortedBySize) {
   std::vector<std::string> names;
   for (const Choice& garment : garment_choices()) names.push_back(garment.name);
-  ASSERT_GE(names.size(), 3U);
-  EXPECT_EQ(std::vector(names.begin(), names.begin() + 3),
-            (std::vector<std::string>{"tshirt_1028", "tshirt_5280", "tshirt_10600"}));
+  const auto first = std::find(names.begin(), names.end(), "tshirt_1028");
+  ASSERT_GE(names.end() - first, 3);
+  EXPECT_EQ(std::vector(first, first + 3), (std::vector<std::string>{"tshirt_1028", "tshirt_5280", "tshirt_10600"}));
 }
 
 // Scenes of grids have a number of time steps for their own solver.

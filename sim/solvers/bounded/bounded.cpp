@@ -415,7 +415,7 @@ BoundedSolver::Try BoundedSolver::next_try(const FramePart& part, const SubstepC
   Try how;
   how.caution = part.attempts;
   // An attempt that is left less than this could not end well.
-  const double least = 0.2 * effort.budget * part.length / most_parts;
+  const double least = tuning::least_of_budget * effort.budget * part.length / most_parts;
   how.is_last = control.is_spent() || (effort.is_near() && effort.work + least >= due);
   how.can_halve = !how.is_last && !effort.is_first && part.length > 1;
   const int until = control.is_spent() ? most_parts : part.done + part.length;

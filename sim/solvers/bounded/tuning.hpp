@@ -45,6 +45,9 @@ inline constexpr double shift_per_reach = 0.004;
 /// After all colours this part of each, the nearest to the pins, is swept again, then this part of that, and
 /// so on while it is not few. More costs sweeps and leaves less to the projection.
 inline constexpr double swept_again = 0.35;
+/// An attempt at a frame that is left less than this part of the frame's budget of work is the last. More gives the
+/// last one more work, and fewer before it.
+inline constexpr double least_of_budget = 0.2;
 /// Cloth of so many triangles is fine: of each colour only the second and later of those parts are swept again, and
 /// what is too long is corrected by more than its error. Coarser cloth needs more steps without the first part.
 inline constexpr std::size_t fine_triangles = 20000;

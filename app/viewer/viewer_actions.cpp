@@ -178,8 +178,12 @@ void Viewer::load_asked() {
       load(std::move(scene), remarks);
     } else if (garment) {
       DrawnScene scene = state_.scene;
-      // Another cut of the same garment has the same seams to hang from; another garment has not.
-      const bool is_kin = scene.garment.file.parent_path() == garment->parent_path();
+      // Another cut of the same garment, tshirt_5280 of tshirt_10600, has the same seams to hang from; another has not.
+      const auto kind = [](const std::filesystem::path& file) {
+        const std::string stem = file.stem().string();
+        return file.parent_path() / stem.substr(0, stem.find('_'));
+      };
+      const bool is_kin = kind(scene.garment.file) == kind(*garment);
       if (!is_kin) {
         scene.pins.reset();
         scene.camera = {};

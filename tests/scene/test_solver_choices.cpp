@@ -18,6 +18,9 @@ DrawnScene scene_with(const std::string& garment) {
   for (const Choice& choice : garment_choices()) {
     if (choice.name == garment) {
       scene.garment.file = choice.file;
+      if (garment.find("tshirt") != 0) {
+        scene.pins.reset();
+      }
     }
   }
   return garment == "grid" ? find_scene("cloth-fall", {}) : scene;
@@ -56,7 +59,7 @@ std::vector<Chosen> all_choices() {
     }
   }
   for (const char* garment :
-       {"dress", "hooded_top", "long_shirt", "long_sleeves", "outfit", "outfit_three", "skirt", "trousers"}) {
+       {"dress", "hooded_top", "long_shirt", "long_sleeves", "skirt", "trousers"}) {
     all.push_back({garment, sim::SolverKind::bounded});
   }
   return all;

@@ -240,6 +240,17 @@ TEST(Window, GarmentsAreSortedBySize) {
   EXPECT_EQ(std::vector(first, first + 3), (std::vector<std::string>{"tshirt_1028", "tshirt_5280", "tshirt_10600"}));
 }
 
+TEST(Window, GarmentsWithOtherSeamsHangFromTheirOwn) {
+  Person person("tshirt");
+  for (const char* garment : {"skirt", "hooded_top", "tshirt_1028"}) {
+    person.click("garment");
+    person.click(std::string("garment.") + garment);
+    person.wait(100);
+    EXPECT_EQ(person.viewer.state().scene.garment.file.stem(), garment);
+    EXPECT_FALSE(person.viewer.state().newest->stopped) << garment;
+  }
+}
+
 // Scenes of grids have a number of time steps for their own solver.
 TEST(Window, AnySolverOfTheListTakesItsOwnTimeSteps) {
   Person person("pinned-9x9-5");

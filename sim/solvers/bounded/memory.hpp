@@ -32,7 +32,7 @@ struct ElasticMemory {
 struct Memory {
   std::vector<Index> pins;  ///< the pinned vertices of the cloth that this is about
   SubstepControl control;
-  Float4Array corrections;  ///< of the last frame's projection; by row, in m
+  Float4Array corrections;    ///< of the last frame's projection; by row, in m
   Float4Array blown_m_per_s;  ///< see SlowForces::begin_attempt; empty before the first frame
   ContactMemory contact;
   ElasticMemory elastic;

@@ -31,6 +31,10 @@ int whole_updates(double wanted) {
   return std::max(1, static_cast<int>(std::min(most_updates_per_frame, std::ceil(wanted))));
 }
 
+Float4 velocity_m_per_s(const Motion& motion, std::size_t row, float per_step) {
+  return times(scaled_sum(motion.current[row], motion.previous[row], -1.0F), per_step);
+}
+
 AirFlow air_flow(const Garment& garment, const Wind& wind, double time_s, double time_step_s, double interval_s) {
   const Vec3 velocity = wind_velocity(wind, time_s);
   AirFlow air;
@@ -100,8 +104,7 @@ void SlowForces::find_opposed(const Motion& motion, double time_step_s) {
       opposed_[row] = {0.0F, 0.0F, 0.0F, is_free ? 1.0F : 0.0F};
       continue;
     }
-    const Float4 moved = scaled_sum(motion.current[row], motion.previous[row], -1.0F);
-    opposed_[row] = scaled_sum(times(moved, per_step), blown_m_per_s_[row], -1.0F);
+    opposed_[row] = scaled_sum(velocity_m_per_s(motion, row, per_step), blown_m_per_s_[row], -1.0F);
     opposed_[row].fourth = 1.0F;
   }
 }
@@ -122,8 +125,7 @@ void SlowForces::update_wind(const Garment& garment, const Wind& wind, const Mot
         add_scaled(force_n, corner_forces_n_[triangles.corner_triangles[k]], 1.0F);
       }
       wind_accelerations_[row] = times(force_n, layout_.inverse_masses_per_kg[row]);
-      const Float4 moved = scaled_sum(motion.current[row], motion.previous[row], -1.0F);
-      blown_m_per_s_[row] = scaled_sum(times(moved, per_step), wind_accelerations_[row], interval);
+      blown_m_per_s_[row] = scaled_sum(velocity_m_per_s(motion, row, per_step), wind_accelerations_[row], interval);
     }
   });
 }

@@ -28,7 +28,7 @@ struct RowMoves {
   std::vector<float> inverse_masses_per_kg;
   /// Where rows go whose pairs leave them no way of their own: with what leads the cloth.
   Float4 carried = {};
-  /// Of the cloth, of any length; fewer entries than rows, or none, where they are not known.
+  /// Normals of any length at the rows of the cloth; no entry for rows whose normal is not known.
   Float4Array normals = {};
   float displaced_m = 0.0F;     ///< how far a row has gone since the frame began, at most
   std::size_t cloth_count = 0;  ///< rows from here on are of bodies, and have no displacements

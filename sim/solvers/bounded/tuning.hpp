@@ -33,6 +33,9 @@ inline constexpr double last_resort_sweeps = 1000.0;
 /// The work of a search for pairs, in sweeps; one around single vertices is half of it, and regions of as
 /// many pairs as there are triangles are as much.
 inline constexpr double work_of_search = 25.0;
+/// An attempt at a frame that is left less than this part of the frame's budget of work is the last. More gives the
+/// last one more work, and fewer before it.
+inline constexpr double least_of_budget = 0.2;
 /// How long a projection has to be cheap before fewer time steps are tried, in s. Longer takes more steps
 /// than needed; shorter keeps cloth awake that is about to rest.
 inline constexpr double calm_s = 1.0 / 15.0;
@@ -45,9 +48,6 @@ inline constexpr double shift_per_reach = 0.004;
 /// After all colours this part of each, the nearest to the pins, is swept again, then this part of that, and
 /// so on while it is not few. More costs sweeps and leaves less to the projection.
 inline constexpr double swept_again = 0.35;
-/// An attempt at a frame that is left less than this part of the frame's budget of work is the last. More gives the
-/// last one more work, and fewer before it.
-inline constexpr double least_of_budget = 0.2;
 /// Cloth of so many triangles is fine: of each colour only the second and later of those parts are swept again, and
 /// what is too long is corrected by more than its error. Coarser cloth needs more steps without the first part.
 inline constexpr std::size_t fine_triangles = 20000;

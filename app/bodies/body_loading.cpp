@@ -86,8 +86,9 @@ std::unique_ptr<const FrameSource> in_axes_of(const LoadedMesh& body, std::uniqu
 // The heights of people: a body beyond them is none.
 constexpr double lowest_person_m = 0.5;
 constexpr double highest_person_m = 2.5;
-/// In which parts of a body may close in on each other.
-constexpr int poses_looked_at = 6;
+/// In which parts of a body may close in on each other. Garments over each other take more room, which parts lack in
+/// more of the motion.
+constexpr int poses_looked_at = 6, poses_looked_at_for_layers = 25;
 
 std::shared_ptr<const Rig> take_rig(const std::filesystem::path& file, ImportedModel& model) {
   auto rig = std::make_shared<Rig>(std::move(model.rig));
@@ -198,13 +199,13 @@ void take_joints_of_shape(const BodySource& source, const LoadedMesh& loaded, co
 
 /// Poses that are shown, spread over the motion; the stored one of a body that does not move.
 std::vector<RigPose> poses_shown(const BodySource& source, const Rig& rig, const FrameSource* motion,
-                                 const ShownTime& shown) {
+                                 const ShownTime& shown, int count) {
   std::vector<RigPose> poses;
   if (motion != nullptr) {
     const double rate_hz = source.frame_rate_hz.value_or(motion->rate_hz().value_or(usual_frame_rate_hz));
     const double last = static_cast<double>(motion->frames() - 1);
-    for (int k = 0; k < poses_looked_at; ++k) {
-      const double time_s = source.start_s + k * shown.duration_s / (poses_looked_at - 1);
+    for (int k = 0; k < count; ++k) {
+      const double time_s = source.start_s + k * shown.duration_s / (count - 1);
       const auto pose = motion->pose(static_cast<std::size_t>(std::min(last, std::round(time_s * rate_hz))));
       poses.insert(poses.end(), pose ? 1 : 0, pose.value_or(RigPose{}));
     }
@@ -381,7 +382,9 @@ ReadBody body_of(const BodySource& source, ImportedModel model, const ShownTime&
     if (body.rig->influences.empty() && (!motion.frames || motion.frames->pose(0))) {
       take_joints_of_shape(source, loaded, measures, !motion.frames, places, body);
     }
-    if (make_room(poses_shown(source, *body.rig, motion.frames.get(), shown), places, shown.garments, loaded, body)) {
+    const int poses = shown.garments > 1 ? poses_looked_at_for_layers : poses_looked_at;
+    if (make_room(poses_shown(source, *body.rig, motion.frames.get(), shown, poses), places, shown.garments, loaded,
+                  body)) {
       motion = open_motion(source, body.rig, loaded.places.placement.up);
     }
   }

@@ -2,6 +2,7 @@
 
 #include "app/base/errors.hpp"
 #include "app/base/files.hpp"
+#include "app/scene/scene_file.hpp"
 #include "app/scene/scene_key.hpp"
 #include "app/verify/crossing_pairs.hpp"
 
@@ -55,12 +56,6 @@ std::vector<sim::Index> find_vertices(const std::string& name, const toml::array
   std::vector<sim::Index> found;
   for (const toml::node& value : list) found.push_back(find_vertex(name, value, search));
   return found;
-}
-
-/// The table in a file; an empty one where there is no file.
-toml::table file_at(const std::filesystem::path& path) {
-  std::error_code error;
-  return std::filesystem::exists(path, error) ? read_toml_text(read_text_file(path), path.string()) : toml::table();
 }
 
 // Landmarks may stand in tables, whose names do not matter.
@@ -151,22 +146,17 @@ struct Selection {
 
 }  // namespace
 
-std::filesystem::path landmarks_path(const std::filesystem::path& garment) {
-  std::filesystem::path path = garment;
-  return path.replace_extension(".landmarks.toml");
-}
-
 Landmarks read_landmarks(const std::filesystem::path& garment, const Placement& placement, const sim::Mesh& mesh,
                          const FileVertices& file_vertices) {
   const std::filesystem::path path = landmarks_path(garment);
   Landmarks landmarks;
-  collect(file_at(path), {{path.string(), false}, mesh.positions, file_vertices, placement}, landmarks);
+  collect(read_landmarks_file(garment), {{path.string(), false}, mesh.positions, file_vertices, placement}, landmarks);
   return landmarks;
 }
 
 std::optional<double> known_metres_per_uv(const std::filesystem::path& garment) {
   const std::filesystem::path path = landmarks_path(garment);
-  const toml::table file = file_at(path);
+  const toml::table file = read_landmarks_file(garment);
   const toml::node* value = file.get("metres_per_uv");
   if (value == nullptr) return std::nullopt;
   const std::optional<double> metres = finite_number(*value);
@@ -179,7 +169,7 @@ std::optional<double> known_metres_per_uv(const std::filesystem::path& garment) 
 
 bool is_at_rest_as_cut(const std::filesystem::path& garment) {
   const std::filesystem::path path = landmarks_path(garment);
-  const toml::table file = file_at(path);
+  const toml::table file = read_landmarks_file(garment);
   const toml::node* value = file.get("is_cut");
   if (value != nullptr && (!value->is_boolean() || !file.contains("metres_per_uv"))) {
     fail({path.string(), false}, line_of(*value),
@@ -190,7 +180,7 @@ bool is_at_rest_as_cut(const std::filesystem::path& garment) {
 
 int garments_worn(const std::filesystem::path& garment) {
   const std::filesystem::path path = landmarks_path(garment);
-  const toml::table file = garment.empty() ? toml::table() : file_at(path);
+  const toml::table file = garment.empty() ? toml::table() : read_landmarks_file(garment);
   const toml::node* value = file.get("layers");
   const std::optional<std::int64_t> layers = value == nullptr ? std::optional<std::int64_t>(1) : whole_number(*value);
   if (!layers || *layers < 1 || *layers > most_layers) {
@@ -202,7 +192,7 @@ int garments_worn(const std::filesystem::path& garment) {
 
 std::vector<std::pair<std::string, std::string>> fabrics_of_layers(const std::filesystem::path& garment) {
   const std::filesystem::path path = landmarks_path(garment);
-  const toml::table file = file_at(path);
+  const toml::table file = read_landmarks_file(garment);
   const toml::node* value = file.get("fabrics");
   std::vector<std::pair<std::string, std::string>> fabrics;
   if (value == nullptr) return fabrics;

@@ -8,9 +8,6 @@ namespace taut::app {
 /// Named sets of vertices of the mesh, such as seams, in the order of their file.
 using Landmarks = std::vector<std::pair<std::string, std::vector<sim::Index>>>;
 
-/// The file beside a garment that names its landmarks: tshirt.landmarks.toml for tshirt.obj.
-std::filesystem::path landmarks_path(const std::filesystem::path& garment);
-
 /// Reads the landmarks and finds their vertices in the mesh. The file holds lists of points [x, y, z] in the
 /// garment's unit, or lists of numbers of the file's vertices. Returns nothing if there is no such file.
 /// Throws InputError that names the file, the line, the landmark, and the point or the vertex that was not

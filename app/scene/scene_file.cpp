@@ -136,6 +136,17 @@ std::optional<std::filesystem::path> find_asset(const std::filesystem::path& fil
   return std::nullopt;
 }
 
+std::filesystem::path landmarks_path(const std::filesystem::path& garment) {
+  std::filesystem::path path = garment;
+  return path.replace_extension(".landmarks.toml");
+}
+
+toml::table read_landmarks_file(const std::filesystem::path& garment) {
+  const fs::path path = landmarks_path(garment);
+  std::error_code error;
+  return fs::exists(path, error) ? read_toml_text(read_text_file(path), path.string()) : toml::table();
+}
+
 void set_garment(const std::filesystem::path& file, Scene& scene) {
   scene.title = file.filename().string();
   scene.garment.file = file;

@@ -36,6 +36,12 @@ struct FoundScene {
 /// Finds a scene file, a garment file or a built-in scene by name. Throws InputError.
 FoundScene locate_scene(const std::string& name);
 
+/// The file beside a garment that tells more of it: tshirt.landmarks.toml for tshirt.obj.
+std::filesystem::path landmarks_path(const std::filesystem::path& garment);
+
+/// The table in that file; an empty one where there is none. Throws InputError where it is not TOML.
+toml::table read_landmarks_file(const std::filesystem::path& garment);
+
 /// Sets the scene to a default scene for this garment file.
 void set_garment(const std::filesystem::path& file, Scene& scene);
 

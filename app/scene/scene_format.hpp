@@ -76,6 +76,16 @@ template <class S> void apply_overrides(const SceneFormat<S>& format, std::span<
   if (!overrides.empty()) format.check(scene, {overrides.back().option, true});
 }
 
+/// Sets the keys of the fabric that the file beside the garment names, fabric = "denim", where no override names one.
+template <class S>
+void apply_own_fabric(const SceneFormat<S>& format, std::span<const Override> overrides, S& scene) {
+  const auto sets_fabric = [](const Override& changed) { return changed.key == "cloth.fabric"; };
+  if (std::ranges::any_of(overrides, sets_fabric)) return;
+  const toml::table beside = read_landmarks_file(scene.garment.file);
+  const Source source{landmarks_path(scene.garment.file).string(), false};
+  if (const toml::node* fabric = beside.get("fabric")) apply_fabric(format, *fabric, source, scene);
+}
+
 /// Reads a scene from text. `name` is its file; relative garment files are looked for beside it. Throws
 /// InputError that names the file, the line, the key, what was found and what was expected. Throws UsageError
 /// for an override.
@@ -102,6 +112,7 @@ S find_scene(const SceneFormat<S>& format, const std::string& name, std::span<co
   S scene;
   if (found.is_garment) {
     set_garment(found.file, scene);
+    apply_own_fabric(format, overrides, scene);
     apply_overrides(format, overrides, scene);
   } else {
     scene = read_scene(format, read_text_file(found.file), found.file.string(), overrides);

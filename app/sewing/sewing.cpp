@@ -245,6 +245,8 @@ SewnGarment sew(Scene& scene, const SewingSettings& settings, const std::functio
   SewnGarment garment;
   std::vector<std::filesystem::path> files = {scene.garment.file};
   files.insert(files.end(), settings.over.begin(), settings.over.end());
+  const std::filesystem::path fabric = scene.fabric;
+  garment.fabric = fabric.has_extension() ? std::filesystem::absolute(fabric).string() : scene.fabric;
   garment.over_fabrics = settings.over_fabrics;
   stage("meshing its panels");
   for (const std::filesystem::path& file : files) {
@@ -292,6 +294,7 @@ std::string obj_of(const SewnGarment& garment) {
 std::string landmarks_of(const SewnGarment& garment) {
   std::string text = "# As it is cut: lengths at rest are those of the texture coordinates, which are cm.\n" +
                      fmt::format("metres_per_uv = {}\nis_cut = true\n", metres_per_uv_of_cut);
+  if (!garment.fabric.empty()) text += "fabric = " + toml_text(garment.fabric) + "\n";
   if (!garment.over_names.empty()) {
     text += fmt::format("\n# Garments that are worn over each other.\nlayers = {}\n", garment.over_names.size() + 1);
   }

@@ -27,6 +27,7 @@ struct SewingStep {
 struct SewnGarment {
   SewingPattern pattern = {};  ///< of all layers; panels of outer ones are called "FILE.NAME"
   CutPieces pieces = {};
+  std::string fabric = {};  ///< a name or an absolute path; empty: none was asked for
   std::vector<std::string> over_fabrics = {};
   std::vector<std::string> over_names = {};
   SewnPieces sewn = {};

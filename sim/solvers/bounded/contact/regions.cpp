@@ -173,9 +173,9 @@ Regions::Span Regions::span_at_end(const Pair& pair) const {
   return span_of(pair.contact.near, heights);
 }
 
-// Projects the moves onto those that leave the wanted distance, corner by corner. As masses weigh them,
-// momentum is kept and no energy is gained: a collision without rebound.
-void Regions::resolve(const Pair& pair, std::span<const float> inverse_masses) {
+// Projects the moves onto those that leave a distance, corner by corner. As masses weigh them, momentum is kept and no
+// energy is gained: a collision without rebound.
+void Regions::resolve(const Pair& pair, float left, float relaxation, std::span<const float> inverse_masses) {
   const NearPair& near = pair.contact.near;
   for (Index k = 0; k < near.first_count; ++k) {
     for (Index l = near.first_count; l < 4; ++l) {
@@ -184,8 +184,8 @@ void Regions::resolve(const Pair& pair, std::span<const float> inverse_masses) {
       const float w_first = inverse_masses[near.rows[k]];
       const float w_second = inverse_masses[near.rows[l]];
       const float apart = pair.heights[k] - pair.heights[l] + glm::dot(pair.normal, vec(first) - vec(second));
-      if (apart < pair.wanted && w_first + w_second > 0.0F) {
-        const glm::vec3 lacking = pair.normal * ((pair.wanted - apart) / (w_first + w_second));
+      if (apart < left && w_first + w_second > 0.0F) {
+        const glm::vec3 lacking = pair.normal * (relaxation * (left - apart) / (w_first + w_second));
         add(first, w_first * lacking);
         add(second, -w_second * lacking);
       }
@@ -193,8 +193,9 @@ void Regions::resolve(const Pair& pair, std::span<const float> inverse_masses) {
   }
 }
 
-// A pass hands a push on by about one layer. Rows that are held in a pile stop what closes in on it, so that
-// passes go on as long as any would be.
+// A pass hands a push on by about one layer, and a heavy layer takes little of it. Rows that are held in a pile stop
+// what closes in on it, so that passes go on as long as any would be: for no more than what is needed, so that what is
+// squeezed has room to give, and over-relaxed, which hands pushes on sooner.
 void Regions::resolve_moves(std::span<const float> inverse_masses) {
   constexpr int most_passes = tuning::most_rounds * tuning::most_rounds;
   bool is_done = false;
@@ -202,11 +203,14 @@ void Regions::resolve_moves(std::span<const float> inverse_masses) {
   for (int pass = 0; !is_done && (pass < tuning::most_rounds || (would_hold && pass < most_passes)); ++pass) {
     is_done = true;
     would_hold = false;
+    const bool is_urgent = pass >= tuning::most_rounds;
     for (const Pair& pair : pairs_) {
+      const float enough = tuning::enough_part * pair.contact.thickness_m;
+      const float left = is_urgent ? std::min(pair.needed + enough, pair.wanted) : pair.wanted;
       const float apart = span_at_end(pair).apart();
-      if (apart < pair.wanted - tuning::enough_part * pair.contact.thickness_m) {
+      if (apart < left - enough) {
         would_hold = would_hold || apart < pair.needed;
-        resolve(pair, inverse_masses);
+        resolve(pair, left, is_urgent ? tuning::over_projected : 1.0F, inverse_masses);
         is_done = false;
       }
     }

@@ -80,5 +80,17 @@ TEST(Regions, APushGoesThroughAPile) {
   EXPECT_FALSE(regions.blocked());
 }
 
+// In 144 passes that ask for the thickness, weighed by masses, the heavy layer still stops what comes up.
+TEST(Regions, AHeavyLayerGivesWayToAPileThatIsPushed) {
+  ParallelKernels kernels(kernels_for(VectorUnit::best), 1);
+  Scene scene = pushed_pile(6, 3e-4F);
+  for (std::size_t row = scene.rows.cloth_count - 3; row < scene.rows.cloth_count; ++row) {
+    scene.rows.inverse_masses_per_kg[row] = 100.0F;
+  }
+  Regions regions;
+  ASSERT_TRUE(regions.make(scene.pairs, scene.rows, kernels));
+  EXPECT_FALSE(regions.blocked());
+}
+
 }  // namespace
 }  // namespace taut::sim::bounded

@@ -174,15 +174,21 @@ Regions::Span Regions::span_at_end(const Pair& pair) const {
 }
 
 // Projects the moves onto those that leave a distance, corner by corner. As masses weigh them, momentum is kept and no
-// energy is gained: a collision without rebound.
-void Regions::resolve(const Pair& pair, float left, float relaxation, std::span<const float> inverse_masses) {
+// energy is gained: a collision without rebound. Where it is urgent a heavy layer gives way as a light one does:
+// it would take hundreds of passes by its mass.
+void Regions::resolve(const Pair& pair, float left, bool is_urgent, std::span<const float> inverse_masses) {
   const NearPair& near = pair.contact.near;
+  const auto mobility_of = [&](Index row) {
+    const float mobility_per_kg = inverse_masses[row];
+    return is_urgent && mobility_per_kg > 0.0F ? 1.0F : mobility_per_kg;
+  };
+  const float relaxation = is_urgent ? tuning::over_projected : 1.0F;
   for (Index k = 0; k < near.first_count; ++k) {
     for (Index l = near.first_count; l < 4; ++l) {
       Float4& first = moves_[near.rows[k]];
       Float4& second = moves_[near.rows[l]];
-      const float w_first = inverse_masses[near.rows[k]];
-      const float w_second = inverse_masses[near.rows[l]];
+      const float w_first = mobility_of(near.rows[k]);
+      const float w_second = mobility_of(near.rows[l]);
       const float apart = pair.heights[k] - pair.heights[l] + glm::dot(pair.normal, vec(first) - vec(second));
       if (apart < left && w_first + w_second > 0.0F) {
         const glm::vec3 lacking = pair.normal * (relaxation * (left - apart) / (w_first + w_second));
@@ -193,9 +199,9 @@ void Regions::resolve(const Pair& pair, float left, float relaxation, std::span<
   }
 }
 
-// A pass hands a push on by about one layer, and a heavy layer takes little of it. Rows that are held in a pile stop
-// what closes in on it, so that passes go on as long as any would be: for no more than what is needed, so that what is
-// squeezed has room to give, and over-relaxed, which hands pushes on sooner.
+// A pass hands a push on by about one layer. Rows that are held in a pile stop what closes in on it, so that passes go
+// on as long as any would be: for no more than what is needed, so that what is squeezed has room to give, and
+// over-relaxed, which hands pushes on sooner.
 void Regions::resolve_moves(std::span<const float> inverse_masses) {
   constexpr int most_passes = tuning::most_rounds * tuning::most_rounds;
   bool is_done = false;
@@ -210,7 +216,7 @@ void Regions::resolve_moves(std::span<const float> inverse_masses) {
       const float apart = span_at_end(pair).apart();
       if (apart < left - enough) {
         would_hold = would_hold || apart < pair.needed;
-        resolve(pair, left, is_urgent ? tuning::over_projected : 1.0F, inverse_masses);
+        resolve(pair, left, is_urgent, inverse_masses);
         is_done = false;
       }
     }

@@ -151,7 +151,7 @@ class Regions {
   static void set_heights(const std::array<glm::vec3, 4>& positions, Pair& pair);
   static Span span_of(const NearPair& near, const std::array<float, 4>& heights);
   Span span_at_end(const Pair& pair) const;
-  void resolve(const Pair& pair, float left, float relaxation, std::span<const float> inverse_masses);
+  void resolve(const Pair& pair, float left, bool is_urgent, std::span<const float> inverse_masses);
   void resolve_moves(std::span<const float> inverse_masses);
   void hold_where_needed(const RowMoves& rows);
   bool hold(const NearPair& near, Held how, const RowMoves& rows);

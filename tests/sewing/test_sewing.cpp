@@ -148,6 +148,7 @@ TEST_F(Sewing, PanelsThatBeginWithinTheBodyGoAroundIt) {
 TEST_F(Sewing, APatternIsWornOverAnother) {
   Scene scene = scene_with(folder.write("inner.json", skirt(40.0, 60.0)));
   const std::filesystem::path outer = folder.write("outer.json", skirt(48.0, 80.0));
+  scene.fabric = "cotton";
   scene.material = material_of("cotton", "--fabric");
   const SewnGarment garment = sew(scene, {1200, 60, {outer}, {"denim"}}, [](const std::string&) {});
   const sim::Mesh& mesh = garment.sewn.garment.mesh;
@@ -157,6 +158,9 @@ TEST_F(Sewing, APatternIsWornOverAnother) {
   again.garment.file = folder.write("sewn.obj", obj_of(garment));
   folder.write("sewn.landmarks.toml", landmarks_of(garment));
   EXPECT_EQ(garments_worn(again.garment.file), 2);
+  EXPECT_EQ(find_scene(undrawn_format(), again.garment.file.string(), {}).material, scene.material);
+  const std::vector<Override> silk = {{"cloth.fabric", "silk", "--fabric"}};
+  EXPECT_EQ(find_scene(undrawn_format(), again.garment.file.string(), silk).material, material_of("silk", ""));
   const LoadedGarment loaded = load_garment(again);
   const std::vector<sim::Triangle>& triangles = loaded.garment->mesh.triangles;
   const sim::Index inner_vertex = triangles.front()[0], outer_vertex = triangles.back()[0];

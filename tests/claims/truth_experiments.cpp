@@ -2,112 +2,14 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "sim/mesh/grid.hpp"
-#include "sim/simulation.hpp"
-#include "tests/claims/truth.hpp"
+#include "drape_meter.hpp"
+#include "tests/claims/truth_setups.hpp"
 #include "tests/contact/scenes.hpp"
 
 namespace taut::app {
 namespace {
 
-using sim::Index;
-using sim::Material;
-using sim::Surroundings;
-using sim::Vec3;
-
-constexpr double gravity_m_per_s2 = 9.81;
-
-struct Size {
-  Index across;
-  Index along;
-};
-
-std::string name_of(const Size& size) { return fmt::format("{} x {}", size.across, size.along); }
-
-/// A rectangle that lies level, its rows along z, or hangs.
-sim::Mesh rectangle(const Size& size, double width_m, double length_m, sim::GridPlane plane) {
-  sim::GridSettings grid;
-  grid.columns = size.across;
-  grid.rows = size.along;
-  grid.width_m = width_m;
-  grid.height_m = length_m;
-  grid.plane = plane;
-  return sim::make_grid(grid);
-}
-
-Surroundings in_vacuum() {
-  Surroundings surroundings;
-  surroundings.forces.air_drag_per_s = 0.0;
-  surroundings.forces.wind.pressure_coefficient = 0.0;
-  surroundings.forces.wind.friction_coefficient = 0.0;
-  return surroundings;
-}
-
-sim::Simulation begin(std::shared_ptr<const sim::Garment> garment, std::vector<Index> pins, Surroundings surroundings,
-                      double max_stretch, bool contact) {
-  sim::SimulationSettings settings;
-  settings.rest.speed_m_per_s = 0.0;
-  settings.solver.method = sim::BoundedSettings{.max_stretch = max_stretch, .contact = contact, .threads = 1};
-  return {std::move(garment), std::move(pins), settings, std::move(surroundings)};
-}
-
-sim::Simulation begin(sim::Mesh mesh, const Material& material, std::vector<Index> pins, Surroundings surroundings,
-                      bool contact = false) {
-  return begin(sim::share(sim::make_garment(std::move(mesh), {}, material)), std::move(pins), std::move(surroundings),
-               0.01, contact);
-}
-
-void advance(sim::Simulation& simulation, int frames) {
-  for (int frame = 0; frame < frames; ++frame) simulation.advance_frame();
-}
-
-/// Calls run(case) for each case and reports how far it is.
-template <class Cases, class Run>
-std::vector<TruthPoint> run_all(const Cases& cases, const ProgressCallback& report, const Run& run) {
-  std::vector<TruthPoint> points;
-  double done = 0.0;
-  for (const auto& one : cases) {
-    std::ranges::move(run(one), std::back_inserter(points));
-    report(++done / static_cast<double>(std::size(cases)));
-  }
-  return points;
-}
-
-/// A strip of 10 cm, clamped level, with this weight times length cubed over rigidity.
-TruthPoint droop(const TruthExperiment& experiment, const Size& size, double weight_over_rigidity, double physics) {
-  constexpr double length_m = 0.1, width_m = 0.03;
-  constexpr Index clamped_rows = 3;
-  Material material;
-  material.areal_density_kg_per_m2 = 0.25;
-  material.bending_rigidity_n_m =
-      physics * material.areal_density_kg_per_m2 * gravity_m_per_s2 * std::pow(length_m, 3) / weight_over_rigidity;
-  const double edge_m = length_m / (size.along - 1);
-  const Index rows = size.along + clamped_rows - 1;
-  sim::Mesh mesh = rectangle({size.across, rows}, width_m, edge_m * (rows - 1), sim::GridPlane::horizontal);
-  std::vector<Index> clamped(std::size_t{size.across} * clamped_rows);
-  std::iota(clamped.begin(), clamped.end(), 0U);
-  const Vec3 clamp_m = mesh.positions[clamped.back()];
-  Surroundings air = in_vacuum();
-  air.forces.air_drag_per_s = 3.0;
-  sim::Simulation simulation = begin(std::move(mesh), material, std::move(clamped), air);
-  advance(simulation, 300);
-  const Vec3 end_m = simulation.state().current.back();
-  return {experiment.name,
-          "strip",
-          name_of(size),
-          weight_over_rigidity,
-          (clamp_m.y - end_m.y) / (end_m.z - clamp_m.z),
-          droop_of_elastica(weight_over_rigidity)};
-}
-
-std::vector<TruthPoint> run_cantilever(const TruthExperiment& experiment, double physics,
-                                       const ProgressCallback& report) {
-  return run_all(std::array<Size, 3>{{{6, 21}, {9, 31}, {12, 41}}}, report, [&](const Size& size) {
-    std::vector<TruthPoint> points;
-    for (const double load : {3.0, 7.0, 16.0, 40.0, 100.0}) points.push_back(droop(experiment, size, load, physics));
-    return points;
-  });
-}
+using namespace truth;
 
 struct Pull {
   const char* curve;
@@ -216,8 +118,7 @@ TruthPoint slid(const TruthExperiment& experiment, const Size& size, double fric
     sim::Mesh lower = mesh;
     for (Vec3& p : lower.positions) p = p * Vec3(8.0, 0.0, 2.0) - Vec3(0.0, 0.0, 0.2);
     mesh = sim::both(std::move(mesh), lower);
-    pins.resize(count);
-    std::iota(pins.begin(), pins.end(), static_cast<Index>(count));
+    pins = vertices_from(count, count);
   } else {
     surroundings.bodies = {{.name = "slope", .shape = sim::Plane{}, .friction = physics * friction}};
   }
@@ -334,20 +235,23 @@ std::vector<TruthPoint> run_collision(const TruthExperiment& experiment, double 
 }
 
 /// The energy of a sheet that is let go level, held by an edge, over what it has to fall. Nothing brakes it.
-std::vector<TruthPoint> swung(const TruthExperiment& experiment, const Size& size) {
+std::vector<TruthPoint> swung(const TruthExperiment& experiment, const Size& size, double physics) {
   constexpr double length_m = 0.4;
-  constexpr int seconds = 60;
-  std::vector<Index> pins(size.across);
-  std::iota(pins.begin(), pins.end(), 0U);
+  constexpr int frames = 60 * 60;
+  std::vector<Index> pins = vertices_from(0, size.across);
   const auto garment =
       sim::share(sim::make_garment(rectangle(size, length_m, length_m, sim::GridPlane::horizontal), {}, {}));
   const std::vector<Vec3> flat = garment->mesh.positions;
-  sim::Simulation simulation = begin(garment, pins, in_vacuum(), 0.01, true);
+  Surroundings surroundings = in_vacuum();
+  surroundings.forces.gravity_m_per_s2 *= physics;
+  sim::Simulation simulation = begin(garment, pins, std::move(surroundings), 0.01, true);
   double all_j = 0.0;
   for (const double mass_kg : garment->masses_kg) all_j += mass_kg * gravity_m_per_s2 * 0.5 * length_m;
   std::vector<TruthPoint> points;
-  for (int second = 1; second <= seconds; ++second) {
-    advance(simulation, 60);
+  for (int frame = 0; frame < frames;) {
+    const int step = frame < 60 ? 6 : 60;  // the first fall in detail, as it loses little
+    advance(simulation, step);
+    frame += step;
     const sim::State& state = simulation.state();
     double energy_j = 0.0;
     for (std::size_t v = 0; v < flat.size(); ++v) {
@@ -360,10 +264,27 @@ std::vector<TruthPoint> swung(const TruthExperiment& experiment, const Size& siz
   return points;
 }
 
-// No law of the program says how fast energy is lost, so that there is none to be wrong.
-std::vector<TruthPoint> run_swing(const TruthExperiment& experiment, double, const ProgressCallback& report) {
+std::vector<TruthPoint> run_swing(const TruthExperiment& experiment, double physics, const ProgressCallback& report) {
   return run_all(std::array<Size, 3>{{{7, 7}, {10, 10}, {14, 14}}}, report,
-                 [&](const Size& size) { return swung(experiment, size); });
+                 [&](const Size& size) { return swung(experiment, size, physics); });
+}
+
+/// Discs in Cusick's drape meter, with the ranges that are published of such fabrics.
+std::vector<TruthPoint> run_drapes(const TruthExperiment& experiment, double physics, const ProgressCallback& report) {
+  return run_all(std::array{"jersey", "silk", "wool", "cotton", "denim"}, report, [&](const char* name) {
+    const auto range = find_fabric(name).published_drape_percent.value_or(std::array<double, 2>{NAN, NAN});
+    Material fabric = made_of({}, name).material;
+    const double bending_length_m =
+        std::cbrt(fabric.bending_rigidity_n_m / (fabric.areal_density_kg_per_m2 * gravity_m_per_s2));
+    fabric.bending_rigidity_n_m *= physics;
+    std::vector<TruthPoint> points;
+    for (const DiscMesh& mesh : {DiscMesh{0.012, 1}, DiscMesh{0.011, 2}, DiscMesh{0.010, 2}}) {
+      points.push_back({experiment.name, name, fmt::format("edges of {:.0f} mm", 1e3 * mesh.edge_m),
+                        100.0 * bending_length_m, 100.0 * run_drape(fabric, mesh).shadow.coefficient, range[0],
+                        range[1]});
+    }
+    return points;
+  });
 }
 
 /// The period of a narrow sheet that hangs and swings a little, without bending: that of a chain, with the first zero
@@ -377,8 +298,7 @@ TruthPoint period(const TruthExperiment& experiment, const Size& size, double le
   surroundings.forces.gravity_m_per_s2 *= physics;
   surroundings.forces.gravity_path = {
       {0.0, Vec3(0.0, 0.0, push_m_per_s2)}, {pushed_s, Vec3(0.0, 0.0, push_m_per_s2)}, {pushed_s + 0.05, Vec3(0.0)}};
-  std::vector<Index> pins(size.across);
-  std::iota(pins.begin(), pins.end(), 0U);
+  std::vector<Index> pins = vertices_from(0, size.across);
   sim::Simulation simulation =
       begin(rectangle(size, 0.1, length_m, sim::GridPlane::vertical), material, std::move(pins), surroundings);
   std::vector<double> crossed_s;
@@ -410,39 +330,6 @@ std::vector<TruthPoint> run_chain(const TruthExperiment& experiment, double phys
 
 }  // namespace
 
-double droop_of_elastica(double weight_over_rigidity) {
-  constexpr int steps = 400;
-  constexpr double h = 1.0 / steps;
-  struct End {
-    double curvature, reach, drop;
-  };
-  // Runge and Kutta's steps from the clamp, with this curvature there.
-  const auto integrated = [&](double curvature) {
-    double angle = 0.0, reach = 0.0, drop = 0.0;
-    const auto change = [&](double s, double a) { return -weight_over_rigidity * (1.0 - s) * std::cos(a); };
-    for (int i = 0; i < steps; ++i) {
-      const double s = i * h;
-      const double k1 = change(s, angle), a1 = curvature;
-      const double k2 = change(s + 0.5 * h, angle + 0.5 * h * a1), a2 = curvature + 0.5 * h * k1;
-      const double k3 = change(s + 0.5 * h, angle + 0.5 * h * a2), a3 = curvature + 0.5 * h * k2;
-      const double k4 = change(s + h, angle + h * a3), a4 = curvature + h * k3;
-      const double next = angle + h / 6.0 * (a1 + 2.0 * a2 + 2.0 * a3 + a4);
-      curvature += h / 6.0 * (k1 + 2.0 * k2 + 2.0 * k3 + k4);
-      reach += 0.5 * h * (std::cos(angle) + std::cos(next));
-      drop += 0.5 * h * (std::sin(angle) + std::sin(next));
-      angle = next;
-    }
-    return End{curvature, reach, drop};
-  };
-  double low = 0.0, high = weight_over_rigidity;
-  for (int i = 0; i < 80; ++i) {
-    const double middle = 0.5 * (low + high);
-    (integrated(middle).curvature > 0.0 ? high : low) = middle;
-  }
-  const End end = integrated(0.5 * (low + high));
-  return end.drop / end.reach;
-}
-
 std::vector<TruthExperiment> truth_experiments() {
   using enum Measure;
   using enum LegendCorner;
@@ -462,7 +349,14 @@ std::vector<TruthExperiment> truth_experiments() {
       {"collision", "a sheet is pushed onto another", "momentum is force times time", "time in s", "momentum in mN s",
        false, false, upper_left, part, 0.01, 0.0, run_collision},
       {"swing", "a sheet swings without air", "energy is never above the start's", "time in s",
-       "energy over what it has to fall", false, false, none, excess, 0.001, 0.0, run_swing}};
+       "energy over what it has to fall", false, false, none, excess, 0.001, 0.0, run_swing},
+      {"buckling", "a strip clamped on its edge buckles", "plate (Timoshenko and Gere 1961)", "width over length",
+       "weight x length^3 / rigidity", false, false, none, part, 0.1, 0.129, run_buckling},
+      {"slip", "a strip pressed on the ground slips", "elastica (Sano and others 2017)", "way of the clamp over length",
+       "friction that just holds it", false, false, none, part, 0.06, 0.0, run_slip},
+      {"drape", "fabrics hang over a disc", "published ranges (Cusick 1968; Gan and others 1991)",
+       "bending length in cm", "drape coefficient in %", false, false, lower_right, difference, 0.0, 0.0, run_drapes,
+       47.2}};
 }
 
 }  // namespace taut::app

@@ -7,7 +7,8 @@
 namespace taut::app {
 namespace {
 
-const std::vector<std::string> truth_columns = {"experiment", "curve", "mesh", "x", "measured", "published"};
+const std::vector<std::string> truth_columns = {"experiment", "curve",     "mesh",        "x",
+                                                "measured",   "published", "published_to"};
 
 std::vector<TruthPoint> points_of(const TruthExperiment& experiment, std::span<const TruthPoint> points) {
   std::vector<TruthPoint> some;
@@ -31,21 +32,25 @@ const renderer::Colour& colour_of(std::size_t curve) {
   return colours[curve % colours.size()];
 }
 
-constexpr std::array markers = {Marker::ring, Marker::square, Marker::disc, Marker::cross};
+/// Of the three meshes, the coarsest first.
+constexpr std::array markers = {Marker::ring, Marker::square, Marker::disc};
 
 /// Returns the published numbers of a curve as a line.
 Curve line_of(const std::string& name, std::size_t number, std::span<const TruthPoint> points) {
   Curve curve = {name, {}, {colour_of(number), 3.5F, {}}};
   for (const TruthPoint& point : points) {
-    if (point.curve == name && std::isfinite(point.published)) curve.points.push_back({point.x, point.published});
+    for (const double published : {point.published, point.published_to}) {
+      if (point.curve == name && std::isfinite(published)) curve.points.push_back({point.x, published});
+    }
   }
   std::ranges::sort(curve.points);
   return curve;
 }
 
-Axis axis_around(const std::string& label, bool is_logarithmic, const std::vector<double>& values) {
+Axis axis_around(const std::string& label, bool is_logarithmic, const std::vector<double>& values,
+                 bool is_legend_below = false) {
   const auto [lowest, highest] = std::ranges::minmax(values);
-  if (is_logarithmic) return {label, 0.7 * lowest, 1.5 * highest, true};
+  if (is_logarithmic) return {label, (is_legend_below ? 0.15 : 0.7) * lowest, 1.5 * highest, true};
   const double room = 0.06 * std::max(highest - lowest, 1e-9);
   return {label, lowest < 0.0 ? lowest - room : 0.0, highest + room};
 }
@@ -70,13 +75,16 @@ PlotPanel panel_of(const TruthExperiment& experiment, char letter, std::span<con
         measured.points.push_back({point.x, point.measured});
         xs.push_back(point.x);
         ys.push_back(point.measured);
-        if (std::isfinite(point.published)) ys.push_back(point.published);
+        for (const double published : {point.published, point.published_to}) {
+          if (std::isfinite(published)) ys.push_back(published);
+        }
       }
       plot.curves.push_back(std::move(measured));
     }
   }
   plot.x = axis_around(experiment.x_label, experiment.is_x_logarithmic, xs);
-  plot.y = axis_around(experiment.y_label, experiment.is_y_logarithmic, ys);
+  plot.y =
+      axis_around(experiment.y_label, experiment.is_y_logarithmic, ys, experiment.legend == LegendCorner::lower_right);
   plot.legend = experiment.legend;
   const Deviation deviation = deviation_of(experiment, points);
   return {std::move(plot),
@@ -99,7 +107,8 @@ Drawing draw_truth(const std::vector<TruthPoint>& points, LazyOffscreenRenderer&
 std::string truth_csv(const std::vector<TruthPoint>& points) {
   CsvTable table(truth_columns);
   for (const TruthPoint& p : points) {
-    table.add({cell(p.experiment), cell(p.curve), cell(p.mesh), cell(p.x), cell(p.measured), cell(p.published)});
+    table.add({cell(p.experiment), cell(p.curve), cell(p.mesh), cell(p.x), cell(p.measured), cell(p.published),
+               cell(p.published_to)});
   }
   return table.text();
 }
@@ -107,9 +116,11 @@ std::string truth_csv(const std::vector<TruthPoint>& points) {
 void read_truth(std::vector<TruthPoint>& points, const std::filesystem::path& folder) {
   const CsvFile table(folder / "truth.csv", truth_columns);
   for (std::size_t row = 0; row < table.rows(); ++row) {
-    const double published = table.text(row, 5).empty() ? NAN : table.number(row, 5);
+    const auto published = [&](std::size_t column) {
+      return table.text(row, column).empty() ? NAN : table.number(row, column);
+    };
     points.push_back({table.text(row, 0), table.text(row, 1), table.text(row, 2), table.number(row, 3),
-                      table.number(row, 4), published});
+                      table.number(row, 4), published(5), published(6)});
   }
 }
 
@@ -121,6 +132,7 @@ Deviation deviation_of(const TruthExperiment& experiment, std::span<const TruthP
   for (const TruthPoint& point : points) {
     if (point.experiment != experiment.name || !std::isfinite(point.published)) continue;
     double off = point.measured - point.published;
+    if (std::isfinite(point.published_to)) off -= std::clamp(off, 0.0, point.published_to - point.published);
     if (experiment.measure == Measure::part) off /= point.published;
     if (experiment.measure == Measure::excess) off = std::max(off, 0.0);
     if (!std::isfinite(off)) off = INFINITY;
@@ -133,7 +145,7 @@ Deviation deviation_of(const TruthExperiment& experiment, std::span<const TruthP
 }
 
 std::vector<Job> truth_jobs(std::vector<TruthPoint>& points) {
-  return {{"truth", 12.0, [&points](const ProgressCallback& report) {
+  return {{"truth", 25.0, [&points](const ProgressCallback& report) {
              const std::vector<TruthExperiment> experiments = truth_experiments();
              for (std::size_t i = 0; i < experiments.size(); ++i) {
                const auto part = [&](double fraction) {

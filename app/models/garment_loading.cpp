@@ -41,9 +41,16 @@ void require_one_size(const sim::Mesh& mesh) {
   }
 }
 
-// Only a unit that was asked for can make a garment of any size.
-void require_size(const GarmentSource& source, const Placement& placement) {
+// Only a unit that was asked for can make a garment of any size. Of cloth as thick as its garment no mesh can be made.
+void require_size(const Scene& scene, const Placement& placement) {
+  constexpr double thickest = 0.05;  // share of the garment's size
+  const GarmentSource& source = scene.garment;
   const double size_m = placement.scale * placement.extent;
+  if (scene.material.thickness_m > thickest * size_m) {
+    throw InputError(
+        "cloth.thickness: found {:g} m for the garment '{}', which is {:.3g} m large; expected at most {:.2g} m",
+        scene.material.thickness_m, source.file.string(), size_m, thickest * size_m);
+  }
   const bool has_size = std::isfinite(placement.extent) && placement.extent > 0.0;
   if (source.scale && has_size && !(size_m >= smallest_size_m && size_m <= largest_size_m)) {
     throw InputError(
@@ -189,7 +196,7 @@ sim::Mesh read_mesh(const Scene& scene, LoadedGarment& loaded, const StageReport
   loaded.strays = remove_strays(soup);
   PlacementHints hints{source.scale, source.up, model.metres_per_unit, model.up};
   loaded.placement = place(source, soup, hints);
-  require_size(source, *loaded.placement);
+  require_size(scene, *loaded.placement);
   tell(begin, "joining its vertices");
   try {
     std::vector<sim::Index> kept;

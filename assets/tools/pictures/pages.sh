@@ -23,7 +23,7 @@ print=$assets/textures/print.png
 "$taut" render tshirt-worn --frames 60 --texture "$print" --background white --resolution 391x440 \
   --set picture.outside_colour=#2f5a45 --set camera.azimuth=0 --set 'camera.box=[[-0.42, 0.85, -0.15], [0.42, 1.92, 0.2]]' \
   --output "$folder/2.png"
-"$taut" render tshirt-wind-10 --frames 62 --texture "$print" --background white --resolution 575x440 \
+"$taut" render tshirt-wind-10 --frames 58 --texture "$print" --background white --resolution 575x440 \
   --set picture.outside_colour=#d0182f --output "$folder/3.png"
 join printed hstack=3 3
 
@@ -67,8 +67,12 @@ with open(sys.argv[2], 'w') as out:
     out.writelines('v %.6f %.6f %.6f\n' % point for point in points)
     out.writelines('f %d %d %d\n' % tuple(k + 1 for k in face) for face in faces)
 END
-"$taut" inspect "$folder/tshirt-two-walls.obj" --picture "$pictures/fitted.png"
+"$taut" inspect "$folder/tshirt-two-walls.obj" --picture "$folder/1.png"
+# Its many lines pack well as colours of a palette only.
+ffmpeg -nostdin -y -loglevel error -i "$folder/1.png" -frames:v 1 -pred mixed -filter_complex \
+  "scale=1200:-1:flags=area,split[a][b];[a]palettegen=max_colors=128[p];[b][p]paletteuse=dither=none" "$pictures/fitted.png"
 
 python3 "$assets/patterns/tshirt/as_json.py" "$assets/patterns/tshirt/teagan.toml" >"$folder/tshirt.json"
 "$taut" sew "$folder/tshirt.json" --body "$assets/bodies/mannequin_male_40.glb" --fabric jersey \
-  --output "$folder/shirt.obj" --steps "$pictures/sewing_steps.png"
+  --output "$folder/shirt.obj" --steps "$folder/1.png"
+join sewing_steps scale=1430:-1:flags=area 1

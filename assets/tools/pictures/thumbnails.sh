@@ -53,7 +53,7 @@ rotating-sphere-tenth-percent 220
 table-cloth-1 96 [[-1.1, -0.4, -0.4], [0.4, 0.0, 0.4]]
 table-cloth-2 64 [[-1.1, -0.4, -0.4], [0.4, 0.0, 0.4]]
 table-cloth-4 64 [[-1.1, -0.4, -0.4], [0.4, 0.0, 0.4]]
-table-cloth-8 64 [[-1.1, -0.4, -0.4], [0.4, 0.0, 0.4]]
+table-cloth-8 64 [[-1.1, -0.5, -0.4], [0.4, 0.35, 0.4]]
 twisted-cylinder 400
 dress 20
 hooded_top 20

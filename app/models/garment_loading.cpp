@@ -41,22 +41,24 @@ void require_one_size(const sim::Mesh& mesh) {
   }
 }
 
-// Only a unit that was asked for can make a garment of any size. Of cloth as thick as its garment no mesh can be made.
-void require_size(const Scene& scene, const Placement& placement) {
-  constexpr double thickest = 0.05;  // share of the garment's size
-  const GarmentSource& source = scene.garment;
+// Only a unit that was asked for can make a garment of any size.
+void require_size(const GarmentSource& source, const Placement& placement) {
   const double size_m = placement.scale * placement.extent;
-  if (scene.material.thickness_m > thickest * size_m) {
-    throw InputError(
-        "cloth.thickness: found {:g} m for the garment '{}', which is {:.3g} m large; expected at most {:.2g} m",
-        scene.material.thickness_m, source.file.string(), size_m, thickest * size_m);
-  }
   const bool has_size = std::isfinite(placement.extent) && placement.extent > 0.0;
   if (source.scale && has_size && !(size_m >= smallest_size_m && size_m <= largest_size_m)) {
     throw InputError(
         "cannot use the garment '{}': with the unit asked for it is {:.3g} m large; expected {:g} m to {:g} "
         "m",
         source.file.string(), size_m, smallest_size_m, largest_size_m);
+  }
+}
+
+// Of cloth as thick as its garment no mesh can be made.
+void require_thin(double thickness_m, double size_m) {
+  constexpr double thickest = 0.05;  // share of the garment's size
+  if (thickness_m > thickest * size_m) {
+    throw InputError("cloth.thickness: found {:g} m for a garment that is {:.3g} m large; expected at most {:.2g} m",
+                     thickness_m, size_m, thickest * size_m);
   }
 }
 
@@ -196,7 +198,7 @@ sim::Mesh read_mesh(const Scene& scene, LoadedGarment& loaded, const StageReport
   loaded.strays = remove_strays(soup);
   PlacementHints hints{source.scale, source.up, model.metres_per_unit, model.up};
   loaded.placement = place(source, soup, hints);
-  require_size(scene, *loaded.placement);
+  require_size(source, *loaded.placement);
   tell(begin, "joining its vertices");
   try {
     std::vector<sim::Index> kept;
@@ -204,6 +206,7 @@ sim::Mesh read_mesh(const Scene& scene, LoadedGarment& loaded, const StageReport
     // Two walls of one cloth are not to be sewn together.
     sim::ValidatedMesh valid = sim::weld_and_validate(soup, {source.weld_m.value_or(0.0) / scale, 0.0}, kept);
     require_one_size(valid.mesh);
+    require_thin(scene.material.thickness_m, scale * glm::length(sim::extent_of(valid.mesh.positions).size()));
     tell(begin, "looking whether it is fit to be simulated");
     const bool is_cut = !source.given && is_at_rest_as_cut(source.model());
     std::optional<FittedModel> fitted =

@@ -55,7 +55,7 @@ void require_size(const GarmentSource& source, const Placement& placement) {
 
 // Of cloth as thick as its garment no mesh can be made.
 void require_thin(double thickness_m, double size_m) {
-  constexpr double thickest = 0.05;  // share of the garment's size
+  constexpr double thickest = 0.08;  // share of the garment's size
   if (thickness_m > thickest * size_m) {
     throw InputError("cloth.thickness: found {:g} m for a garment that is {:.3g} m large; expected at most {:.2g} m",
                      thickness_m, size_m, thickest * size_m);

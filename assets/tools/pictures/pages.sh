@@ -1,7 +1,7 @@
 #!/bin/sh
 # pages.sh TAUT FOLDER
-# Draws pictures of the pages about drawing, models, sewing and the solver into FOLDER: printed.png, fitted.png,
-# sewing_steps.png and springs_and_surface.png. Takes a minute; needs ffmpeg and python3.
+# Draws pictures of the pages about drawing, models, sewing, bodies and the solver into FOLDER: printed.png, fitted.png,
+# fit.png, sewing_steps.png, outfits.png and springs_and_surface.png. Takes some minutes; needs ffmpeg and python3.
 set -eu
 [ $# -eq 2 ] || { sed -n '2,4s/^# //p' "$0" >&2; exit 2; }
 taut=$1 pictures=$2
@@ -76,3 +76,13 @@ python3 "$assets/patterns/tshirt/as_json.py" "$assets/patterns/tshirt/teagan.tom
 "$taut" sew "$folder/tshirt.json" --body "$assets/bodies/mannequin_male_40.glb" --fabric jersey \
   --output "$folder/shirt.obj" --steps "$folder/1.png"
 join sewing_steps scale=1430:-1:flags=area 1
+
+"$taut" fit "$assets/garments/tshirt_10600.obj" --body "$assets/bodies/mannequin_female_34.glb" --output "$folder/1.png"
+join fit scale=887:-1:flags=area 1
+
+number=0
+for scene in outfit-walk outfit-three-walk; do
+  number=$((number + 1))
+  "$taut" render $scene --frames 40 --resolution 720x900 --output "$folder/$number.png"
+done
+join outfits hstack 2

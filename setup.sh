@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # Installs every system package Taut needs, on Debian 12 or newer and its relatives. Run it again at any
-# time: when all is there it does nothing. With --blender also Blender, for the tests behind TAUT_BLENDER_TESTS, with
-# --bench Bullet, for the race behind TAUT_BENCH, with --farms GNU parallel, snakemake and a Slurm, for those on farms, the last behind TAUT_SLURM_TESTS,
-# with --web emscripten and Chromium, for the page.
+# time: when all is there it does nothing. With --blender also Blender, for the tests behind TAUT_BLENDER_TESTS, and F3D,
+# both for pictures beside ours; with --bench Bullet, for the race behind TAUT_BENCH; with --farms GNU parallel, snakemake
+# and a Slurm, for the tests on farms, the last behind TAUT_SLURM_TESTS; with --web emscripten and Chromium, for the page.
 set -euo pipefail
 
 packages=(
@@ -66,6 +66,7 @@ packages=(
 
 packages_of_blender=(
   blender
+  f3d                 # assets/tools/pictures/beside_others.sh puts both beside ours
 )
 packages_of_web=(
   emscripten          # the engine as WebAssembly

@@ -53,6 +53,15 @@ void require_size(const GarmentSource& source, const Placement& placement) {
   }
 }
 
+// Of cloth as thick as its garment no mesh can be made.
+void require_thin(double thickness_m, double size_m) {
+  constexpr double thickest = 0.08;  // share of the garment's size
+  if (thickness_m > thickest * size_m) {
+    throw InputError("cloth.thickness: found {:g} m for a garment that is {:.3g} m large; expected at most {:.2g} m",
+                     thickness_m, size_m, thickest * size_m);
+  }
+}
+
 void tell(const StageReport& begin, const std::string& stage) {
   if (begin) begin(stage);
 }
@@ -197,6 +206,7 @@ sim::Mesh read_mesh(const Scene& scene, LoadedGarment& loaded, const StageReport
     // Two walls of one cloth are not to be sewn together.
     sim::ValidatedMesh valid = sim::weld_and_validate(soup, {source.weld_m.value_or(0.0) / scale, 0.0}, kept);
     require_one_size(valid.mesh);
+    require_thin(scene.material.thickness_m, scale * glm::length(sim::extent_of(valid.mesh.positions).size()));
     tell(begin, "looking whether it is fit to be simulated");
     const bool is_cut = !source.given && is_at_rest_as_cut(source.model());
     std::optional<FittedModel> fitted =

@@ -1,6 +1,8 @@
 #include "app/viewer/viewer.hpp"
 
+#include "app/base/files.hpp"
 #include "app/drawing/framing.hpp"
+#include "app/models/import_process.hpp"
 #include "renderer/page/png.hpp"
 
 namespace taut::app {
@@ -87,7 +89,20 @@ Viewer::Viewer(SimulationHost& simulation, const ViewerSettings& settings)
   state_.scenes = scene_choices();
   state_.garments = garment_choices();
   state_.fabrics = files_in("fabrics", ".toml");
+  thumbnails_ = std::async(std::launch::async, read_image, assets_folder() / "scenes" / "thumbnails.png");
   note_snapshot(simulation_.begin_frame(0.0, std::nullopt));
+}
+
+// Nobody waits for them, unless the picture may depend on the input alone.
+void Viewer::take_thumbnails() {
+  const bool waits = !state_.measurements.shows_times;
+  if (!thumbnails_.valid()) return;
+  if (!waits && thumbnails_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return;
+  attempt([&] {
+    interface_.set_thumbnails(thumbnails_.get());
+    std::istringstream names(read_text_file(assets_folder() / "scenes" / "thumbnails.txt"));
+    state_.thumbnails.assign(std::istream_iterator<std::string>(names), {});
+  });
 }
 
 WindowLayout Viewer::layout() const {
@@ -105,6 +120,7 @@ SessionFrame Viewer::update(SessionFrame frame) {
   note_snapshot(simulation_.begin_frame(frame.elapsed_s, frame.pace));
   note_speed(advances_before);
   warn();
+  take_thumbnails();
   interface_.begin_frame(layout().width_px, layout().height_px, frame.elapsed_s);
   lay_out(state_, layout());
   hands_.update(pointer_over_one(), !interface_.wants_pointer(), area_of_one(), state_, commands_);

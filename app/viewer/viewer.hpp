@@ -1,5 +1,7 @@
 #pragma once
 
+#include <future>
+
 #include "app/viewer/keeping.hpp"
 #include "app/viewer/panel/panel.hpp"
 #include "app/viewer/panel/user_interface.hpp"
@@ -144,6 +146,7 @@ class Viewer {
   void save_scene();
   void export_shape();
   void load_asked();
+  void take_thumbnails();
   void ask_for_scene_beside(std::ptrdiff_t by);
   void choose_fabric(const std::string& name);
   void load(DrawnScene scene, const std::vector<std::string>& remarks);
@@ -183,6 +186,7 @@ class Viewer {
   bool is_ended_ = false;
   std::optional<ClothOfScene> own_cloth_;  ///< of the scene as it was opened; empty: it is being opened
   std::optional<WindowRecorder> recorder_;
+  std::future<TextureImage> thumbnails_;  ///< until they are there
 };
 
 /// Opens a window and returns when the user closes it. All input is recorded to `record_to` unless that is

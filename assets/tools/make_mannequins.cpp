@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "app/base/files.hpp"
+#include "tailor/mannequin/details.hpp"
 #include "tailor/mannequin/glb.hpp"
 
 namespace {
@@ -34,9 +35,11 @@ void make_mannequin(const std::filesystem::path& recipes, const std::filesystem:
   const std::filesystem::path measurements = recipes / "measurements.toml";
   Body body = make_body(shape, read_measurements(measurements, shape.reference),
                         read_measurements(measurements, size));
-  const FittedBody fitted = fit(body);
+  FittedBody fitted = fit(body);
+  std::vector<VertexWeights> weights = make_weights(body, fitted);
+  add_details(body.shape, fitted, weights);
   const std::string name = "mannequin_" + size;
-  const auto bytes = make_glb(name, origin, body, fitted.whole, make_weights(body, fitted));
+  const auto bytes = make_glb(name, origin, body, fitted.whole, weights);
   taut::app::write_file(folder / (name + ".glb"), bytes);
   std::printf("%s.glb: %zu triangles, %zu kB, girths to %.2f mm\n", name.c_str(),
               fitted.whole.triangles.size(), bytes.size() / 1000, 1e3 * fitted.worst_error_m);

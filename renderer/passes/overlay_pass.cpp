@@ -11,7 +11,7 @@ struct OverlayPass::Parts {
   VertexArray arrays;
   Buffer vertices;
   Buffer indices;
-  Texture coverage;
+  Texture sheet;
 
   explicit Parts(Context& made);
   void set_state() const;
@@ -25,14 +25,14 @@ OverlayPass::Parts::Parts(Context& made)
       arrays(gl),
       vertices(gl),
       indices(gl),
-      coverage(gl) {
+      sheet(gl) {
   constexpr GLsizei stride = sizeof(OverlayVertex);
   const auto offset = [](std::size_t bytes) { return reinterpret_cast<const void*>(bytes); };
   gl.BindVertexArray(arrays.name());
   gl.BindBuffer(GL_ARRAY_BUFFER, vertices.name());
   gl.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices.name());
   gl.VertexAttribPointer(0, 2, GL_FLOAT, GL_FALSE, stride, offset(offsetof(OverlayVertex, position_px)));
-  gl.VertexAttribPointer(1, 2, GL_FLOAT, GL_FALSE, stride, offset(offsetof(OverlayVertex, coverage_place)));
+  gl.VertexAttribPointer(1, 2, GL_FLOAT, GL_FALSE, stride, offset(offsetof(OverlayVertex, sheet_place)));
   gl.VertexAttribPointer(2, 4, GL_UNSIGNED_BYTE, GL_TRUE, stride, offset(offsetof(OverlayVertex, colour_rgba8)));
   for (GLuint location = 0; location < 3; ++location) gl.EnableVertexAttribArray(location);
   gl.BindVertexArray(0);
@@ -64,11 +64,10 @@ OverlayPass::OverlayPass(Context& context) {
 
 OverlayPass::~OverlayPass() { delete_in_context(parts_); }
 
-void OverlayPass::set_coverage(int width_px, int height_px, std::span<const std::uint8_t> coverage) {
+void OverlayPass::set_sheet(int width_px, int height_px, std::span<const std::uint8_t> rgba) {
   const GladGLContext& gl = parts_->gl;
-  bind_texture(gl, 0, GL_TEXTURE_2D, parts_->coverage);
-  gl.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
-  gl.TexImage2D(GL_TEXTURE_2D, 0, GL_R8, width_px, height_px, 0, GL_RED, GL_UNSIGNED_BYTE, coverage.data());
+  bind_texture(gl, 0, GL_TEXTURE_2D, parts_->sheet);
+  gl.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, width_px, height_px, 0, GL_RGBA, GL_UNSIGNED_BYTE, rgba.data());
   set_sampling(gl, GL_TEXTURE_2D, GL_LINEAR);
   gl.BindTexture(GL_TEXTURE_2D, 0);
   check_errors(gl, "storing the letters");
@@ -82,9 +81,9 @@ void OverlayPass::draw(unsigned framebuffer, int width_px, int height_px, const 
   parts_->program.use();
   parts_->program.set("pixels_to_clip", glm::vec4{2.0F / static_cast<float>(width_px),
                                                   -2.0F / static_cast<float>(height_px), -1.0F, 1.0F});
-  parts_->program.set("coverage", 0);
+  parts_->program.set("sheet", 0);
   gl.BindSampler(0, 0);
-  bind_texture(gl, 0, GL_TEXTURE_2D, parts_->coverage);
+  bind_texture(gl, 0, GL_TEXTURE_2D, parts_->sheet);
   gl.BindVertexArray(parts_->arrays.name());
   upload(gl, GL_ARRAY_BUFFER, parts_->vertices, overlay.vertices);
   upload(gl, GL_ELEMENT_ARRAY_BUFFER, parts_->indices, overlay.indices);

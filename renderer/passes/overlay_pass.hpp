@@ -7,7 +7,7 @@ namespace taut::renderer {
 /// A vertex of a user interface's triangles.
 struct OverlayVertex {
   glm::vec2 position_px;       ///< pixels right of and below the picture's upper left corner
-  glm::vec2 coverage_place;    ///< texture coordinates in the coverage map, 0..1
+  glm::vec2 sheet_place;       ///< texture coordinates in the sheet, 0..1
   std::uint32_t colour_rgba8;  ///< red in the lowest byte; sRGB-encoded, not premultiplied
 };
 
@@ -27,8 +27,8 @@ struct OverlayView {
   std::vector<OverlayPart> parts;
 };
 
-/// Draws a user interface over a picture: coloured triangles whose alpha is multiplied by a coverage map,
-/// which holds the letters. Blends sRGB-encoded colours, as user interfaces are designed for.
+/// Draws a user interface over a picture: coloured triangles that are multiplied by a sheet, which holds white
+/// letters and small pictures. Blends sRGB-encoded colours, as user interfaces are designed for.
 class OverlayPass {
  public:
   /// Makes the context current. The context must outlive the pass. Throws ContextError and ShaderError.
@@ -37,9 +37,8 @@ class OverlayPass {
   OverlayPass(const OverlayPass&) = delete;
   OverlayPass& operator=(const OverlayPass&) = delete;
 
-  /// Sets the coverage map: width_px * height_px bytes, top row first, 255 for full coverage. Throws
-  /// ContextError.
-  void set_coverage(int width_px, int height_px, std::span<const std::uint8_t> coverage);
+  /// Sets the sheet: width_px * height_px pixels of four bytes, top row first. Throws ContextError.
+  void set_sheet(int width_px, int height_px, std::span<const std::uint8_t> rgba);
 
   /// Draws to a framebuffer of the caller (0: the window) of width_px by height_px. Throws ContextError.
   void draw(unsigned framebuffer, int width_px, int height_px, const OverlayView& overlay);

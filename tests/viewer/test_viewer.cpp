@@ -240,6 +240,18 @@ TEST(Window, GarmentsAreSortedBySize) {
   EXPECT_EQ(std::vector(first, first + 3), (std::vector<std::string>{"tshirt_1028", "tshirt_5280", "tshirt_10600"}));
 }
 
+TEST(Window, EveryChoiceOfSceneAndGarmentHasAPicture) {
+  Person person("pinned-9x9-5");
+  person.wait(1);
+  const ViewerState& state = person.viewer.state();
+  ASSERT_FALSE(state.scenes.empty() || state.garments.empty());
+  for (const std::vector<Choice>& choices : {state.scenes, state.garments}) {
+    for (const Choice& choice : choices) {
+      EXPECT_EQ(std::ranges::count(state.thumbnails, choice.name), 1) << choice.name;
+    }
+  }
+}
+
 TEST(Window, GarmentsWithOtherSeamsHangFromTheirOwn) {
   Person person("tshirt");
   for (const char* garment : {"skirt", "hooded_top", "tshirt_1028"}) {

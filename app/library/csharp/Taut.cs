@@ -22,7 +22,10 @@ public struct Frame {
   public double TimeS, MaxEdgeStretch, MaxSurfaceStretch, SmallestDistanceM;
   public long CrossingPairs;
   public ulong StateHash;
-  public int Substeps, IsBoundKept, IsContactKept, IsAsleep;
+  public int Substeps;
+  [MarshalAs(UnmanagedType.Bool)] public bool IsBoundKept;
+  [MarshalAs(UnmanagedType.Bool)] public bool IsContactKept;
+  [MarshalAs(UnmanagedType.Bool)] public bool IsAsleep;
   public ulong MeasuredCrossings;
   public double LeftOutShare;
 }

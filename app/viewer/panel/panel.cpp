@@ -17,6 +17,8 @@ constexpr float panel_width_px = 320.0F;
 // The pointer must rest on an item for this long before its hint appears. A shorter time makes the panel
 // flicker.
 constexpr double hint_after_s = 0.5;
+// Of each small picture, in the sheet of them.
+constexpr glm::ivec2 thumbnail_px{96, 72};
 
 int panel_width(const WindowLayout& layout) { return static_cast<int>(panel_width_px * layout.scale); }
 
@@ -130,13 +132,40 @@ void note_place(ViewerState& state, const char* name) {
   if (ImGui::IsItemHovered() && !ImGui::IsAnyMouseDown()) explain(state, name);
 }
 
+// Returns whether it was clicked. A picture stands left of the text.
+bool lay_out_entry(const ListEntry& entry) {
+  if (!entry.thumbnail) return ImGui::Selectable(entry.label.c_str(), entry.is_chosen);
+  ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
+  const ImFontAtlasCustomRect& sheet = *atlas.GetCustomRectByIndex(0);
+  const auto number = static_cast<int>(*entry.thumbnail);
+  const int columns = sheet.Width / thumbnail_px.x;
+  const auto uv = [&](int column, int row) {
+    return ImVec2{atlas.TexUvScale.x * static_cast<float>(sheet.X + (number % columns + column) * thumbnail_px.x),
+                  atlas.TexUvScale.y * static_cast<float>(sheet.Y + (number / columns + row) * thumbnail_px.y)};
+  };
+  const float height = 2.4F * ImGui::GetFontSize();
+  const float width = height * static_cast<float>(thumbnail_px.x) / static_cast<float>(thumbnail_px.y);
+  const ImVec2 corner = ImGui::GetCursorScreenPos();
+  const float text = width + ImGui::GetStyle().ItemSpacing.x;
+  const float needed = text + ImGui::CalcTextSize(entry.label.c_str()).x;
+  const bool is_clicked = ImGui::Selectable(("##" + entry.name).c_str(), entry.is_chosen, ImGuiSelectableFlags_None,
+                                            {std::max(needed, ImGui::GetContentRegionAvail().x), height});
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  list.AddImage(atlas.TexID, corner, {corner.x + width, corner.y + height}, uv(0, 0), uv(1, 1));
+  list.AddText({corner.x + text, corner.y + 0.5F * (height - ImGui::GetFontSize())}, ImGui::GetColorU32(ImGuiCol_Text),
+               entry.label.c_str());
+  return is_clicked;
+}
+
 std::optional<std::size_t> list_of(ViewerState& state, const char* label, const std::string& name,
                                    const std::string& closed, const std::vector<ListEntry>& entries) {
   std::optional<std::size_t> clicked;
+  ImGui::SetNextWindowSizeConstraints({0.0F, 0.0F}, {FLT_MAX, 0.9F * ImGui::GetIO().DisplaySize.y});
   if (ImGui::BeginCombo(label, closed.c_str(), ImGuiComboFlags_HeightLarge)) {
     if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false)) ImGui::CloseCurrentPopup();
     for (std::size_t k = 0; k < entries.size(); ++k) {
-      clicked = ImGui::Selectable(entries[k].label.c_str(), entries[k].is_chosen) ? k : clicked;
+      clicked = lay_out_entry(entries[k]) ? k : clicked;
+      if (entries[k].is_chosen && ImGui::IsWindowAppearing()) ImGui::SetScrollHereY();
       note_place(state, (name + '.' + entries[k].name).c_str());
     }
     ImGui::EndCombo();

@@ -7,17 +7,20 @@
 namespace taut::app {
 namespace {
 
-std::vector<ListEntry> entries_of(const std::vector<Choice>& choices, const std::string& chosen) {
+std::vector<ListEntry> entries_of(const ViewerState& state, const std::vector<Choice>& choices,
+                                  const std::string& chosen) {
   std::vector<ListEntry> entries;
   for (const Choice& choice : choices) {
     entries.push_back({choice.label.empty() ? choice.name : choice.label, choice.name, choice.name == chosen});
+    const auto found = std::ranges::find(state.thumbnails, choice.name);
+    if (found != state.thumbnails.end()) entries.back().thumbnail = found - state.thumbnails.begin();
   }
   return entries;
 }
 
 void lay_out_scene_list(ViewerState& state) {
   const std::string& name = state.scene.name;
-  if (const auto clicked = list_of(state, "##scene", "scene", name, entries_of(state.scenes, name))) {
+  if (const auto clicked = list_of(state, "##scene", "scene", name, entries_of(state, state.scenes, name))) {
     state.scene_asked = state.scenes[*clicked].name;
   }
   const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
@@ -32,7 +35,7 @@ void lay_out_scene_list(ViewerState& state) {
 void lay_out_garment_list(ViewerState& state) {
   const std::filesystem::path& file = state.scene.garment.file;
   const std::string name = file.empty() ? "grid" : file.stem().string();
-  if (const auto clicked = list_of(state, "garment", "garment", name, entries_of(state.garments, name))) {
+  if (const auto clicked = list_of(state, "garment", "garment", name, entries_of(state, state.garments, name))) {
     state.garment_asked = state.garments[*clicked].file;
   }
 }
@@ -40,7 +43,7 @@ void lay_out_garment_list(ViewerState& state) {
 void lay_out_fabric_list(ViewerState& state) {
   const std::string name = std::filesystem::path(state.scene.fabric).stem().string();
   const std::string own = "the scene's own";
-  std::vector<ListEntry> entries = entries_of(state.fabrics, name);
+  std::vector<ListEntry> entries = entries_of(state, state.fabrics, name);
   entries.insert(entries.begin(), {own, "own", name.empty()});
   if (const auto clicked = list_of(state, "fabric", "fabric", name.empty() ? own : name, entries)) {
     state.fabric_asked = *clicked == 0 ? "" : entries[*clicked].name;

@@ -171,12 +171,16 @@ std::string speed_text(const ViewerState& state) {
   return fmt::format("{:.2f} x real time{}", speed->first, reason_text(speed->second, *state.newest));
 }
 
-/// Where the simulation falls behind, a button that takes a garment of fewer triangles.
+/// Where the simulation falls behind, a button that takes a garment of fewer triangles; right of the last line, so that
+/// nothing below moves away from the pointer.
 void offer_coarser(ViewerState& state) {
   const auto speed = speed_of(state);
   const Choice* const coarser = coarser_than(state.newest->loaded->scene.garment.file.stem().string(), state.garments);
   if (stands_still(state) || !speed || speed->second != SlowedBy::simulation || coarser == nullptr) return;
-  if (ImGui::SmallButton(("Take " + coarser->name).c_str())) state.garment_asked = coarser->file;
+  const std::string label = "Take " + coarser->name;
+  const ImGuiStyle& style = ImGui::GetStyle();
+  ImGui::SameLine(ImGui::GetContentRegionMax().x - ImGui::CalcTextSize(label.c_str()).x - 2.0F * style.FramePadding.x);
+  if (ImGui::SmallButton(label.c_str())) state.garment_asked = coarser->file;
   note_place(state, "measured.coarser");
 }
 
@@ -279,9 +283,9 @@ void lay_out_measurements(ViewerState& state, float scale) {
   plot_convergence(state, scale);
   plot_times(state, scale);
   reading_line(state, "measured.pictures", pictures_text(state));
+  offer_coarser(state);
   reading_line(state, "measured.size", size_text(*state.newest->loaded->garment));
   reading_line(state, "measured.speed", speed_text(state));
-  offer_coarser(state);
 }
 
 void lay_out_time_bar(ViewerState& state, const ViewArea& area, float scale) {

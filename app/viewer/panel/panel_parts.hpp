@@ -38,6 +38,7 @@ struct ListEntry {
   std::string label;
   std::string name;  ///< it is placed at the name of the list, a full stop and this
   bool is_chosen = false;
+  std::optional<std::size_t> thumbnail = std::nullopt;  ///< its number among those of UserInterface
 };
 /// A list, which shows `closed` while it is not open; Escape closes it. Returns the number of the entry that
 /// was clicked.

@@ -11,7 +11,7 @@ namespace keys = renderer::keys;
 constexpr double letter_height_px = 15.0;
 
 static_assert(sizeof(ImDrawVert) == sizeof(renderer::OverlayVertex));
-static_assert(offsetof(ImDrawVert, uv) == offsetof(renderer::OverlayVertex, coverage_place));
+static_assert(offsetof(ImDrawVert, uv) == offsetof(renderer::OverlayVertex, sheet_place));
 static_assert(offsetof(ImDrawVert, col) == offsetof(renderer::OverlayVertex, colour_rgba8));
 static_assert(sizeof(ImDrawIdx) == sizeof(std::uint16_t));
 
@@ -160,15 +160,34 @@ void UserInterface::make_letters() {
     plain.SizePixels = height_px;
     atlas.AddFontDefault(&plain);
   }
+  if (thumbnails_.rgba) {
+    atlas.TexDesiredWidth = 1024;
+    atlas.AddCustomRectRegular(static_cast<int>(thumbnails_.width_px), static_cast<int>(thumbnails_.height_px));
+  }
   atlas.Build();
   ++letters_number_;
+  if (thumbnails_.rgba) {
+    const ImFontAtlasCustomRect& place = *atlas.GetCustomRectByIndex(0);
+    unsigned char* pixels = nullptr;
+    int row_px = 0, rows = 0;
+    atlas.GetTexDataAsRGBA32(&pixels, &row_px, &rows);
+    for (std::size_t y = 0; y < place.Height; ++y) {
+      const std::size_t row = (place.Y + y) * static_cast<std::size_t>(row_px) + place.X;
+      std::memcpy(pixels + 4 * row, thumbnails_.rgba->data() + 4 * y * place.Width, std::size_t{4} * place.Width);
+    }
+  }
+}
+
+void UserInterface::set_thumbnails(TextureImage thumbnails) {
+  thumbnails_ = std::move(thumbnails);
+  make_letters();
 }
 
 UserInterface::Letters UserInterface::letters() const {
   Letters letters;
   unsigned char* pixels = nullptr;
-  ImGui::GetIO().Fonts->GetTexDataAsAlpha8(&pixels, &letters.width_px, &letters.height_px);
-  letters.coverage = {pixels, static_cast<std::size_t>(letters.width_px) * static_cast<std::size_t>(letters.height_px)};
+  ImGui::GetIO().Fonts->GetTexDataAsRGBA32(&pixels, &letters.width_px, &letters.height_px);
+  letters.rgba = {pixels, 4 * static_cast<std::size_t>(letters.width_px) * static_cast<std::size_t>(letters.height_px)};
   letters.number = letters_number_;
   return letters;
 }

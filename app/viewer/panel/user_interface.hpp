@@ -2,6 +2,7 @@
 
 #include <filesystem>
 
+#include "app/models/surface_colours.hpp"
 #include "renderer/context/window.hpp"
 #include "renderer/passes/overlay_pass.hpp"
 
@@ -33,12 +34,14 @@ class UserInterface {
   /// The prefix of the names of ImGui windows that belong in a picture of the scene.
   static constexpr const char* in_pictures = "legends";
 
-  /// The font as an image, for renderer::OverlayPass. `coverage` has one byte per pixel. `number` changes
-  /// when the image changes.
+  /// Sets small pictures that are kept beside the letters, which are made anew.
+  void set_thumbnails(TextureImage thumbnails);
+
+  /// The font and the thumbnails as an image, for renderer::OverlayPass. `number` changes when the image changes.
   struct Letters {
     int width_px = 0;
     int height_px = 0;
-    std::span<const std::uint8_t> coverage;
+    std::span<const std::uint8_t> rgba;
     std::uint64_t number = 0;
   };
   Letters letters() const;
@@ -52,6 +55,7 @@ class UserInterface {
   ImGuiContext* context_;
   double scale_;
   std::filesystem::path font_;
+  TextureImage thumbnails_;
   std::uint64_t letters_number_ = 0;
   std::vector<renderer::OverlayVertex> vertices_;
   std::vector<std::uint16_t> indices_;

@@ -288,7 +288,7 @@ void InterfacePicture::draw_panel(const WindowLayout& layout, const renderer::Ov
 // Whether they are others than before.
 bool InterfacePicture::take_letters(const UserInterface::Letters& letters) {
   if (letters.number == letters_number_) return false;
-  pass_.set_coverage(letters.width_px, letters.height_px, letters.coverage);
+  pass_.set_sheet(letters.width_px, letters.height_px, letters.rgba);
   letters_number_ = letters.number;
   return true;
 }

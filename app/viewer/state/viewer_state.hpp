@@ -168,6 +168,7 @@ struct ViewerState {
   std::vector<Choice> scenes;
   std::vector<Choice> garments;
   std::vector<Choice> fabrics;
+  std::vector<std::string> thumbnails;  ///< names of scenes and garments in the order of their pictures
   MotionChoices motions;
   std::vector<Message> messages;
   std::string warning;  ///< shown while it applies; empty: none

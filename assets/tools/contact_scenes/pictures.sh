@@ -21,7 +21,7 @@ funnel 130
 needles 92 [[-0.85, -0.22, -0.5], [0.5, 0.1, 0.5]]
 layers 34
 table-cloth-1 96 [[-1.1, -0.4, -0.4], [0.4, 0.0, 0.4]]
-table-cloth-8 64 [[-1.1, -0.4, -0.4], [0.4, 0.0, 0.4]]
+table-cloth-8 64 [[-1.1, -0.5, -0.4], [0.4, 0.35, 0.4]]
 END
 ffmpeg -loglevel error -y -start_number 1 -i "$folder/%d.png" -frames:v 1 -pix_fmt rgb24 -pred mixed \
   -vf tile=3x3:padding=4:color=white "$file"

@@ -148,7 +148,7 @@ void add_part(Shape& shape, const PartRecipe& recipe) {
   part.frame = {chain.reference_origin_m + turned(chain.frame, part.frame.origin_m),
                 turned(chain.frame, part.frame.along), turned(chain.frame, part.frame.side),
                 turned(chain.frame, part.frame.front)};
-  shape.parts.push_back(part);
+  (recipe.is_detail ? shape.details : shape.parts).push_back(part);
 }
 
 std::vector<Tape> make_tapes(const Shape& shape, const Landmarks& l, const Measurements& m,

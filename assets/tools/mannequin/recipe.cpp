@@ -126,6 +126,11 @@ PartRecipe read_part(const Place& place) {
   part.blend_m = place.number("blend", part.blend_m);
   part.edge_m = place.number("edge", part.edge_m);
   part.on_midline = place.table["midline"].value_or(false);
+  part.is_hollow = place.table["hollow"].value_or(false);
+  result.is_detail = place.table["detail"].value_or(false);
+  if (part.is_hollow && !result.is_detail) {
+    place.fail("only a detail can be hollow");
+  }
   // Along, side and front of the chain are x, y and z until the part is put on it.
   part.frame.origin_m = place.vector("origin", Vec3(0.0));
   part.frame.along = glm::normalize(place.vector("along", Vec3(1.0, 0.0, 0.0)));

@@ -26,6 +26,7 @@ struct JointRecipe {
 struct PartRecipe {
   std::string chain;
   Part part;
+  bool is_detail = false;
 };
 
 /// How a body is drawn: for one size, the reference.

@@ -121,9 +121,16 @@ double distance_m(const Shape& shape, const Vec3& point_m) {
   const Vec3 left_m = {std::abs(point_m.x), point_m.y, point_m.z};
   double distance = 1.0;
   for (const Part& part : shape.parts) {
-    distance = smooth_min(distance, both_sides_m(shape, part, left_m), part.blend_m);
+    const double own = both_sides_m(shape, part, left_m);
+    distance = part.is_hollow ? -smooth_min(-distance, own, part.blend_m) : smooth_min(distance, own, part.blend_m);
   }
   return -smooth_min(-distance, point_m.y, sole_blend_m);
+}
+
+Shape with_details(const Shape& shape) {
+  Shape whole = shape;
+  whole.parts.insert(whole.parts.end(), shape.details.begin(), shape.details.end());
+  return whole;
 }
 
 double chain_distance_m(const Shape& shape, std::size_t chain, const Vec3& point_m) {

@@ -46,6 +46,7 @@ struct Part {
   double blend_m = 0.03;    ///< the width over which it flows into the parts before it
   double edge_m = 0.029;    ///< of the triangles there
   bool on_midline = false;  ///< goes through x = 0, and is there once and not twice
+  bool is_hollow = false;   ///< of a detail: taken away instead of added
   Frame frame;              ///< on the reference body
   /// At the place along the axis, in metres: centre to the side, centre to the front, the squares of half the
   /// width, of the depth to the back and of that to the front, squareness from -1 (lozenge) over 0 (ellipse)
@@ -57,6 +58,7 @@ struct Part {
 struct Shape {
   std::vector<Chain> chains;
   std::vector<Part> parts;
+  std::vector<Part> details;  ///< features of the face, which are put on the mesh of the parts
 };
 
 /// Returns a signed measure of the distance to a part alone, in metres, negative inside.
@@ -65,6 +67,8 @@ double distance_m(const Shape& shape, const Part& part, const Vec3& point_m);
 double distance_m(const Shape& shape, const Vec3& point_m);
 /// Returns the same of all parts of a chain on the left.
 double chain_distance_m(const Shape& shape, std::size_t chain, const Vec3& point_m);
+/// Returns the shape whose parts are all parts and details.
+Shape with_details(const Shape& shape);
 /// Returns the direction of the fastest growth of `distance_m`, times that growth.
 Vec3 gradient(const Shape& shape, const Vec3& point_m);
 /// Returns the point of the surface that Newton's method finds from there; one of x = 0 stays there.

@@ -1,7 +1,7 @@
 #!/bin/sh
 # beside_others.sh TAUT SHEET.png [FABRIC]
 # Draws one moment of the T-shirt by Taut and, with the same camera, by Blender's Eevee as cotton and as velvet and by
-# F3D, as far as these are installed, and puts the pictures side by side. Needs ffmpeg; Blender needs xvfb-run.
+# F3D, as far as these are installed, and puts the pictures side by side. Needs ffmpeg; the others need xvfb-run.
 set -eu
 [ $# -ge 2 ] || { sed -n '2,4s/^# //p' "$0" >&2; exit 2; }
 taut=$1 sheet=$2 fabric=${3:-cotton}
@@ -21,8 +21,8 @@ if command -v blender >/dev/null && command -v xvfb-run >/dev/null; then
     set -- "$@" "$folder/$look.png"
   done
 fi
-if command -v f3d >/dev/null; then
-  f3d "$folder/shirt.obj" --output "$folder/f3d.png" --resolution 640,720 --camera-position $eye \
+if command -v f3d >/dev/null && command -v xvfb-run >/dev/null; then
+  xvfb-run -a f3d "$folder/shirt.obj" --output "$folder/f3d.png" --resolution 640,720 --camera-position $eye \
     --camera-focal-point $target --camera-view-angle $degrees --up +Y --ssao --fxaa --tone-mapping \
     --bg-color 0.9,0.9,0.9
   set -- "$@" "$folder/f3d.png"

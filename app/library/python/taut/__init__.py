@@ -28,6 +28,8 @@ except ImportError:
 
     np = _NoNumpy()
 
+__all__ = ['ABI_VERSION', 'Body', 'Cloth', 'Error', 'Frame', 'fabrics', 'scenes']
+
 ABI_VERSION = 1
 
 

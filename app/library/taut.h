@@ -60,7 +60,7 @@ typedef struct TautCloth {
   uint64_t id;
 } TautCloth;
 
-/* What taut_create() failed with, as there is no cloth to ask then. */
+/* The message of a taut_create() that failed, as there is no cloth to ask then. */
 typedef struct TautError {
   uint32_t struct_size;
   TautResult result;
@@ -131,7 +131,7 @@ typedef struct TautOptions {
   size_t body_count;
 } TautOptions;
 
-/* What a frame is worth. */
+/* The promises and measures of a frame. */
 typedef struct TautFrame {
   uint32_t struct_size;
   int32_t frame;                /* counted from 1, or on from where a saved state was */

@@ -58,7 +58,7 @@ TEST_P(Experiment, AgreesWithWhatIsPublishedAsFarAsIsKnown) {
 TEST_P(Experiment, DoesNotWhereThePhysicsIsWrongByATenth) {
   const TruthExperiment& experiment = GetParam();
   EXPECT_FALSE(is_as_known(experiment, 1.1));
-  // What may only not be above something is not wrong below.
+  // An upper limit is not broken from below.
   if (experiment.measure == Measure::excess) return;
   EXPECT_FALSE(is_as_known(experiment, 1.0 / 1.1));
 }

@@ -32,7 +32,7 @@ const renderer::Colour& colour_of(std::size_t curve) {
   return colours[curve % colours.size()];
 }
 
-/// Of the three meshes, the coarsest first.
+/// One for each of the three meshes, the coarsest first.
 constexpr std::array markers = {Marker::ring, Marker::square, Marker::disc};
 
 /// Returns the published numbers of a curve as a line.

@@ -4,7 +4,7 @@
 #include "sim/simulation.hpp"
 #include "tests/claims/truth.hpp"
 
-/// What the experiments are made of.
+/// Parts that the experiments share.
 namespace taut::app::truth {
 
 using sim::Index;

@@ -33,7 +33,7 @@ def differs(found, wanted):
 
 
 def check_report(program, model, path):
-    # What is in the model, however it is simulated.
+    # Facts of the model, however it is simulated.
     code, out, err = run(program, 'inspect', path, '--json', '--set', 'garment.mesh=model', *model.options)
     if model.error:
         if code != 1 or not re.search(model.error, err) or path.name not in err:

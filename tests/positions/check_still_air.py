@@ -15,7 +15,7 @@ BARE = "the bare file"
 SCENES = ("tshirt", "tshirt-gravity", BARE)
 SECONDS = 9
 AREAL_DENSITY_KG_PER_M2 = 0.15
-# Of the number; what is nearly at rest has few digits.
+# A share of the number; cloth that is nearly at rest has few digits.
 ROUNDING = 1e-6
 LEAST = 1e-12
 

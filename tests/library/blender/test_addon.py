@@ -189,7 +189,7 @@ class AddOn(unittest.TestCase):
         self.keyed(bone, 'location', {1: (0, 0, 0), 13: (0.02, 0.15, 0.01)})
         self.simulate(obj)
         frames = self.cache(obj)[1]
-        # What the program reads: the body at the first frame, and where its vertices are in each.
+        # The program reads the body at the first frame, and where its vertices are in each.
         shapes = []
         for frame in range(1, 10):
             bpy.context.scene.frame_set(frame)

@@ -10,7 +10,7 @@ export interface Taut {
   readonly scenes: string[];
   /** Names for the key cloth.fabric. */
   readonly fabrics: string[];
-  /** What all its cloths take together. */
+  /** The memory that all its cloths take together. */
   readonly memoryBytes: number;
   /** Makes a cloth. Throws TautError. */
   cloth(options: ClothOptions): Cloth;
@@ -36,7 +36,7 @@ export interface ClothOptions {
   log?: (line: string) => void;
 }
 
-/** What a frame is worth: TautFrame of taut.h. */
+/** The promises and measures of a frame: TautFrame of taut.h. */
 export interface Frame {
   frame: number;
   time_s: number;

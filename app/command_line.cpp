@@ -312,8 +312,11 @@ std::function<int()> add_import_model(CLI::App& app) {
 }
 
 std::function<int()> add_scenes(CLI::App& app) {
-  app.add_subcommand("scenes", "List the built-in scenes");
-  return list_scenes;
+  auto scene = std::make_shared<std::string>();
+  CLI::App* command = app.add_subcommand("scenes", "List the built-in scenes");
+  command->add_option("SCENE", *scene, "print this scene's file, with every key");
+  command->footer(footer_of("scenes"));
+  return [scene] { return list_scenes(*scene); };
 }
 
 std::function<int()> add_fabrics(CLI::App& app) {

@@ -140,7 +140,8 @@ int run(const SewOptions& options);
 inline int run(const ImportModelOptions& options) {
   return serve_import(options.model, options.limits, static_cast<ReadParts>(options.parts));
 }
-int list_scenes();
+/// Prints this scene with all keys, as a scene file, or where it is empty a list of all.
+int list_scenes(const std::string& scene);
 /// Prints the file of this fabric, or where it is empty a table of all.
 int list_fabrics(const std::string& fabric);
 int run(const SweepOptions& options);

@@ -20,18 +20,22 @@ void print_table(const std::vector<std::string>& names) {
 
 }  // namespace
 
-int list_scenes() {
+int list_scenes(const std::string& scene) {
+  if (!scene.empty()) {
+    fmt::print("{}", scene_text(find_scene(scene, {}), GarmentNaming::in_assets));
+    return 0;
+  }
   const std::vector<BuiltInScene> scenes = built_in_scenes();
   if (scenes.empty()) {
     throw InputError("no built-in scenes were found; set TAUT_ASSETS to the folder that holds scenes/");
   }
   std::size_t width = 0;
-  for (const BuiltInScene& scene : scenes) width = std::max(width, scene.name.size());
+  for (const BuiltInScene& each : scenes) width = std::max(width, each.name.size());
   bool is_of_contact = scenes.front().is_of_contact;
-  for (const BuiltInScene& scene : scenes) {
-    fmt::print("{}{:<{}}  {}\n", scene.is_of_contact == is_of_contact ? "" : "\n", scene.name, width,
-               read_scene_file(scene.file).title);
-    is_of_contact = scene.is_of_contact;
+  for (const BuiltInScene& each : scenes) {
+    fmt::print("{}{:<{}}  {}\n", each.is_of_contact == is_of_contact ? "" : "\n", each.name, width,
+               read_scene_file(each.file).title);
+    is_of_contact = each.is_of_contact;
   }
   return 0;
 }

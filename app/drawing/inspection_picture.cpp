@@ -69,25 +69,32 @@ std::string shortened(const renderer::Canvas& canvas, std::string text, const re
   return text + "…";
 }
 
-std::vector<std::string> facts_of(const Inspection& i) {
-  const sim::Vec3 size = i.upper_m - i.lower_m;
-  return {
-      fmt::format("{}, {}, {}; {:.3g} x {:.3g} x {:.3g} m; unit: {}; up: {}", counted(i.vertices, "vertex", "vertices"),
-                  counted(i.triangles, "triangle", "triangles"), counted(i.topology.components, "part", "parts"),
-                  size.x, size.y, size.z, i.placement.unit_text, i.placement.up_text),
-      fmt::format(
-          "repaired: {} joined, {} degenerate and {} repeated triangles removed, {} turned",
-          counted(i.repairs.welded_vertices + i.repairs.near_vertices + i.repairs.sewn_vertices, "vertex", "vertices"),
-          i.repairs.degenerate_triangles, i.repairs.duplicate_triangles, i.repairs.turned_triangles)};
+std::vector<std::string> facts_of(const Json& facts) {
+  const auto counted_of = [](const Json& count, const char* one, const char* many) {
+    return counted(count.get<std::size_t>(), one, many);
+  };
+  const Json &box = facts["bounding_box_m"], &repairs = facts["repairs"], &placement = facts["placement"];
+  const auto size = [&](std::size_t k) { return box[1][k].get<double>() - box[0][k].get<double>(); };
+  const auto repaired = [&](const char* name) { return repairs[name].get<std::size_t>(); };
+  return {fmt::format("{}, {}, {}; {:.3g} x {:.3g} x {:.3g} m; unit: {}; up: {}",
+                      counted_of(facts["vertices"], "vertex", "vertices"),
+                      counted_of(facts["triangles"], "triangle", "triangles"),
+                      counted_of(facts["topology"]["components"], "part", "parts"), size(0), size(1), size(2),
+                      placement["unit"].get<std::string>(), placement["up_from"].get<std::string>()),
+          fmt::format("repaired: {} joined, {} degenerate and {} repeated triangles removed, {} turned",
+                      counted(repaired("welded_vertices") + repaired("near_vertices") + repaired("sewn_vertices"),
+                              "vertex", "vertices"),
+                      repaired("degenerate_triangles"), repaired("duplicate_triangles"), repaired("turned_triangles"))};
 }
 
-void draw_header(renderer::Canvas& canvas, const Inspection& inspection) {
+void draw_header(renderer::Canvas& canvas, const Json& facts) {
   const renderer::TextStyle name = text_style(1.4F * text_px, palette::ink, true);
   canvas.text(border_px, border_px + text_px,
-              shortened(canvas, std::filesystem::path(inspection.file).filename().string(), name), name);
+              shortened(canvas, std::filesystem::path(facts["file"].get<std::string>()).filename().string(), name),
+              name);
   const renderer::TextStyle fact = text_style(0.85F * text_px, palette::quiet_ink);
   float y_px = border_px + text_px + row_px;
-  for (const std::string& line : facts_of(inspection)) {
+  for (const std::string& line : facts_of(facts)) {
     canvas.text(border_px, y_px, shortened(canvas, line, fact), fact);
     y_px += 0.8F * row_px;
   }
@@ -148,8 +155,8 @@ void draw_legend_rows(renderer::Canvas& canvas, const std::vector<LegendRow>& ro
 }
 
 // Springs as wide as leaves the surface between them to be seen, dots as large as leaves the springs.
-MarkWidths mark_widths(const Inspection& inspection, float px_per_m) {
-  const float edge_px = static_cast<float>(inspection.mean_edge_m) * px_per_m;
+MarkWidths mark_widths(const Json& facts, float px_per_m) {
+  const float edge_px = facts["edge_length_m"]["mean"].get<float>() * px_per_m;
   return {.spring_px = std::clamp(0.09F * edge_px, 0.4F, 2.0F), .dot_px = std::clamp(0.4F * edge_px, 5.0F, 13.0F)};
 }
 
@@ -264,7 +271,7 @@ renderer::Image draw_inspection(const Inspection& inspection, const LoadedGarmen
                                 const std::string& backend) {
   OffscreenRenderer offscreen(backend);
   InspectionViews views = inspection_views(scene, *loaded.garment, loaded.pins);
-  const MarkWidths widths = mark_widths(inspection, views.px_per_m);
+  const MarkWidths widths = mark_widths(inspection.facts, views.px_per_m);
   std::array<LoadedGarment, 2> shown = {loaded, loaded};
   if (loaded.following) {
     shown[0] = as_modelled(loaded, scene.mapping);
@@ -278,7 +285,7 @@ renderer::Image draw_inspection(const Inspection& inspection, const LoadedGarmen
   const float below_px = header_px + static_cast<float>(views.height_px);
   const float legend_top_px = below_px + caption_px;
   renderer::Canvas canvas(static_cast<int>(page_px), static_cast<int>(legend_top_px + legend_height_px(legend.size())));
-  draw_header(canvas, inspection);
+  draw_header(canvas, inspection.facts);
   renderer::TextStyle caption = text_style(text_px);
   caption.horizontal = renderer::HorizontalAlign::centre;
   for (std::size_t k = 0; k < views.sides.size(); ++k) {

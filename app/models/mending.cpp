@@ -91,13 +91,13 @@ double border_of(const sim::Mesh& mesh, const std::vector<sim::Triangle>& triang
     }
   }
   std::ranges::sort(edges);
-  std::map<sim::Index, std::vector<sim::Index>> beside;
+  std::map<sim::Index, std::vector<sim::Index>> neighbours;
   for (std::size_t e = 0; e < edges.size(); ++e) {
     const bool is_alone = (e == 0 || edges[e - 1] != edges[e]) && (e + 1 == edges.size() || edges[e + 1] != edges[e]);
-    for (std::size_t k = 0; is_alone && k < 2; ++k) beside[edges[e][k]].push_back(edges[e][1 - k]);
+    for (std::size_t k = 0; is_alone && k < 2; ++k) neighbours[edges[e][k]].push_back(edges[e][1 - k]);
   }
   double length = 0.0;
-  for (const auto& [vertex, ends] : beside) {
+  for (const auto& [vertex, ends] : neighbours) {
     length += ends.size() == 2 ? 0.5 * glm::distance(mesh.positions[ends[0]], mesh.positions[ends[1]]) : 0.0;
   }
   return length;

@@ -24,7 +24,7 @@ std::optional<sim::Vec3> crossing_place_beside_edge(const Corners& a, const Corn
 
 /// Returns the sign, -1, 0 or 1, of (a - d) . ((b - d) x (c - d)): 0 exactly if the four points are in one
 /// plane. The sign is exact: a value that rounding could have turned (Shewchuk 1997, the error bounds "A") is
-/// computed again with whole numbers of any length.
+/// computed again with rational numbers of any length.
 int orientation(const sim::Vec3& a, const sim::Vec3& b, const sim::Vec3& c, const sim::Vec3& d);
 
 /// Returns the sign, -1, 0 or 1, of (a - c) x (b - c): 0 exactly if the three points are on one line. Exact

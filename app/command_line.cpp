@@ -3,13 +3,10 @@
 #include <CLI/CLI.hpp>
 
 #include "app/base/errors.hpp"
-#include "app/base/words.hpp"
 #include "app/bodies/fit.hpp"
 #include "app/caches/frame_sink.hpp"
 #include "app/command_line_parts.hpp"
-#include "app/figures/figures.hpp"
 #include "app/output/run_report.hpp"
-#include "renderer/context/context.hpp"
 
 namespace taut::app {
 namespace {

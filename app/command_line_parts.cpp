@@ -5,8 +5,6 @@
 #include <CLI/CLI.hpp>
 
 #include "app/base/errors.hpp"
-#include "app/base/words.hpp"
-#include "app/drawing/drawn_scene.hpp"
 
 namespace taut::app {
 namespace {

@@ -1,12 +1,7 @@
 #include "app/bodies/body_loading.hpp"
 
 #include "app/base/errors.hpp"
-#include "app/base/words.hpp"
 #include "app/bodies/body_mesh.hpp"
-#include "app/bodies/dressing.hpp"
-#include "app/bodies/motion_opening.hpp"
-#include "app/models/landmarks.hpp"
-#include "sim/mesh/extent.hpp"
 #include "sim/mesh/topology.hpp"
 
 namespace taut::app {

@@ -1,9 +1,7 @@
 #include "app/bodies/bvh_frames.hpp"
 
 #include "app/base/errors.hpp"
-#include "app/base/files.hpp"
 #include "app/base/words.hpp"
-#include "app/bodies/rig_pose.hpp"
 #include "sim/mesh/elementary.hpp"
 
 namespace taut::app {

@@ -5,7 +5,6 @@
 
 #include "app/base/errors.hpp"
 #include "app/fitting/surface_tree.hpp"
-#include "sim/mesh/extent.hpp"
 
 namespace taut::app {
 namespace {

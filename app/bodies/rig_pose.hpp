@@ -1,7 +1,6 @@
 #pragma once
 
 #include "app/models/rig.hpp"
-#include "prelude.hpp"
 
 namespace taut::app {
 

@@ -2,8 +2,6 @@
 
 #include "app/base/errors.hpp"
 #include "app/drawing/framing.hpp"
-#include "app/models/file_mesh.hpp"
-#include "renderer/frame_view.hpp"
 #include "sim/mesh/welding.hpp"
 
 namespace taut::app {

@@ -1,12 +1,9 @@
 #include <nlohmann/json.hpp>
 
 #include "app/base/errors.hpp"
-#include "app/base/files.hpp"
 #include "app/base/words.hpp"
 #include "app/caches/frame_sink.hpp"
-#include "app/models/surface_colours.hpp"
 #include "renderer/page/png.hpp"
-#include "sim/bytes.hpp"
 
 namespace taut::app {
 namespace {

@@ -1,12 +1,9 @@
-#include "app/base/errors.hpp"
-#include "app/base/files.hpp"
 #include "app/base/progress.hpp"
 #include "app/bodies/body_loading.hpp"
 #include "app/bodies/wearing.hpp"
 #include "app/commands/options.hpp"
 #include "app/drawing/inspection_picture.hpp"
 #include "app/sewing/sewing.hpp"
-#include "renderer/page/png.hpp"
 
 namespace taut::app {
 

@@ -1,8 +1,5 @@
 #include "app/drawing/inspection_marks.hpp"
 
-#include <fmt/core.h>
-
-#include "app/drawing/framing.hpp"
 #include "app/drawing/garment_painter.hpp"
 #include "sim/mesh/topology.hpp"
 

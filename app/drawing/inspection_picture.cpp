@@ -1,8 +1,6 @@
 #include "app/drawing/inspection_picture.hpp"
 
-#include "app/base/words.hpp"
 #include "app/bodies/wearing.hpp"
-#include "app/drawing/framing.hpp"
 #include "app/drawing/garment_painter.hpp"
 #include "app/drawing/inspection_marks.hpp"
 #include "app/models/model_fitting.hpp"

@@ -4,7 +4,6 @@
 #include "app/drawing/drawn_scene.hpp"
 #include "app/models/inspection.hpp"
 #include "renderer/scene_renderer.hpp"
-#include "sim/simulation.hpp"
 
 namespace taut::app {
 

@@ -1,9 +1,6 @@
-#include <fmt/core.h>
 
 #include "app/drawing/plots/plot.hpp"
-#include "app/figures/experiments/experiments.hpp"
 #include "app/figures/figures.hpp"
-#include "app/models/garment_loading.hpp"
 #include "app/output/csv.hpp"
 
 namespace taut::app {

@@ -1,14 +1,10 @@
 #include "app/figures/figures.hpp"
 
-#include <fmt/core.h>
-
 #include <thread>
 
 #include "app/base/errors.hpp"
 #include "app/base/files.hpp"
-#include "app/base/words.hpp"
 #include "app/drawing/plots/plot.hpp"
-#include "renderer/page/png.hpp"
 
 namespace taut::app {
 namespace {

@@ -1,7 +1,6 @@
 #include "app/figures/pictures.hpp"
 
 #include "app/base/errors.hpp"
-#include "app/drawing/framing.hpp"
 #include "app/figures/figures.hpp"
 #include "app/output/csv.hpp"
 

@@ -3,8 +3,6 @@
 #include "app/base/words.hpp"
 #include "app/models/hanger.hpp"
 #include "app/models/model_fitting.hpp"
-#include "app/verify/crossing_pairs.hpp"
-#include "sim/mesh/topology.hpp"
 
 namespace taut::app {
 namespace {

@@ -2,7 +2,6 @@
 
 #include "app/models/garment_loading.hpp"
 #include "app/scene/scene_key.hpp"
-#include "sim/measures.hpp"
 #include "sim/mesh/topology.hpp"
 
 namespace taut::app {

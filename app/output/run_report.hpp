@@ -3,7 +3,6 @@
 #include "app/drawing/drawn_scene.hpp"
 #include "app/models/inspection.hpp"
 #include "app/output/frame_record.hpp"
-#include "sim/garment.hpp"
 
 namespace taut::app {
 

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "app/drawing/drawn_scene.hpp"
-#include "app/scene/scene_key.hpp"
 
 namespace taut::app {
 

@@ -6,15 +6,10 @@
 
 #include <fstream>
 
-#include "app/base/errors.hpp"
-#include "app/base/files.hpp"
 #include "app/bodies/body_loading.hpp"
 #include "app/bodies/wearing.hpp"
-#include "app/drawing/framing.hpp"
-#include "app/drawing/garment_painter.hpp"
 #include "app/figures/figures.hpp"
 #include "app/frame_loop.hpp"
-#include "app/models/surface_colours.hpp"
 #include "app/output/csv.hpp"
 #include "app/output/picture_record.hpp"
 #include "app/output/run_checkpoint.hpp"

@@ -2,7 +2,6 @@
 
 #include <fmt/core.h>
 
-#include "app/verify/triangle_crossing.hpp"
 #include "sim/mesh/extent.hpp"
 
 namespace taut::app {

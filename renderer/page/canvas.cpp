@@ -3,8 +3,6 @@
 #include <cairo-pdf.h>
 #include <cairo.h>
 
-#include "renderer/page/ticks.hpp"
-
 namespace taut::renderer {
 namespace {
 

@@ -9,7 +9,6 @@
 #include "app/viewer/panel/panel.hpp"
 #include "app/viewer/picture/viewer_picture.hpp"
 #include "app/viewer/simulation/live_simulation.hpp"
-#include "app/viewer/state/orbit_camera.hpp"
 #include "app/viewer/state/viewer_state.hpp"
 #include "sim/mesh/grid.hpp"
 #include "sim/mesh/welding.hpp"

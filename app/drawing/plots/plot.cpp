@@ -2,9 +2,6 @@
 
 #include <fmt/core.h>
 
-#include "app/drawing/drawing.hpp"
-#include "renderer/page/ticks.hpp"
-
 namespace taut::app {
 namespace {
 

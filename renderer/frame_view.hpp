@@ -59,7 +59,7 @@ std::array<glm::vec3, 4> outermost_points(std::span<const glm::vec3> points, con
 Camera fit_camera_to_points(std::span<const glm::vec3> points, const Framing& framing, float aspect);
 
 // The spans of these structs belong to the caller. They must live until SceneRenderer::draw returns.
-// SceneRenderer checks their lengths, indices and values (frame_check.hpp).
+// SceneRenderer checks their lengths, indices and values.
 
 /// How the threads of cloth run. The warp runs along the second material coordinate.
 enum class WeaveKind { knit, plain, twill, satin };

@@ -4,7 +4,7 @@
 #include <glm/gtc/quaternion.hpp>
 
 #include "app/base/errors.hpp"
-#include "app/fitting/surface_tree.hpp"
+#include "app/fitting/following.hpp"
 
 namespace taut::app {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <fmt/core.h>
 
+#include "app/fitting/following.hpp"
 #include "app/fitting/sheets.hpp"
-#include "app/fitting/surface_tree.hpp"
 #include "app/verify/crossing_pairs.hpp"
 #include "sim/mesh/groups.hpp"
 #include "sim/mesh/topology.hpp"

@@ -8,7 +8,7 @@ namespace taut::app {
 using Corners = std::array<sim::Vec3, 3>;
 
 // Each returns a point that both triangles have, in metres and rounded, if they cross. Whether they do is
-// decided exactly (orientation.hpp); to touch is to cross.
+// decided exactly (orientation()); to touch is to cross.
 
 /// For triangles that share no vertex: they cross if they have any point in common.
 std::optional<sim::Vec3> crossing_place(const Corners& a, const Corners& b);

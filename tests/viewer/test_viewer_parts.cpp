@@ -5,7 +5,7 @@
 
 #include "app/base/errors.hpp"
 #include "app/scene/scene.hpp"
-#include "app/viewer/keeping.hpp"
+#include "app/viewer/viewer.hpp"
 #include "app/viewer/panel/panel.hpp"
 #include "app/viewer/picture/viewer_picture.hpp"
 #include "app/viewer/simulation/live_simulation.hpp"

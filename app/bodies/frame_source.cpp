@@ -110,6 +110,8 @@ std::optional<double> rate_of_times(const SeekableFile& file, std::size_t frames
   return length_s > 0.0 ? std::optional(static_cast<double>(frames - 1) / length_s) : std::nullopt;
 }
 
+/// The frames of a clip, looked at `rate_hz` times a second: the last frame is its end or the first moment
+/// after it. `clip` is an index into the clips of the rig.
 class ClipFrames final : public FrameSource {
  public:
   ClipFrames(std::shared_ptr<const Rig> rig, std::size_t clip, double rate_hz)
@@ -152,12 +154,6 @@ std::vector<bool> followed_nodes(const Rig& rig) {
     if (followed[n] && rig.nodes[n].parent != no_node) followed[rig.nodes[n].parent] = true;
   }
   return followed;
-}
-
-/// The frames of a clip, looked at `rate_hz` times a second: the last frame is its end or the first moment
-/// after it. `clip` is an index into the clips of the rig.
-std::unique_ptr<const FrameSource> frames_of_clip(std::shared_ptr<const Rig> rig, std::size_t clip, double rate_hz) {
-  return std::make_unique<ClipFrames>(std::move(rig), clip, rate_hz);
 }
 
 /// Returns the clip that a body's source asks for by name: the first if it asks for none, and no_clip if
@@ -248,7 +244,7 @@ OpenedMotion open_clip(const BodySource& source, const std::shared_ptr<const Rig
   if (source.clip.empty()) {
     opened.remarks.push_back("it plays the first of its animations: " + describe_clips(*rig) + " (clip, --body-clip)");
   }
-  opened.frames = frames_of_clip(rig, clip, source.frame_rate_hz.value_or(usual_frame_rate_hz));
+  opened.frames = std::make_unique<ClipFrames>(rig, clip, source.frame_rate_hz.value_or(usual_frame_rate_hz));
   return opened;
 } catch (const InputError& error) {
   throw InputError("'" + source.file.string() + "': " + error.what());

@@ -1,4 +1,3 @@
-
 #include "app/commands/options.hpp"
 
 namespace taut::app {

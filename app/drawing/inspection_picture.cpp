@@ -51,13 +51,6 @@ InspectionMarks springs_of(const LoadedGarment& loaded, sim::SpringKind kind, fl
   return marks;
 }
 
-bool is_misoriented(const sim::Garment& garment, std::size_t edge) {
-  const auto triangles = garment.adjacency.edge_triangles[edge];
-  return triangles.size() == 2 &&
-         sim::runs_along(garment.mesh.triangles[triangles[0]], garment.adjacency.edges[edge]) ==
-             sim::runs_along(garment.mesh.triangles[triangles[1]], garment.adjacency.edges[edge]);
-}
-
 template <class Chosen>
 InspectionMarks edges_where(const LoadedGarment& loaded, InspectionMarks marks, const Chosen& chosen) {
   const sim::Adjacency& adjacency = loaded.garment->adjacency;
@@ -304,8 +297,7 @@ void draw_bar(renderer::Canvas& canvas, float x_px, float y_px, float px_per_m) 
   for (const float at_px : {x_px, end_px}) {
     canvas.line(at_px, y_px - 8.0F, at_px, y_px + 8.0F, palette::ink, 3.0F);
   }
-  renderer::TextStyle text = text_style(text_px);
-  text.horizontal = renderer::HorizontalAlign::centre;
+  const renderer::TextStyle text = text_style(text_px).aligned(renderer::HorizontalAlign::centre);
   canvas.text(0.5F * (x_px + end_px), y_px - 0.6F * text_px, length_text(length_m), text);
 }
 
@@ -383,8 +375,8 @@ float legend_height_px(std::size_t rows) {
 void draw_legend_rows(renderer::Canvas& canvas, const std::vector<LegendRow>& rows, float top_px) {
   constexpr float sample_px = 60.0F;
   const float column_px = (page_px - 2.0F * border_px) / static_cast<float>(legend_columns);
-  renderer::TextStyle text = text_style(0.85F * text_px);
-  text.vertical = renderer::VerticalAlign::middle;
+  const renderer::TextStyle text =
+      text_style(0.85F * text_px).aligned(renderer::HorizontalAlign::left, renderer::VerticalAlign::middle);
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const float x_px = border_px + column_px * static_cast<float>(i % legend_columns);
     const float y_px = top_px + row_px * (0.5F + static_cast<float>(i / legend_columns));
@@ -539,7 +531,7 @@ std::vector<InspectionMarks> inspection_marks(const LoadedGarment& loaded, std::
                              .colour = misoriented_colour,
                              .width_px = 5.0F,
                              .seen_through = true},
-                            [&](std::size_t e) { return is_misoriented(*loaded.garment, e); }));
+                            [&](std::size_t e) { return sim::is_misoriented(loaded.garment->mesh, adjacency, e); }));
   all.push_back(edges_where(loaded,
                             {.meaning = "edges with more than two triangles",
                              .colour = non_manifold_colour,
@@ -572,8 +564,7 @@ renderer::Image draw_inspection(const Inspection& inspection, const LoadedGarmen
   const float legend_top_px = below_px + caption_px;
   renderer::Canvas canvas(static_cast<int>(page_px), static_cast<int>(legend_top_px + legend_height_px(legend.size())));
   draw_header(canvas, inspection.facts);
-  renderer::TextStyle caption = text_style(text_px);
-  caption.horizontal = renderer::HorizontalAlign::centre;
+  const renderer::TextStyle caption = text_style(text_px).aligned(renderer::HorizontalAlign::centre);
   for (std::size_t k = 0; k < views.sides.size(); ++k) {
     const float x_px = border_px + static_cast<float>(k) * (panel_px + gap_px);
     canvas.image(x_px, header_px, draw_side(offscreen, views.sides[k].scene, shown[k], k == 0 ? all : simulated));
@@ -616,8 +607,7 @@ renderer::Image draw_moments(const DrawnScene& scene, std::span<const GarmentMom
   const auto count = static_cast<float>(moments.size());
   renderer::Canvas canvas(static_cast<int>(count * (fit_panel_px + fit_gap_px) - fit_gap_px),
                           static_cast<int>(height_px));
-  renderer::TextStyle caption = text_style(1.3F * text_px);
-  caption.horizontal = renderer::HorizontalAlign::centre;
+  const renderer::TextStyle caption = text_style(1.3F * text_px).aligned(renderer::HorizontalAlign::centre);
   float x_px = 0.0F;
   std::vector<sim::Vec3> about_body_m;
   for (const GarmentMoment& moment : moments) {
@@ -653,8 +643,7 @@ renderer::Image draw_fit(const WornGarment& worn, const std::string& backend) {
   for (std::size_t k = 0; k < measured.size(); ++k) {
     canvas.text(border_px, border_px + text_px + static_cast<float>(k + 1) * row_px, measured[k], small);
   }
-  renderer::TextStyle caption = text_style(text_px);
-  caption.horizontal = renderer::HorizontalAlign::centre;
+  const renderer::TextStyle caption = text_style(text_px).aligned(renderer::HorizontalAlign::centre);
   float x_px = border_px;
   for (const auto& [name, turned_rad] :
        {std::pair("from the front", 0.0F), {"from behind", std::numbers::pi_v<float>}}) {

@@ -7,12 +7,6 @@ namespace {
 
 constexpr sim::Index leaf_size = 4;
 
-double clamped_ratio(double part, double whole) { return whole > 0.0 ? std::clamp(part / whole, 0.0, 1.0) : 0.0; }
-
-sim::Vec3 nearest_of_segment(const sim::Vec3& p, const sim::Vec3& a, const sim::Vec3& b) {
-  return a + clamped_ratio(glm::dot(p - a, b - a), glm::dot(b - a, b - a)) * (b - a);
-}
-
 /// The foot in the plane where it is inside, else the nearest of the three sides'.
 sim::Vec3 nearest_of_triangle(const sim::Vec3& p, const std::array<sim::Vec3, 3>& c) {
   const sim::Vec3 normal = glm::cross(c[1] - c[0], c[2] - c[0]);
@@ -25,7 +19,7 @@ sim::Vec3 nearest_of_triangle(const sim::Vec3& p, const std::array<sim::Vec3, 3>
   sim::Vec3 best(0.0);
   double best_square = std::numeric_limits<double>::infinity();
   for (int k = 0; k < 3; ++k) {
-    const sim::Vec3 q = nearest_of_segment(p, c[k], c[(k + 1) % 3]);
+    const sim::Vec3 &a = c[k], &b = c[(k + 1) % 3], q = a + share_along(p, a, b) * (b - a);
     const double found = glm::dot(q - p, q - p);
     if (found < best_square) {
       best = q;
@@ -80,11 +74,6 @@ Vec3 unit(const Vec3& v) {
 /// The weights of the corners at the point of the triangle that is nearest to p.
 std::array<double, 3> nearest_weights(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
   const Vec3 ab = b - a, ac = c - a;
-  const auto on_edge = [&p](const Vec3& from, const Vec3& to) {
-    const Vec3 way = to - from;
-    const double squared = glm::dot(way, way);
-    return squared > 0.0 ? std::clamp(glm::dot(p - from, way) / squared, 0.0, 1.0) : 0.0;
-  };
   const Vec3 normal = glm::cross(ab, ac);
   const double squared = glm::dot(normal, normal);
   if (squared > 0.0) {
@@ -92,7 +81,7 @@ std::array<double, 3> nearest_weights(const Vec3& p, const Vec3& a, const Vec3& 
     const double w = glm::dot(glm::cross(ab, p - a), normal) / squared;
     if (v >= 0.0 && w >= 0.0 && v + w <= 1.0) return {1.0 - v - w, v, w};
   }
-  const double s = on_edge(a, b), t = on_edge(b, c), u = on_edge(c, a);
+  const double s = share_along(p, a, b), t = share_along(p, b, c), u = share_along(p, c, a);
   const std::array<std::array<double, 3>, 3> edges = {{{1.0 - s, s, 0.0}, {0.0, 1.0 - t, t}, {u, 0.0, 1.0 - u}}};
   const auto distance = [&](const std::array<double, 3>& at) {
     return glm::length(at[0] * a + at[1] * b + at[2] * c - p);
@@ -292,6 +281,11 @@ std::vector<Bond> bonds_at(std::span<const Vec3> points_m, std::span<const Surfa
 }
 
 }  // namespace
+
+double share_along(const sim::Vec3& point, const sim::Vec3& a, const sim::Vec3& b) {
+  const double squared = glm::dot(b - a, b - a);
+  return squared > 0.0 ? std::clamp(glm::dot(point - a, b - a) / squared, 0.0, 1.0) : 0.0;
+}
 
 SurfaceTree::SurfaceTree(std::span<const sim::Vec3> positions_m, std::span<const sim::Triangle> triangles)
     : order_(triangles.size()) {

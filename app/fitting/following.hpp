@@ -12,6 +12,9 @@ struct SurfacePoint {
   sim::Vec3 place_m;
 };
 
+/// The share of the way from a to b at which the segment between them is nearest to the point.
+double share_along(const sim::Vec3& point, const sim::Vec3& a, const sim::Vec3& b);
+
 /// Says which triangles may be found, and where.
 using AcceptPoint = std::function<bool(const SurfacePoint&)>;
 

@@ -1,4 +1,3 @@
-
 #include <assimp/GltfMaterial.h>
 #include <assimp/importerdesc.h>
 #include <assimp/postprocess.h>

@@ -113,10 +113,6 @@ std::string line_of(const Json& json) { return json.dump(-1, ' ', false, Json::e
 
 namespace fs = std::filesystem;
 
-[[noreturn]] void fail_to_write(const fs::path& path, int error_number) {
-  throw InputError("cannot write '" + path.string() + "': " + std::generic_category().message(error_number));
-}
-
 // How many bytes there are up to the end of that frame's line.
 std::uintmax_t end_of_frame(const fs::path& path, StatisticsFormat format, const RunDescription& run, int frame) {
   if (!fs::exists(path)) {
@@ -199,7 +195,7 @@ StatisticsFile::StatisticsFile(const fs::path& file, const RunDescription& run, 
   if (last_kept) fs::resize_file(file, end_of_frame(file, format_, run, *last_kept));
   is_plain_ = !fs::exists(file) || fs::is_regular_file(file);
   file_.reset(std::fopen(file.c_str(), last_kept || !is_plain_ ? "ab" : "wb"));
-  if (!file_) fail_to_write(path_, errno);
+  if (!file_) fail_to_write(path_, std::generic_category().message(errno));
   if (!last_kept) write(statistics_header(format_, run));
 }
 
@@ -219,7 +215,7 @@ void StatisticsFile::write(const std::string& lines) {
   } else if (is_plain_) {
     fs::remove(path_, ignored);
   }
-  fail_to_write(path_, reason);
+  fail_to_write(path_, std::generic_category().message(reason));
 }
 
 }  // namespace taut::app

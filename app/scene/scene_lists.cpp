@@ -1,4 +1,3 @@
-
 #include "app/scene/scene_format.hpp"
 
 // `access` of a key of a body that has the shape.

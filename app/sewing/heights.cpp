@@ -1,4 +1,3 @@
-
 #include "app/base/errors.hpp"
 #include "app/sewing/placing.hpp"
 

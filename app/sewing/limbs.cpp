@@ -1,4 +1,3 @@
-
 #include "app/sewing/placing.hpp"
 
 namespace taut::app {

@@ -24,11 +24,6 @@ void add_boxes(const Surface& surface, bool is_of_body, std::vector<TriangleBox>
   }
 }
 
-bool meet(const sim::Extent& a, const sim::Extent& b) {
-  return a.lower.x <= b.upper.x && b.lower.x <= a.upper.x && a.lower.y <= b.upper.y && b.lower.y <= a.upper.y &&
-         a.lower.z <= b.upper.z && b.lower.z <= a.upper.z;
-}
-
 /// Equal parts of an axis. A box is in each that it reaches into.
 class Strips {
  public:
@@ -84,7 +79,7 @@ template <class Found> void sweep(std::vector<TriangleBox>& boxes, const Found& 
       const double end = (*a)->extent.upper[axis];
       for (auto b = a + 1; b != in_strip[s].end() && (*b)->extent.lower[axis] <= end; ++b) {
         // Two that share several strips meet in the first of them.
-        if (meet((*a)->extent, (*b)->extent) && std::max(strips.of_lower(**a), strips.of_lower(**b)) == s) {
+        if (sim::overlap((*a)->extent, (*b)->extent) && std::max(strips.of_lower(**a), strips.of_lower(**b)) == s) {
           found(**a, **b);
         }
       }

@@ -55,6 +55,11 @@ struct TextStyle {
   bool bold = false;
   HorizontalAlign horizontal = HorizontalAlign::left;
   VerticalAlign vertical = VerticalAlign::baseline;
+
+  /// The same with its x and y of another part of the text.
+  TextStyle aligned(HorizontalAlign across, VerticalAlign down = VerticalAlign::baseline) const {
+    return {size_px, colour, bold, across, down};
+  }
 };
 
 /// The size of a line of text as its font gives it, in pixels.

@@ -25,7 +25,7 @@ packages=(
   libfontconfig-dev   # finds the window's font
   libglfw3-dev        # the window
   libglm-dev
-  libgmp-dev          # whole numbers of any length: whether triangles cross, exactly
+  libgmp-dev          # rational numbers of any length: whether triangles cross, exactly
   libhwy-dev          # Highway: vectors of any width
   libimgui-dev        # what is in it
   libminizip-dev      # reads the unit of 3MF files
@@ -71,7 +71,7 @@ packages_of_blender=(
 packages_of_web=(
   emscripten          # the engine as WebAssembly
   node-acorn          # what its linker asks for and does not bring
-  libboost-dev        # whole numbers of any length, there
+  libboost-dev        # rational numbers of any length, there
   esbuild
   libjs-three         # draws the page
   chromium            # and the tests drive it

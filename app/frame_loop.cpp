@@ -2,7 +2,6 @@
 
 #include <thread>
 
-#include "app/base/errors.hpp"
 #include "app/base/progress.hpp"
 
 namespace taut::app {

@@ -22,7 +22,7 @@ class SceneRenderer {
 
   /// Returns an image of settings.width_px by settings.height_px: RGB, or RGBA where the backdrop is
   /// transparent. Throws std::invalid_argument as
-  /// check() does (frame_check.hpp), before anything is drawn. Throws ContextError when OpenGL reports an
+  /// check() does, before anything is drawn. Throws ContextError when OpenGL reports an
   /// error, ShaderError when a shader does not compile.
   Image draw(const FrameView& frame, const PictureSettings& settings);
 

@@ -1,7 +1,5 @@
 #include "app/base/job_runner.hpp"
 
-#include <fmt/core.h>
-
 #include <atomic>
 
 #include "app/base/errors.hpp"

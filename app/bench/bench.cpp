@@ -4,7 +4,6 @@
 
 #include "app/base/errors.hpp"
 #include "app/base/progress.hpp"
-#include "app/base/words.hpp"
 #include "app/drawing/drawn_scene.hpp"
 #include "app/output/csv.hpp"
 #include "app/output/frame_verifier.hpp"

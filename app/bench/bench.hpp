@@ -1,7 +1,6 @@
 #pragma once
 
 #include "app/models/garment_loading.hpp"
-#include "sim/solvers/solver.hpp"
 
 namespace taut::app {
 

@@ -1,7 +1,5 @@
 #include "app/bodies/body_girths.hpp"
 
-#include "app/bodies/rig_pose.hpp"
-#include "sim/mesh/extent.hpp"
 #include "sim/mesh/groups.hpp"
 
 namespace taut::app {

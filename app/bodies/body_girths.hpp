@@ -2,7 +2,6 @@
 
 #include "app/bodies/rig_pose.hpp"
 #include "app/models/garment_measures.hpp"
-#include "app/models/placement.hpp"
 
 namespace taut::app {
 

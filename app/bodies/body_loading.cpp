@@ -1,12 +1,7 @@
 #include "app/bodies/body_loading.hpp"
 
 #include "app/base/errors.hpp"
-#include "app/base/words.hpp"
 #include "app/bodies/body_mesh.hpp"
-#include "app/bodies/dressing.hpp"
-#include "app/bodies/motion_opening.hpp"
-#include "app/models/landmarks.hpp"
-#include "sim/mesh/extent.hpp"
 #include "sim/mesh/topology.hpp"
 
 namespace taut::app {
@@ -226,9 +221,7 @@ bool make_room(std::span<const RigPose> poses, const FileVertexPlaces& places, i
         fmt::format("parts of it come near each other: {} stay back by up to {:.1f} cm, so that cloth has room",
                     counted(room->vertices, "vertex", "vertices"), 100.0 * room->most_m));
     body.rig = std::make_shared<const Rig>(std::move(room->rig));
-    std::vector<sim::Vec3> in_file(body.rig->in_part.size());
-    pose_vertices(*body.rig, stored_pose(*body.rig), in_file);
-    loaded.mesh.positions = placed_m(places, in_file);
+    loaded.mesh.positions = placed_m(places, posed_vertices(*body.rig, stored_pose(*body.rig)));
   }
   return room.has_value();
 }

@@ -1,12 +1,7 @@
 #pragma once
 
-#include "app/bodies/body_girths.hpp"
 #include "app/bodies/dressing.hpp"
-#include "app/bodies/motion_opening.hpp"
-#include "app/models/garment_import.hpp"
-#include "app/models/rig.hpp"
 #include "app/scene/scene_file.hpp"
-#include "app/scene/scene_key.hpp"
 
 namespace taut::app {
 

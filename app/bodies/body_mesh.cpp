@@ -261,8 +261,7 @@ void require_closed(const sim::Mesh& mesh, const sim::Adjacency& adjacency) {
       throw InputError("found {} with {}, expected two at every edge: {}", edge, counted(triangles.size(), "triangle"),
                        triangles.size() == 1 ? "a body has no holes" : "a body has one surface");
     }
-    if (sim::runs_along(mesh.triangles[triangles[0]], adjacency.edges[e]) ==
-        sim::runs_along(mesh.triangles[triangles[1]], adjacency.edges[e])) {
+    if (sim::is_misoriented(mesh, adjacency, e)) {
       throw InputError("found triangles that face different sides at " + edge +
                        ", expected a surface with an inside and an outside");
     }

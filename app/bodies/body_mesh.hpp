@@ -2,8 +2,6 @@
 
 #include "app/bodies/frame_source.hpp"
 #include "app/models/garment_import.hpp"
-#include "app/scene/scene.hpp"
-#include "sim/mesh/mesh.hpp"
 
 namespace taut::app {
 

@@ -1,9 +1,7 @@
 #include "app/bodies/bvh_frames.hpp"
 
 #include "app/base/errors.hpp"
-#include "app/base/files.hpp"
 #include "app/base/words.hpp"
-#include "app/bodies/rig_pose.hpp"
 #include "sim/mesh/elementary.hpp"
 
 namespace taut::app {
@@ -281,10 +279,8 @@ ModelAxis up_of(const BvhMotion& motion, const Skeletons& skeletons) {
 
 /// The height of the lowest vertex, in the body's unit.
 double floor_under(const Rig& rig, const RigPose& pose, const glm::dmat3& into_scene) {
-  std::vector<sim::Vec3> positions(rig.in_part.size());
-  pose_vertices(rig, pose, positions);
   double lowest = std::numeric_limits<double>::infinity();
-  for (const sim::Vec3& position : positions) lowest = std::min(lowest, (into_scene * position).y);
+  for (const sim::Vec3& position : posed_vertices(rig, pose)) lowest = std::min(lowest, (into_scene * position).y);
   return lowest;
 }
 

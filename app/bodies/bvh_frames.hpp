@@ -1,7 +1,6 @@
 #pragma once
 
 #include "app/bodies/frame_source.hpp"
-#include "app/models/rig.hpp"
 
 namespace taut::app {
 

@@ -4,8 +4,7 @@
 #include <glm/gtc/quaternion.hpp>
 
 #include "app/base/errors.hpp"
-#include "app/fitting/surface_tree.hpp"
-#include "sim/mesh/extent.hpp"
+#include "app/fitting/following.hpp"
 
 namespace taut::app {
 namespace {
@@ -46,10 +45,7 @@ std::vector<std::vector<sim::Vec3>> ends_of_bones(const Rig& rig, const RigPose&
 sim::Vec3 nearest_on_bones(const sim::Vec3& begin, const std::vector<sim::Vec3>& ends, const sim::Vec3& point) {
   sim::Vec3 nearest = begin;
   for (const sim::Vec3& end : ends) {
-    const sim::Vec3 along = end - begin;
-    const double squared = glm::dot(along, along);
-    const double share = squared > 0.0 ? std::clamp(glm::dot(point - begin, along) / squared, 0.0, 1.0) : 0.0;
-    const sim::Vec3 candidate = begin + share * along;
+    const sim::Vec3 candidate = begin + share_along(point, begin, end) * (end - begin);
     if (glm::distance(candidate, point) < glm::distance(nearest, point)) nearest = candidate;
   }
   return nearest;
@@ -132,10 +128,6 @@ constexpr int steps = 13;
 /// Stands for the end of a crease, where surfaces are near each other however thin the body is: it is not moved.
 constexpr double in_crease = 2.0;
 
-sim::Vec3 area_normal(std::span<const sim::Vec3> positions_m, const sim::Triangle& t) {
-  return glm::cross(positions_m[t[1]] - positions_m[t[0]], positions_m[t[2]] - positions_m[t[0]]);
-}
-
 /// A body as it grows.
 struct Growth {
   std::vector<sim::Vec3> thin_m, full_m;
@@ -157,7 +149,7 @@ struct Growth {
     std::vector<sim::Vec3> face_normals;
     std::vector<sim::Vec3> normals(positions_m.size(), sim::Vec3(0.0));
     for (const sim::Triangle& t : triangles) {
-      face_normals.push_back(area_normal(positions_m, t));
+      face_normals.push_back(sim::doubled_area_vector(positions_m, t));
       for (const sim::Index v : t) normals[v] += face_normals.back();
     }
     const SurfaceTree tree(positions_m, triangles);
@@ -367,8 +359,7 @@ class Maker {
 std::vector<sim::Vec3> thin_shape(const Rig& rig, const RigPose& pose) {
   const std::vector<bool> is_followed = followed(rig);
   const std::vector<std::vector<sim::Vec3>> ends = ends_of_bones(rig, pose, is_followed);
-  std::vector<sim::Vec3> full(rig.in_part.size());
-  pose_vertices(rig, pose, full);
+  std::vector<sim::Vec3> full = posed_vertices(rig, pose);
   std::vector<sim::Vec3> on_bones(full.size(), sim::Vec3(0.0));
   for (const RigPart& part : rig.parts) {
     const sim::Index joint = joint_at(part.node, rig, is_followed);
@@ -397,10 +388,9 @@ std::vector<sim::Vec3> placed_m(const FileVertexPlaces& places, const std::vecto
 
 std::shared_ptr<const sim::BodyFrames> growing(const Wearer& wearer, std::span<const RigPose> poses) {
   std::vector<Grown> shapes;
-  std::vector<sim::Vec3> full(wearer.rig->in_part.size());
   for (const RigPose& pose : poses) {
-    pose_vertices(*wearer.rig, pose, full);
-    shapes.push_back({placed_m(wearer.places, thin_shape(*wearer.rig, pose)), placed_m(wearer.places, full)});
+    shapes.push_back({placed_m(wearer.places, thin_shape(*wearer.rig, pose)),
+                      placed_m(wearer.places, posed_vertices(*wearer.rig, pose))});
   }
   shapes.push_back({placed_m(wearer.places, thin_shape(*wearer.rig, wearer.pose)), wearer.full_m});
   return std::make_shared<const GrowingFrames>(std::move(shapes), wearer);
@@ -452,10 +442,8 @@ std::optional<RoomForCloth> leave_room(const Rig& rig, std::span<const RigPose> 
   std::vector<sim::Index> ends;
   for (const std::size_t v : places.file_vertex) ends.push_back(ends_in_file[v]);
   for (const RigPose& pose : poses) {
-    std::vector<sim::Vec3> full(rig.in_part.size());
-    pose_vertices(rig, pose, full);
-    const Growth growth = {placed_m(places, thin_shape(rig, pose)), placed_m(places, full), triangles, ends,
-                           room_of_first_m + (garments - 1) * room_of_more_m};
+    const Growth growth = {placed_m(places, thin_shape(rig, pose)), placed_m(places, posed_vertices(rig, pose)),
+                           triangles, ends, room_of_first_m + (garments - 1) * room_of_more_m};
     for (int step = 1; step <= steps; ++step) {
       const auto share_at = [](int s) { return thick_enough + (1.0 - thick_enough) * s / steps; };
       growth.stop_at(share_at(step), share_at(step - 1), most);
@@ -464,8 +452,7 @@ std::optional<RoomForCloth> leave_room(const Rig& rig, std::span<const RigPose> 
   const RigPose& pose = poses.front();
   const std::vector<glm::dmat3> transforms = into_model(rig, pose);
   const std::vector<sim::Vec3> thin = thin_shape(rig, pose);
-  std::vector<sim::Vec3> full(rig.in_part.size());
-  pose_vertices(rig, pose, full);
+  const std::vector<sim::Vec3> full = posed_vertices(rig, pose);
   RoomForCloth result{rig};
   for (std::size_t v = 0; v < most.size(); ++v) {
     const std::size_t in_file = places.file_vertex[v];

@@ -2,7 +2,6 @@
 
 #include "app/bodies/body_girths.hpp"
 #include "app/bodies/frame_source.hpp"
-#include "app/models/rig.hpp"
 
 namespace taut::app {
 

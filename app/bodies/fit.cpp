@@ -2,7 +2,6 @@
 
 #include "app/base/errors.hpp"
 #include "app/bodies/wearing.hpp"
-#include "app/models/garment_measures.hpp"
 
 namespace taut::app {
 namespace {

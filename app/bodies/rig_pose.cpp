@@ -297,6 +297,12 @@ void pose_vertices(const Rig& rig, const RigPose& pose, std::span<sim::Vec3> pos
   }
 }
 
+std::vector<sim::Vec3> posed_vertices(const Rig& rig, const RigPose& pose) {
+  std::vector<sim::Vec3> positions(rig.in_part.size());
+  pose_vertices(rig, pose, positions);
+  return positions;
+}
+
 void require_weights(Rig& rig) {
   std::vector<double> sums(rig.in_part.size(), 0.0);
   for (const RigInfluence& influence : rig.influences) sums[influence.vertex] += influence.weight;

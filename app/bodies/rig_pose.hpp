@@ -1,7 +1,6 @@
 #pragma once
 
 #include "app/models/rig.hpp"
-#include "prelude.hpp"
 
 namespace taut::app {
 
@@ -38,6 +37,7 @@ RigPose pose_between(const Rig& rig, const RigPose& from, const RigPose& to, dou
 /// * binding * vertex (Magnenat-Thalmann, Laperriere and Thalmann 1988), and others with their node. Requires
 /// a span with an entry for each vertex of the rig.
 void pose_vertices(const Rig& rig, const RigPose& pose, std::span<sim::Vec3> positions);
+std::vector<sim::Vec3> posed_vertices(const Rig& rig, const RigPose& pose);
 
 /// Requires that the weights of each skinned vertex sum to 1 within `weight_tolerance`; makes the sum exact.
 /// Throws std::invalid_argument that names the vertex.

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "app/bodies/dressing.hpp"
-#include "app/models/garment_loading.hpp"
 
 namespace taut::app {
 

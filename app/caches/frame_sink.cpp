@@ -2,8 +2,6 @@
 
 #include "app/base/errors.hpp"
 #include "app/drawing/framing.hpp"
-#include "app/models/file_mesh.hpp"
-#include "renderer/frame_view.hpp"
 #include "sim/mesh/welding.hpp"
 
 namespace taut::app {
@@ -30,6 +28,7 @@ std::vector<fs::path> files_of(const ExportSettings& settings) {
   return files;
 }
 
+/// One OBJ of the last frame, or one of each.
 class ObjSink final : public FrameSink {
  public:
   ObjSink(const ExportSettings& settings, const GarmentInScene& loaded)
@@ -57,11 +56,6 @@ class ObjSink final : public FrameSink {
   WrittenCloth cloth_;
   int last_ = 0;  ///< frame that was written
 };
-
-/// One OBJ of the last frame, or one of each.
-std::unique_ptr<FrameSink> make_obj_sink(const ExportSettings& settings, const GarmentInScene& loaded) {
-  return std::make_unique<ObjSink>(settings, loaded);
-}
 
 }  // namespace
 
@@ -108,7 +102,7 @@ std::unique_ptr<FrameSink> open_sink(const ExportSettings& settings, const Garme
   return ending == ".glb"    ? make_gltf_sink(settings, loaded)
          : ending == ".usda" ? make_usd_sink(settings, loaded)
          : ending == ".pvd"  ? make_vtk_sink(settings)
-                             : make_obj_sink(settings, loaded);
+                             : std::make_unique<ObjSink>(settings, loaded);
 }
 
 fs::path obj_beside(const fs::path& cache) { return fs::path(cache).replace_extension(".obj"); }

@@ -4,7 +4,6 @@
 #include "app/models/garment_loading.hpp"
 #include "app/output/output_pattern.hpp"
 #include "renderer/frame_view.hpp"
-#include "sim/simulation.hpp"
 
 namespace taut::app {
 

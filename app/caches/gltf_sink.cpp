@@ -1,12 +1,10 @@
 #include <nlohmann/json.hpp>
 
 #include "app/base/errors.hpp"
-#include "app/base/files.hpp"
 #include "app/base/words.hpp"
 #include "app/caches/frame_sink.hpp"
-#include "app/models/surface_colours.hpp"
+#include "app/drawing/framing.hpp"
 #include "renderer/page/png.hpp"
-#include "sim/bytes.hpp"
 
 namespace taut::app {
 namespace {
@@ -150,10 +148,6 @@ std::vector<float> GltfSink::flat_numbers(std::span<const glm::vec3> of_mesh) co
   return numbers;
 }
 
-std::vector<glm::vec3> in_single_precision(const std::vector<sim::Vec3>& positions_m) {
-  return {positions_m.begin(), positions_m.end()};
-}
-
 GltfSink::GltfSink(const ExportSettings& settings, const GarmentInScene& loaded)
     : settings_(settings), loaded_(loaded), vertices_(loaded) {
   const double frames = settings.frames.count();
@@ -166,7 +160,7 @@ GltfSink::GltfSink(const ExportSettings& settings, const GarmentInScene& loaded)
         settings.name, frames, vertices_.uv.size(), bytes / most_bytes);
   }
   const sim::Mesh& mesh = loaded.shown_mesh();
-  rest_positions_ = flat_numbers(in_single_precision(mesh.positions));
+  rest_positions_ = flat_numbers(to_float(mesh.positions));
   rest_normals_ = flat_numbers(mesh_normals(mesh, mesh.positions));
   rest_["POSITION"] = buffer_.add_bounded(rest_positions_, "VEC3", 3, vertex_data);
   rest_["NORMAL"] = buffer_.add(rest_normals_, "VEC3", 3, vertex_data);
@@ -180,7 +174,7 @@ GltfSink::GltfSink(const ExportSettings& settings, const GarmentInScene& loaded)
 void GltfSink::write(int frame, const WrittenMoment& moment) {
   if (!settings_.frames.contains(frame)) return;
   const std::vector<sim::Vec3> positions_m = loaded_.shown_m(moment.state.current);
-  std::vector<float> moved = flat_numbers(in_single_precision(positions_m));
+  std::vector<float> moved = flat_numbers(to_float(positions_m));
   std::vector<float> turned = flat_numbers(mesh_normals(loaded_.shown_mesh(), positions_m));
   for (std::size_t k = 0; k < moved.size(); ++k) {
     moved[k] -= rest_positions_[k];

@@ -1,7 +1,6 @@
 #include <fstream>
 
 #include "app/base/errors.hpp"
-#include "app/base/files.hpp"
 #include "app/base/words.hpp"
 #include "app/caches/frame_sink.hpp"
 

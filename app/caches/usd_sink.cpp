@@ -1,10 +1,8 @@
 #include <fstream>
 
 #include "app/base/errors.hpp"
-#include "app/base/files.hpp"
 #include "app/base/words.hpp"
 #include "app/caches/frame_sink.hpp"
-#include "app/models/surface_colours.hpp"
 
 namespace taut::app {
 namespace {

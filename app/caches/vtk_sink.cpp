@@ -1,10 +1,7 @@
 #include <pugixml.hpp>
 
-#include "app/base/files.hpp"
 #include "app/base/words.hpp"
 #include "app/caches/frame_sink.hpp"
-#include "sim/bytes.hpp"
-#include "sim/measures.hpp"
 
 namespace taut::app {
 namespace {

@@ -2,10 +2,8 @@
 
 #include "app/base/errors.hpp"
 #include "app/base/progress.hpp"
-#include "app/base/words.hpp"
 #include "app/bodies/body_loading.hpp"
 #include "app/commands/options.hpp"
-#include "app/drawing/drawn_scene.hpp"
 
 namespace taut::app {
 namespace {

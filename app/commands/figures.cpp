@@ -1,5 +1,3 @@
-#include "app/figures/figures.hpp"
-
 #include "app/commands/options.hpp"
 
 namespace taut::app {

@@ -1,13 +1,9 @@
-#include "app/base/files.hpp"
 #include "app/bodies/body_loading.hpp"
 #include "app/bodies/wearing.hpp"
 #include "app/commands/run.hpp"
 #include "app/drawing/inspection_picture.hpp"
-#include "app/models/inspection.hpp"
 #include "app/output/run_checkpoint.hpp"
-#include "app/scene/scene_key.hpp"
 #include "app/sewing/sewing.hpp"
-#include "renderer/page/png.hpp"
 
 namespace taut::app {
 namespace {

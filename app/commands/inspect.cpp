@@ -1,13 +1,9 @@
-#include "app/base/errors.hpp"
-#include "app/base/files.hpp"
 #include "app/base/progress.hpp"
 #include "app/bodies/body_loading.hpp"
 #include "app/bodies/wearing.hpp"
 #include "app/commands/options.hpp"
 #include "app/drawing/inspection_picture.hpp"
-#include "app/output/run_report.hpp"
 #include "app/sewing/sewing.hpp"
-#include "renderer/page/png.hpp"
 
 namespace taut::app {
 
@@ -63,7 +59,8 @@ int run(const InspectOptions& options) {
   progress.begin("measuring it");
   const Inspection inspection = inspect_garment(scene, loaded);
   progress.hide();
-  fmt::print("{}", options.json ? inspection_json(inspection) : describe(inspection));
+  fmt::print("{}", options.json ? inspection.facts.dump(2, ' ', false, Json::error_handler_t::replace) + '\n'
+                                : describe(inspection));
   if (!options.picture.empty()) {
     progress.begin("drawing it");
     write_file(options.picture, renderer::encode_png(draw_inspection(inspection, loaded, scene, options.backend)));

@@ -1,8 +1,6 @@
 #pragma once
 
 #include "app/figures/figures.hpp"
-#include "app/models/import_process.hpp"
-#include "app/scene/scene_file.hpp"
 #include "renderer/context/window.hpp"
 
 namespace taut::app {

@@ -5,10 +5,8 @@
 #include "app/bodies/body_loading.hpp"
 #include "app/bodies/wearing.hpp"
 #include "app/drawing/inspection_picture.hpp"
-#include "app/models/inspection.hpp"
 #include "app/output/run_checkpoint.hpp"
 #include "app/sewing/sewing.hpp"
-#include "renderer/page/png.hpp"
 
 namespace taut::app {
 namespace {

@@ -3,7 +3,6 @@
 #include "app/base/progress.hpp"
 #include "app/caches/frame_sink.hpp"
 #include "app/commands/options.hpp"
-#include "app/drawing/garment_painter.hpp"
 #include "app/frame_loop.hpp"
 #include "app/output/frame_verifier.hpp"
 #include "app/output/run_report.hpp"

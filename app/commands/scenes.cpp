@@ -1,7 +1,6 @@
 #include "app/base/errors.hpp"
 #include "app/base/files.hpp"
 #include "app/commands/options.hpp"
-#include "app/figures/pictures.hpp"
 
 namespace taut::app {
 namespace {

@@ -1,18 +1,12 @@
 #include <ctime>
 
-#include "app/base/errors.hpp"
-#include "app/base/files.hpp"
 #include "app/base/progress.hpp"
 #include "app/bodies/body_loading.hpp"
-#include "app/bodies/fit.hpp"
 #include "app/bodies/wearing.hpp"
 #include "app/commands/options.hpp"
 #include "app/drawing/inspection_picture.hpp"
-#include "app/models/landmarks.hpp"
 #include "app/scene/scene_format.hpp"
-#include "app/scene/scene_key.hpp"
 #include "app/sewing/sewing.hpp"
-#include "renderer/page/png.hpp"
 
 namespace taut::app {
 namespace {
@@ -53,8 +47,8 @@ void write_picture(const std::filesystem::path& file, const DrawnScene& scene, c
                                                  backend)));
 }
 
-void write_steps(const std::filesystem::path& file, const DrawnScene& scene, const SewnGarment& sewn,
-                 const char* last, const std::string& backend) {
+void write_steps(const std::filesystem::path& file, const DrawnScene& scene, const SewnGarment& sewn, const char* last,
+                 const std::string& backend) {
   std::vector<GarmentMoment> moments;
   for (const SewingStep& step : sewn.steps) {
     const bool is_flat = moments.empty();

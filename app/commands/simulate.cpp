@@ -1,10 +1,5 @@
-#include "app/base/errors.hpp"
-#include "app/base/files.hpp"
-#include "app/base/progress.hpp"
-#include "app/base/words.hpp"
 #include "app/commands/run.hpp"
 #include "app/models/model_fitting.hpp"
-#include "app/output/output_pattern.hpp"
 #include "app/output/run_checkpoint.hpp"
 
 namespace taut::app {

@@ -2,7 +2,6 @@
 
 #include "app/base/errors.hpp"
 #include "app/base/files.hpp"
-#include "app/base/words.hpp"
 #include "app/commands/options.hpp"
 #include "app/sweeps/sweep_run.hpp"
 

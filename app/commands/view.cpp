@@ -1,10 +1,7 @@
-#include "app/base/errors.hpp"
-#include "app/base/files.hpp"
 #include "app/bodies/body_loading.hpp"
 #include "app/commands/options.hpp"
 #include "app/sewing/sewing.hpp"
 #include "app/viewer/headless_viewer.hpp"
-#include "renderer/page/png.hpp"
 
 namespace taut::app {
 namespace {

@@ -1,7 +1,5 @@
 #include "app/drawing/garment_painter.hpp"
 
-#include "app/drawing/framing.hpp"
-
 namespace taut::app {
 namespace {
 

@@ -1,9 +1,8 @@
 #pragma once
 
 #include "app/drawing/drawing.hpp"
-#include "app/drawing/drawn_bodies.hpp"
+#include "app/drawing/framing.hpp"
 #include "app/drawing/garment_surface.hpp"
-#include "renderer/page/canvas.hpp"
 #include "renderer/scene_renderer.hpp"
 #include "sim/solvers/bounded/contact/clearances.hpp"
 

@@ -3,7 +3,6 @@
 #include "app/drawing/drawn_scene.hpp"
 #include "app/models/garment_loading.hpp"
 #include "renderer/surface/lines.hpp"
-#include "renderer/surface/smooth_surface.hpp"
 
 namespace taut::app {
 

@@ -1,14 +1,260 @@
 #include "app/drawing/inspection_picture.hpp"
 
-#include "app/base/words.hpp"
 #include "app/bodies/wearing.hpp"
-#include "app/drawing/framing.hpp"
 #include "app/drawing/garment_painter.hpp"
-#include "app/drawing/inspection_marks.hpp"
 #include "app/models/model_fitting.hpp"
+#include "sim/mesh/topology.hpp"
 
 namespace taut::app {
 namespace {
+
+/// Of triangles that cross.
+const renderer::Colour crossing_colour = renderer::rgb(0x00B140);
+/// The width of the dark outline that dots have.
+constexpr float mark_outline_px = 2.0F;
+
+constexpr int inspection_panel_px = 1000;  ///< width of one view
+
+/// Two views of the garment as it was modelled, of one size and one scale.
+struct InspectionViews {
+  struct Side {
+    const char* name;
+    DrawnScene scene;
+  };
+  std::array<Side, 2> sides;
+  float px_per_m = 0.0F;  ///< at the distance of the garment's middle
+  int height_px = 0;      ///< of each view; as small as the garment allows
+};
+
+const renderer::Colour border_colour = renderer::rgb(0x1C1C1C);
+const renderer::Colour non_manifold_colour = renderer::rgb(0xD00000);
+const renderer::Colour misoriented_colour = renderer::rgb(0x7B2CBF);
+const renderer::Colour hanger_colour = renderer::rgb(0xB8860B);
+const renderer::Colour joined_colour = renderer::rgb(0xFFD000);
+
+// Fraction of vertices. If more were welded, they are not marked: in a model without shared vertices all
+// would be.
+constexpr double most_joined = 0.3;
+
+void add_line(const LoadedGarment& loaded, const sim::Edge& ends, InspectionMarks& marks) {
+  for (const sim::Index end : ends) marks.points.emplace_back(loaded.garment->mesh.positions[end]);
+}
+
+InspectionMarks springs_of(const LoadedGarment& loaded, sim::SpringKind kind, float width_px) {
+  const sim::Springs& springs = loaded.garment->springs;
+  InspectionMarks marks{.meaning = fmt::format("{} springs: {}", sim::name_of(kind), springs.count(kind)),
+                        .colour = spring_colour(kind),
+                        .width_px = width_px};
+  for (std::size_t s = springs.begin_of(kind); s < springs.end_of(kind); ++s) {
+    add_line(loaded, springs.ends[s], marks);
+  }
+  return marks;
+}
+
+template <class Chosen>
+InspectionMarks edges_where(const LoadedGarment& loaded, InspectionMarks marks, const Chosen& chosen) {
+  const sim::Adjacency& adjacency = loaded.garment->adjacency;
+  for (std::size_t e = 0; e < adjacency.edges.size(); ++e) {
+    if (chosen(e)) add_line(loaded, adjacency.edges[e], marks);
+  }
+  marks.meaning = fmt::format("{}: {}", marks.meaning, marks.points.size() / 2);
+  return marks;
+}
+
+// Positions that several vertices of the file have: the two sides of its seams, or equal layers.
+InspectionMarks joined_vertices(const LoadedGarment& loaded, float diameter_px) {
+  InspectionMarks marks{
+      .meaning = "", .colour = joined_colour, .width_px = diameter_px, .dots = true, .seen_through = false};
+  if (!loaded.model || !loaded.placement) return marks;
+  std::vector<sim::Vec3> places = loaded.model->positions;
+  const auto before = [](const sim::Vec3& a, const sim::Vec3& b) {
+    return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z);
+  };
+  std::ranges::sort(places, before);
+  for (std::size_t i = 1; i < places.size(); ++i) {
+    if (places[i] == places[i - 1] && (i == 1 || places[i] != places[i - 2])) {
+      marks.points.emplace_back((*loaded.placement)(places[i]));
+    }
+  }
+  if (static_cast<double>(marks.points.size()) >
+      most_joined * static_cast<double>(loaded.garment->mesh.positions.size())) {
+    marks.points.clear();
+  }
+  marks.meaning = fmt::format("several vertices in the file: {}", marks.points.size());
+  return marks;
+}
+
+InspectionMarks crossing_triangles(const LoadedGarment& loaded, std::span<const CrossingPair> crossings) {
+  InspectionMarks marks{.meaning = fmt::format("pairs of triangles that cross: {}", crossings.size()),
+                        .colour = crossing_colour,
+                        .width_px = 5.0F,
+                        .seen_through = true};
+  for (const CrossingPair& pair : crossings) {
+    for (const sim::Index triangle : {pair.first, pair.second}) {
+      const sim::Triangle& t = loaded.garment->mesh.triangles[triangle];
+      add_line(loaded, {t[0], t[1]}, marks);
+      add_line(loaded, {t[1], t[2]}, marks);
+      add_line(loaded, {t[2], t[0]}, marks);
+    }
+  }
+  return marks;
+}
+
+InspectionMarks hanger_of(const LoadedGarment& loaded) {
+  InspectionMarks marks{
+      .meaning = "hanger", .colour = hanger_colour, .width_px = 10.0F, .opacity = 0.8F, .seen_through = true};
+  for (const sim::Body& bar : loaded.hanger) {
+    const auto& capsule = std::get<sim::Capsule>(bar.shape);
+    marks.points.insert(marks.points.end(), {glm::vec3(capsule.start_m), glm::vec3(capsule.end_m)});
+  }
+  return marks;
+}
+
+constexpr float radian_per_degree = 0.017453293F;
+constexpr float elevation_rad = 10.0F * radian_per_degree;
+constexpr std::array azimuths_rad = {20.0F * radian_per_degree, 200.0F * radian_per_degree};
+// A narrow view has little perspective, so that one scale bar is valid for the whole garment.
+constexpr float field_of_view_rad = 0.12F;
+// Fraction of the picture that stays free, for lines and balls at the garment's edge.
+constexpr float margin = 0.025F;
+// Limits on the height of a view, as fractions of its width. They give a flat garment some height and keep a
+// scarf from filling the page.
+constexpr float lowest_panel = 0.2F;
+constexpr float highest_panel = 1.3F;
+
+renderer::Framing framing_of(float azimuth_rad) {
+  return {.azimuth_rad = azimuth_rad,
+          .elevation_rad = elevation_rad,
+          .vertical_fov_rad = field_of_view_rad,
+          .margin = margin};
+}
+
+/// The vertices, and of those that are held the balls that show it.
+std::vector<glm::vec3> points_to_be_seen(const sim::Garment& garment, std::span<const sim::Index> pins,
+                                         float ball_radius_m) {
+  std::vector<glm::vec3> points = to_float(garment.mesh.positions);
+  for (const sim::Index pin : pins) {
+    const glm::vec3 centre(garment.mesh.positions[pin]);
+    for (int axis = 0; axis < 3; ++axis) {
+      glm::vec3 radius(0.0F);
+      radius[axis] = ball_radius_m;
+      points.push_back(centre + radius);
+      points.push_back(centre - radius);
+    }
+  }
+  return points;
+}
+
+/// Height by width of what a camera sees of the points.
+glm::vec2 seen_size(std::span<const glm::vec3> points, const renderer::Camera& camera) {
+  const glm::mat4 to_eye = camera.view();
+  glm::vec2 lower(INFINITY), upper(-INFINITY);
+  for (const glm::vec3& point : points) {
+    const glm::vec4 seen = to_eye * glm::vec4(point, 1.0F);
+    lower = {std::min(lower.x, -seen.x / seen.z), std::min(lower.y, -seen.y / seen.z)};
+    upper = {std::max(upper.x, -seen.x / seen.z), std::max(upper.y, -seen.y / seen.z)};
+  }
+  return upper - lower;
+}
+
+/// Returns the azimuths of the views of the garment's front and back, in radians.
+std::array<float, 2> azimuths_of(std::span<const glm::vec3> points) {
+  const renderer::Box box = renderer::bounding_box(points);
+  const float turned_rad = azimuth_of_broad_side(box.upper - box.lower);
+  return {azimuths_rad[0] + turned_rad, azimuths_rad[1] + turned_rad};
+}
+
+int height_of_panel_px(std::span<const glm::vec3> points) {
+  float width = 0.0F, height = 0.0F;
+  for (const float azimuth_rad : azimuths_of(points)) {
+    const glm::vec2 size = seen_size(points, renderer::fit_camera_to_points(points, framing_of(azimuth_rad), 1.0F));
+    width = std::max(width, size.x);
+    height = std::max(height, size.y);
+  }
+  const float wanted = width > 0.0F ? height / width : highest_panel;
+  return static_cast<int>(std::lround(inspection_panel_px * std::clamp(wanted, lowest_panel, highest_panel)));
+}
+
+DrawnScene scene_of_side(const DrawnScene& asked, int height_px) {
+  DrawnScene scene = asked;
+  scene.camera = {};
+  scene.camera.framing.vertical_fov_rad = field_of_view_rad;
+  scene.picture = {};
+  scene.picture.settings.width_px = inspection_panel_px;
+  scene.picture.settings.height_px = height_px;
+  scene.picture.settings.samples = 1;
+  scene.picture.settings.supersampling = 3;
+  scene.picture.settings.shadows = false;
+  scene.picture.ground.kind = GroundKind::none;
+  scene.picture.cloth.weave = 0.0F;
+  scene.picture.cloth.sheen = 0.0F;
+  scene.picture.cloth.translucency = 0.0F;
+  scene.surroundings.bodies.clear();
+  return scene;
+}
+
+void add_marks(const std::vector<InspectionMarks>& all, renderer::FrameView& frame) {
+  for (const InspectionMarks& marks : all) {
+    if (marks.dots) {
+      // Outlined, they stand out from springs of any colour.
+      frame.points.push_back({.centres = marks.points,
+                              .colours = std::span(&palette::ink, 1),
+                              .diameter_px = marks.width_px + 2.0F * mark_outline_px,
+                              .hidden_by_surfaces = !marks.seen_through});
+      frame.points.push_back({.centres = marks.points,
+                              .colours = std::span(&marks.colour, 1),
+                              .diameter_px = marks.width_px,
+                              .hidden_by_surfaces = !marks.seen_through});
+    } else {
+      frame.lines.push_back({.points = marks.points,
+                             .colours = std::span(&marks.colour, 1),
+                             .width_px = marks.width_px,
+                             .opacity = marks.opacity,
+                             .hidden_by_surfaces = !marks.seen_through});
+    }
+  }
+}
+
+/// Draws a garment at these positions with marks; `is_page`: on a white page.
+renderer::Image draw_marked(renderer::SceneRenderer& renderer, const DrawnScene& scene, const sim::Garment& garment,
+                            std::span<const sim::Index> pins, const std::vector<sim::Vec3>& positions_m, double time_s,
+                            const std::vector<InspectionMarks>& marks, bool is_page) {
+  GarmentPainter painter(renderer, scene, garment, pins);
+  renderer::FrameView frame = painter.view(positions_m, time_s);
+  if (is_page) {
+    frame.backdrop.plain = true;
+    frame.backdrop.lower_colour = renderer::rgb(0xFFFFFF);
+  }
+  add_marks(marks, frame);
+  return renderer.draw(frame, scene.picture.settings);
+}
+
+/// Makes the views from the scene that was asked for.
+InspectionViews inspection_views(const DrawnScene& asked, const sim::Garment& garment,
+                                 std::span<const sim::Index> pins) {
+  const std::vector<glm::vec3> points =
+      points_to_be_seen(garment, pins, pin_radius_m(expected_reach(asked, garment, pins)));
+  InspectionViews views{.sides = {{{"from the front", {}}, {"from behind", {}}}},
+                        .height_px = height_of_panel_px(points)};
+  const float aspect = static_cast<float>(inspection_panel_px) / static_cast<float>(views.height_px);
+  const std::array<float, 2> azimuths = azimuths_of(points);
+  std::array<renderer::Camera, azimuths.size()> cameras;
+  float distance_m = 0.0F;
+  for (std::size_t k = 0; k < cameras.size(); ++k) {
+    cameras[k] = renderer::fit_camera_to_points(points, framing_of(azimuths[k]), aspect);
+    distance_m = std::max(distance_m, glm::distance(cameras[k].eye, cameras[k].target));
+  }
+  // All from as far as the side that needs it.
+  for (std::size_t k = 0; k < cameras.size(); ++k) {
+    const glm::vec3 backwards = glm::normalize(cameras[k].eye - cameras[k].target);
+    DrawnScene& scene = views.sides[k].scene;
+    scene = scene_of_side(asked, views.height_px);
+    scene.camera.target = cameras[k].target;
+    scene.camera.eye = cameras[k].target + distance_m * backwards;
+  }
+  views.px_per_m = static_cast<float>(views.height_px) / (2.0F * distance_m * std::tan(0.5F * field_of_view_rad));
+  return views;
+}
 
 constexpr float border_px = 40.0F;
 constexpr float gap_px = 24.0F;
@@ -51,8 +297,7 @@ void draw_bar(renderer::Canvas& canvas, float x_px, float y_px, float px_per_m) 
   for (const float at_px : {x_px, end_px}) {
     canvas.line(at_px, y_px - 8.0F, at_px, y_px + 8.0F, palette::ink, 3.0F);
   }
-  renderer::TextStyle text = text_style(text_px);
-  text.horizontal = renderer::HorizontalAlign::centre;
+  const renderer::TextStyle text = text_style(text_px).aligned(renderer::HorizontalAlign::centre);
   canvas.text(0.5F * (x_px + end_px), y_px - 0.6F * text_px, length_text(length_m), text);
 }
 
@@ -69,25 +314,32 @@ std::string shortened(const renderer::Canvas& canvas, std::string text, const re
   return text + "…";
 }
 
-std::vector<std::string> facts_of(const Inspection& i) {
-  const sim::Vec3 size = i.upper_m - i.lower_m;
-  return {
-      fmt::format("{}, {}, {}; {:.3g} x {:.3g} x {:.3g} m; unit: {}; up: {}", counted(i.vertices, "vertex", "vertices"),
-                  counted(i.triangles, "triangle", "triangles"), counted(i.topology.components, "part", "parts"),
-                  size.x, size.y, size.z, i.placement.unit_text, i.placement.up_text),
-      fmt::format(
-          "repaired: {} joined, {} degenerate and {} repeated triangles removed, {} turned",
-          counted(i.repairs.welded_vertices + i.repairs.near_vertices + i.repairs.sewn_vertices, "vertex", "vertices"),
-          i.repairs.degenerate_triangles, i.repairs.duplicate_triangles, i.repairs.turned_triangles)};
+std::vector<std::string> facts_of(const Json& facts) {
+  const auto counted_of = [](const Json& count, const char* one, const char* many) {
+    return counted(count.get<std::size_t>(), one, many);
+  };
+  const Json &box = facts["bounding_box_m"], &repairs = facts["repairs"], &placement = facts["placement"];
+  const auto size = [&](std::size_t k) { return box[1][k].get<double>() - box[0][k].get<double>(); };
+  const auto repaired = [&](const char* name) { return repairs[name].get<std::size_t>(); };
+  return {fmt::format("{}, {}, {}; {:.3g} x {:.3g} x {:.3g} m; unit: {}; up: {}",
+                      counted_of(facts["vertices"], "vertex", "vertices"),
+                      counted_of(facts["triangles"], "triangle", "triangles"),
+                      counted_of(facts["topology"]["components"], "part", "parts"), size(0), size(1), size(2),
+                      placement["unit"].get<std::string>(), placement["up_from"].get<std::string>()),
+          fmt::format("repaired: {} joined, {} degenerate and {} repeated triangles removed, {} turned",
+                      counted(repaired("welded_vertices") + repaired("near_vertices") + repaired("sewn_vertices"),
+                              "vertex", "vertices"),
+                      repaired("degenerate_triangles"), repaired("duplicate_triangles"), repaired("turned_triangles"))};
 }
 
-void draw_header(renderer::Canvas& canvas, const Inspection& inspection) {
+void draw_header(renderer::Canvas& canvas, const Json& facts) {
   const renderer::TextStyle name = text_style(1.4F * text_px, palette::ink, true);
   canvas.text(border_px, border_px + text_px,
-              shortened(canvas, std::filesystem::path(inspection.file).filename().string(), name), name);
+              shortened(canvas, std::filesystem::path(facts["file"].get<std::string>()).filename().string(), name),
+              name);
   const renderer::TextStyle fact = text_style(0.85F * text_px, palette::quiet_ink);
   float y_px = border_px + text_px + row_px;
-  for (const std::string& line : facts_of(inspection)) {
+  for (const std::string& line : facts_of(facts)) {
     canvas.text(border_px, y_px, shortened(canvas, line, fact), fact);
     y_px += 0.8F * row_px;
   }
@@ -123,8 +375,8 @@ float legend_height_px(std::size_t rows) {
 void draw_legend_rows(renderer::Canvas& canvas, const std::vector<LegendRow>& rows, float top_px) {
   constexpr float sample_px = 60.0F;
   const float column_px = (page_px - 2.0F * border_px) / static_cast<float>(legend_columns);
-  renderer::TextStyle text = text_style(0.85F * text_px);
-  text.vertical = renderer::VerticalAlign::middle;
+  const renderer::TextStyle text =
+      text_style(0.85F * text_px).aligned(renderer::HorizontalAlign::left, renderer::VerticalAlign::middle);
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const float x_px = border_px + column_px * static_cast<float>(i % legend_columns);
     const float y_px = top_px + row_px * (0.5F + static_cast<float>(i / legend_columns));
@@ -148,8 +400,8 @@ void draw_legend_rows(renderer::Canvas& canvas, const std::vector<LegendRow>& ro
 }
 
 // Springs as wide as leaves the surface between them to be seen, dots as large as leaves the springs.
-MarkWidths mark_widths(const Inspection& inspection, float px_per_m) {
-  const float edge_px = static_cast<float>(inspection.mean_edge_m) * px_per_m;
+MarkWidths mark_widths(const Json& facts, float px_per_m) {
+  const float edge_px = facts["edge_length_m"]["mean"].get<float>() * px_per_m;
   return {.spring_px = std::clamp(0.09F * edge_px, 0.4F, 2.0F), .dot_px = std::clamp(0.4F * edge_px, 5.0F, 13.0F)};
 }
 
@@ -260,11 +512,44 @@ void draw_table(renderer::Canvas& canvas, const WornGarment& worn, float top_px)
 
 }  // namespace
 
+std::vector<InspectionMarks> inspection_marks(const LoadedGarment& loaded, std::span<const CrossingPair> crossings,
+                                              const MarkWidths& widths) {
+  const float spring_width_px = widths.spring_px;
+  const sim::Adjacency& adjacency = loaded.garment->adjacency;
+  std::vector<InspectionMarks> all;
+  // Flexural springs lie under the structural ones they skip along: wider, they show on both sides, and pale,
+  // they leave those to be seen.
+  all.push_back(springs_of(loaded, sim::SpringKind::flexural, 2.4F * spring_width_px));
+  all.back().opacity = 0.45F;
+  all.push_back(springs_of(loaded, sim::SpringKind::shear, spring_width_px));
+  all.push_back(springs_of(loaded, sim::SpringKind::structural, spring_width_px));
+  all.push_back(
+      edges_where(loaded, {.meaning = "edges of a border", .colour = border_colour, .width_px = 3.0F + spring_width_px},
+                  [&](std::size_t e) { return adjacency.edge_triangles[e].size() == 1; }));
+  all.push_back(edges_where(loaded,
+                            {.meaning = "edges whose sides disagree about the outside",
+                             .colour = misoriented_colour,
+                             .width_px = 5.0F,
+                             .seen_through = true},
+                            [&](std::size_t e) { return sim::is_misoriented(loaded.garment->mesh, adjacency, e); }));
+  all.push_back(edges_where(loaded,
+                            {.meaning = "edges with more than two triangles",
+                             .colour = non_manifold_colour,
+                             .width_px = 6.0F,
+                             .seen_through = true},
+                            [&](std::size_t e) { return adjacency.edge_triangles[e].size() > 2; }));
+  all.push_back(crossing_triangles(loaded, crossings));
+  all.push_back(joined_vertices(loaded, widths.dot_px));
+  all.push_back(hanger_of(loaded));
+  std::erase_if(all, [](const InspectionMarks& marks) { return marks.points.empty(); });
+  return all;
+}
+
 renderer::Image draw_inspection(const Inspection& inspection, const LoadedGarment& loaded, const DrawnScene& scene,
                                 const std::string& backend) {
   OffscreenRenderer offscreen(backend);
   InspectionViews views = inspection_views(scene, *loaded.garment, loaded.pins);
-  const MarkWidths widths = mark_widths(inspection, views.px_per_m);
+  const MarkWidths widths = mark_widths(inspection.facts, views.px_per_m);
   std::array<LoadedGarment, 2> shown = {loaded, loaded};
   if (loaded.following) {
     shown[0] = as_modelled(loaded, scene.mapping);
@@ -278,9 +563,8 @@ renderer::Image draw_inspection(const Inspection& inspection, const LoadedGarmen
   const float below_px = header_px + static_cast<float>(views.height_px);
   const float legend_top_px = below_px + caption_px;
   renderer::Canvas canvas(static_cast<int>(page_px), static_cast<int>(legend_top_px + legend_height_px(legend.size())));
-  draw_header(canvas, inspection);
-  renderer::TextStyle caption = text_style(text_px);
-  caption.horizontal = renderer::HorizontalAlign::centre;
+  draw_header(canvas, inspection.facts);
+  const renderer::TextStyle caption = text_style(text_px).aligned(renderer::HorizontalAlign::centre);
   for (std::size_t k = 0; k < views.sides.size(); ++k) {
     const float x_px = border_px + static_cast<float>(k) * (panel_px + gap_px);
     canvas.image(x_px, header_px, draw_side(offscreen, views.sides[k].scene, shown[k], k == 0 ? all : simulated));
@@ -323,8 +607,7 @@ renderer::Image draw_moments(const DrawnScene& scene, std::span<const GarmentMom
   const auto count = static_cast<float>(moments.size());
   renderer::Canvas canvas(static_cast<int>(count * (fit_panel_px + fit_gap_px) - fit_gap_px),
                           static_cast<int>(height_px));
-  renderer::TextStyle caption = text_style(1.3F * text_px);
-  caption.horizontal = renderer::HorizontalAlign::centre;
+  const renderer::TextStyle caption = text_style(1.3F * text_px).aligned(renderer::HorizontalAlign::centre);
   float x_px = 0.0F;
   std::vector<sim::Vec3> about_body_m;
   for (const GarmentMoment& moment : moments) {
@@ -360,8 +643,7 @@ renderer::Image draw_fit(const WornGarment& worn, const std::string& backend) {
   for (std::size_t k = 0; k < measured.size(); ++k) {
     canvas.text(border_px, border_px + text_px + static_cast<float>(k + 1) * row_px, measured[k], small);
   }
-  renderer::TextStyle caption = text_style(text_px);
-  caption.horizontal = renderer::HorizontalAlign::centre;
+  const renderer::TextStyle caption = text_style(text_px).aligned(renderer::HorizontalAlign::centre);
   float x_px = border_px;
   for (const auto& [name, turned_rad] :
        {std::pair("from the front", 0.0F), {"from behind", std::numbers::pi_v<float>}}) {

@@ -2,11 +2,33 @@
 
 #include "app/bodies/fit.hpp"
 #include "app/drawing/drawn_scene.hpp"
+#include "app/models/garment_loading.hpp"
 #include "app/models/inspection.hpp"
 #include "renderer/scene_renderer.hpp"
-#include "sim/simulation.hpp"
 
 namespace taut::app {
+
+/// Lines or dots with one meaning, in the picture of an inspection.
+struct InspectionMarks {
+  std::string meaning;  ///< text of the legend, with the count
+  renderer::Colour colour{0.0F};
+  float width_px = 1.0F;               ///< of lines; the diameter of dots
+  float opacity = 1.0F;                ///< of lines
+  bool dots = false;                   ///< `points` holds one point per dot; otherwise two points per line
+  bool seen_through = false;           ///< drawn over surfaces that would hide it
+  std::vector<glm::vec3> points = {};  ///< in metres
+};
+
+/// Sizes of marks.
+struct MarkWidths {
+  float spring_px = 1.0F;  ///< of structural springs
+  float dot_px = 6.0F;
+};
+
+/// All marks of the garment, in the order they are drawn: later ones cover earlier ones. Triangles that cross
+/// are outlined where they are drawn, which is at rest.
+std::vector<InspectionMarks> inspection_marks(const LoadedGarment& loaded, std::span<const CrossingPair> crossings,
+                                              const MarkWidths& widths);
 
 /// Returns a page that shows how the garment was understood, from the front and from behind. It shows springs
 /// by kind, pins, borders, vertices that were welded, edges with more than two triangles, and edges whose

@@ -1,9 +1,5 @@
-#include <fmt/core.h>
-
 #include "app/drawing/plots/plot.hpp"
-#include "app/figures/experiments/experiments.hpp"
 #include "app/figures/figures.hpp"
-#include "app/models/garment_loading.hpp"
 #include "app/output/csv.hpp"
 
 namespace taut::app {
@@ -61,8 +57,7 @@ void draw_followed_point(renderer::Canvas& canvas, const StepRecording& fall, co
   const glm::vec2 followed = place(fall.vertex);
   canvas.circle(followed.x, followed.y, 20.0F, renderer::Colour{1.0F});
   canvas.circle(followed.x, followed.y, 16.0F, palette::blue);
-  renderer::TextStyle text = text_style(34.0F, palette::quiet_ink);
-  text.horizontal = renderer::HorizontalAlign::centre;
+  const renderer::TextStyle text = text_style(34.0F, palette::quiet_ink).aligned(renderer::HorizontalAlign::centre);
   const float centre_px = area.x_px + 0.5F * side_px;
   canvas.text(centre_px, area.y_px - 32.0F, "held corners: squares", text);
   canvas.text(centre_px, area.y_px + side_px + 62.0F, "followed point", text);

@@ -1,14 +1,10 @@
 #include "app/figures/figures.hpp"
 
-#include <fmt/core.h>
-
 #include <thread>
 
 #include "app/base/errors.hpp"
 #include "app/base/files.hpp"
-#include "app/base/words.hpp"
 #include "app/drawing/plots/plot.hpp"
-#include "renderer/page/png.hpp"
 
 namespace taut::app {
 namespace {
@@ -120,8 +116,8 @@ std::string counts_of(const SpringPatch& patch) {
 
 void draw_legend_row(renderer::Canvas& canvas, float centre_px, float y_px) {
   constexpr float sample_px = 130.0F, space_px = 90.0F, text_px = 40.0F;
-  renderer::TextStyle text = text_style(text_px);
-  text.vertical = renderer::VerticalAlign::middle;
+  const renderer::TextStyle text =
+      text_style(text_px).aligned(renderer::HorizontalAlign::left, renderer::VerticalAlign::middle);
   float width_px = -space_px;
   for (const sim::SpringKind kind : sim::all_spring_kinds) {
     width_px +=

@@ -2,10 +2,7 @@
 
 #include <filesystem>
 
-#include "app/figures/experiments/experiments.hpp"
 #include "app/figures/pictures.hpp"
-#include "prelude.hpp"
-#include "renderer/page/png.hpp"
 
 namespace taut::app {
 

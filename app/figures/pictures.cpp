@@ -1,7 +1,6 @@
 #include "app/figures/pictures.hpp"
 
 #include "app/base/errors.hpp"
-#include "app/drawing/framing.hpp"
 #include "app/figures/figures.hpp"
 #include "app/output/csv.hpp"
 
@@ -62,8 +61,7 @@ void draw_scale_bar(renderer::Canvas& canvas, const ScaleBar& bar, const glm::ve
   for (const float x_px : {at.x, end_px}) {
     canvas.line(x_px, at.y - 9.0F, x_px, at.y + 9.0F, palette::ink, 4.0F);
   }
-  renderer::TextStyle text = text_style(text_px);
-  text.horizontal = renderer::HorizontalAlign::centre;
+  const renderer::TextStyle text = text_style(text_px).aligned(renderer::HorizontalAlign::centre);
   canvas.text(0.5F * (at.x + end_px), at.y - 0.5F * text_px, bar.label, text);
 }
 
@@ -184,8 +182,8 @@ void draw_stretch_legend(renderer::Canvas& canvas, const SheetStyle& style, cons
   const float height_px = 0.76F * static_cast<float>(pinned_size.height_px);
   canvas.image(x_px, y_px, width_px, height_px, colour_bar(lowest, highest, shade));
   canvas.rectangle(x_px, y_px, width_px, height_px, palette::ink, 2.0F);
-  renderer::TextStyle text = text_style(style.caption.measured_px);
-  text.vertical = renderer::VerticalAlign::middle;
+  renderer::TextStyle text =
+      text_style(style.caption.measured_px).aligned(renderer::HorizontalAlign::left, renderer::VerticalAlign::middle);
   for (const int percent : {0, 5, 10, 15, 20}) {
     const auto up = static_cast<float>((0.01 * percent - lowest) / (highest - lowest));
     const float tick_y_px = y_px + (1.0F - up) * height_px;

@@ -2,7 +2,6 @@
 
 #include "app/drawing/garment_painter.hpp"
 #include "app/figures/experiments/experiments.hpp"
-#include "app/scene/scene_file.hpp"
 
 namespace taut::app {
 

@@ -2,10 +2,9 @@
 
 #include <fmt/core.h>
 
+#include "app/fitting/following.hpp"
 #include "app/fitting/sheets.hpp"
-#include "app/fitting/surface_tree.hpp"
 #include "app/verify/crossing_pairs.hpp"
-#include "sim/mesh/extent.hpp"
 #include "sim/mesh/groups.hpp"
 #include "sim/mesh/topology.hpp"
 #include "sim/mesh/welding.hpp"

@@ -1,8 +1,8 @@
 #include <OpenMesh/Core/Mesh/TriConnectivity.hh>
 
 #include "app/fitting/fitted_mesh.hpp"
+#include "app/fitting/following.hpp"
 #include "app/fitting/sheets.hpp"
-#include "app/fitting/surface_tree.hpp"
 #include "sim/mesh/groups.hpp"
 #include "sim/mesh/welding.hpp"
 

@@ -1,6 +1,6 @@
 #include "app/fitting/sheets.hpp"
 
-#include "app/fitting/surface_tree.hpp"
+#include "app/fitting/following.hpp"
 #include "sim/mesh/groups.hpp"
 #include "sim/mesh/topology.hpp"
 #include "sim/mesh/welding.hpp"

@@ -6,7 +6,6 @@
 
 #include "app/base/errors.hpp"
 #include "app/library/session.hpp"
-#include "app/models/garment_import.hpp"
 
 namespace taut::library {
 

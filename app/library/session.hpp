@@ -4,7 +4,6 @@
 #include "app/library/taut.h"
 #include "app/output/frame_verifier.hpp"
 #include "app/output/run_checkpoint.hpp"
-#include "app/scene/scene.hpp"
 
 namespace taut::library {
 

@@ -1,8 +1,5 @@
-#include "app/base/files.hpp"
-#include "app/base/words.hpp"
 #include "app/library/border.hpp"
 #include "app/scene/scene_file.hpp"
-#include "sim/solvers/bounded/kernels/vector_unit.hpp"
 
 namespace taut::library {
 namespace {

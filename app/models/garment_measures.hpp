@@ -1,8 +1,6 @@
 #pragma once
 
 #include "app/models/garment_loading.hpp"
-#include "app/verify/crossing_pairs.hpp"
-#include "sim/mesh/extent.hpp"
 
 namespace taut::app {
 

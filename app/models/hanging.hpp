@@ -1,8 +1,6 @@
 #pragma once
 
 #include "app/scene/scene.hpp"
-#include "sim/contact/bodies.hpp"
-#include "sim/mesh/adjacency.hpp"
 
 namespace taut::app {
 

@@ -19,7 +19,6 @@
 
 #include "app/base/errors.hpp"
 #include "app/base/files.hpp"
-#include "app/models/model_reading.hpp"
 
 namespace taut::app {
 namespace {

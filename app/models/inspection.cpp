@@ -3,13 +3,9 @@
 #include "app/base/words.hpp"
 #include "app/models/hanger.hpp"
 #include "app/models/model_fitting.hpp"
-#include "app/verify/crossing_pairs.hpp"
-#include "sim/mesh/topology.hpp"
 
 namespace taut::app {
 namespace {
-
-constexpr double degrees_per_radian = 180.0 / std::numbers::pi;
 
 double angle_at(const sim::Vec3& corner, const sim::Vec3& a, const sim::Vec3& b) {
   const sim::Vec3 u = a - corner, v = b - corner;
@@ -27,55 +23,103 @@ double smallest_angle(const sim::Mesh& mesh) {
   return smallest;
 }
 
-void measure_size(const sim::Mesh& mesh, Inspection& result) {
-  const sim::Extent extent = sim::extent_of(mesh.positions);
-  result.lower_m = extent.lower;
-  result.upper_m = extent.upper;
-  result.area_m2 = sim::surface_area(mesh);
-  result.smallest_angle_rad = smallest_angle(mesh);
-}
+Json point_json(const sim::Vec3& p) { return {p.x, p.y, p.z}; }
 
-void measure_edges(const sim::Garment& garment, Inspection& result) {
-  result.shortest_edge_m = std::numeric_limits<double>::infinity();
-  double sum_m = 0.0;
+Json edges_json(const sim::Garment& garment) {
+  double shortest_m = std::numeric_limits<double>::infinity(), longest_m = 0.0, sum_m = 0.0;
   for (const sim::Edge& edge : garment.adjacency.edges) {
     const double length_m = glm::distance(garment.mesh.positions[edge[0]], garment.mesh.positions[edge[1]]);
-    result.shortest_edge_m = std::min(result.shortest_edge_m, length_m);
-    result.longest_edge_m = std::max(result.longest_edge_m, length_m);
+    shortest_m = std::min(shortest_m, length_m);
+    longest_m = std::max(longest_m, length_m);
     sum_m += length_m;
   }
-  result.mean_edge_m = sum_m / static_cast<double>(garment.adjacency.edges.size());
+  const auto count = static_cast<double>(garment.adjacency.edges.size());
+  return {{"min", shortest_m}, {"mean", sum_m / count}, {"max", longest_m}};
 }
 
-void measure_surface(const LoadedGarment& loaded, Inspection& result) {
-  const sim::Garment& garment = *loaded.garment;
-  result.without_surface = static_cast<std::size_t>(
-      std::ranges::count_if(garment.triangles_at_rest, [](const sim::TriangleAtRest& t) { return !t.has_surface(); }));
-  if (loaded.start_m) {
-    result.start = StretchAtStart{sim::measure_stretch(garment.springs, *loaded.start_m),
-                                  sim::measure_surface_stretch(garment, *loaded.start_m)};
+Json start_json(const LoadedGarment& loaded) {
+  if (!loaded.start_m) return {};
+  const sim::Stretch springs = sim::measure_stretch(loaded.garment->springs, *loaded.start_m);
+  const sim::SurfaceStretch surface = sim::measure_surface_stretch(*loaded.garment, *loaded.start_m);
+  return {{"max_stretch", springs.max},
+          {"p99_stretch", springs.p99},
+          {"max_surface_stretch", surface.max},
+          {"p99_surface_stretch", surface.p99}};
+}
+
+Json crossings_json(const Surface& start, const std::vector<CrossingPair>& pairs) {
+  Json json = {{"pairs", pairs.size()}};
+  if (!pairs.empty()) {
+    json["first"] = {{"triangles", {pairs[0].first, pairs[0].second}}, {"place_m", point_json(pairs[0].place_m)}};
   }
+  json["said"] = pairs.empty() ? "none" : describe(start, pairs);
+  return json;
 }
 
-void count_springs(const sim::Springs& springs, Inspection& result) {
-  result.structural_springs = springs.count(sim::SpringKind::structural);
-  result.shear_springs = springs.count(sim::SpringKind::shear);
-  result.flexural_springs = springs.count(sim::SpringKind::flexural);
+Json untangling_json(const std::optional<Untangling>& untangling) {
+  return untangling ? Json{{"pairs_before", untangling->pairs_before},
+                           {"pairs_left", untangling->pairs_left},
+                           {"largest_move_m", untangling->largest_move_m},
+                           {"said", describe(*untangling)}}
+                    : Json();
 }
 
-void say_hanging(const LoadedGarment& loaded, Inspection& result) {
-  if (loaded.hanging) {
-    result.parts = loaded.hanging->parts;
-    result.hanging = describe(*loaded.hanging);
+/// Adds the parts of the garment and how they are pinned.
+void add_hanging(const LoadedGarment& loaded, Json& facts) {
+  constexpr std::array ways = {"top opening",  "highest points", "back edge", "neck",
+                               "two openings", "shoulders",      "hanger"};
+  facts["parts"] = facts["hanging"] = Json::array();
+  for (const HungPart& part : loaded.hanging ? loaded.hanging->parts : std::vector<HungPart>()) {
+    facts["parts"].push_back({{"vertices", part.vertices},
+                              {"hung_by", ways[static_cast<std::size_t>(part.by)]},
+                              {"pins", part.pins},
+                              {"closed", part.closed},
+                              {"flat", part.flat}});
   }
-  if (!loaded.hanger.empty()) result.hanging.push_back(describe(loaded.hanger));
+  if (loaded.hanging) facts["hanging"] = describe(*loaded.hanging);
+  if (!loaded.hanger.empty()) facts["hanging"].push_back(describe(loaded.hanger));
 }
 
-void find_crossings(const LoadedGarment& loaded, Inspection& result) {
-  result.untangling = loaded.untangling;
-  const Surface start = surface_at_start(loaded);
-  result.crossings = crossing_pairs(start);
-  result.crossings_text = result.crossings.empty() ? "none" : describe(start, result.crossings);
+Json import_json(const ImportedModel& model) {
+  return {{"format", model.format},
+          {"meshes", model.meshes},
+          {"triangles", model.file_triangles},
+          {"quads", model.file_quads},
+          {"polygons", model.file_polygons},
+          {"ignored_lines", model.ignored_lines},
+          {"ignored_points", model.ignored_points}};
+}
+
+Json repairs_json(const sim::MeshReport& repairs) {
+  return {{"input_vertices", repairs.input_vertices},
+          {"input_triangles", repairs.input_triangles},
+          {"welded_vertices", repairs.welded_vertices},
+          {"unused_vertices", repairs.unused_vertices},
+          {"degenerate_triangles", repairs.degenerate_triangles},
+          {"duplicate_triangles", repairs.duplicate_triangles},
+          {"turned_triangles", repairs.turned_triangles},
+          {"near_vertices", repairs.near_vertices},
+          {"sewn_vertices", repairs.sewn_vertices},
+          {"parted_vertices", repairs.parted_vertices}};
+}
+
+Json placement_json(const Placement& placement) {
+  return {{"metres_per_unit", placement.scale},
+          {"unit", placement.unit_text},
+          {"up", axis_names[static_cast<std::size_t>(placement.up)]},
+          {"up_from", placement.up_text},
+          {"guessed", placement.guessed},
+          {"moved_m", point_json(placement.moved_m)}};
+}
+
+Json topology_json(const sim::Topology& topology) {
+  return {{"components", topology.components},
+          {"boundary_edges", topology.boundary_edges},
+          {"boundary_loops", topology.boundary_loops},
+          {"non_manifold_edges", topology.non_manifold_edges},
+          {"non_manifold_vertices", topology.non_manifold_vertices},
+          {"misoriented_edges", topology.misoriented_edges},
+          {"euler_characteristic", topology.euler_characteristic}};
 }
 
 std::string describe_texture(const LoadedGarment& loaded) {
@@ -85,75 +129,93 @@ std::string describe_texture(const LoadedGarment& loaded) {
                      counted(colours.materials.size(), "material"), counted(colours.maps.size(), "image"));
 }
 
-void remark(Inspection& result) {
-  const double size_m = glm::length(result.upper_m - result.lower_m);
+/// Reads facts by their places in the inspection.
+struct Facts {
+  const Json& json;
+
+  double number(const char* place) const { return json.at(Json::json_pointer(place)).get<double>(); }
+  std::size_t count(const char* place) const { return json.at(Json::json_pointer(place)).get<std::size_t>(); }
+  std::string text(const char* place) const { return json.at(Json::json_pointer(place)).get<std::string>(); }
+  std::string counted(const char* place, const char* one, const char* many = nullptr) const {
+    return many == nullptr ? app::counted(count(place), one) : app::counted(count(place), one, many);
+  }
+  std::string vertices(const char* place) const { return counted(place, "vertex", "vertices"); }
+  sim::Vec3 corner(std::size_t k) const {
+    const Json& point = json["bounding_box_m"][k];
+    return {point[0].get<double>(), point[1].get<double>(), point[2].get<double>()};
+  }
+};
+
+void remark(Json& facts) {
+  const Facts found{facts};
+  Json& remarks = facts["remarks"];
+  const double size_m = glm::length(found.corner(1) - found.corner(0));
   if (size_m > 10.0 || size_m < 0.05) {
-    result.remarks.push_back(fmt::format(
+    remarks.push_back(fmt::format(
         "it measures {:.3g} m across, which is no garment's size: --units mm reads it as millimetres", size_m));
   }
-  if (result.topology.non_manifold_edges + result.topology.non_manifold_vertices > 0) {
-    result.remarks.emplace_back("more than two triangles meet in places; it can be simulated all the same");
+  if (found.count("/topology/non_manifold_edges") + found.count("/topology/non_manifold_vertices") > 0) {
+    remarks.push_back("more than two triangles meet in places; it can be simulated all the same");
   }
-  if (result.topology.misoriented_edges > 0) {
-    result.remarks.emplace_back("neighbouring triangles disagree about which side is outside");
+  if (found.count("/topology/misoriented_edges") > 0) {
+    remarks.push_back("neighbouring triangles disagree about which side is outside");
   }
-  if (result.smallest_angle_rad * degrees_per_radian < 2.0) {
-    result.remarks.emplace_back("some triangles are needles, which make cloth stiff there");
+  if (found.number("/smallest_angle_degrees") < 2.0) {
+    remarks.push_back("some triangles are needles, which make cloth stiff there");
   }
-  if (result.without_surface > 0) {
-    result.remarks.push_back(fmt::format("{} too thin to have a surface, of which only the edges are held and measured",
-                                         counted(result.without_surface, "triangle is", "triangles are")));
+  if (found.count("/triangles_without_surface") > 0) {
+    remarks.push_back(found.counted("/triangles_without_surface", "triangle is", "triangles are") +
+                      " too thin to have a surface, of which only the edges are held and measured");
   }
 }
 
-std::string describe_size(const Inspection& i) {
-  const sim::Vec3 size = i.upper_m - i.lower_m;
+std::string describe_size(const Facts& f) {
+  const sim::Vec3 lower = f.corner(0), upper = f.corner(1), size = upper - lower;
   return fmt::format(
       "size        {:.4g} x {:.4g} x {:.4g} m, from [{:.4g}, {:.4g}, {:.4g}] to [{:.4g}, {:.4g}, {:.4g}]\n"
       "area        {:.4g} m2\n"
       "edges       {:.3g} to {:.3g} mm, mean {:.3g} mm\n"
       "angles      {:.3g} degrees and more\n",
-      size.x, size.y, size.z, i.lower_m.x, i.lower_m.y, i.lower_m.z, i.upper_m.x, i.upper_m.y, i.upper_m.z, i.area_m2,
-      1e3 * i.shortest_edge_m, 1e3 * i.longest_edge_m, 1e3 * i.mean_edge_m, i.smallest_angle_rad * degrees_per_radian);
+      size.x, size.y, size.z, lower.x, lower.y, lower.z, upper.x, upper.y, upper.z, f.number("/area_m2"),
+      1e3 * f.number("/edge_length_m/min"), 1e3 * f.number("/edge_length_m/max"), 1e3 * f.number("/edge_length_m/mean"),
+      f.number("/smallest_angle_degrees"));
 }
 
-std::string vertices(std::size_t count) { return counted(count, "vertex", "vertices"); }
-
-std::string triangles(std::size_t count) { return counted(count, "triangle"); }
-
-std::string describe_reading(const Inspection& i) {
-  std::string text = fmt::format("read        {}, {}: {}, {}, {}", i.model.format,
-                                 counted(i.model.meshes, "mesh", "meshes"), triangles(i.model.file_triangles),
-                                 counted(i.model.file_quads, "quad"), counted(i.model.file_polygons, "polygon"));
-  text += fmt::format("; ignored {}, {}\n", counted(i.model.ignored_lines, "line"),
-                      counted(i.model.ignored_points, "point"));
-  text +=
-      fmt::format("repaired    {} of {} welded, {} unused; {} degenerate and {} repeated of {} removed\n",
-                  i.repairs.welded_vertices, vertices(i.repairs.input_vertices), i.repairs.unused_vertices,
-                  i.repairs.degenerate_triangles, i.repairs.duplicate_triangles, triangles(i.repairs.input_triangles));
-  return text +
-         fmt::format("            {} turned, {} welded to near ones, {} sewn, {} of touching layers kept apart\n",
-                     triangles(i.repairs.turned_triangles), vertices(i.repairs.near_vertices), i.repairs.sewn_vertices,
-                     i.repairs.parted_vertices);
+std::string describe_reading(const Facts& f) {
+  return fmt::format(
+      "read        {}, {}: {}, {}, {}; ignored {}, {}\n"
+      "repaired    {} of {} welded, {} unused; {} degenerate and {} repeated of {} removed\n"
+      "            {} turned, {} welded to near ones, {} sewn, {} of touching layers kept apart\n",
+      f.text("/import/format"), f.counted("/import/meshes", "mesh", "meshes"),
+      f.counted("/import/triangles", "triangle"), f.counted("/import/quads", "quad"),
+      f.counted("/import/polygons", "polygon"), f.counted("/import/ignored_lines", "line"),
+      f.counted("/import/ignored_points", "point"), f.count("/repairs/welded_vertices"),
+      f.vertices("/repairs/input_vertices"), f.count("/repairs/unused_vertices"),
+      f.count("/repairs/degenerate_triangles"), f.count("/repairs/duplicate_triangles"),
+      f.counted("/repairs/input_triangles", "triangle"), f.counted("/repairs/turned_triangles", "triangle"),
+      f.vertices("/repairs/near_vertices"), f.count("/repairs/sewn_vertices"), f.count("/repairs/parted_vertices"));
 }
 
-std::string describe_start(const StretchAtStart& start) {
+std::string describe_start(const Facts& f) {
   return fmt::format(
       "start       springs stretched by up to {:.4f} %, 99 of 100 by {:.4f} %\n"
       "            surface stretched by up to {:.4f} %, 99 of 100 triangles by {:.4f} %\n",
-      100.0 * start.springs.max, 100.0 * start.springs.p99, 100.0 * start.surface.max, 100.0 * start.surface.p99);
+      100.0 * f.number("/start/max_stretch"), 100.0 * f.number("/start/p99_stretch"),
+      100.0 * f.number("/start/max_surface_stretch"), 100.0 * f.number("/start/p99_surface_stretch"));
 }
 
-std::string describe_topology(const sim::Topology& t) {
+std::string describe_topology(const Facts& f) {
+  const std::size_t loops = f.count("/topology/boundary_loops");
   const std::string border =
-      t.boundary_loops == 0 ? "no boundary"
-                            : fmt::format("{} ({}{})", counted(t.boundary_loops, "boundary loop"),
-                                          counted(t.boundary_edges, "edge"), t.boundary_loops > 1 ? " in all" : "");
-  const std::string text = fmt::format("topology    {}, {}, Euler characteristic {}\n",
-                                       counted(t.components, "component"), border, t.euler_characteristic);
-  return text + fmt::format("            {}, {}, {}\n", counted(t.non_manifold_edges, "non-manifold edge"),
-                            counted(t.non_manifold_vertices, "non-manifold vertex", "non-manifold vertices"),
-                            counted(t.misoriented_edges, "misoriented edge"));
+      loops == 0 ? "no boundary"
+                 : fmt::format("{} ({}{})", counted(loops, "boundary loop"),
+                               f.counted("/topology/boundary_edges", "edge"), loops > 1 ? " in all" : "");
+  return fmt::format("topology    {}, {}, Euler characteristic {}\n            {}, {}, {}\n",
+                     f.counted("/topology/components", "component"), border,
+                     f.json["topology"]["euler_characteristic"].get<std::int64_t>(),
+                     f.counted("/topology/non_manifold_edges", "non-manifold edge"),
+                     f.counted("/topology/non_manifold_vertices", "non-manifold vertex", "non-manifold vertices"),
+                     f.counted("/topology/misoriented_edges", "misoriented edge"));
 }
 
 void append_repairs(const sim::MeshReport& repairs, std::vector<std::string>& lines) {
@@ -228,59 +290,79 @@ std::string remark_on_shape(std::span<const sim::Body> bodies, std::size_t body,
 
 }  // namespace
 
+Json springs_json(const sim::Springs& springs) {
+  Json counts;
+  for (const sim::SpringKind kind : sim::all_spring_kinds) counts[sim::name_of(kind)] = springs.count(kind);
+  return counts;
+}
+
 Inspection inspect_garment(const Scene& scene, const LoadedGarment& loaded) {
   if (loaded.following) {
     Inspection modelled = inspect_garment(scene, as_modelled(loaded, scene.mapping));
-    modelled.simulated = describe(*loaded.following, loaded.garment->mesh);
-    modelled.fitted_triangles = loaded.garment->mesh.triangles.size();
-    count_springs(loaded.garment->springs, modelled);
-    say_hanging(loaded, modelled);
+    const sim::Garment& fitted = *loaded.garment;
+    modelled.facts["fitted"] = {{"triangles", fitted.mesh.triangles.size()},
+                                {"said", describe(*loaded.following, fitted.mesh)}};
+    modelled.facts["springs"] = springs_json(fitted.springs);
+    add_hanging(loaded, modelled.facts);
     return modelled;
   }
   const sim::Garment& garment = *loaded.garment;
-  Inspection result;
-  result.file = scene.garment.file.string();
-  result.model = *loaded.model;
-  result.model.positions.clear();
-  result.model.triangles.clear();
-  result.model.colours = {};
-  result.repairs = *loaded.repairs;
-  result.placement = *loaded.placement;
-  say_hanging(loaded, result);
-  result.vertex_numbers = loaded.file_vertices.describe();
-  result.vertices = garment.mesh.positions.size();
-  result.triangles = garment.mesh.triangles.size();
-  measure_size(garment.mesh, result);
-  measure_edges(garment, result);
-  measure_surface(loaded, result);
-  find_crossings(loaded, result);
-  result.texture = describe_texture(loaded);
-  result.remarks = loaded.colours.remarks;
-  result.topology = sim::measure_topology(garment.mesh, garment.adjacency);
-  count_springs(garment.springs, result);
-  for (const auto& [name, vertices] : loaded.landmarks) result.landmarks.push_back({name, vertices.size()});
-  remark(result);
+  const sim::Extent extent = sim::extent_of(garment.mesh.positions);
+  const Surface start = surface_at_start(loaded);
+  Inspection result = {{}, crossing_pairs(start)};
+  Json& facts = result.facts;
+  facts = {{"file", scene.garment.file.string()},
+           {"import", import_json(*loaded.model)},
+           {"repairs", repairs_json(*loaded.repairs)},
+           {"placement", placement_json(*loaded.placement)}};
+  add_hanging(loaded, facts);
+  facts["vertices"] = garment.mesh.positions.size();
+  facts["triangles"] = garment.mesh.triangles.size();
+  facts["bounding_box_m"] = {point_json(extent.lower), point_json(extent.upper)};
+  facts["area_m2"] = sim::surface_area(garment.mesh);
+  facts["edge_length_m"] = edges_json(garment);
+  facts["smallest_angle_degrees"] = smallest_angle(garment.mesh) * 180.0 / std::numbers::pi;
+  facts["triangles_without_surface"] =
+      std::ranges::count_if(garment.triangles_at_rest, [](const sim::TriangleAtRest& t) { return !t.has_surface(); });
+  facts["texture"] = describe_texture(loaded);
+  facts["start"] = start_json(loaded);
+  facts["crossings"] = crossings_json(start, result.crossings);
+  facts["untangling"] = untangling_json(loaded.untangling);
+  facts["topology"] = topology_json(sim::measure_topology(garment.mesh, garment.adjacency));
+  facts["fitted"] = Json();
+  facts["springs"] = springs_json(garment.springs);
+  facts["landmarks"] = Json::object();
+  for (const auto& [name, vertices] : loaded.landmarks) facts["landmarks"][name] = vertices.size();
+  facts["vertex_numbers"] = loaded.file_vertices.describe();
+  facts["remarks"] = loaded.colours.remarks;
+  remark(facts);
   return result;
 }
 
-std::string describe(const Inspection& i) {
-  std::string text = i.file + '\n' + describe_reading(i);
-  text += fmt::format("unit        {}\nup          {}\n", i.placement.unit_text, i.placement.up_text);
-  text += fmt::format("mesh        {}, {}\n", vertices(i.vertices), triangles(i.triangles)) + describe_size(i);
-  text += describe_topology(i.topology);
-  text += i.simulated.empty() ? "" : "simulated   " + i.simulated + '\n';
-  text += fmt::format("springs     {} structural, {} shear, {} flexural\n", i.structural_springs, i.shear_springs,
-                      i.flexural_springs);
-  text += fmt::format("texture     {}\n", i.texture);
-  text += fmt::format("crossings   {}\n", i.crossings_text);
-  text += i.untangling ? "untangled   " + describe(*i.untangling) + '\n' : "";
-  text += i.start ? describe_start(*i.start) : "";
-  text += fmt::format("numbers     in pins.at count the {}\n", i.vertex_numbers);
-  for (const std::string& line : i.hanging) text += "hung        " + line + '\n';
-  for (const LandmarkSize& landmark : i.landmarks) {
-    text += fmt::format("landmark    {}: {}\n", landmark.name, vertices(landmark.vertices));
+std::string describe(const Inspection& inspection) {
+  const Facts f{inspection.facts};
+  const Json& i = inspection.facts;
+  std::string text = f.text("/file") + '\n' + describe_reading(f);
+  const auto line = [&](const char* title, const std::string& content) {
+    text += fmt::format("{:<12}{}\n", title, content);
+  };
+  line("unit", f.text("/placement/unit"));
+  line("up", f.text("/placement/up_from"));
+  line("mesh", f.vertices("/vertices") + ", " + f.counted("/triangles", "triangle"));
+  text += describe_size(f) + describe_topology(f);
+  if (!i["fitted"].is_null()) line("simulated", f.text("/fitted/said"));
+  line("springs", fmt::format("{} structural, {} shear, {} flexural", f.count("/springs/structural"),
+                              f.count("/springs/shear"), f.count("/springs/flexural")));
+  line("texture", f.text("/texture"));
+  line("crossings", f.text("/crossings/said"));
+  if (!i["untangling"].is_null()) line("untangled", f.text("/untangling/said"));
+  if (!i["start"].is_null()) text += describe_start(f);
+  line("numbers", "in pins.at count the " + f.text("/vertex_numbers"));
+  for (const Json& hung : i["hanging"]) line("hung", hung);
+  for (const auto& [name, vertices] : i["landmarks"].items()) {
+    line("landmark", name + ": " + counted(vertices.get<std::size_t>(), "vertex", "vertices"));
   }
-  for (const std::string& line : i.remarks) text += "remark      " + line + '\n';
+  for (const Json& remark : i["remarks"]) line("remark", remark);
   return text;
 }
 

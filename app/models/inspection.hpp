@@ -1,57 +1,20 @@
 #pragma once
 
 #include "app/models/garment_loading.hpp"
-#include "sim/measures.hpp"
+#include "app/scene/scene_key.hpp"
 #include "sim/mesh/topology.hpp"
 
 namespace taut::app {
 
-/// A landmark and how many vertices it has.
-struct LandmarkSize {
-  std::string name;
-  std::size_t vertices = 0;
-};
-
-/// How much the garment is stretched in the shape it begins in.
-struct StretchAtStart {
-  sim::Stretch springs;
-  sim::SurfaceStretch surface;
-};
-
 /// The content of a model file and how it maps to springs. Of a model that follows a fitted mesh, parts, springs and
-/// what is hung are those of that mesh. All numbers are counts unless a unit is given.
+/// what is hung are those of that mesh.
 struct Inspection {
-  std::string file;
-  ImportedModel model;  ///< without its arrays
-  sim::MeshReport repairs;
-  Placement placement;
-  std::vector<HungPart> parts;
-  std::vector<std::string> hanging;  ///< how the parts are pinned, for people
-  std::size_t vertices = 0;
-  std::size_t triangles = 0;
-  sim::Vec3 lower_m = {0.0, 0.0, 0.0};  ///< corner of the bounding box
-  sim::Vec3 upper_m = {0.0, 0.0, 0.0};  ///< the opposite corner
-  double area_m2 = 0.0;
-  double shortest_edge_m = 0.0;
-  double mean_edge_m = 0.0;
-  double longest_edge_m = 0.0;
-  double smallest_angle_rad = 0.0;
-  std::size_t without_surface = 0;       ///< triangles that sim::TriangleAtRest finds too thin to have one
-  std::optional<StretchAtStart> start;   ///< empty if the scene names no start: it begins at rest
-  std::vector<CrossingPair> crossings;   ///< in the shape it begins in
-  std::string crossings_text;            ///< the same for people
-  std::optional<Untangling> untangling;  ///< of what crossed before; empty if nothing was moved apart
-  std::string texture;                   ///< texture coordinates and images, for people
-  sim::Topology topology;
-  std::size_t structural_springs = 0;
-  std::size_t shear_springs = 0;
-  std::size_t flexural_springs = 0;
-  std::string simulated;             ///< the mesh that is simulated in place of the model, for people; empty: none
-  std::size_t fitted_triangles = 0;  ///< of that mesh
-  std::vector<LandmarkSize> landmarks;
-  std::string vertex_numbers;        ///< what the numbers in the key pins.at count
-  std::vector<std::string> remarks;  ///< what the user should check
+  Json facts;                           ///< for programs: counts, lengths in m, areas in m2, and texts for people
+  std::vector<CrossingPair> crossings;  ///< in the shape it begins in
 };
+
+/// How many springs there are of each kind, by their names.
+Json springs_json(const sim::Springs& springs);
 
 /// The garment must have been read from a file.
 Inspection inspect_garment(const Scene& scene, const LoadedGarment& loaded);

@@ -1,6 +1,7 @@
 #include "app/models/mending.hpp"
 
 #include "app/base/words.hpp"
+#include "app/fitting/following.hpp"
 #include "app/verify/crossing_pairs.hpp"
 #include "sim/mesh/groups.hpp"
 #include "sim/mesh/point_cells.hpp"
@@ -91,13 +92,13 @@ double border_of(const sim::Mesh& mesh, const std::vector<sim::Triangle>& triang
     }
   }
   std::ranges::sort(edges);
-  std::map<sim::Index, std::vector<sim::Index>> beside;
+  std::map<sim::Index, std::vector<sim::Index>> neighbours;
   for (std::size_t e = 0; e < edges.size(); ++e) {
     const bool is_alone = (e == 0 || edges[e - 1] != edges[e]) && (e + 1 == edges.size() || edges[e + 1] != edges[e]);
-    for (std::size_t k = 0; is_alone && k < 2; ++k) beside[edges[e][k]].push_back(edges[e][1 - k]);
+    for (std::size_t k = 0; is_alone && k < 2; ++k) neighbours[edges[e][k]].push_back(edges[e][1 - k]);
   }
   double length = 0.0;
-  for (const auto& [vertex, ends] : beside) {
+  for (const auto& [vertex, ends] : neighbours) {
     length += ends.size() == 2 ? 0.5 * glm::distance(mesh.positions[ends[0]], mesh.positions[ends[1]]) : 0.0;
   }
   return length;
@@ -187,12 +188,6 @@ struct Place {
   double distance;
 };
 
-double distance_to_segment(const sim::Vec3& point, const sim::Vec3& a, const sim::Vec3& b) {
-  const double squared = glm::dot(b - a, b - a);
-  const double at = squared > 0.0 ? std::clamp(glm::dot(point - a, b - a) / squared, 0.0, 1.0) : 0.0;
-  return glm::distance(point, a + at * (b - a));
-}
-
 double distance_to_triangle(const sim::Vec3& point, const sim::Mesh& mesh, const sim::Triangle& t) {
   const sim::Vec3 normal = glm::normalize(sim::doubled_area_vector(mesh.positions, t));
   double to_border = std::numeric_limits<double>::infinity();
@@ -200,7 +195,7 @@ double distance_to_triangle(const sim::Vec3& point, const sim::Mesh& mesh, const
   for (int k = 0; k < 3; ++k) {
     const sim::Vec3 &a = mesh.positions[t[k]], &b = mesh.positions[t[(k + 1) % 3]];
     is_above = is_above && glm::dot(glm::cross(b - a, point - a), normal) >= 0.0;
-    to_border = std::min(to_border, distance_to_segment(point, a, b));
+    to_border = std::min(to_border, glm::distance(point, a + share_along(point, a, b) * (b - a)));
   }
   return is_above ? std::abs(glm::dot(point - mesh.positions[t[0]], normal)) : to_border;
 }

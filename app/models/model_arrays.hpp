@@ -44,4 +44,23 @@ std::string encode(const ModelArrays& model);
 /// std::runtime_error if they do not come from `encode`.
 ModelArrays decode(const std::string& bytes);
 
+/// Reads the text of a Wavefront OBJ file in double precision. Assimp reads it in single precision, which
+/// would change rest lengths by more than the smallest bounds on stretch.
+///
+/// Vertices are numbered by number_by_first_use(). Of materials the names are read (read_mtl());
+/// texture coordinates that are damaged are (0, 0). Of normals it is kept that there are some; free-form
+/// surfaces are ignored. Points, lines and faces of one or two corners are counted. Empty if no line defines
+/// a vertex: then it is another kind of file. Throws InputError that names the line, what was found and what
+/// was expected.
+std::optional<ModelArrays> read_obj(std::string_view text);
+
+/// Reads an OBJ file, or any other format of the assimp library, in this process. A damaged file can crash
+/// the process, so programs call import_garment() instead. So may a damaged image. Throws InputError with the
+/// reason, without the file name.
+ModelArrays read_model(const std::filesystem::path& path, ReadParts parts);
+
+/// Reads base colours and the names of their images from the text of an OBJ's material library into the
+/// materials of these names: Kd and map_Kd. Damaged entries are passed over.
+void read_mtl(std::string_view text, SurfaceColours& colours);
+
 }  // namespace taut::app

@@ -3,7 +3,6 @@
 #include <mutex>
 
 #include "app/fitting/fitted_mesh.hpp"
-#include "app/fitting/following.hpp"
 #include "app/models/garment_loading.hpp"
 #include "sim/solvers/bounded/contact/clearances.hpp"
 

@@ -1,5 +1,3 @@
-#include "app/models/model_reading.hpp"
-
 #include <assimp/GltfMaterial.h>
 #include <assimp/importerdesc.h>
 #include <assimp/postprocess.h>
@@ -12,7 +10,6 @@
 #include "app/base/files.hpp"
 #include "app/base/words.hpp"
 #include "app/models/garment_import.hpp"
-#include "app/models/obj_reading.hpp"
 
 namespace taut::app {
 namespace {

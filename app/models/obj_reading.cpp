@@ -1,8 +1,7 @@
-#include "app/models/obj_reading.hpp"
-
 #include <charconv>
 
 #include "app/base/errors.hpp"
+#include "app/models/model_arrays.hpp"
 
 namespace taut::app {
 namespace {

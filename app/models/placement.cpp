@@ -134,26 +134,20 @@ void choose_up(const sim::Vec3& size, const PlacementHints& hints, Placement& pl
     placement.up_text = name(placement.up) + (hints.asked_up ? ", as asked for" : ", as the file says");
     return;
   }
-  if (hints.up_by_openings && *hints.up_by_openings != ModelAxis::y) {
-    placement.up = *hints.up_by_openings;
-    placement.guessed = true;
-    placement.up_text = name(placement.up) + ", guessed from where its openings are";
-    return;
-  }
-  if (hints.up_by_hanging && *hints.up_by_hanging != ModelAxis::y) {
-    placement.up = *hints.up_by_hanging;
-    placement.guessed = true;
-    placement.up_text = name(placement.up) + ", guessed: hung that way it is higher and its cloth moves less";
-    return;
-  }
-  if (!hints.up_by_openings && !hints.up_by_hanging && size.z > clearly_longer * size.y) {
-    placement.up = ModelAxis::z;
-    placement.guessed = true;
-    placement.up_text = fmt::format("z, guessed: it measures {:.3g} along z, {:.3g} along y", size.z * placement.scale,
-                                    size.y * placement.scale);
-    return;
-  }
   placement.up_text = "y, as in most files";
+  const auto guess = [&](ModelAxis up, const std::string& why) {
+    placement.up = up;
+    placement.guessed = true;
+    placement.up_text = name(up) + ", guessed" + why;
+  };
+  if (hints.up_by_openings && *hints.up_by_openings != ModelAxis::y) {
+    guess(*hints.up_by_openings, " from where its openings are");
+  } else if (hints.up_by_hanging && *hints.up_by_hanging != ModelAxis::y) {
+    guess(*hints.up_by_hanging, ": hung that way it is higher and its cloth moves less");
+  } else if (!hints.up_by_openings && !hints.up_by_hanging && size.z > clearly_longer * size.y) {
+    guess(ModelAxis::z, fmt::format(": it measures {:.3g} along z, {:.3g} along y", size.z * placement.scale,
+                                    size.y * placement.scale));
+  }
 }
 
 sim::Vec3 turned(const sim::Vec3& p, ModelAxis up) {

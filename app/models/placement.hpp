@@ -1,7 +1,6 @@
 #pragma once
 
 #include "app/scene/scene.hpp"
-#include "sim/mesh/adjacency.hpp"
 
 namespace taut::app {
 

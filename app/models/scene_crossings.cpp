@@ -2,7 +2,6 @@
 
 #include "app/base/errors.hpp"
 #include "app/base/words.hpp"
-#include "app/verify/crossing_pairs.hpp"
 #include "sim/untangle/untangle.hpp"
 
 namespace taut::app {

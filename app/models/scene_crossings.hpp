@@ -2,7 +2,6 @@
 
 #include "app/scene/scene.hpp"
 #include "app/verify/crossing_pairs.hpp"
-#include "sim/contact/bodies.hpp"
 
 namespace taut::app {
 

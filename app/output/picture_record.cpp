@@ -1,7 +1,6 @@
 #include "app/output/picture_record.hpp"
 
 #include "app/base/errors.hpp"
-#include "app/base/words.hpp"
 #include "app/scene/scene_format.hpp"
 
 namespace taut::app {

@@ -1,15 +1,10 @@
 #include "app/output/run_report.hpp"
 
-#include <nlohmann/json.hpp>
-
 #include "app/base/errors.hpp"
 #include "app/base/files.hpp"
-#include "app/base/words.hpp"
 
 namespace taut::app {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 /// Columns of the statistics of a frame.
 struct FrameColumn {
@@ -77,16 +72,10 @@ const FrameColumn frame_columns[] = {
 
 bool is_written(const FrameColumn& column, bool is_verified) { return is_verified || !column.of_verified_runs; }
 
-Json spring_counts(std::size_t structural, std::size_t shear, std::size_t flexural) {
-  return {{"structural", structural}, {"shear", shear}, {"flexural", flexural}};
-}
-
 Json garment_json(const sim::Garment& garment, std::size_t pins) {
   return {{"vertices", garment.mesh.positions.size()},
           {"triangles", garment.mesh.triangles.size()},
-          {"springs", spring_counts(garment.springs.count(sim::SpringKind::structural),
-                                    garment.springs.count(sim::SpringKind::shear),
-                                    garment.springs.count(sim::SpringKind::flexural))},
+          {"springs", springs_json(garment.springs)},
           {"pins", pins}};
 }
 
@@ -119,57 +108,10 @@ Json summary_json(const RunSummary& summary) {
   return json;
 }
 
-Json point_json(const sim::Vec3& p) { return {p.x, p.y, p.z}; }
-
-Json parts_json(const std::vector<HungPart>& parts) {
-  constexpr std::array ways = {"top opening",  "highest points", "back edge", "neck",
-                               "two openings", "shoulders",      "hanger"};
-  Json list = Json::array();
-  for (const HungPart& part : parts) {
-    list.push_back({{"vertices", part.vertices},
-                    {"hung_by", ways[static_cast<std::size_t>(part.by)]},
-                    {"pins", part.pins},
-                    {"closed", part.closed},
-                    {"flat", part.flat}});
-  }
-  return list;
-}
-
-Json start_json(const std::optional<StretchAtStart>& start) {
-  if (!start) return {};
-  return {{"max_stretch", start->springs.max},
-          {"p99_stretch", start->springs.p99},
-          {"max_surface_stretch", start->surface.max},
-          {"p99_surface_stretch", start->surface.p99}};
-}
-
-Json crossings_json(const std::vector<CrossingPair>& pairs) {
-  Json json = {{"pairs", pairs.size()}};
-  if (!pairs.empty()) {
-    json["first"] = {{"triangles", {pairs[0].first, pairs[0].second}}, {"place_m", point_json(pairs[0].place_m)}};
-  }
-  return json;
-}
-
-Json untangling_json(const std::optional<Untangling>& untangling) {
-  return untangling ? Json{{"pairs_before", untangling->pairs_before},
-                           {"pairs_left", untangling->pairs_left},
-                           {"largest_move_m", untangling->largest_move_m}}
-                    : Json();
-}
-
 // File names can hold bytes that are no UTF-8.
-std::string text_of(const Json& json, int indent) {
-  return json.dump(indent, ' ', false, Json::error_handler_t::replace) + '\n';
-}
-
-std::string line_of(const Json& json) { return text_of(json, -1); }
+std::string line_of(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace) + '\n'; }
 
 namespace fs = std::filesystem;
-
-[[noreturn]] void fail_to_write(const fs::path& path, int error_number) {
-  throw InputError("cannot write '" + path.string() + "': " + std::generic_category().message(error_number));
-}
 
 // How many bytes there are up to the end of that frame's line.
 std::uintmax_t end_of_frame(const fs::path& path, StatisticsFormat format, const RunDescription& run, int frame) {
@@ -248,71 +190,12 @@ std::string statistics_help() {
   return text;
 }
 
-std::string inspection_json(const Inspection& i) {
-  Json landmarks = Json::object();
-  for (const LandmarkSize& landmark : i.landmarks) landmarks[landmark.name] = landmark.vertices;
-  const Json import = {{"format", i.model.format},
-                       {"meshes", i.model.meshes},
-                       {"triangles", i.model.file_triangles},
-                       {"quads", i.model.file_quads},
-                       {"polygons", i.model.file_polygons},
-                       {"ignored_lines", i.model.ignored_lines},
-                       {"ignored_points", i.model.ignored_points}};
-  const Json repairs = {{"input_vertices", i.repairs.input_vertices},
-                        {"input_triangles", i.repairs.input_triangles},
-                        {"welded_vertices", i.repairs.welded_vertices},
-                        {"unused_vertices", i.repairs.unused_vertices},
-                        {"degenerate_triangles", i.repairs.degenerate_triangles},
-                        {"duplicate_triangles", i.repairs.duplicate_triangles},
-                        {"turned_triangles", i.repairs.turned_triangles},
-                        {"near_vertices", i.repairs.near_vertices},
-                        {"sewn_vertices", i.repairs.sewn_vertices},
-                        {"parted_vertices", i.repairs.parted_vertices}};
-  const Json placement = {{"metres_per_unit", i.placement.scale},
-                          {"unit", i.placement.unit_text},
-                          {"up", axis_names[static_cast<std::size_t>(i.placement.up)]},
-                          {"up_from", i.placement.up_text},
-                          {"guessed", i.placement.guessed},
-                          {"moved_m", point_json(i.placement.moved_m)}};
-  const Json topology = {{"components", i.topology.components},
-                         {"boundary_edges", i.topology.boundary_edges},
-                         {"boundary_loops", i.topology.boundary_loops},
-                         {"non_manifold_edges", i.topology.non_manifold_edges},
-                         {"non_manifold_vertices", i.topology.non_manifold_vertices},
-                         {"misoriented_edges", i.topology.misoriented_edges},
-                         {"euler_characteristic", i.topology.euler_characteristic}};
-  return text_of(
-      {{"file", i.file},
-       {"import", import},
-       {"repairs", repairs},
-       {"placement", placement},
-       {"parts", parts_json(i.parts)},
-       {"vertices", i.vertices},
-       {"triangles", i.triangles},
-       {"bounding_box_m", {point_json(i.lower_m), point_json(i.upper_m)}},
-       {"area_m2", i.area_m2},
-       {"edge_length_m", {{"min", i.shortest_edge_m}, {"mean", i.mean_edge_m}, {"max", i.longest_edge_m}}},
-       {"smallest_angle_degrees", i.smallest_angle_rad * 180.0 / std::numbers::pi},
-       {"triangles_without_surface", i.without_surface},
-       {"texture", i.texture},
-       {"start", start_json(i.start)},
-       {"crossings", crossings_json(i.crossings)},
-       {"untangling", untangling_json(i.untangling)},
-       {"topology", topology},
-       {"fitted", i.simulated.empty() ? Json() : Json({{"triangles", i.fitted_triangles}, {"said", i.simulated}})},
-       {"springs", spring_counts(i.structural_springs, i.shear_springs, i.flexural_springs)},
-       {"landmarks", landmarks},
-       {"vertex_numbers", i.vertex_numbers},
-       {"remarks", i.remarks}},
-      2);
-}
-
 StatisticsFile::StatisticsFile(const fs::path& file, const RunDescription& run, std::optional<int> last_kept)
     : path_(file), format_(statistics_format(file)) {
   if (last_kept) fs::resize_file(file, end_of_frame(file, format_, run, *last_kept));
   is_plain_ = !fs::exists(file) || fs::is_regular_file(file);
   file_.reset(std::fopen(file.c_str(), last_kept || !is_plain_ ? "ab" : "wb"));
-  if (!file_) fail_to_write(path_, errno);
+  if (!file_) fail_to_write(path_, std::generic_category().message(errno));
   if (!last_kept) write(statistics_header(format_, run));
 }
 
@@ -332,7 +215,7 @@ void StatisticsFile::write(const std::string& lines) {
   } else if (is_plain_) {
     fs::remove(path_, ignored);
   }
-  fail_to_write(path_, reason);
+  fail_to_write(path_, std::generic_category().message(reason));
 }
 
 }  // namespace taut::app

@@ -3,7 +3,6 @@
 #include "app/drawing/drawn_scene.hpp"
 #include "app/models/inspection.hpp"
 #include "app/output/frame_record.hpp"
-#include "sim/garment.hpp"
 
 namespace taut::app {
 
@@ -33,9 +32,6 @@ std::string statistics_line_start(StatisticsFormat format, int frame);
 
 /// The columns of the statistics with their units, as text for people.
 std::string statistics_help();
-
-/// The text of `describe` (inspection.hpp), as JSON.
-std::string inspection_json(const Inspection& inspection);
 
 /// Writes the file of --stats line by line. If a run ends early, the file holds every frame that was
 /// measured. All functions throw InputError if the file cannot be written; it then ends with a complete line.

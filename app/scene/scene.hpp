@@ -112,7 +112,7 @@ struct NearestTo {
 };
 
 /// Which vertices to pin. A text is a landmark or a name of pin_names() (pins.hpp); a number is a vertex of
-/// the garment's file (file_vertices.hpp).
+/// the garment's file (file_mesh.hpp).
 using PinSelector = std::variant<std::string, sim::Index, NearestTo>;
 
 /// Pins that are led by a motion of their own.

@@ -2,7 +2,6 @@
 
 #include "app/base/errors.hpp"
 #include "app/base/files.hpp"
-#include "app/scene/scene_key.hpp"
 
 namespace taut::app {
 namespace {

@@ -1,5 +1,3 @@
-#include <fmt/core.h>
-
 #include "app/scene/scene_format.hpp"
 
 // `access` of a key of a body that has the shape.

@@ -2,9 +2,7 @@
 
 #include "app/base/errors.hpp"
 #include "app/bodies/wearing.hpp"
-#include "app/fitting/surface_tree.hpp"
-#include "app/models/garment_loading.hpp"
-#include "app/models/scene_crossings.hpp"
+#include "app/fitting/following.hpp"
 #include "app/output/frame_record.hpp"
 #include "app/verify/stretch.hpp"
 #include "sim/mesh/groups.hpp"

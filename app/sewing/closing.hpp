@@ -2,7 +2,6 @@
 
 #include "app/scene/scene.hpp"
 #include "app/sewing/cutting.hpp"
-#include "sim/garment.hpp"
 
 namespace taut::app {
 

@@ -1,9 +1,5 @@
-#include <fmt/core.h>
-
 #include "app/base/errors.hpp"
-#include "app/bodies/dressing.hpp"
 #include "app/sewing/placing.hpp"
-#include "sim/mesh/extent.hpp"
 
 namespace taut::app {
 namespace {

@@ -1,8 +1,4 @@
-
-#include "app/bodies/body_girths.hpp"
-#include "app/bodies/dressing.hpp"
 #include "app/sewing/placing.hpp"
-#include "sim/mesh/extent.hpp"
 
 namespace taut::app {
 namespace {

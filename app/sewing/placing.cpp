@@ -1,11 +1,8 @@
 #include "app/sewing/placing.hpp"
 
-#include <fmt/core.h>
-
 #include "app/base/errors.hpp"
 #include "app/bodies/body_loading.hpp"
 #include "app/bodies/wearing.hpp"
-#include "app/models/scene_crossings.hpp"
 
 namespace taut::app {
 namespace {

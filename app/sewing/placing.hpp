@@ -1,9 +1,7 @@
 #pragma once
 
 #include "app/bodies/dressing.hpp"
-#include "app/scene/scene.hpp"
 #include "app/sewing/cutting.hpp"
-#include "sim/contact/bodies.hpp"
 
 namespace taut::app {
 

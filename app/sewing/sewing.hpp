@@ -1,7 +1,6 @@
 #pragma once
 
 #include "app/base/errors.hpp"
-#include "app/scene/scene.hpp"
 #include "app/scene/scene_key.hpp"
 #include "app/sewing/closing.hpp"
 

@@ -2,7 +2,6 @@
 
 #include <fmt/core.h>
 
-#include "app/verify/triangle_crossing.hpp"
 #include "sim/mesh/extent.hpp"
 
 namespace taut::app {
@@ -23,11 +22,6 @@ void add_boxes(const Surface& surface, bool is_of_body, std::vector<TriangleBox>
     const Corners corners = corners_of(surface, surface.triangles[t]);
     boxes.push_back({sim::extent_of(corners), static_cast<sim::Index>(t), is_of_body});
   }
-}
-
-bool meet(const sim::Extent& a, const sim::Extent& b) {
-  return a.lower.x <= b.upper.x && b.lower.x <= a.upper.x && a.lower.y <= b.upper.y && b.lower.y <= a.upper.y &&
-         a.lower.z <= b.upper.z && b.lower.z <= a.upper.z;
 }
 
 /// Equal parts of an axis. A box is in each that it reaches into.
@@ -85,7 +79,7 @@ template <class Found> void sweep(std::vector<TriangleBox>& boxes, const Found& 
       const double end = (*a)->extent.upper[axis];
       for (auto b = a + 1; b != in_strip[s].end() && (*b)->extent.lower[axis] <= end; ++b) {
         // Two that share several strips meet in the first of them.
-        if (meet((*a)->extent, (*b)->extent) && std::max(strips.of_lower(**a), strips.of_lower(**b)) == s) {
+        if (sim::overlap((*a)->extent, (*b)->extent) && std::max(strips.of_lower(**a), strips.of_lower(**b)) == s) {
           found(**a, **b);
         }
       }

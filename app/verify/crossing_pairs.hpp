@@ -1,7 +1,6 @@
 #pragma once
 
 #include "app/verify/triangle_crossing.hpp"
-#include "sim/mesh/types.hpp"
 
 namespace taut::app {
 

@@ -191,50 +191,27 @@ bool is_certain(double determinant, double error, double sum_of_sizes) {
   return sum_of_sizes > smallest_sum && std::abs(determinant) > error * sum_of_sizes;
 }
 
-mpz_class minor_of(const mpz_class& a, const mpz_class& b, const mpz_class& c, const mpz_class& d) {
-  return a * d - b * c;
+/// Rational numbers: every double is one.
+using Exact = std::array<mpq_class, 3>;
+
+Exact difference(const sim::Vec3& a, const sim::Vec3& b) {
+  return {mpq_class(a.x) - mpq_class(b.x), mpq_class(a.y) - mpq_class(b.y), mpq_class(a.z) - mpq_class(b.z)};
 }
 
-/// Coordinates as multiples of one power of two, which are whole numbers.
-class WholeNumbers {
- public:
-  explicit WholeNumbers(std::initializer_list<double> coordinates) {
-    for (const double x : coordinates) {
-      exponent_ = x != 0.0 ? std::min(exponent_, std::ilogb(x) - digits) : exponent_;
-    }
-  }
-
-  mpz_class operator()(double x) const {
-    int exponent = 0;
-    const double mantissa = std::frexp(x, &exponent);
-    return x != 0.0 ? mpz_class(std::ldexp(mantissa, digits)) << (exponent - digits - exponent_) : mpz_class(0);
-  }
-
- private:
-  static constexpr int digits = std::numeric_limits<double>::digits;
-  int exponent_ = std::numeric_limits<int>::max();
-};
+mpq_class cross(const Exact& v, const Exact& w, std::size_t axis) {
+  const std::size_t i = (axis + 1) % 3, j = (axis + 2) % 3;
+  return v[i] * w[j] - v[j] * w[i];
+}
 
 int exact_orientation(const sim::Vec3& a, const sim::Vec3& b, const sim::Vec3& c, const sim::Vec3& d) {
-  mpz_class u[3], v[3], w[3];
-  for (int k = 0; k < 3; ++k) {
-    // Each axis has a scale of its own, which leaves the sign.
-    const WholeNumbers whole({a[k], b[k], c[k], d[k]});
-    const mpz_class origin = whole(d[k]);
-    u[k] = whole(a[k]) - origin;
-    v[k] = whole(b[k]) - origin;
-    w[k] = whole(c[k]) - origin;
-  }
-  const mpz_class determinant = u[0] * minor_of(v[1], v[2], w[1], w[2]) + u[1] * minor_of(v[2], v[0], w[2], w[0]) +
-                                u[2] * minor_of(v[0], v[1], w[0], w[1]);
+  const Exact u = difference(a, d), v = difference(b, d), w = difference(c, d);
+  const mpq_class determinant = u[0] * cross(v, w, 0) + u[1] * cross(v, w, 1) + u[2] * cross(v, w, 2);
   return sgn(determinant);
 }
 
 int exact_orientation(const sim::Vec2& a, const sim::Vec2& b, const sim::Vec2& c) {
-  const WholeNumbers x({a.x, b.x, c.x}), y({a.y, b.y, c.y});
-  const mpz_class ux = x(a.x) - x(c.x), uy = y(a.y) - y(c.y);
-  const mpz_class vx = x(b.x) - x(c.x), vy = y(b.y) - y(c.y);
-  return sgn(minor_of(ux, uy, vx, vy));
+  const mpq_class determinant = cross(difference({a, 0.0}, {c, 0.0}), difference({b, 0.0}, {c, 0.0}), 2);
+  return sgn(determinant);
 }
 
 }  // namespace

@@ -8,7 +8,7 @@ namespace taut::app {
 using Corners = std::array<sim::Vec3, 3>;
 
 // Each returns a point that both triangles have, in metres and rounded, if they cross. Whether they do is
-// decided exactly (orientation.hpp); to touch is to cross.
+// decided exactly (orientation()); to touch is to cross.
 
 /// For triangles that share no vertex: they cross if they have any point in common.
 std::optional<sim::Vec3> crossing_place(const Corners& a, const Corners& b);
@@ -24,7 +24,7 @@ std::optional<sim::Vec3> crossing_place_beside_edge(const Corners& a, const Corn
 
 /// Returns the sign, -1, 0 or 1, of (a - d) . ((b - d) x (c - d)): 0 exactly if the four points are in one
 /// plane. The sign is exact: a value that rounding could have turned (Shewchuk 1997, the error bounds "A") is
-/// computed again with whole numbers of any length.
+/// computed again with rational numbers of any length.
 int orientation(const sim::Vec3& a, const sim::Vec3& b, const sim::Vec3& c, const sim::Vec3& d);
 
 /// Returns the sign, -1, 0 or 1, of (a - c) x (b - c): 0 exactly if the three points are on one line. Exact

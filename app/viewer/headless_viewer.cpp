@@ -1,7 +1,5 @@
 #include "app/viewer/headless_viewer.hpp"
 
-#include "app/base/errors.hpp"
-
 namespace taut::app {
 
 HeadlessViewer::HeadlessViewer(const DrawnScene& scene, const SessionStart& start,

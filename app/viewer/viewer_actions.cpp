@@ -1,4 +1,3 @@
-#include "app/base/errors.hpp"
 #include "app/bodies/body_loading.hpp"
 #include "app/drawing/framing.hpp"
 #include "app/models/hanger.hpp"

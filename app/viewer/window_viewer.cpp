@@ -3,7 +3,6 @@
 #include "app/base/errors.hpp"
 #include "app/viewer/picture/viewer_picture.hpp"
 #include "app/viewer/viewer.hpp"
-#include "renderer/context/window.hpp"
 
 namespace taut::app {
 namespace {

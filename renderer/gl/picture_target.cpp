@@ -1,7 +1,5 @@
 #include "renderer/gl/picture_target.hpp"
 
-#include "renderer/page/colour.hpp"
-
 namespace taut::renderer {
 namespace {
 

@@ -3,8 +3,6 @@
 #include <cairo-pdf.h>
 #include <cairo.h>
 
-#include "renderer/page/ticks.hpp"
-
 namespace taut::renderer {
 namespace {
 
@@ -355,20 +353,16 @@ std::vector<std::uint8_t> Canvas::finish_pdf() {
 void draw_legend(Canvas& canvas, const Legend& legend, const LegendPlace& place) {
   if (!(legend.maximum > legend.minimum)) return;
   const Scale scale{legend, place};
-  TextStyle text = place.text;
-  text.horizontal = HorizontalAlign::left;
-  text.vertical = VerticalAlign::middle;
+  const TextStyle text = place.text.aligned(HorizontalAlign::left, VerticalAlign::middle);
   draw_bar(canvas, legend, place);
   if (legend.more_above) draw_arrow(canvas, legend, place);
   draw_ticks(canvas, legend, scale, text);
   if (legend.bound && *legend.bound >= legend.minimum && *legend.bound <= legend.maximum) {
     draw_bound(canvas, legend, scale, text);
   }
-  TextStyle title = place.text;
-  title.horizontal = HorizontalAlign::left;
-  title.vertical = VerticalAlign::bottom;
   const float lift = legend.more_above ? 0.6F * place.bar_width_px + 8.0F : 8.0F;
-  canvas.text(place.x_px, place.y_px - lift, legend.title, title);
+  canvas.text(place.x_px, place.y_px - lift, legend.title,
+              place.text.aligned(HorizontalAlign::left, VerticalAlign::bottom));
 }
 
 }  // namespace taut::renderer

@@ -1,6 +1,6 @@
 #include "renderer/passes/backdrop_pass.hpp"
 
-#include "renderer/page/ticks.hpp"
+#include "renderer/page/canvas.hpp"
 
 namespace taut::renderer {
 

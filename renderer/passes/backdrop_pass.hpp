@@ -1,6 +1,5 @@
 #pragma once
 
-#include "renderer/gl/gl_objects.hpp"
 #include "renderer/gl/picture_target.hpp"
 
 namespace taut::renderer {

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "renderer/frame_view.hpp"
 #include "renderer/gl/gl_objects.hpp"
 
 namespace taut::renderer {

@@ -1,9 +1,7 @@
 #pragma once
 
-#include "renderer/gl/gl_objects.hpp"
 #include "renderer/gl/picture_target.hpp"
 #include "renderer/light/studio_light.hpp"
-#include "renderer/light/surface_buffers.hpp"
 
 namespace taut::renderer {
 

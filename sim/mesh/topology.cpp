@@ -64,8 +64,7 @@ std::vector<Neighbour> neighbours_of(const Mesh& mesh) {
   for (std::size_t e = 0; e < adjacency.edges.size(); ++e) {
     const auto pair = adjacency.edge_triangles[e];
     if (pair.size() == 2) {
-      const bool disagrees = runs_along(mesh.triangles[pair[0]], adjacency.edges[e]) ==
-                             runs_along(mesh.triangles[pair[1]], adjacency.edges[e]);
+      const bool disagrees = is_misoriented(mesh, adjacency, e);
       neighbours[3 * pair[0] + filled[pair[0]]++] = {pair[1], disagrees};
       neighbours[3 * pair[1] + filled[pair[1]]++] = {pair[0], disagrees};
     }
@@ -82,6 +81,12 @@ bool runs_along(const Triangle& t, const Edge& edge) {
   return false;
 }
 
+bool is_misoriented(const Mesh& mesh, const Adjacency& adjacency, std::size_t edge) {
+  const auto pair = adjacency.edge_triangles[edge];
+  const auto along = [&](Index t) { return runs_along(mesh.triangles[t], adjacency.edges[edge]); };
+  return pair.size() == 2 && along(pair[0]) == along(pair[1]);
+}
+
 Topology measure_topology(const Mesh& mesh, const Adjacency& adjacency) {
   Topology topology;
   const std::size_t vertex_count = mesh.positions.size();
@@ -89,9 +94,7 @@ Topology measure_topology(const Mesh& mesh, const Adjacency& adjacency) {
     const auto triangles = adjacency.edge_triangles[e];
     topology.boundary_edges += triangles.size() == 1;
     topology.non_manifold_edges += triangles.size() > 2;
-    topology.misoriented_edges +=
-        triangles.size() == 2 && runs_along(mesh.triangles[triangles[0]], adjacency.edges[e]) ==
-                                     runs_along(mesh.triangles[triangles[1]], adjacency.edges[e]);
+    topology.misoriented_edges += is_misoriented(mesh, adjacency, e);
   }
   topology.components = count_groups(vertex_count, adjacency, [](std::size_t) { return true; });
   topology.boundary_loops =

@@ -19,6 +19,9 @@ struct Topology {
 /// way.
 bool runs_along(const Triangle& t, const Edge& edge);
 
+/// Returns whether the edge has two triangles, which face different sides. Requires the adjacency of this mesh.
+bool is_misoriented(const Mesh& mesh, const Adjacency& adjacency, std::size_t edge);
+
 /// Requires the adjacency of this mesh.
 Topology measure_topology(const Mesh& mesh, const Adjacency& adjacency);
 

@@ -1,7 +1,6 @@
 #include <gtest/gtest.h>
 
 #include "app/drawing/drawing.hpp"
-#include "app/drawing/drawn_bodies.hpp"
 #include "app/drawing/framing.hpp"
 #include "app/drawing/garment_painter.hpp"
 #include "app/drawing/garment_surface.hpp"

@@ -6,7 +6,7 @@
 #include <stdexcept>
 
 #include "app/base/files.hpp"
-#include "app/models/obj_reading.hpp"
+#include "app/models/model_arrays.hpp"
 
 namespace taut::test {
 
@@ -21,8 +21,7 @@ sim::Mesh read_obj(const std::filesystem::path& file) {
                                model.corners.size() == 3 * mesh.triangles.size() &&
                                model.ignored_lines + model.ignored_points == 0;
   if (!triangles_alone || !std::is_sorted(model.position_of_vertex.begin(), model.position_of_vertex.end())) {
-    throw std::runtime_error(file.string() +
-                             ": expected triangles, their vertices in the order of first use");
+    throw std::runtime_error(file.string() + ": expected triangles, their vertices in the order of first use");
   }
   return mesh;
 }
@@ -36,8 +35,7 @@ std::map<std::string, std::vector<sim::Index>> read_landmarks(const std::filesys
   for (const auto& [name, value] : toml::parse_file(file.string())) {
     const toml::array none;
     for (const toml::node& vertex : name == "metres_per_uv" ? none : *value.as_array()) {
-      landmarks[std::string(name.str())].push_back(
-          static_cast<sim::Index>(vertex.value<std::int64_t>().value()));
+      landmarks[std::string(name.str())].push_back(static_cast<sim::Index>(vertex.value<std::int64_t>().value()));
     }
   }
   return landmarks;

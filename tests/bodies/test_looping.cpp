@@ -2,7 +2,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "app/bodies/motion_opening.hpp"
+#include "app/bodies/frame_source.hpp"
 #include "app/drawing/drawn_scene.hpp"
 #include "gltf_text.hpp"
 #include "loading.hpp"
@@ -49,8 +49,7 @@ TEST_F(Looping, AMotionThatDoesNotRepeatStaysInItsLastFrame) {
 
 TEST_F(Looping, RepeatsFromTheFrameThatItsLastIsAgain) {
   const LoadedBody body = load(source_of({1.0F, 1.4F, 1.6F, 1.8F, 1.7F, 1.4F}));
-  EXPECT_EQ(millimetres(body, 12),
-            (std::vector<int>{0, 400, 600, 800, 700, 400, 600, 800, 700, 400, 600, 800}))
+  EXPECT_EQ(millimetres(body, 12), (std::vector<int>{0, 400, 600, 800, 700, 400, 600, 800, 700, 400, 600, 800}))
       << "frame 0 leads into it";
   EXPECT_EQ(body.said().find("repeated"), std::string::npos);
   EXPECT_TRUE(sim::is_moving_after(body.body, 1e6));
@@ -60,17 +59,15 @@ TEST_F(Looping, RepeatsFromTheFrameThatItsLastIsAgain) {
 TEST_F(Looping, RepeatsFromItsFirstFrameAndSaysHowFarThatIs) {
   const LoadedBody body = load(source_of({1.0F, 1.4F, 1.2F}));
   EXPECT_EQ(millimetres(body, 7), (std::vector<int>{0, 400, 200, 0, 400, 200, 0}));
-  EXPECT_CONTAINS(
-      body.said(),
-      "repeated, its motion goes on from its first frame, from which its last is up to 0.2 m away");
+  EXPECT_CONTAINS(body.said(),
+                  "repeated, its motion goes on from its first frame, from which its last is up to 0.2 m away");
 }
 
 TEST_F(Looping, RefusesAJumpThatIsTooFarForAFrame) {
   const BodySource far = source_of({1.0F, 1.6F, 2.2F});
-  EXPECT_CONTAINS(
-      error_of(far),
-      "body.gltf': found a motion to be repeated (loop, --body-loop) whose last frame is up to 1.2 m "
-      "from its first, expected at most 1 m");
+  EXPECT_CONTAINS(error_of(far),
+                  "body.gltf': found a motion to be repeated (loop, --body-loop) whose last frame is up to 1.2 m "
+                  "from its first, expected at most 1 m");
 }
 
 TEST_F(Looping, BeginsAtItsStartAndRepeatsAllOfIt) {

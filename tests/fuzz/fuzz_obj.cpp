@@ -8,8 +8,7 @@
 
 #include "app/base/errors.hpp"
 #include "app/models/garment_import.hpp"
-#include "app/models/model_reading.hpp"
-#include "app/models/obj_reading.hpp"
+#include "app/models/model_arrays.hpp"
 
 using namespace taut::app;
 
@@ -32,8 +31,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     }
     const SurfaceColours& colours = model->colours;
     if ((!colours.corner_uv.empty() && colours.corner_uv.size() != model->corners.size()) ||
-        (!colours.material_of_face.empty() &&
-         colours.material_of_face.size() != model->corner_counts.size())) {
+        (!colours.material_of_face.empty() && colours.material_of_face.size() != model->corner_counts.size())) {
       std::abort();
     }
     if (std::accumulate(model->corner_counts.begin(), model->corner_counts.end(), std::size_t{0}) !=

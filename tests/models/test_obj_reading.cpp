@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "app/base/errors.hpp"
-#include "app/models/obj_reading.hpp"
+#include "app/models/model_arrays.hpp"
 #include "temporary_folder.hpp"
 
 namespace taut::app {
@@ -40,9 +40,7 @@ TEST(ObjReading, NumbersVerticesByTheirFirstUse) {
 
 TEST(ObjReading, TakesLinesAsProgramsWriteThem) {
   const ModelArrays model =
-      read_obj(
-          "\xEF\xBB\xBF# f 7 8 9\r\nv\t0 0 0 # first\r\n  v +1 .5 -2E3\rv 0 1 0 0.2 0.3 0.4\nf 1 2 \\\n3")
-          .value();
+      read_obj("\xEF\xBB\xBF# f 7 8 9\r\nv\t0 0 0 # first\r\n  v +1 .5 -2E3\rv 0 1 0 0.2 0.3 0.4\nf 1 2 \\\n3").value();
   EXPECT_EQ(model.positions[1], sim::Vec3(1, 0.5, -2000));
   EXPECT_EQ(model.corners, (std::vector<sim::Index>{0, 1, 2}));
 }
@@ -74,8 +72,7 @@ TEST(ObjReading, NumbersOutOfRangeAreWhatTheyRoundTo) {
 }
 
 TEST(ObjReading, SaysWhichLineIsDamaged) {
-  EXPECT_CONTAINS(error_of("v 0 0 0\n\nv 1 zero 0\n"),
-                  "line 3: found 'zero', expected a coordinate of a vertex");
+  EXPECT_CONTAINS(error_of("v 0 0 0\n\nv 1 zero 0\n"), "line 3: found 'zero', expected a coordinate of a vertex");
   EXPECT_CONTAINS(error_of("v 1 0,5 0\n"), "line 1: found '0,5'");
   EXPECT_CONTAINS(error_of("v 1 2\n"), "line 1: found '', expected a coordinate");
   EXPECT_CONTAINS(error_of("v 0 0 0\nf 1 \\\n1 \\\n1\nf 1 x 1\n"),
@@ -83,8 +80,7 @@ TEST(ObjReading, SaysWhichLineIsDamaged) {
   EXPECT_CONTAINS(error_of("v 0 0 0\nf 1 0 1\n"), "line 2: found '0'");
   EXPECT_CONTAINS(error_of("v 0 0 0\nf 1 -2 1\n"), "line 2: found '-2'");
   EXPECT_CONTAINS(error_of("v 0 0 0\nf 1 99999999999999999999 1\n"), "line 2: found '9999");
-  EXPECT_CONTAINS(error_of("v 0 0 0\nf 1 7 1\nf 1 1 1\n"),
-                  "line 2: a face uses vertex 7 of a model that has 1");
+  EXPECT_CONTAINS(error_of("v 0 0 0\nf 1 7 1\nf 1 1 1\n"), "line 2: a face uses vertex 7 of a model that has 1");
 }
 
 }  // namespace

@@ -10,7 +10,7 @@
 #include "app/models/file_mesh.hpp"
 #include "app/models/garment_import.hpp"
 #include "app/models/import_process.hpp"
-#include "app/models/obj_reading.hpp"
+#include "app/models/model_arrays.hpp"
 #include "app/scene/scene_format.hpp"
 #include "renderer/page/png.hpp"
 #include "temporary_folder.hpp"

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "app/drawing/inspection_marks.hpp"
+#include "app/drawing/inspection_picture.hpp"
 #include "app/models/inspection.hpp"
 #include "app/output/frame_verifier.hpp"
 #include "sim/mesh/grid.hpp"

@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "renderer/camera.hpp"
+#include "renderer/frame_view.hpp"
 
 namespace taut::renderer {
 namespace {
@@ -18,8 +18,7 @@ constexpr Box shirt{{-0.4F, 0.1F, -0.2F}, {0.5F, 1.3F, 0.3F}};
 glm::vec2 extent_on_picture(const Box& box, const Camera& camera, float aspect) {
   glm::vec2 extent{0.0F};
   for (unsigned i = 0; i < 8; ++i) {
-    const glm::vec3 corner{(i & 1U) != 0 ? box.upper.x : box.lower.x,
-                           (i & 2U) != 0 ? box.upper.y : box.lower.y,
+    const glm::vec3 corner{(i & 1U) != 0 ? box.upper.x : box.lower.x, (i & 2U) != 0 ? box.upper.y : box.lower.y,
                            (i & 4U) != 0 ? box.upper.z : box.lower.z};
     const glm::vec4 clip = camera.projection(aspect) * camera.view() * glm::vec4{corner, 1.0F};
     EXPECT_GT(clip.z, -clip.w) << "in front of the near plane";
@@ -35,8 +34,7 @@ TEST(FitCameraToBox, FillsThePictureUpToTheMarginFromEverySide) {
       for (const float elevation : {-0.4F, 0.0F, 0.5F, 1.2F}) {
         const Camera camera = fit_camera_to_box(shirt, {azimuth, elevation, 0.5F, 0.1F}, aspect);
         const glm::vec2 extent = extent_on_picture(shirt, camera, aspect);
-        EXPECT_NEAR(std::max(extent.x, extent.y), 0.8F, 1e-3F)
-            << aspect << " " << azimuth << " " << elevation;
+        EXPECT_NEAR(std::max(extent.x, extent.y), 0.8F, 1e-3F) << aspect << " " << azimuth << " " << elevation;
       }
     }
   }

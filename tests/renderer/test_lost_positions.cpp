@@ -3,7 +3,6 @@
 #include <limits>
 
 #include "renderer/frame_view.hpp"
-#include "renderer/light/shadow_map.hpp"
 #include "renderer/light/studio_light.hpp"
 #include "renderer/light/surface_buffers.hpp"
 #include "renderer/passes/backdrop_pass.hpp"

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "renderer/light/shadow_map.hpp"
+#include "renderer/light/surface_buffers.hpp"
 #include "renderer/passes/backdrop_pass.hpp"
 #include "scene_support.hpp"
 
@@ -170,8 +170,7 @@ TEST(ShadedFloor, HoldsTheShadowAndLittleElse) {
 }
 
 TEST(BandsAround, CoverEveryPixelButThePartsOnce) {
-  for (const PixelRect& part :
-       {PixelRect{}, PixelRect{3, 2, 4, 5}, PixelRect{0, 0, 12, 9}, PixelRect{5, 0, 7, 9}}) {
+  for (const PixelRect& part : {PixelRect{}, PixelRect{3, 2, 4, 5}, PixelRect{0, 0, 12, 9}, PixelRect{5, 0, 7, 9}}) {
     std::array<int, 12 * 9> times{};
     const auto count = [&](const PixelRect& rect) {
       for (int y = rect.y_px; y < rect.y_px + rect.height_px; ++y) {

@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "renderer/light/shadow_map.hpp"
+#include "renderer/light/surface_buffers.hpp"
 
 namespace taut::renderer {
 namespace {

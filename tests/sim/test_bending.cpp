@@ -9,7 +9,6 @@
 #include "sheets.hpp"
 #include "sim/simulation.hpp"
 #include "sim/solvers/bounded/bending.hpp"
-#include "sim/solvers/bounded/flexural.hpp"
 
 namespace taut::sim {
 namespace {

@@ -9,7 +9,6 @@
 
 #include "sheets.hpp"
 #include "sim/solvers/bounded/layout.hpp"
-#include "sim/solvers/bounded/surface_layout.hpp"
 
 namespace taut::sim {
 namespace {

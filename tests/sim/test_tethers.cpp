@@ -8,7 +8,7 @@
 #include "sim/mesh/grid.hpp"
 #include "sim/simulation.hpp"
 #include "sim/solvers/bounded/kernels/kernels.hpp"
-#include "sim/solvers/bounded/tethers.hpp"
+#include "sim/solvers/bounded/step.hpp"
 
 namespace taut::sim {
 namespace {

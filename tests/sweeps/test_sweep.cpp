@@ -7,7 +7,6 @@
 #include "app/base/errors.hpp"
 #include "app/base/files.hpp"
 #include "app/drawing/drawn_scene.hpp"
-#include "app/sweeps/sweep.hpp"
 #include "app/sweeps/sweep_run.hpp"
 #include "temporary_folder.hpp"
 

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "app/viewer/keeping.hpp"
+#include "app/viewer/viewer.hpp"
 #include "app/viewer/panel/panel.hpp"
 #include "app/viewer/state/viewer_state.hpp"
 #include "bodies/gltf_text.hpp"

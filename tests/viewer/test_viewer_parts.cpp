@@ -5,12 +5,11 @@
 
 #include "app/base/errors.hpp"
 #include "app/scene/scene.hpp"
-#include "app/viewer/keeping.hpp"
 #include "app/viewer/panel/panel.hpp"
 #include "app/viewer/picture/viewer_picture.hpp"
 #include "app/viewer/simulation/live_simulation.hpp"
-#include "app/viewer/state/orbit_camera.hpp"
 #include "app/viewer/state/viewer_state.hpp"
+#include "app/viewer/viewer.hpp"
 #include "sim/mesh/grid.hpp"
 #include "sim/mesh/welding.hpp"
 

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "app/viewer/headless_viewer.hpp"
-#include "app/viewer/keeping.hpp"
+#include "app/viewer/viewer.hpp"
 #include "app/viewer/panel/panel.hpp"
 #include "person.hpp"
 #include "sim/measures.hpp"

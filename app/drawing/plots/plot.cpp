@@ -2,9 +2,6 @@
 
 #include <fmt/core.h>
 
-#include "app/drawing/drawing.hpp"
-#include "renderer/page/ticks.hpp"
-
 namespace taut::app {
 namespace {
 
@@ -134,9 +131,7 @@ float widest_label_px(const Canvas& canvas, const Axis& axis, const PlotStyle& s
 }
 
 void draw_x_ticks(Canvas& canvas, const Axes& axes, const PlotStyle& style) {
-  renderer::TextStyle text = text_style(style.text_px);
-  text.horizontal = HorizontalAlign::centre;
-  text.vertical = VerticalAlign::top;
+  const renderer::TextStyle text = text_style(style.text_px).aligned(HorizontalAlign::centre, VerticalAlign::top);
   const float bottom_px = axes.area.y_px + axes.area.height_px;
   for (const Tick& tick : ticks_of(axes.plot.x)) {
     const float x_px = axes.x_of(tick.value);
@@ -152,9 +147,7 @@ void draw_x_ticks(Canvas& canvas, const Axes& axes, const PlotStyle& style) {
 }
 
 void draw_y_ticks(Canvas& canvas, const Axes& axes, const PlotStyle& style) {
-  renderer::TextStyle text = text_style(style.text_px);
-  text.horizontal = HorizontalAlign::right;
-  text.vertical = VerticalAlign::middle;
+  const renderer::TextStyle text = text_style(style.text_px).aligned(HorizontalAlign::right, VerticalAlign::middle);
   const float left_px = axes.area.x_px;
   for (const Tick& tick : ticks_of(axes.plot.y)) {
     const float y_px = axes.y_of(tick.value);
@@ -242,8 +235,7 @@ void draw_points(Canvas& canvas, const Curve& curve, const Axes& axes, const Plo
 }
 
 void draw_levels(Canvas& canvas, const Axes& axes, const PlotStyle& style) {
-  renderer::TextStyle text = text_style(0.9F * style.text_px, palette::quiet_ink);
-  text.horizontal = HorizontalAlign::right;
+  const renderer::TextStyle text = text_style(0.9F * style.text_px, palette::quiet_ink).aligned(HorizontalAlign::right);
   for (const Level& level : axes.plot.levels) {
     const float y_px = axes.y_of(level.y);
     const float right_px = axes.area.x_px + axes.area.width_px;
@@ -379,8 +371,7 @@ void draw_legend_entry(Canvas& canvas, const Curve& curve, float left_px, float 
     draw_polyline(canvas, std::vector<glm::vec2>{{left_px, middle_px}, {left_px + sample_px, middle_px}}, curve.stroke);
   }
   draw_marker(canvas, left_px + 0.5F * sample_px, middle_px, curve, style.marker_px);
-  renderer::TextStyle name = text_style(style.text_px);
-  name.vertical = VerticalAlign::middle;
+  const renderer::TextStyle name = text_style(style.text_px).aligned(HorizontalAlign::left, VerticalAlign::middle);
   canvas.text(left_px + sample_px + 0.5F * style.text_px, middle_px, curve.name, name);
 }
 

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "app/drawing/drawing.hpp"
-#include "renderer/page/canvas.hpp"
 
 namespace taut::app {
 

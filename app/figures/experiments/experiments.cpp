@@ -1,8 +1,5 @@
 #include "app/figures/experiments/experiments.hpp"
 
-#include <fmt/core.h>
-
-#include "app/base/errors.hpp"
 #include "app/base/progress.hpp"
 #include "app/frame_loop.hpp"
 #include "app/models/garment_loading.hpp"

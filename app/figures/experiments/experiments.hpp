@@ -4,7 +4,6 @@
 #include "app/drawing/drawn_scene.hpp"
 #include "app/output/frame_record.hpp"
 #include "app/verify/stretch.hpp"
-#include "sim/solvers/make_solver.hpp"
 
 namespace taut::app {
 

@@ -1,7 +1,5 @@
 #include "app/viewer/picture/viewer_picture.hpp"
 
-#include "app/drawing/framing.hpp"
-
 namespace taut::app {
 namespace {
 

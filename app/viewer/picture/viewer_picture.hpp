@@ -4,7 +4,6 @@
 #include "app/drawing/garment_painter.hpp"
 #include "app/viewer/panel/panel.hpp"
 #include "app/viewer/panel/user_interface.hpp"
-#include "app/viewer/state/viewer_state.hpp"
 #include "renderer/gl/picture_target.hpp"
 
 namespace taut::app {

@@ -2,7 +2,6 @@
 
 #include "app/base/errors.hpp"
 #include "app/base/progress.hpp"
-#include "app/base/words.hpp"
 #include "app/bodies/wearing.hpp"
 #include "app/models/inspection.hpp"
 #include "app/output/run_checkpoint.hpp"

@@ -1,9 +1,7 @@
 #pragma once
 
-#include "app/drawing/drawn_scene.hpp"
 #include "app/drawing/garment_surface.hpp"
 #include "app/output/frame_record.hpp"
-#include "sim/hand.hpp"
 
 namespace taut::app {
 

@@ -1,8 +1,7 @@
 #include "app/viewer/simulation/simulation_host.hpp"
 
-#include <time.h>
-
 #include "app/base/errors.hpp"
+#include "app/base/progress.hpp"
 
 namespace taut::app {
 namespace {
@@ -12,13 +11,6 @@ namespace {
 constexpr std::chrono::milliseconds most_behind{50};
 /// Whoever closes a window waits no longer.
 constexpr std::chrono::milliseconds longest_end{500};
-
-// The calling thread's, since it began.
-std::chrono::nanoseconds processor_time() {
-  timespec time{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-  return std::chrono::seconds(time.tv_sec) + std::chrono::nanoseconds(time.tv_nsec);
-}
 
 // Where a frame of the window took longer, simulated time is given up instead of caught up with.
 constexpr double most_owed_s = 0.1;
@@ -172,7 +164,7 @@ double SimulationHost::take_given_up_ms() {
 
 double SimulationHost::worked_ms() {
   const std::lock_guard lock(mutex_);
-  return std::chrono::duration<double, std::milli>(worked_).count();
+  return worked_ms_;
 }
 
 std::uint64_t SimulationHost::state_hash() {
@@ -203,7 +195,7 @@ void SimulationHost::wait_until_due(std::unique_lock<std::mutex>& lock) {
       std::chrono::duration<double>(simulation_.frame_time_s() / simulation_.speed()));
   const Clock::time_point next_due = due_ + frame_time;
   due_ = std::max(next_due, Clock::now() - most_behind);
-  if (worked_ < frame_time) given_up_ += due_ - next_due;
+  if (worked_ms_ < std::chrono::duration<double, std::milli>(frame_time).count()) given_up_ += due_ - next_due;
   advance(lock);
 }
 
@@ -224,7 +216,7 @@ void SimulationHost::advance(std::unique_lock<std::mutex>& lock) {
   ++begun_;
   busy_ = is_in_frame_ = true;
   lock.unlock();
-  const Clock::duration before = processor_time();
+  const ProcessorStopwatch working;
   try {
     simulation_.advance([this] {
       if (gives_up_) throw Interrupted(0);
@@ -233,9 +225,9 @@ void SimulationHost::advance(std::unique_lock<std::mutex>& lock) {
     // Of what is shown nothing has changed.
   }
   SnapshotPtr snapshot = simulation_.take_snapshot();
-  const Clock::duration worked = processor_time() - before;
+  const double worked_ms = working.elapsed_ms();
   lock.lock();
-  worked_ = worked;
+  worked_ms_ = worked_ms;
   timeline_.add(std::move(snapshot));
   busy_ = is_in_frame_ = false;
   changed_.notify_all();

@@ -109,7 +109,7 @@ class SimulationHost {
   std::uint64_t begun_ = 0;
   double owed_s_ = 0.0;  ///< simulated time that is due when asked
   Clock::duration given_up_{};
-  Clock::duration worked_{};  ///< processor time of the last frame
+  double worked_ms_ = 0.0;  ///< processor time of the last frame
   bool busy_ = false;
   bool is_in_frame_ = false;
   bool ending_ = false;

@@ -3,8 +3,7 @@
 #include <chrono>
 
 #include "sim/measures.hpp"
-#include "sim/solvers/bounded/apart_while_corrected.hpp"
-#include "sim/solvers/bounded/compression.hpp"
+#include "sim/solvers/bounded/projection.hpp"
 #include "sim/solvers/bounded/promise.hpp"
 #include "sim/solvers/bounded/step.hpp"
 #include "sim/solvers/bounded/thread_choice.hpp"
@@ -15,6 +14,95 @@ namespace taut::sim {
 using namespace bounded;
 
 namespace {
+
+/// The part of its error that a short spring may give back in one step and still push by its stiffness, and
+/// not by how long the step is: what its neighbours undo within the step it could only give back in more
+/// steps.
+constexpr double largest_short_share = 0.9;
+
+float short_share(float stiffness, float mobility_per_kg) {
+  return stiffness * mobility_per_kg / (1.0F + stiffness * mobility_per_kg);
+}
+
+/// Sets what springs and triangles that are too short give back of their error in one time step. With a
+/// stiffness k in N/m and the mobility w it is k dt^2 w / (1 + k dt^2 w), as of a compliant constraint
+/// (Macklin, Mueller and Chentanez 2016).
+void set_short_shares(double stiffness_n_per_m, double time_step_s, Layout& layout, SurfaceLanes& surface) {
+  const auto stiffness = static_cast<float>(stiffness_n_per_m * time_step_s * time_step_s);
+  SpringLanes& springs = layout.springs;
+  for (std::size_t k = 0; k < springs.lane_count(); ++k) {
+    const float w = layout.inverse_masses_per_kg[springs.row_i(k)] + layout.inverse_masses_per_kg[springs.row_j(k)];
+    springs.blocks[k / block_size].short_share[k % block_size] = short_share(stiffness, w);
+  }
+  for (std::size_t k = 0; k < surface.lane_count(); ++k) {
+    surface.blocks[k / block_size].short_share[k % block_size] = short_share(stiffness, surface.mobility_per_kg[k]);
+  }
+}
+
+/// Returns what springs' ends, or triangles, weigh against a correction, on average; 1/kg.
+double mean_mobility_per_kg(const Layout& layout) {
+  const SpringLanes& springs = layout.springs;
+  double sum = 0.0;
+  std::size_t count = 0;
+  for (std::size_t k = 0; k < springs.lane_count(); ++k) {
+    if (springs.spring[k] != SpringLanes::no_spring) {
+      sum += layout.inverse_masses_per_kg[springs.row_i(k)] + layout.inverse_masses_per_kg[springs.row_j(k)];
+      ++count;
+    }
+  }
+  for (const float mobility_per_kg : layout.surface.mobility_per_kg) {
+    sum += mobility_per_kg;
+    count += mobility_per_kg > 0.0F ? 1 : 0;
+  }
+  return count > 0 ? sum / static_cast<double>(count) : 0.0;
+}
+
+/// Returns the largest stiffness that time steps of this length follow, in N/m: stiffer springs give back
+/// almost all of their error and push no harder. Infinite where nothing can move.
+double followed_compression(double mobility_per_kg, double time_step_s) {
+  return largest_short_share / (1.0 - largest_short_share) / (time_step_s * time_step_s * mobility_per_kg);
+}
+
+/// Keeps the projection at the end of a frame from making anything cross.
+class ApartWhileCorrected final : public Confinement {
+ public:
+  /// The frame ends at `time_s`. All arguments must outlive this object.
+  ApartWhileCorrected(const Frame& frame, double time_s, ParallelKernels& kernels, SteppedCloth& cloth)
+      : frame_(frame), time_s_(time_s), kernels_(kernels), cloth_(cloth) {}
+
+  void begin(const Float4Array& raw, const Float4Array& expected) override {
+    cloth_.contacts.make_regions(frame_, cloth_.layout, cloth_.motion, raw, expected, time_s_, kernels_);
+    last_ = raw;
+    is_held_back_ = false;
+    rounds_ = 0;
+  }
+  // Where vertices are held back by their balls there is more room from where they have come; and so there is
+  // beside planes from which one of the two has moved away.
+  void bring_back(Float4Array& displacements) override {
+    frame_.ask();
+    ++rounds_;
+    if (is_held_back_ || rounds_ % tuning::most_rounds == 0) {
+      moved_.resize(last_.size());
+      for (std::size_t row = 0; row < last_.size(); ++row) {
+        moved_[row] = scaled_sum(displacements[row], last_[row], -1.0F);
+      }
+      cloth_.contacts.renew_regions(frame_, cloth_.layout, cloth_.motion, last_, moved_, time_s_, kernels_);
+    }
+    is_held_back_ = cloth_.contacts.keep_apart(kernels_, displacements);
+    last_ = displacements;
+  }
+  bool is_spent(double sweeps) const override { return cloth_.contacts.is_spent(sweeps); }
+
+ private:
+  const Frame& frame_;
+  double time_s_;
+  ParallelKernels& kernels_;
+  SteppedCloth& cloth_;
+  int rounds_ = 0;
+  bool is_held_back_ = false;
+  Float4Array last_;  ///< displacements that are known to keep everything apart
+  Float4Array moved_;
+};
 
 /// Stretch, in bounds, that twice the steps would bring down to what a projection copes with ...
 constexpr double overstretched = 4.0 * tuning::coped_stretch;

@@ -2,10 +2,105 @@
 
 #include <ctime>
 
-#include "sim/solvers/bounded/blocked_pairs.hpp"
-
 namespace taut::sim::bounded {
 namespace {
+
+/// One search of what is near, as it is after it.
+struct Searched {
+  const Layout& layout;
+  const BodyContacts& bodies;
+  const RowMoves& rows;
+  std::span<const ContactPair> pairs;
+  Vec3 origin_m;  ///< of the rows' positions
+};
+
+using Side = std::span<const Index>;
+
+std::array<Side, 2> sides_of(const NearPair& near) {
+  const Side rows(near.rows);
+  return {rows.first(near.first_count), rows.subspan(near.first_count)};
+}
+
+ContactSide named(const Searched& searched, Side rows) {
+  ContactSide side;
+  for (const Index row : rows) {
+    if (searched.bodies.has(row)) {
+      side.body = searched.bodies.body_of(row);
+    } else {
+      side.vertices.push_back(searched.layout.vertex_of_row[row]);
+    }
+  }
+  std::sort(side.vertices.begin(), side.vertices.end());
+  side.vertices.erase(std::unique(side.vertices.begin(), side.vertices.end()), side.vertices.end());
+  return side;
+}
+
+bool is_led(const Searched& searched, Side rows) {
+  return std::all_of(rows.begin(), rows.end(),
+                     [&](Index row) { return !(searched.rows.inverse_masses_per_kg[row] > 0.0F); });
+}
+
+bool share_free_row(const Searched& searched, Side one, Side other) {
+  return std::any_of(one.begin(), one.end(), [&](Index row) {
+    return searched.rows.inverse_masses_per_kg[row] > 0.0F && std::find(other.begin(), other.end(), row) != other.end();
+  });
+}
+
+/// Returns the pins or the body on the other side of the cloth that is closed in on.
+std::optional<ContactSide> behind(const Searched& searched, const NearPair& blocked,
+                                  const std::array<ContactSide, 2>& known) {
+  for (const ContactPair& pair : searched.pairs) {
+    const std::array<Side, 2> sides = sides_of(pair.near);
+    for (std::size_t k = 0; k < 2; ++k) {
+      if (is_led(searched, sides[k]) && share_free_row(searched, blocked.rows, sides[1 - k])) {
+        ContactSide side = named(searched, sides[k]);
+        if (std::find(known.begin(), known.end(), side) == known.end()) return side;
+      }
+    }
+  }
+  return std::nullopt;
+}
+
+Vec3 place_between(const Searched& searched, const NearPair& near) {
+  std::array<glm::vec3, 4> p{};
+  for (std::size_t k = 0; k < 4; ++k) p[k] = vec(searched.rows.positions[near.rows[k]]);
+  const ClosestWeights weights = closest_weights(near, p);
+  glm::vec3 place(0.0F);
+  for (std::size_t k = 0; k < 4; ++k) place += 0.5F * weights[k] * p[k];
+  return searched.origin_m + Vec3(place);
+}
+
+BlockedContact of_pair(const Searched& searched, const BlockedPair& pair) {
+  BlockedContact blocked;
+  const std::array<Side, 2> sides = sides_of(pair.near);
+  blocked.sides = {named(searched, sides[0]), named(searched, sides[1])};
+  if (is_led(searched, sides[0]) != is_led(searched, sides[1])) {
+    blocked.behind = behind(searched, pair.near, blocked.sides);
+  }
+  blocked.place_m = place_between(searched, pair.near);
+  blocked.distance_m = pair.distance;
+  return blocked;
+}
+
+/// Returns what is blocked of a row of the cloth that is further away than can be searched.
+BlockedContact blocked_contact(const Searched& searched, std::size_t row) {
+  const auto index = static_cast<Index>(row);
+  BlockedContact blocked;
+  blocked.sides[0] = named(searched, std::span(&index, 1));
+  blocked.place_m = searched.origin_m + Vec3(vec(searched.rows.positions[row]));
+  return blocked;
+}
+
+/// Returns what is blocked in the regions that were made of the search, by vertices and bodies instead of
+/// rows: a pair, or else the row of the cloth that contact moved furthest from where it was expected.
+BlockedContact blocked_contact(const Searched& searched, const Regions& regions) {
+  if (regions.blocked()) return of_pair(searched, *regions.blocked());
+  std::size_t furthest = searched.layout.pin_count;
+  for (std::size_t row = furthest; row < searched.layout.vertex_count(); ++row) {
+    if (regions.deviation(row) > regions.deviation(furthest)) furthest = row;
+  }
+  return blocked_contact(searched, furthest);
+}
 
 /// Neighbours in the cloth may come as near as this part of their distance at rest: contact's law.
 constexpr float rest_part = 0.5F;

@@ -1,8 +1,5 @@
-#include "app/base/errors.hpp"
-#include "app/base/files.hpp"
 #include "app/bodies/body_loading.hpp"
 #include "app/fitting/fitted_mesh.hpp"
-#include "app/models/garment_import.hpp"
 #include "app/sewing/sewing.hpp"
 
 // The parts of libtaut that a page does without, as the libraries behind them are not there. Those that are asked for

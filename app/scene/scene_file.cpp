@@ -135,6 +135,8 @@ std::optional<std::filesystem::path> find_asset(const std::filesystem::path& fil
   return std::nullopt;
 }
 
+bool is_sewing_pattern(const std::filesystem::path& file) { return file.extension() == ".json"; }
+
 std::filesystem::path landmarks_path(const std::filesystem::path& garment) {
   std::filesystem::path path = garment;
   return path.replace_extension(".landmarks.toml");
@@ -143,7 +145,8 @@ std::filesystem::path landmarks_path(const std::filesystem::path& garment) {
 toml::table read_landmarks_file(const std::filesystem::path& garment) {
   const fs::path path = landmarks_path(garment);
   std::error_code error;
-  return fs::exists(path, error) ? read_toml_text(read_text_file(path), path.string()) : toml::table();
+  if (is_sewing_pattern(garment) || !fs::exists(path, error)) return {};
+  return read_toml_text(read_text_file(path), path.string());
 }
 
 void set_garment(const std::filesystem::path& file, Scene& scene) {

@@ -36,10 +36,14 @@ struct FoundScene {
 /// Finds a scene file, a garment file or a built-in scene by name. Throws InputError.
 FoundScene locate_scene(const std::string& name);
 
+/// Returns whether a file is a sewing pattern by its name: *.json.
+bool is_sewing_pattern(const std::filesystem::path& file);
+
 /// The file beside a garment that tells more of it: tshirt.landmarks.toml for tshirt.obj.
 std::filesystem::path landmarks_path(const std::filesystem::path& garment);
 
-/// The table in that file; an empty one where there is none. Throws InputError where it is not TOML.
+/// The table in that file; an empty one where there is none, and of a pattern: the file tells of what was sewn of it.
+/// Throws InputError where it is not TOML.
 toml::table read_landmarks_file(const std::filesystem::path& garment);
 
 /// Sets the scene to a default scene for this garment file.

@@ -300,8 +300,6 @@ void add_pattern(const std::string& name, SewingPattern added, SewingPattern& pa
   }
 }
 
-bool is_sewing_pattern(const std::filesystem::path& file) { return file.extension() == ".json"; }
-
 SewingPattern read_sewing_pattern(const std::filesystem::path& path) {
   const std::string file = path.string();
   const nlohmann::json json = parse(read_text_file(path), file);

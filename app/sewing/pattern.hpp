@@ -47,9 +47,6 @@ struct SewingPattern {
 /// Adds a pattern whose panels get "NAME." in front of their names.
 void add_pattern(const std::string& name, SewingPattern added, SewingPattern& pattern);
 
-/// Returns whether a file is a sewing pattern by its name: *.json.
-bool is_sewing_pattern(const std::filesystem::path& file);
-
 /// Reads a pattern in the JSON of GarmentCode (Korosteleva and Sorkine-Hornung 2023) and of its forerunner
 /// (Korosteleva and Lee 2021): edges are straight, quadratic or cubic curves of Bezier, arcs, or polylines,
 /// which is an addition. Curves become lines that are `line_tolerance_m` off them at most. Comments are

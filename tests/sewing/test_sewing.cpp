@@ -194,6 +194,13 @@ TEST_F(Sewing, APatternIsWornOverAnother) {
   EXPECT_GT(boxes[1].upper.z, boxes[0].upper.z);
 }
 
+TEST_F(Sewing, FactsOfAGarmentThatWasSewnAreNotThoseOfItsPattern) {
+  const std::filesystem::path pattern = folder.write("skirt.json", skirt(40.0, 60.0));
+  folder.write("skirt.landmarks.toml", "fabric = \"denim\"\nlayers = 2\n");
+  EXPECT_EQ(find_scene(undrawn_format(), pattern.string(), {}).fabric, "");
+  EXPECT_EQ(garments_worn(pattern), 1);
+}
+
 /// A rectangle of so many m whose middle of the upper edge is at a place, turned about z.
 PatternPanel rectangle(const std::string& name, double width_m, double height_m, const sim::Vec3& top_m,
                        double angle_rad = 0.0) {

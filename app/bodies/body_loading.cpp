@@ -194,7 +194,8 @@ void take_joints_of_shape(const BodySource& source, const LoadedMesh& loaded, co
 
 /// Poses that are shown, spread over the motion; the stored one of a body that does not move.
 std::vector<RigPose> poses_shown(const BodySource& source, const Rig& rig, const FrameSource* motion,
-                                 const ShownTime& shown, int count) {
+                                 const ShownTime& shown) {
+  const int count = shown.garments > 1 ? poses_looked_at_for_layers : poses_looked_at;
   std::vector<RigPose> poses;
   if (motion != nullptr) {
     const double rate_hz = source.frame_rate_hz.value_or(motion->rate_hz().value_or(usual_frame_rate_hz));
@@ -375,9 +376,7 @@ ReadBody body_of(const BodySource& source, ImportedModel model, const ShownTime&
     if (body.rig->influences.empty() && (!motion.frames || motion.frames->pose(0))) {
       take_joints_of_shape(source, loaded, measures, !motion.frames, places, body);
     }
-    const int poses = shown.garments > 1 ? poses_looked_at_for_layers : poses_looked_at;
-    if (make_room(poses_shown(source, *body.rig, motion.frames.get(), shown, poses), places, shown.garments, loaded,
-                  body)) {
+    if (make_room(poses_shown(source, *body.rig, motion.frames.get(), shown), places, shown.garments, loaded, body)) {
       motion = open_motion(source, body.rig, loaded.places.placement.up);
     }
   }

@@ -133,21 +133,17 @@ CLI::App* add(CLI::App& sweep, const Options& options, SweepAction action, const
   return command;
 }
 
-void add_index(CLI::App& command, const Options& options, const std::string& meaning) {
-  command.add_option("--index", options->index, meaning)->check(CLI::NonNegativeNumber);
-}
-
 void add_plan(CLI::App& sweep, const Options& options) {
   CLI::App* command =
       add(sweep, options, SweepAction::plan, "plan", "Check a study and make the folder in which its runs are made");
-  command->add_option("STUDY", options->study, "a TOML file: scene, frames, pictures, and [axes]")->required();
+  command->add_option("STUDY", options->study, "a TOML file: scene, frames and [axes]")->required();
   command->add_option("--output,-o", options->folder, "folder of the sweep")->required();
   command->footer(footer_of("sweep plan"));
 }
 
 void add_run(CLI::App& sweep, const Options& options) {
   CLI::App* command = add(sweep, options, SweepAction::run, "run", "Make runs that are not done yet");
-  add_index(*command, options, "one run, from 0");
+  command->add_option("--index", options->index, "one run, from 0")->check(CLI::NonNegativeNumber);
   CLI::Option* all = command->add_flag("--all", options->all, "all runs");
   command->add_option("--jobs", options->jobs, "with --all: so many at a time (default: the processors)")
       ->needs(all)
@@ -156,8 +152,7 @@ void add_run(CLI::App& sweep, const Options& options) {
 }
 
 void add_merge(CLI::App& sweep, const Options& options) {
-  CLI::App* command = add(sweep, options, SweepAction::merge, "merge",
-                          "Write the table of all results and the sheet of their pictures");
+  CLI::App* command = add(sweep, options, SweepAction::merge, "merge", "Write the table of all results");
   command->footer(footer_of("sweep merge"));
 }
 
@@ -165,11 +160,6 @@ void add_rest(CLI::App& sweep, const Options& options) {
   CLI::App* status = add(sweep, options, SweepAction::status, "status", "Say how many runs are done");
   status->add_flag("--missing", options->missing, "print which are not, as ranges such as sbatch --array takes");
   status->footer(footer_of("sweep status"));
-
-  CLI::App* show = add(sweep, options, SweepAction::show, "show", "Print the scene of a run");
-  add_index(*show, options, "the run, from 0");
-  show->get_option("--index")->required();
-  show->footer(footer_of("sweep show"));
 }
 
 /// Call the result after the arguments were parsed, as of all that add a command.
@@ -254,7 +244,7 @@ void add_body(CLI::App& command, std::vector<Override>& overrides) {
       {{"--body", "body.file",
         "a closed 3D model that cloth cannot enter, besides the scene's bodies; glTF, FBX and Collada "
         "may bring joints and animations"},
-       {"--body-motion", "body.motion", "how the body moves: a PC2, MDD or BVH file"},
+       {"--body-motion", "body.motion", "how the body moves: a PC2 or BVH file"},
        {"--body-clip", "body.clip", "which of its animations is played, or all at once, or none (default: the first)"},
        {"--body-fps", "body.frame_rate", "frames a second of its motion (default: what the file says, or else 60)"},
        {"--body-loop", "body.loop", "repeat its motion after its last frame (default: it stays there)", "true"},
@@ -514,11 +504,6 @@ std::function<int()> add_bench(CLI::App& app) {
                     "a shirt that hangs, in winds, in one that is dragged up and back, and on someone who walks, on "
                     "one thread: three minutes at most (default)");
   command->add_option("--scenes", options->scenes, "some of the rows alone")->delimiter(',');
-  command
-      ->add_option("--bounds", options->bounds,
-                   "largest stretches to be kept, such as 0.05,0.01: a row for each (default: as the scene has it)")
-      ->delimiter(',')
-      ->check(CLI::Range(1e-5, 1.0));
   command
       ->add_option("--runs", options->runs,
                    "so many runs of each scene, each with its start moved at random by a twentieth of the "

@@ -54,7 +54,7 @@ double distance_from(const LoadedMesh& body, const std::vector<sim::Vec3>& in_fi
 }
 
 /// Returns a motion of vertices in the axes of its body's file. Programs write caches in axes of their own:
-/// Blender MDD with z up beside OBJ with y up, LightWave MDD in a left-handed system. Of such systems the one
+/// Blender with z up beside OBJ with y up, others in a left-handed system. Of such systems the one
 /// is taken in which the first frame is nearest to the body, if that is clearly nearer; it is said in
 /// `remarks`. A motion of joints is returned as it is. Requires a frame source with the vertices of the
 /// body's file.

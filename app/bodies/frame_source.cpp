@@ -12,47 +12,23 @@ namespace {
 constexpr std::size_t most_remembered = 6;
 
 constexpr std::string_view pc2_signature{"POINTCACHE2", 12};  // with the zero at its end
-constexpr std::size_t pc2_header_bytes = 32;
-constexpr std::size_t pc2_count_at = 28;  // of the frames
-constexpr std::size_t mdd_header_bytes = 8;
 constexpr std::size_t number_bytes = 4;
 constexpr std::size_t position_bytes = 3 * number_bytes;
 
-std::uint32_t number_at(const char* bytes, std::endian order) {
+std::uint32_t number_at(const char* bytes) {
   std::uint32_t value = 0;
-  for (std::size_t k = 0; k < number_bytes; ++k) {
-    const std::size_t place = order == std::endian::big ? k : number_bytes - 1 - k;
-    value = value << 8U | static_cast<std::uint8_t>(bytes[place]);
-  }
+  for (std::size_t k = number_bytes; k-- > 0;) value = value << 8U | static_cast<std::uint8_t>(bytes[k]);
   return value;
 }
 
-double real_at(const char* bytes, std::endian order) {
-  return static_cast<double>(std::bit_cast<float>(number_at(bytes, order)));
-}
-
-void put_number(std::uint32_t value, std::endian order, std::string& bytes) {
+void put_number(std::uint32_t value, std::string& bytes) {
   const auto little = sim::little_endian(value);
-  order == std::endian::little ? bytes.append(little.begin(), little.end())
-                               : bytes.append(little.rbegin(), little.rend());
+  bytes.append(little.begin(), little.end());
 }
 
-void put_real(double value, std::endian order, std::string& bytes) {
-  put_number(std::bit_cast<std::uint32_t>(static_cast<float>(value)), order, bytes);
+void put_real(double value, std::string& bytes) {
+  put_number(std::bit_cast<std::uint32_t>(static_cast<float>(value)), bytes);
 }
-
-std::endian order_of(PointCacheFormat format) {
-  return format == PointCacheFormat::pc2 ? std::endian::little : std::endian::big;
-}
-
-/// Where the frames are in a cache.
-struct Layout {
-  std::size_t header_bytes = 0;
-  std::size_t frames = 0;
-  std::size_t vertices = 0;
-  std::endian order = std::endian::little;
-  std::optional<double> rate_hz = {};
-};
 
 [[noreturn]] void refuse(const SeekableFile& file, const std::string& reason) {
   throw InputError("cannot read frames from '" + file.path().string() + "': " + reason);
@@ -60,55 +36,35 @@ struct Layout {
 
 class PointCache final : public FrameSource {
  public:
-  PointCache(SeekableFile file, Layout layout) : file_(std::move(file)), layout_(layout) {
-    const std::uint64_t expected = layout.header_bytes + layout.frames * layout.vertices * position_bytes;
+  PointCache(SeekableFile file, std::size_t frames, std::size_t vertices)
+      : file_(std::move(file)), frames_(frames), vertices_(vertices) {
+    const std::uint64_t expected = pc2_header_bytes + frames * vertices * position_bytes;
     if (file_.size() != expected) {
       refuse(file_, fmt::format("found {} bytes, expected {} for {} frames of {} vertices", file_.size(), expected,
-                                layout.frames, layout.vertices));
+                                frames, vertices));
     }
   }
 
-  std::size_t frames() const override { return layout_.frames; }
-  std::size_t vertices() const override { return layout_.vertices; }
-  std::optional<double> rate_hz() const override { return layout_.rate_hz; }
+  std::size_t frames() const override { return frames_; }
+  std::size_t vertices() const override { return vertices_; }
+  std::optional<double> rate_hz() const override { return std::nullopt; }
 
   void read(std::size_t frame, std::span<sim::Vec3> positions) const override {
-    std::vector<char> bytes(layout_.vertices * position_bytes);
-    file_.read(layout_.header_bytes + frame * bytes.size(), bytes);
+    std::vector<char> bytes(vertices_ * position_bytes);
+    file_.read(pc2_header_bytes + frame * bytes.size(), bytes);
     const char* at = bytes.data();
     for (sim::Vec3& position : positions) {
-      for (int axis = 0; axis < 3; ++axis, at += number_bytes) position[axis] = real_at(at, layout_.order);
+      for (int axis = 0; axis < 3; ++axis, at += number_bytes) {
+        position[axis] = static_cast<double>(std::bit_cast<float>(number_at(at)));
+      }
     }
   }
 
  private:
   SeekableFile file_;
-  Layout layout_;
+  std::size_t frames_;
+  std::size_t vertices_;
 };
-
-std::string beginning_of(const SeekableFile& file, std::size_t bytes) {
-  std::string text(std::min<std::uint64_t>(bytes, file.size()), '\0');
-  file.read(0, text);
-  return text;
-}
-
-std::size_t count_in(const SeekableFile& file, const std::string& header, std::size_t offset, const char* what) {
-  const auto count = static_cast<std::int32_t>(number_at(header.data() + offset, std::endian::big));
-  if (count < 1 || count > sim::most_counted) {
-    refuse(file, fmt::format("byte {}, {}: found {}, expected 1 to {}", offset, what, count, sim::most_counted));
-  }
-  return static_cast<std::size_t>(count);
-}
-
-/// Returns the rate by the times of the first and the last frame. Frames at equal times have none.
-std::optional<double> rate_of_times(const SeekableFile& file, std::size_t frames) {
-  std::array<char, number_bytes> first = {};
-  std::array<char, number_bytes> last = {};
-  file.read(mdd_header_bytes, first);
-  file.read(mdd_header_bytes + (frames - 1) * number_bytes, last);
-  const double length_s = real_at(last.data(), std::endian::big) - real_at(first.data(), std::endian::big);
-  return length_s > 0.0 ? std::optional(static_cast<double>(frames - 1) / length_s) : std::nullopt;
-}
 
 /// The frames of a clip, looked at `rate_hz` times a second: the last frame is its end or the first moment
 /// after it. `clip` is an index into the clips of the rig.
@@ -328,79 +284,48 @@ void PlacedFrames::refuse(std::size_t frame, std::size_t vertex, const std::stri
 
 std::unique_ptr<const FrameSource> open_pc2(const std::filesystem::path& path) {
   SeekableFile file(path);
-  const std::string header = beginning_of(file, pc2_header_bytes);
-  Layout layout{.header_bytes = pc2_header_bytes};
+  std::string header(std::min<std::uint64_t>(pc2_header_bytes, file.size()), '\0');
+  file.read(0, header);
+  std::int32_t vertices = 0;
+  std::int32_t frames = 0;
   try {
     sim::ByteReader in(header);
     in.require_text("what the file is", pc2_signature);
     in.get<std::int32_t>("the version", 1, 1);
-    layout.vertices = static_cast<std::size_t>(in.get<std::int32_t>("the number of vertices", 1, sim::most_counted));
+    vertices = in.get<std::int32_t>("the number of vertices", 1, sim::most_counted);
     in.get<float>("the first frame");
     in.get<float>("the rate");
-    layout.frames = static_cast<std::size_t>(in.get<std::int32_t>("the number of frames", 1, sim::most_counted));
+    frames = in.get<std::int32_t>("the number of frames", 1, sim::most_counted);
   } catch (const sim::BadBytes& error) {
     refuse(file, error.what());
   }
-  return std::make_unique<PointCache>(std::move(file), layout);
+  return std::make_unique<PointCache>(std::move(file), frames, vertices);
 }
 
-std::unique_ptr<const FrameSource> open_mdd(const std::filesystem::path& path) {
-  SeekableFile file(path);
-  const std::string header = beginning_of(file, mdd_header_bytes);
-  if (header.size() < mdd_header_bytes) {
-    refuse(file, fmt::format("found {} bytes, expected the numbers of frames and of points", header.size()));
-  }
-  Layout layout{.order = std::endian::big};
-  layout.frames = count_in(file, header, 0, "the number of frames");
-  layout.vertices = count_in(file, header, number_bytes, "the number of points");
-  layout.header_bytes = point_cache_header_bytes(PointCacheFormat::mdd, layout.frames);
-  if (file.size() >= layout.header_bytes) layout.rate_hz = rate_of_times(file, layout.frames);
-  return std::make_unique<PointCache>(std::move(file), layout);
-}
-
-std::string point_cache_header(PointCacheFormat format, const PointCacheContent& content) {
-  std::string bytes;
-  const std::endian order = order_of(format);
-  const auto vertices = static_cast<std::uint32_t>(content.vertices);
-  const auto frames = static_cast<std::uint32_t>(content.frames);
-  if (format == PointCacheFormat::pc2) {
-    bytes = pc2_signature;
-    put_number(1, order, bytes);
-    put_number(vertices, order, bytes);
-    put_real(content.first_frame, order, bytes);
-    put_real(1.0, order, bytes);  // one for each frame
-    put_number(frames, order, bytes);
-    return bytes;
-  }
-  put_number(frames, order, bytes);
-  put_number(vertices, order, bytes);
-  for (std::uint32_t k = 0; k < frames; ++k) {
-    put_real((content.first_frame + static_cast<double>(k)) / content.frame_rate_hz, order, bytes);
-  }
+std::string pc2_header(const PointCacheContent& content) {
+  std::string bytes(pc2_signature);
+  put_number(1, bytes);
+  put_number(static_cast<std::uint32_t>(content.vertices), bytes);
+  put_real(content.first_frame, bytes);
+  put_real(1.0, bytes);  // one for each frame
+  put_number(static_cast<std::uint32_t>(content.frames), bytes);
   return bytes;
 }
 
-std::size_t point_cache_header_bytes(PointCacheFormat format, std::size_t frames) {
-  return format == PointCacheFormat::pc2 ? pc2_header_bytes : mdd_header_bytes + frames * number_bytes;
-}
-
-std::string point_cache_frame(PointCacheFormat format, std::span<const sim::Vec3> positions) {
+std::string pc2_frame(std::span<const sim::Vec3> positions) {
   std::string bytes;
   bytes.reserve(positions.size() * position_bytes);
   for (const sim::Vec3& position : positions) {
-    for (int axis = 0; axis < 3; ++axis) put_real(position[axis], order_of(format), bytes);
+    for (int axis = 0; axis < 3; ++axis) put_real(position[axis], bytes);
   }
   return bytes;
 }
 
-std::size_t point_cache_frame_bytes(std::size_t vertices) { return vertices * position_bytes; }
-
-std::optional<std::size_t> point_cache_frames(PointCacheFormat format, const SeekableFile& file) {
-  const std::size_t at = format == PointCacheFormat::pc2 ? pc2_count_at : 0;
+std::optional<std::size_t> pc2_frames(const SeekableFile& file) {
   std::array<char, number_bytes> bytes = {};
-  if (file.size() < at + bytes.size()) return std::nullopt;
-  file.read(at, bytes);
-  const std::size_t frames = number_at(bytes.data(), order_of(format));
+  if (file.size() < pc2_header_bytes) return std::nullopt;
+  file.read(pc2_header_bytes - bytes.size(), bytes);
+  const std::size_t frames = number_at(bytes.data());
   return frames <= sim::most_counted ? std::optional(frames) : std::nullopt;
 }
 
@@ -458,9 +383,8 @@ OpenedMotion open_motion(const BodySource& source, const std::shared_ptr<const R
   if (source.motion.empty()) return open_clip(source, rig);
   const std::string ending = lower_case(source.motion.extension().string());
   if (ending == ".pc2") return {source.motion, open_pc2(source.motion)};
-  if (ending == ".mdd") return {source.motion, open_mdd(source.motion)};
   if (ending == ".bvh") return open_bvh(source, rig, up);
-  throw InputError("'" + source.motion.string() + "': expected a motion that ends in .pc2, .mdd or .bvh");
+  throw InputError("'" + source.motion.string() + "': expected a motion that ends in .pc2 or .bvh");
 }
 
 }  // namespace taut::app

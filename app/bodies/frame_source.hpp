@@ -81,33 +81,23 @@ class PlacedFrames final : public sim::BodyFrames {
 /// and what was expected.
 std::unique_ptr<const FrameSource> open_pc2(const std::filesystem::path& file);
 
-/// Opens a LightWave motion cache (MDD): the number of frames and of points, the time of each frame in
-/// seconds, then positions, as 32-bit numbers, highest byte first. Its rate is the mean one of its times.
-/// Throws InputError as above.
-std::unique_ptr<const FrameSource> open_mdd(const std::filesystem::path& file);
-
-// The same layouts, to be written.
-
-enum class PointCacheFormat { pc2, mdd };
+// The same layout, to be written.
 
 /// The header of a cache.
 struct PointCacheContent {
   std::size_t vertices = 0;
   std::size_t frames = 0;
   int first_frame = 0;  ///< its number
-  double frame_rate_hz = 0.0;
 };
 
+inline constexpr std::size_t pc2_header_bytes = 32;
+
 /// Returns what such a file begins with; the positions of its frames follow.
-std::string point_cache_header(PointCacheFormat format, const PointCacheContent& content);
-/// Returns how many bytes it has.
-std::size_t point_cache_header_bytes(PointCacheFormat format, std::size_t frames);
+std::string pc2_header(const PointCacheContent& content);
 /// Returns the positions of one frame in single precision.
-std::string point_cache_frame(PointCacheFormat format, std::span<const sim::Vec3> positions);
-/// Returns how many bytes a frame has in both formats.
-std::size_t point_cache_frame_bytes(std::size_t vertices);
+std::string pc2_frame(std::span<const sim::Vec3> positions);
 /// Returns the number of frames that the header of a file says, complete or not; nothing if it has none.
-std::optional<std::size_t> point_cache_frames(PointCacheFormat format, const SeekableFile& file);
+std::optional<std::size_t> pc2_frames(const SeekableFile& file);
 
 /// The motion of a body and the file it is in.
 struct OpenedMotion {

@@ -9,7 +9,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::array<const char*, 6> endings = {".obj", ".pc2", ".mdd", ".glb", ".usda", ".pvd"};
+constexpr std::array<const char*, 4> endings = {".obj", ".pc2", ".glb", ".usda"};
 
 [[noreturn]] void refuse(const std::string& name, const std::string& reason) {
   throw UsageError("output '" + name + "': " + reason);
@@ -20,11 +20,7 @@ std::vector<fs::path> files_of(const ExportSettings& settings) {
   const fs::path name = settings.name;
   const std::string ending = name.extension();
   std::vector<fs::path> files = {OutputPattern(settings.name, ending).path_of(settings.frames.first)};
-  if (ending == ".pc2" || ending == ".mdd") {
-    files.push_back(obj_beside(name));
-  } else if (ending == ".pvd") {
-    files.push_back(vtp_beside(name, settings.frames.first));
-  }
+  if (ending == ".pc2") files.push_back(obj_beside(name));
   return files;
 }
 
@@ -37,9 +33,9 @@ class ObjSink final : public FrameSink {
     last_ = settings.last_kept.value_or(range_.first - 1);
   }
 
-  void write(int frame, const WrittenMoment& moment) override {
+  void write(int frame, std::span<const sim::Vec3> mesh_m) override {
     if (range_.contains(frame)) {
-      write_text_file(pattern_.path_of(frame), cloth_.obj(moment.state.current));
+      write_text_file(pattern_.path_of(frame), cloth_.obj(mesh_m));
       last_ = frame;
     }
   }
@@ -62,9 +58,9 @@ class ObjSink final : public FrameSink {
 const char* const export_help =
     "write the shape of each of these frames, in metres with y up and in the vertices, faces and groups of "
     "the model's file; the name's ending says how: shapes/{frame:04}.obj, or end.obj for the last of them; "
-    "clip.pc2 or clip.mdd, with clip.obj beside it, the rest shape that they move (in Blender import that, "
-    "and add a Mesh Cache modifier: Forward +Y, Up +Z); clip.glb, which plays in any viewer; clip.usda, which is USD "
-    "as text; clip.pvd for ParaView, with the simulated triangles and their stretch; bodies are not written";
+    "clip.pc2, with clip.obj beside it, the rest shape that it moves (in Blender import that, and add a Mesh "
+    "Cache modifier: Forward +Y, Up +Z); clip.glb, which plays in any viewer; clip.usda, which is USD as text; "
+    "bodies are not written";
 
 bool is_clip(const std::string& name) { return !name.empty() && fs::path(name).extension() != ".obj"; }
 
@@ -72,7 +68,7 @@ void require_export(const ExportSettings& settings, const fs::path& garment) {
   const fs::path name = settings.name;
   const std::string ending = name.extension();
   if (std::ranges::find(endings, ending) == endings.end()) {
-    refuse(settings.name, "expected a file name that ends in .obj, .pc2, .mdd, .glb, .usda or .pvd");
+    refuse(settings.name, "expected a file name that ends in .obj, .pc2, .glb or .usda");
   }
   if (ending != ".obj" && OutputPattern(settings.name, ending).has_field()) {
     refuse(settings.name, "one " + ending + " holds all frames; expected a name without {frame}");
@@ -81,7 +77,7 @@ void require_export(const ExportSettings& settings, const fs::path& garment) {
     refuse(settings.name,
            "a " + ending +
                " is written when the run is over and cannot be gone on with; expected no --checkpoint and "
-               "no --resume, or .pc2, .mdd, .pvd or one .obj for each frame");
+               "no --resume, or .pc2, or one .obj for each frame");
   }
   for (const fs::path& file : files_of(settings)) {
     std::error_code error;
@@ -93,15 +89,11 @@ void require_export(const ExportSettings& settings, const fs::path& garment) {
 }
 
 std::unique_ptr<FrameSink> open_sink(const ExportSettings& settings, const GarmentInScene& loaded,
-                                     const WrittenMoment& start) {
+                                     std::span<const sim::Vec3> start_m) {
   const std::string ending = fs::path(settings.name).extension();
-  if (ending == ".pc2" || ending == ".mdd") {
-    const PointCacheFormat format = ending == ".pc2" ? PointCacheFormat::pc2 : PointCacheFormat::mdd;
-    return make_point_cache_sink(format, settings, loaded, start);
-  }
-  return ending == ".glb"    ? make_gltf_sink(settings, loaded)
+  return ending == ".pc2"    ? make_point_cache_sink(settings, loaded, start_m)
+         : ending == ".glb"  ? make_gltf_sink(settings, loaded)
          : ending == ".usda" ? make_usd_sink(settings, loaded)
-         : ending == ".pvd"  ? make_vtk_sink(settings)
                              : std::make_unique<ObjSink>(settings, loaded);
 }
 

@@ -20,16 +20,6 @@ struct ExportSettings {
   renderer::SurfaceStyle look = {};   ///< for formats that say it
 };
 
-/// The content of a frame.
-struct WrittenMoment {
-  const sim::Garment& garment;
-  const sim::State& state;
-  const sim::FrameReport& report;
-
-  WrittenMoment(const sim::Simulation& simulation)
-      : garment(simulation.garment()), state(simulation.state()), report(simulation.frame_report()) {}
-};
-
 /// Where the frames of a run go: files that other programs read. All functions throw InputError if something
 /// cannot be written. A sink that is destroyed before `finish` leaves complete files alone, and what
 /// `can_be_resumed` asks for.
@@ -37,8 +27,8 @@ class FrameSink {
  public:
   virtual ~FrameSink() = default;
 
-  /// Takes the next frame.
-  virtual void write(int frame, const WrittenMoment& moment) = 0;
+  /// Takes the next frame: where the vertices of the simulated mesh are, in m.
+  virtual void write(int frame, std::span<const sim::Vec3> mesh_m) = 0;
   /// Called before a checkpoint of the frame is written: what came so far must survive the program.
   virtual void keep() {}
   /// Completes what was written, of all frames or of those before the run ended. Returns what that is, for
@@ -49,21 +39,21 @@ class FrameSink {
 /// Whether one file of this name holds all frames, to be played.
 bool is_clip(const std::string& name);
 
-/// Throws UsageError if a name has another ending than .obj, .pc2, .mdd, .glb, .usda or .pvd, if its format cannot
+/// Throws UsageError if a name has another ending than .obj, .pc2, .glb or .usda, if its format cannot
 /// be resumed and shall be, or if files of this name would replace `garment`, the file that is simulated.
 /// Makes the folder; throws InputError if that cannot be written to. Call it before a long run.
 void require_export(const ExportSettings& settings, const std::filesystem::path& garment);
 
-/// Opens what the name's ending says. `loaded` must outlive the sink. `start` is where the run begins or goes
+/// Opens what the name's ending says. `loaded` must outlive the sink. `start_m` is where the run begins or goes
 /// on. Throws InputError if what an earlier run left is not of this one.
 std::unique_ptr<FrameSink> open_sink(const ExportSettings& settings, const GarmentInScene& loaded,
-                                     const WrittenMoment& start);
+                                     std::span<const sim::Vec3> start_m);
 
 // The formats behind open_sink(), which see. `loaded` must outlive them.
 
-/// PC2 or MDD, and beside it an OBJ of the same vertices at rest.
-std::unique_ptr<FrameSink> make_point_cache_sink(PointCacheFormat format, const ExportSettings& settings,
-                                                 const GarmentInScene& loaded, const WrittenMoment& start);
+/// PC2, and beside it an OBJ of the same vertices at rest.
+std::unique_ptr<FrameSink> make_point_cache_sink(const ExportSettings& settings, const GarmentInScene& loaded,
+                                                 std::span<const sim::Vec3> start_m);
 
 /// One binary glTF 2.0 with a morph target for each frame and an animation that plays them. It holds them in
 /// memory until the end. Throws InputError if they would be more than a gibibyte.
@@ -73,15 +63,8 @@ std::unique_ptr<FrameSink> make_gltf_sink(const ExportSettings& settings, const 
 /// another name until the end.
 std::unique_ptr<FrameSink> make_usd_sink(const ExportSettings& settings, const GarmentInScene& loaded);
 
-/// A PVD collection and a folder beside it with a VTP file for each frame: the simulated mesh with the
-/// stretch of its triangles and vertices, and the smallest distance of the frame.
-std::unique_ptr<FrameSink> make_vtk_sink(const ExportSettings& settings);
-
 /// NAME.obj beside NAME.pc2.
 std::filesystem::path obj_beside(const std::filesystem::path& cache);
-
-/// Frame `frame` of the folder beside the collection: NAME/NAME_0001.vtp.
-std::filesystem::path vtp_beside(const std::filesystem::path& collection, int frame);
 
 /// A garment with the vertices and faces of its file, in their order, as other programs know it. Of a grid,
 /// and of a garment that was subdivided, those of the simulated mesh.

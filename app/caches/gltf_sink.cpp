@@ -119,7 +119,7 @@ class GltfSink final : public FrameSink {
  public:
   GltfSink(const ExportSettings& settings, const GarmentInScene& loaded);
 
-  void write(int frame, const WrittenMoment& moment) override;
+  void write(int frame, std::span<const sim::Vec3> mesh_m) override;
   std::string finish() override;
 
  private:
@@ -171,9 +171,9 @@ GltfSink::GltfSink(const ExportSettings& settings, const GarmentInScene& loaded)
   }
 }
 
-void GltfSink::write(int frame, const WrittenMoment& moment) {
+void GltfSink::write(int frame, std::span<const sim::Vec3> mesh_m) {
   if (!settings_.frames.contains(frame)) return;
-  const std::vector<sim::Vec3> positions_m = loaded_.shown_m(moment.state.current);
+  const std::vector<sim::Vec3> positions_m = loaded_.shown_m(mesh_m);
   std::vector<float> moved = flat_numbers(to_float(positions_m));
   std::vector<float> turned = flat_numbers(mesh_normals(loaded_.shown_mesh(), positions_m));
   for (std::size_t k = 0; k < moved.size(); ++k) {

@@ -11,24 +11,22 @@ namespace fs = std::filesystem;
 
 class PointCacheSink final : public FrameSink {
  public:
-  PointCacheSink(PointCacheFormat format, const ExportSettings& settings, const GarmentInScene& loaded,
-                 const WrittenMoment& start);
+  PointCacheSink(const ExportSettings& settings, const GarmentInScene& loaded, std::span<const sim::Vec3> start_m);
   ~PointCacheSink() override;
   PointCacheSink(const PointCacheSink&) = delete;
   PointCacheSink& operator=(const PointCacheSink&) = delete;
 
-  void write(int frame, const WrittenMoment& moment) override;
+  void write(int frame, std::span<const sim::Vec3> mesh_m) override;
   void keep() override;
   std::string finish() override;
 
  private:
   std::string header(std::size_t frames) const;
-  std::string frame_of(const WrittenMoment& moment) const;
+  std::string frame_of(std::span<const sim::Vec3> mesh_m) const;
   void put(const std::string& bytes);
-  void go_on(std::size_t kept, const WrittenMoment& start);
-  void copy(const fs::path& from, std::size_t header_bytes, std::size_t frames, const std::string& header);
+  void go_on(std::size_t kept, std::span<const sim::Vec3> start_m);
+  void open_at_end(std::size_t frames);
 
-  PointCacheFormat format_;
   ExportSettings settings_;
   WrittenCloth cloth_;
   fs::path path_;
@@ -37,13 +35,13 @@ class PointCacheSink final : public FrameSink {
   std::size_t written_ = 0;  ///< frames
 };
 
-PointCacheSink::PointCacheSink(PointCacheFormat format, const ExportSettings& settings, const GarmentInScene& loaded,
-                               const WrittenMoment& start)
-    : format_(format), settings_(settings), cloth_(loaded), path_(settings.name) {
+PointCacheSink::PointCacheSink(const ExportSettings& settings, const GarmentInScene& loaded,
+                               std::span<const sim::Vec3> start_m)
+    : settings_(settings), cloth_(loaded), path_(settings.name) {
   part_ = settings.can_be_resumed ? fs::path(settings.name + ".part") : temporary_name(path_);
   const int kept = settings.last_kept.value_or(0) - settings.frames.first + 1;
   if (settings.last_kept && kept > 0) {
-    go_on(static_cast<std::size_t>(kept), start);
+    go_on(static_cast<std::size_t>(kept), start_m);
     return;
   }
   file_.open(part_, std::ios::binary | std::ios::trunc);
@@ -56,11 +54,11 @@ PointCacheSink::~PointCacheSink() {
 }
 
 std::string PointCacheSink::header(std::size_t frames) const {
-  return point_cache_header(format_, {cloth_.vertices(), frames, settings_.frames.first, settings_.frame_rate_hz});
+  return pc2_header({cloth_.vertices(), frames, settings_.frames.first});
 }
 
-std::string PointCacheSink::frame_of(const WrittenMoment& moment) const {
-  return point_cache_frame(format_, cloth_.positions(moment.state.current));
+std::string PointCacheSink::frame_of(std::span<const sim::Vec3> mesh_m) const {
+  return pc2_frame(cloth_.positions(mesh_m));
 }
 
 void PointCacheSink::put(const std::string& bytes) {
@@ -69,58 +67,48 @@ void PointCacheSink::put(const std::string& bytes) {
 }
 
 // Goes on from the part that an earlier run left, or from its complete file.
-void PointCacheSink::go_on(std::size_t kept, const WrittenMoment& start) {
+void PointCacheSink::go_on(std::size_t kept, std::span<const sim::Vec3> start_m) {
   std::error_code error;
   const SeekableFile earlier(fs::exists(part_, error) ? part_ : path_);
   const auto refuse = [&](const std::string& reason) {
     throw InputError("cannot go on with '" + earlier.path().string() + "': " + reason);
   };
-  const std::string expected = frame_of(start);
-  const std::optional<std::size_t> frames = point_cache_frames(format_, earlier);
-  const std::size_t header_bytes = point_cache_header_bytes(format_, frames.value_or(0));
-  const std::uint64_t bytes = header_bytes + kept * expected.size();
+  const std::string expected = frame_of(start_m);
+  const std::optional<std::size_t> frames = pc2_frames(earlier);
+  const std::uint64_t bytes = pc2_header_bytes + kept * expected.size();
   if (!frames || earlier.size() < bytes) {
     refuse(fmt::format("found {} bytes, expected {} for {} of {} vertices and more", earlier.size(), bytes,
                        counted(kept, "frame"), cloth_.vertices()));
   }
-  std::string begins(header_bytes, '\0');
+  std::string begins(pc2_header_bytes, '\0');
   std::string last(expected.size(), '\0');
   earlier.read(0, begins);
   earlier.read(bytes - last.size(), last);
   if (begins != header(*frames) || last != expected) {
     refuse(fmt::format("its frame {} is not the one that the run goes on from", *settings_.last_kept));
   }
-  copy(earlier.path(), header_bytes, kept, header(static_cast<std::size_t>(settings_.frames.count())));
-  file_.open(part_, std::ios::binary | std::ios::app);
+  if (earlier.path() != part_) {
+    const fs::path copy = temporary_name(part_);
+    fs::copy_file(path_, copy, fs::copy_options::overwrite_existing, error);
+    if (error) fail_to_write(copy, error.message());
+    put_in_place(copy, part_);
+  }
+  fs::resize_file(part_, bytes, error);
+  if (error) fail_to_write(part_, error.message());
+  open_at_end(static_cast<std::size_t>(settings_.frames.count()));
   written_ = kept;
 }
 
-// The part with another header, and with so many frames of a file.
-void PointCacheSink::copy(const fs::path& from, std::size_t header_bytes, std::size_t frames,
-                          const std::string& header) {
-  const SeekableFile source(from);
-  const fs::path target = temporary_name(part_);
-  std::string frame(point_cache_frame_bytes(cloth_.vertices()), '\0');
-  try {
-    file_.open(target, std::ios::binary | std::ios::trunc);
-    put(header);
-    for (std::size_t k = 0; k < frames; ++k) {
-      source.read(header_bytes + k * frame.size(), frame);
-      put(frame);
-    }
-    file_.close();
-    put("");
-    put_in_place(target, part_);
-  } catch (...) {
-    std::error_code ignored;
-    fs::remove(target, ignored);
-    throw;
-  }
+/// Opens the part, whose header then says so many frames.
+void PointCacheSink::open_at_end(std::size_t frames) {
+  file_.open(part_, std::ios::binary | std::ios::in | std::ios::out);
+  put(header(frames));
+  file_.seekp(0, std::ios::end);
 }
 
-void PointCacheSink::write(int frame, const WrittenMoment& moment) {
+void PointCacheSink::write(int frame, std::span<const sim::Vec3> mesh_m) {
   if (settings_.frames.contains(frame)) {
-    put(frame_of(moment));
+    put(frame_of(mesh_m));
     ++written_;
   }
 }
@@ -139,7 +127,11 @@ std::string PointCacheSink::finish() {
     fs::remove(part_, error);
     return "wrote nothing";
   }
-  if (written_ < asked) copy(part_, point_cache_header_bytes(format_, asked), written_, header(written_));
+  if (written_ < asked) {
+    open_at_end(written_);
+    file_.close();
+    put("");
+  }
   write_text_file(obj_beside(path_), cloth_.obj_at_rest());
   put_in_place(part_, path_);
   return fmt::format("wrote {}, {} of {} vertices, and {}, the rest shape that they move", path_.string(),
@@ -148,9 +140,9 @@ std::string PointCacheSink::finish() {
 
 }  // namespace
 
-std::unique_ptr<FrameSink> make_point_cache_sink(PointCacheFormat format, const ExportSettings& settings,
-                                                 const GarmentInScene& loaded, const WrittenMoment& start) {
-  return std::make_unique<PointCacheSink>(format, settings, loaded, start);
+std::unique_ptr<FrameSink> make_point_cache_sink(const ExportSettings& settings, const GarmentInScene& loaded,
+                                                 std::span<const sim::Vec3> start_m) {
+  return std::make_unique<PointCacheSink>(settings, loaded, start_m);
 }
 
 }  // namespace taut::app

@@ -67,10 +67,10 @@ class UsdSink final : public FrameSink {
     if (file_.is_open()) std::filesystem::remove(incomplete_, error);
   }
 
-  void write(int frame, const WrittenMoment& moment) override {
+  void write(int frame, std::span<const sim::Vec3> mesh_m) override {
     if (!settings_.frames.contains(frame)) return;
     if (!file_.is_open()) begin();
-    const std::vector<sim::Vec3> positions_m = cloth_.positions(moment.state.current);
+    const std::vector<sim::Vec3> positions_m = cloth_.positions(mesh_m);
     glm::vec3 low(positions_m.front()), high = low;
     for (const sim::Vec3& p : positions_m) {
       low = glm::min(low, glm::vec3(p));

@@ -24,13 +24,10 @@ std::vector<ContactCase> wanted_cases(const BenchOptions& options) {
   return cases;
 }
 
-/// With the bound, a fraction, in the place of the scene's; empty: as the scene has it.
-ContactTrial run_trial(const ContactCase& one, std::optional<double> bound, const BenchOptions& options,
-                       Progress* progress) {
+ContactTrial run_trial(const ContactCase& one, const BenchOptions& options, Progress* progress) {
   ContactTrial trial = {one.name, 0.0, 0, {}};
   for (const std::vector<Setting>& settings : one.runs) {
     Scene scene = with_settings(find_scene(one.scene, {}), settings);
-    if (bound) scene = with_settings(std::move(scene), {{"solver.max_stretch", fmt::format("{}", *bound)}});
     scene.simulation.solver.bounded.vector_unit = measured_vector_unit();
     load_bodies(scene);
     const LoadedGarment loaded = load_garment(scene);
@@ -67,13 +64,9 @@ int run(const BenchOptions& options) {
   if (!options.quiet) progress.emplace("bench");
   Progress* const shown = progress ? &*progress : nullptr;
   if (shows_table) print(contact_head(sim::name_of(measured_vector_unit())), shown);
-  std::vector<std::optional<double>> bounds(options.bounds.begin(), options.bounds.end());
-  bounds.resize(std::max<std::size_t>(1, bounds.size()));
   for (const ContactCase& one : cases) {
-    for (const std::optional<double>& bound : bounds) {
-      trials.push_back(run_trial(one, bound, options, shown));
-      if (shows_table) print(contact_row(trials.back()), shown);
-    }
+    trials.push_back(run_trial(one, options, shown));
+    if (shows_table) print(contact_row(trials.back()), shown);
   }
   if (options.csv) print(contact_csv(trials), shown);
   const bool have_all_passed = std::ranges::all_of(

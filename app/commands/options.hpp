@@ -10,7 +10,6 @@ namespace taut::app {
 /// Options of `taut bench`.
 struct BenchOptions {
   std::vector<std::string> scenes;  ///< rows of the table; empty: all
-  std::vector<double> bounds;       ///< largest stretch, fractions, each a row; empty: as the scene has it
   bool contact = false;             ///< all scenes about contact, instead of the quick ones
   bool quick = false;               ///< those that decide about real time, whatever `contact` is
   std::optional<int> runs;          ///< of each scene, each from a start of its own; empty: one, from the scene's
@@ -109,7 +108,7 @@ struct ImportModelOptions {
 };
 
 /// The task of `taut sweep`.
-enum class SweepAction { plan, run, status, merge, show };
+enum class SweepAction { plan, run, status, merge };
 
 /// Options of `taut sweep`. Each of its commands uses some.
 struct SweepOptions {

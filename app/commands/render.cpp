@@ -176,7 +176,7 @@ class Render {
     run_.open_statistics({run_.scene, run_.simulation->garment(), run_.simulation->pins().vertices.size(),
                           offscreen_->gl_renderer(), options_.verify},
                          std::nullopt);
-    if (!options_.shapes.empty()) run_.shapes = open_sink(exported, run_.loaded, *run_.simulation);
+    if (!options_.shapes.empty()) run_.shapes = open_sink(exported, run_.loaded, run_.simulation->state().current);
     run_.progress.begin("preparing the first frame");
     LostGarment lost(job_.frames);
     connect(lost);

@@ -61,7 +61,8 @@ void SceneRun::open_statistics(const RunDescription& description, std::optional<
 }
 
 std::vector<FrameRecord> SceneRun::go(int last_frame, const std::string& pattern, OffscreenRenderer* offscreen) {
-  if (shapes) outputs.write_shape = [this](int frame, const auto& moment) { shapes->write(frame, moment); };
+  if (shapes)
+    outputs.write_shape = [this](int frame, const auto& moment) { shapes->write(frame, moment.state().current); };
   if (options.verify) {
     outputs.verify = [this](const auto& moment, FrameRecord& record) { return verifier.check(moment, record); };
   }

@@ -131,7 +131,7 @@ void open_shapes(const SimulateOptions& options, ExportSettings settings, int be
     const bool goes_on = !options.resume.empty();
     settings.frames.first = std::max(settings.frames.first, goes_on ? start_frame(run.scene) : begun);
     settings.last_kept = goes_on ? std::optional(begun) : std::nullopt;
-    run.shapes = open_sink(settings, run.loaded, *run.simulation);
+    run.shapes = open_sink(settings, run.loaded, run.simulation->state().current);
   }
 }
 

@@ -1,48 +1,40 @@
+#include "app/sweeps/sweep.hpp"
+
 #include <thread>
 
 #include "app/base/errors.hpp"
 #include "app/base/files.hpp"
 #include "app/commands/options.hpp"
-#include "app/sweeps/sweep_run.hpp"
 
 namespace taut::app {
 namespace {
 
-int plan(const SweepOptions& options) {
-  const PlannedSweep planned = plan_sweep(options.study, options.folder);
-  const bool is_new = write_sweep(planned);
-  fmt::print("{} {} in {}\n", is_new ? "planned" : "there already:", counted(planned.sweep.runs(), "run"),
-             options.folder.string());
-  return 0;
+std::string told(const SweepStatus& status, const Sweep& sweep) {
+  const auto& [done, broken, failed] = status.ended;
+  return fmt::format("{} of {}: {} done, {} broke a promise, {} failed", done + broken,
+                     counted(sweep.runs.size(), "run"), done, broken, failed);
 }
 
 void say(std::size_t run, const Attempt& attempt) {
-  constexpr std::array ends = {"done", "a promise is broken", "failed", "stopped", "busy"};
-  std::FILE* const stream = attempt.end == AttemptEnd::done ? stdout : stderr;
-  fmt::print(stream, "run {}: {}{}{}{}\n", run, ends[static_cast<std::size_t>(attempt.end)],
-             attempt.is_new ? "" : " already", attempt.what.empty() ? "" : ": ", attempt.what);
+  constexpr std::array ends = {"done", "a promise is broken", "failed", "stopped"};
+  std::FILE* const stream = attempt.end == RunEnd::done ? stdout : stderr;
+  fmt::print(stream, "run {}: {}{}{}\n", run, ends.at(static_cast<std::size_t>(attempt.end)),
+             attempt.reason.empty() ? "" : ": ", attempt.reason);
   std::fflush(stream);
 }
 
-void require_index(const Sweep& sweep, std::size_t index) {
-  if (index >= sweep.runs()) {
-    throw UsageError("--index: found {}, expected a run from 0 to {}", index, sweep.runs() - 1);
-  }
+int exit_code_of(RunEnd worst) {
+  constexpr std::array codes = {0, exit_promise_broken, exit_bad_input, exit_can_be_resumed};
+  return codes.at(static_cast<std::size_t>(worst));
 }
 
 int run_one(const Sweep& sweep, std::size_t run) {
-  require_index(sweep, run);
+  if (run >= sweep.runs.size()) {
+    throw UsageError("--index: found {}, expected a run from 0 to {}", run, sweep.runs.size() - 1);
+  }
   const Attempt attempt = attempt_run(sweep, run);
   say(run, attempt);
-  WorstEnd worst;
-  worst.add(attempt.end);
-  return worst.exit_code();
-}
-
-std::string told(const SweepStatus& status, const Sweep& sweep) {
-  return fmt::format("{} of {}: {} done, {} broke a promise, {} failed; {} being worked on, {} stopped on their way",
-                     status.done + status.broken, counted(sweep.runs(), "run"), status.done, status.broken,
-                     status.failed, status.working, status.stopped);
+  return exit_code_of(attempt.end);
 }
 
 int run_all(const SweepOptions& options, const Sweep& sweep) {
@@ -54,13 +46,13 @@ int run_all(const SweepOptions& options, const Sweep& sweep) {
                     [&, i](const ProgressCallback& report) { attempts[i] = attempt_run(sweep, missing[i], report); }});
   }
   const unsigned threads = options.jobs > 0 ? options.jobs : std::max(1U, std::thread::hardware_concurrency());
-  WorstEnd worst;
+  RunEnd worst = RunEnd::done;
   try {
     run_jobs(
         jobs, threads,
         [&](std::size_t job) {
           say(missing[job], attempts[job]);
-          worst.add(attempts[job].end);
+          worst = std::max(worst, attempts[job].end);
         },
         "sweep");
   } catch (const Interrupted&) {
@@ -69,53 +61,36 @@ int run_all(const SweepOptions& options, const Sweep& sweep) {
   }
   const SweepStatus status = status_of(sweep);
   fmt::print("{}\n", told(status, sweep));
-  if (status.broken > 0) worst.add(AttemptEnd::broken);
-  return worst.exit_code();
+  return exit_code_of(status.ended[1] > 0 ? std::max(worst, RunEnd::broken) : worst);
 }
 
 int status(const SweepOptions& options, const Sweep& sweep) {
   const SweepStatus status = status_of(sweep);
-  if (options.missing) {
-    fmt::print("{}\n", ranges_text(status.missing));
-    return 0;
-  }
-  fmt::print("{}\n", told(status, sweep));
-  if (!status.first_failure.empty()) fmt::print("the first that failed: {}\n", status.first_failure);
-  return 0;
-}
-
-int merge(const Sweep& sweep) {
-  const std::filesystem::path table = sweep.folder / "table.csv";
-  write_text_file(table, sweep_table(sweep));
-  fmt::print("wrote {}\n", table.string());
-  if (const renderer::Image sheet = sweep_sheet(sweep); sheet.width_px > 0) {
-    write_file(sweep.folder / "sheet.png", renderer::encode_png(sheet));
-    fmt::print("wrote {}\n", (sweep.folder / "sheet.png").string());
-  }
-  const SweepStatus status = status_of(sweep);
-  fmt::print("{}\n", told(status, sweep));
+  fmt::print("{}\n", options.missing ? ranges_text(status.missing) : told(status, sweep));
+  if (!options.missing && !status.first_failure.empty())
+    fmt::print("the first that failed: {}\n", status.first_failure);
   return 0;
 }
 
 }  // namespace
 
 int run(const SweepOptions& options) {
-  if (options.action == SweepAction::plan) return plan(options);
-  const Sweep sweep = read_sweep(options.folder);
-  switch (options.action) {
-    case SweepAction::run:
-      require_planned_program(sweep);
-      if (options.index.has_value() == options.all) throw UsageError("expected one of --index and --all");
-      return options.all ? run_all(options, sweep) : run_one(sweep, *options.index);
-    case SweepAction::status:
-      return status(options, sweep);
-    case SweepAction::merge:
-      return merge(sweep);
-    default:
-      require_index(sweep, *options.index);
-      fmt::print("{}", scene_text(sweep.scene(*options.index), GarmentNaming::full_path));
-      return 0;
+  if (options.action == SweepAction::plan) {
+    const Sweep planned = plan_sweep(options.study, options.folder);
+    fmt::print("planned {} in {}: {} to be made\n", counted(planned.runs.size(), "run"), options.folder.string(),
+               status_of(planned).missing.size());
+    return 0;
   }
+  const Sweep sweep = read_sweep(options.folder);
+  if (options.action == SweepAction::status) return status(options, sweep);
+  if (options.action == SweepAction::merge) {
+    write_text_file(sweep.folder / "table.csv", sweep_table(sweep));
+    fmt::print("wrote {}\n{}\n", (sweep.folder / "table.csv").string(), told(status_of(sweep), sweep));
+    return 0;
+  }
+  require_planned_program(sweep);
+  if (options.index.has_value() == options.all) throw UsageError("expected one of --index and --all");
+  return options.all ? run_all(options, sweep) : run_one(sweep, *options.index);
 }
 
 }  // namespace taut::app

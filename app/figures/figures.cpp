@@ -320,12 +320,13 @@ DrawnFigures draw_figures(const FiguresOptions& options, std::vector<Figure> fig
   return std::move(writer).finish();
 }
 
-renderer::Image contact_sheet(std::span<const DrawnFigure> figures, float scale, const SheetLayout& layout) {
-  const auto [columns, cell_px, title_px] = layout;
+renderer::Image contact_sheet(std::span<const DrawnFigure> figures, float scale) {
+  constexpr int columns = 3, cell_px = 800;
+  constexpr float title_px = 30.0F;
   const int gap_px = cell_px / 20;
   const int title_height_px = static_cast<int>(std::lround(1.8F * title_px));
   // Each goes to the column that is shortest so far.
-  std::vector<int> bottoms_px(static_cast<std::size_t>(columns), gap_px);
+  std::vector<int> bottoms_px(columns, gap_px);
   std::vector<std::pair<int, int>> corners;
   for (const DrawnFigure& figure : figures) {
     const auto shortest = std::ranges::min_element(bottoms_px);

@@ -78,15 +78,8 @@ struct DrawnFigures {
 /// needs are done; and a contact sheet of several. Where all are asked for, all experiments are made.
 DrawnFigures draw_figures(const FiguresOptions& options, std::vector<Figure> figures, std::vector<Job> experiments);
 
-/// How pictures lie on a contact sheet.
-struct SheetLayout {
-  int columns = 3;
-  int cell_px = 800;  ///< width of a picture
-  float title_px = 30.0F;
-};
-
 /// All figures, small, on one picture, each in the column that is shortest so far. `scale` multiplies its
 /// pixels each way.
-renderer::Image contact_sheet(std::span<const DrawnFigure> figures, float scale = 1.0F, const SheetLayout& layout = {});
+renderer::Image contact_sheet(std::span<const DrawnFigure> figures, float scale = 1.0F);
 
 }  // namespace taut::app

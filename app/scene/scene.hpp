@@ -126,7 +126,7 @@ struct BodySource {
   std::filesystem::path file;
   std::optional<double> scale;  ///< metres per unit of the file; empty: the file's own unit, or else metres
   std::optional<ModelAxis> up;  ///< in the file's coordinates; empty: the file's own, or else y
-  /// PC2, MDD or BVH. Empty: a clip of the file, or none.
+  /// PC2 or BVH. Empty: a clip of the file, or none.
   std::filesystem::path motion;
   std::string clip;  ///< the name of an animation of the file; empty: its first; "none": it keeps its pose
   std::optional<double> frame_rate_hz;  ///< empty: what the motion says, or else 60

@@ -53,32 +53,40 @@ void apply_fabric(const SceneFormat<S>& format, const toml::node& value, const S
   KeyReader(keys, {fabric.file.string(), false}, scene).read(fabric.keys);
 }
 
-/// Sets keys of a scene, a fabric's first. Throws UsageError if a key or a value is not valid.
-template <class S> void apply_overrides(const SceneFormat<S>& format, std::span<const Override> overrides, S& scene) {
-  for (const Override& changed : overrides) {
-    if (changed.key == "cloth.fabric") {
-      const toml::table value = read_toml_value(changed.value);
-      apply_fabric(format, *value.get("value"), {changed.option, true}, scene);
-    }
+/// A key of a scene with its value.
+struct KeyValue {
+  std::string key;
+  const toml::node* value;
+  Source source;
+};
+
+/// Sets keys of a scene, a fabric's first, and checks it. Throws by `fail` if a key or a value is not valid.
+template <class S> void set_values(const SceneFormat<S>& format, std::span<const KeyValue> values, S& scene) {
+  for (const auto& [key, value, source] : values) {
+    if (key == "cloth.fabric") apply_fabric(format, *value, source, scene);
   }
-  for (const Override& changed : overrides) {
-    const Source source{changed.option, true};
-    const toml::table value = read_toml_value(changed.value);
-    if (!set_body_key(changed.key, *value.get("value"), source, scene)) {
-      KeyReader(format.keys, source, scene).read_value(changed.key, *value.get("value"));
-    }
+  for (const auto& [key, value, source] : values) {
+    if (!set_body_key(key, *value, source, scene)) KeyReader(format.keys, source, scene).read_value(key, *value);
     for (const auto& [name, member] : garment_files) {
-      if (changed.key == std::string("garment.") + name) {
-        require_named(name, scene.garment.*member, source, 0);
-      }
+      if (key == std::string("garment.") + name) require_named(name, scene.garment.*member, source, line_of(*value));
     }
   }
-  if (!overrides.empty()) format.check(scene, {overrides.back().option, true});
+  if (!values.empty()) format.check(scene, values.back().source);
+}
+
+/// The same of options of the command line. Throws UsageError.
+template <class S> void apply_overrides(const SceneFormat<S>& format, std::span<const Override> overrides, S& scene) {
+  std::vector<toml::table> texts;
+  for (const Override& changed : overrides) texts.push_back(read_toml_value(changed.value));
+  std::vector<KeyValue> values;
+  for (std::size_t k = 0; k < texts.size(); ++k) {
+    values.push_back({overrides[k].key, texts[k].get("value"), {overrides[k].option, true}});
+  }
+  set_values<S>(format, values, scene);
 }
 
 /// Sets the keys of the fabric that the file beside the garment names, fabric = "denim", where no override names one.
-template <class S>
-void apply_own_fabric(const SceneFormat<S>& format, std::span<const Override> overrides, S& scene) {
+template <class S> void apply_own_fabric(const SceneFormat<S>& format, std::span<const Override> overrides, S& scene) {
   const auto sets_fabric = [](const Override& changed) { return changed.key == "cloth.fabric"; };
   if (std::ranges::any_of(overrides, sets_fabric)) return;
   const toml::table beside = read_landmarks_file(scene.garment.file);

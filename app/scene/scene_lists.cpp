@@ -226,8 +226,7 @@ std::vector<Key<BodyInScene>> shape_keys(const sim::Shape& shape) {
           number_key<B>("scale", "m", not_negative, MEMBER(source.scale),
                         "the model's unit of length; 0: what the file says, or else metres"),
           up_key<B>("up", MEMBER(source.up), "the model's direction that is up; auto: what the file says, or else y"),
-          body_file_key("motion", &BodySource::motion,
-                        "where its vertices or joints are over time: a PC2, MDD or BVH file"),
+          body_file_key("motion", &BodySource::motion, "where its vertices or joints are over time: a PC2 or BVH file"),
           // The name of `motion` when it was PC2 alone.
           written_if(body_file_key("frames", &BodySource::motion, "another name of motion"),
                      [](const B&) { return false; }),

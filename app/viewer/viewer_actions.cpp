@@ -57,8 +57,6 @@ void Viewer::perform(Action action) {
       {Action::turn_wind_left, [&] { turn_wind(turn_step_rad); }},
       {Action::turn_wind_right, [&] { turn_wind(-turn_step_rad); }},
       {Action::toggle_pin, [&] { toggle_pin(); }},
-      {Action::release_left, [&] { ask(ReleasePins{.right = false}); }},
-      {Action::release_right, [&] { ask(ReleasePins{.right = true}); }},
       {Action::show_whole_garment, [&] { show_whole_garment(); }},
       {Action::see_front, [&] { see_from(sides[0]); }},
       {Action::see_side, [&] { see_from(sides[1]); }},

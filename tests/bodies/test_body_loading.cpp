@@ -90,8 +90,7 @@ double volume_m3(const sim::BodyMeshData& mesh) {
 
 TEST_F(BodyLoading, ReadsAMeshInItsUnitAndAxes) {
   EXPECT_EQ(load(tetrahedron).data->positions_m.size(), 4U);
-  EXPECT_NEAR(volume_m3(*load(tetrahedron).data), 1.0 / 6.0, 1e-15)
-      << "in metres where nobody says otherwise";
+  EXPECT_NEAR(volume_m3(*load(tetrahedron).data), 1.0 / 6.0, 1e-15) << "in metres where nobody says otherwise";
   const auto data =
       load("v 9 9 9\n" + corners + "f 2 4 3\nf 2 3 5\nf 2 5 4\nf 3 4 5\n", "", sized(0.1, ModelAxis::z)).data;
   EXPECT_NEAR(volume_m3(*data), 1e-3 / 6.0, 1e-15);
@@ -147,16 +146,14 @@ TEST_F(BodyLoading, ClosesSmallHolesAndSaysWhere) {
   EXPECT_EQ(remarks.size(), 1U);
   load(cube(0.1, "f 5 7 8 6\n"));
   EXPECT_TRUE(remarks.empty());
-  EXPECT_CONTAINS(error_of(cube(0.155, "")),
-                  "with 1 triangle, expected two at every edge: a body has no holes");
+  EXPECT_CONTAINS(error_of(cube(0.155, "")), "with 1 triangle, expected two at every edge: a body has no holes");
 }
 
 TEST_F(BodyLoading, LeavesHolesOpenThatAFanCannotClose) {
   const std::string line = "v 0 0 0\nv 0.1 0 0\nv 0.05 0 0\nv 0.05 0.1 0\nv 0.05 0.05 0.1\n";
   // The hole runs along a straight edge, there and back.
   EXPECT_CONTAINS(error_of(line + "f 1 3 5\nf 3 2 5\nf 2 4 5\nf 4 1 5\nf 1 2 4\n"), "a body has no holes");
-  EXPECT_CONTAINS(error_of("v 0 0 0\nv 0.1 0 0\nv 0 0.1 0\nf 1 2 3\n"), "a body has no holes")
-      << "a triangle";
+  EXPECT_CONTAINS(error_of("v 0 0 0\nv 0.1 0 0\nv 0 0.1 0\nf 1 2 3\n"), "a body has no holes") << "a triangle";
 }
 
 TEST_F(BodyLoading, TakesSeveralShells) {
@@ -185,8 +182,7 @@ TEST_F(BodyLoading, NamesFacesWithoutAreaAndThoseThatAreThereTwice) {
 
 // As remeshing leaves them, and polygons that are split along three corners in a line.
 TEST_F(BodyLoading, MendsFacesWithoutArea) {
-  const sim::BodyMesh body =
-      load(corners + "v 0.5 0 0\nf 1 3 5\nf 5 3 2\nf 1 5 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n");
+  const sim::BodyMesh body = load(corners + "v 0.5 0 0\nf 1 3 5\nf 5 3 2\nf 1 5 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n");
   EXPECT_EQ(body.data->triangles.size(), 6U);
   EXPECT_NEAR(volume_m3(*body.data), 1.0 / 6.0, 1e-15);
   for (const sim::Triangle& t : body.data->triangles) {
@@ -202,8 +198,8 @@ TEST_F(BodyLoading, MendsFacesWithoutArea) {
 
 // The third vertex is there three times, each with triangles all around it.
 TEST_F(BodyLoading, LeavesOutFacesThatArePointsOrLines) {
-  const sim::BodyMesh body = load(
-      corners + "v 0 1 0\nv 0 1 0\nf 1 3 2\nf 1 2 4\nf 1 4 5\nf 2 6 4\nf 3 6 2\nf 3 1 5\nf 3 5 6\nf 6 5 4\n");
+  const sim::BodyMesh body =
+      load(corners + "v 0 1 0\nv 0 1 0\nf 1 3 2\nf 1 2 4\nf 1 4 5\nf 2 6 4\nf 3 6 2\nf 3 1 5\nf 3 5 6\nf 6 5 4\n");
   EXPECT_EQ(body.data->triangles.size(), 4U);
   EXPECT_EQ(body.data->positions_m.size(), 4U);
   EXPECT_NEAR(volume_m3(*body.data), 1.0 / 6.0, 1e-15);
@@ -217,8 +213,8 @@ TEST_F(BodyLoading, NamesASurfaceWithOneSide) {
   for (int i = 0; i < n; ++i) {
     for (int j = 0; j < n; ++j) {
       const double a = 2.0 * 3.14159265 * i / n, b = 2.0 * 3.14159265 * j / n;
-      obj += "v " + std::to_string(std::cos(a) * (2 + std::cos(b))) + ' ' + std::to_string(std::sin(b)) +
-             ' ' + std::to_string(std::sin(a) * (2 + std::cos(b))) + '\n';
+      obj += "v " + std::to_string(std::cos(a) * (2 + std::cos(b))) + ' ' + std::to_string(std::sin(b)) + ' ' +
+             std::to_string(std::sin(a) * (2 + std::cos(b))) + '\n';
     }
   }
   const auto vertex = [](int i, int j) {
@@ -265,7 +261,7 @@ TEST_F(BodyLoading, ReadsFramesInTheOrderOfTheFile) {
   }
 }
 
-// Blender writes MDD with z up beside OBJ with y up, LightWave in a left-handed system.
+// Blender writes caches with z up beside OBJ with y up, others in a left-handed system.
 TEST_F(BodyLoading, GuessesTheAxesOfFramesFromTheFirst) {
   const auto written = [&](auto turned) {
     std::vector<Frame> frames = {modelled, modelled};
@@ -277,9 +273,7 @@ TEST_F(BodyLoading, GuessesTheAxesOfFramesFromTheFirst) {
     }
     return pc2(frames);
   };
-  const auto moved_to = [](const sim::BodyMesh& body) {
-    return frame_of(body, 1)[3] - body.data->positions_m[3];
-  };
+  const auto moved_to = [](const sim::BodyMesh& body) { return frame_of(body, 1)[3] - body.data->positions_m[3]; };
   BodySource at_60_hz;
   at_60_hz.frame_rate_hz = 60.0;
   for (const auto& frames : {written([](const sim::Vec3& p) { return sim::Vec3(p.x, -p.z, p.y); }),
@@ -288,8 +282,7 @@ TEST_F(BodyLoading, GuessesTheAxesOfFramesFromTheFirst) {
                              written([](const sim::Vec3& p) { return sim::Vec3(p.x, p.z, p.y); })}) {
     EXPECT_EQ(moved_to(load(tetrahedron, frames, at_60_hz)), sim::Vec3(0.125, 0.25, 0.5));
     ASSERT_EQ(remarks.size(), 1U);
-    EXPECT_CONTAINS(remarks[0],
-                    "its motion is in other axes than it, guessed from its first frame: there (x, ");
+    EXPECT_CONTAINS(remarks[0], "its motion is in other axes than it, guessed from its first frame: there (x, ");
   }
   load(tetrahedron, written([](const sim::Vec3& p) { return p + sim::Vec3(0.0, 0.3, 0.0); }), at_60_hz);
   EXPECT_TRUE(remarks.empty()) << "it only begins elsewhere";
@@ -298,14 +291,11 @@ TEST_F(BodyLoading, GuessesTheAxesOfFramesFromTheFirst) {
 TEST_F(BodyLoading, NamesWhatIsWrongWithFrames) {
   const std::string good = pc2({modelled, modelled});
   load(tetrahedron, good);
-  EXPECT_CONTAINS(error_of(tetrahedron, pc2({{{0, 0, 0}}})),
-                  "body.pc2': found 1 vertex, expected the 4 of '");
+  EXPECT_CONTAINS(error_of(tetrahedron, pc2({{{0, 0, 0}}})), "body.pc2': found 1 vertex, expected the 4 of '");
   EXPECT_CONTAINS(error_of(tetrahedron, good.substr(0, good.size() - 1)),
                   "found 127 bytes, expected 128 for 2 frames of 4 vertices");
-  EXPECT_CONTAINS(error_of(tetrahedron, good.substr(0, 20)),
-                  "body.pc2': byte 20, the first frame: found 0 bytes");
-  EXPECT_CONTAINS(error_of(tetrahedron, "POINTCACHE3" + good.substr(11)),
-                  "what the file is: found 'POINTCACHE3");
+  EXPECT_CONTAINS(error_of(tetrahedron, good.substr(0, 20)), "body.pc2': byte 20, the first frame: found 0 bytes");
+  EXPECT_CONTAINS(error_of(tetrahedron, "POINTCACHE3" + good.substr(11)), "what the file is: found 'POINTCACHE3");
   Frame jumped = modelled;
   jumped[2] = {0, 2.5, 0};
   EXPECT_CONTAINS(error_of(tetrahedron, pc2({modelled, modelled, jumped})),

@@ -16,25 +16,13 @@ namespace {
 const std::string corners = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n";
 const std::string tetrahedron = corners + "f 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
 
-template <class Number> void put_big_endian(Number number, std::string& bytes) {
-  const auto little = sim::little_endian(number);
-  bytes.append(little.rbegin(), little.rend());
-}
-
 /// The frames of the tetrahedron, which moves along x from one frame to the next.
-std::string mdd(std::int32_t frames, float frame_s, float step_m) {
-  std::string bytes;
-  put_big_endian(frames, bytes);
-  put_big_endian(std::int32_t{4}, bytes);
-  for (std::int32_t k = 0; k < frames; ++k) {
-    put_big_endian(static_cast<float>(k) * frame_s, bytes);
-  }
-  for (std::int32_t k = 0; k < frames; ++k) {
-    for (int v = 0; v < 4; ++v) {
-      for (int axis = 0; axis < 3; ++axis) {
-        put_big_endian((v == axis + 1 ? 1.0F : 0.0F) + (axis == 0 ? static_cast<float>(k) * step_m : 0.0F), bytes);
-      }
-    }
+std::string pc2(std::size_t frames, double step_m) {
+  std::string bytes = pc2_header({4, frames, 0});
+  for (std::size_t k = 0; k < frames; ++k) {
+    std::vector<sim::Vec3> positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    for (sim::Vec3& position : positions) position.x += static_cast<double>(k) * step_m;
+    bytes += pc2_frame(positions);
   }
   return bytes;
 }
@@ -49,43 +37,28 @@ struct PointCaches : testing::Test {
   test::TemporaryFolder folder;
 };
 
-TEST_F(PointCaches, MddHasTheRateOfItsTimes) {
-  const LoadedBody body = load(source_of("walk.MDD", mdd(5, 0.04F, 0.25F)));
-  EXPECT_EQ(body.mesh().frames->count(), 5U);
-  EXPECT_NEAR(body.mesh().frames->rate_hz(), 25.0, 1e-5);
-  EXPECT_NEAR(body.positions_m(0.06)[0].x, body.positions_m(0.0)[0].x + 0.375, 1e-6);
-  BodySource source = source_of("walk.MDD", mdd(5, 0.04F, 0.25F));
-  source.frame_rate_hz = 10.0;
-  EXPECT_EQ(load(source).mesh().frames->rate_hz(), 10.0);
-}
-
-TEST_F(PointCaches, MddIsRefusedWithWhatIsWrong) {
-  const std::string good = mdd(3, 0.04F, 0.1F);
-  EXPECT_EQ(error_of(source_of("walk.mdd", good)), "");
-  EXPECT_CONTAINS(error_of(source_of("walk.mdd", good.substr(0, 6))), "found 6 bytes, expected the numbers of frames");
-  EXPECT_CONTAINS(error_of(source_of("walk.mdd", good.substr(0, 100))),
-                  "walk.mdd': found 100 bytes, expected 164 for 3 frames of 4 vertices");
-  EXPECT_CONTAINS(error_of(source_of("walk.mdd", mdd(0, 0, 0))), "byte 0, the number of frames: found 0, expected 1");
-  EXPECT_CONTAINS(error_of(source_of("walk.mdd", mdd(3, 0.04F, 1.5F))),
-                  "walk.mdd': frame 1, vertex 0: found at [1.5, 0, 0] m, 1.5 m from where");
+TEST_F(PointCaches, AFrameInWhichAVertexJumpsIsNamed) {
+  EXPECT_EQ(error_of(source_of("walk.PC2", pc2(3, 0.1))), "");
+  EXPECT_CONTAINS(error_of(source_of("walk.pc2", pc2(3, 1.5))),
+                  "walk.pc2': frame 1, vertex 0: found at [1.5, 0, 0] m, 1.5 m from where");
 }
 
 TEST_F(PointCaches, OneFrameIsSaid) {
-  EXPECT_CONTAINS(load(source_of("walk.mdd", mdd(1, 0.04F, 0.1F))).said(), "its motion has 1 frame, in which");
+  EXPECT_CONTAINS(load(source_of("walk.pc2", pc2(1, 0.1))).said(), "its motion has 1 frame, in which");
 }
 
 TEST_F(PointCaches, OtherEndingsAreRefused) {
-  EXPECT_CONTAINS(error_of(source_of("walk.abc", "x")), "walk.abc': expected a motion that ends in .pc2, .mdd or .bvh");
+  EXPECT_CONTAINS(error_of(source_of("walk.abc", "x")), "walk.abc': expected a motion that ends in .pc2 or .bvh");
 }
 
 TEST_F(PointCaches, AFileThatShrinksDuringTheRunIsNamed) {
-  const BodySource source = source_of("walk.mdd", mdd(5, 0.04F, 0.1F));
-  const auto frames = open_mdd(source.motion);
+  const BodySource source = source_of("walk.pc2", pc2(5, 0.1));
+  const auto frames = open_pc2(source.motion);
   std::vector<sim::Vec3> positions(4);
   frames->read(4, positions);
   std::filesystem::resize_file(source.motion, 200);
   EXPECT_CONTAINS(test::message_of<InputError>([&] { frames->read(4, positions); }),
-                  "walk.mdd': found 0 bytes from byte 220 on, expected 48; it was changed while it was read");
+                  "walk.pc2': found 0 bytes from byte 224 on, expected 48; it was changed while it was read");
 }
 
 std::size_t resident_bytes() {
@@ -124,7 +97,7 @@ TEST_F(PointCaches, MemoryDoesNotGrowWithTheLengthOfAMotion) {
 }
 
 TEST_F(PointCaches, SeveralThreadsMayAskAtOnce) {
-  const LoadedBody body = load(source_of("walk.mdd", mdd(50, 0.01F, 0.5F)));
+  const LoadedBody body = load(source_of("walk.pc2", pc2(50, 0.5)));
   std::vector<std::jthread> threads;
   std::array<int, 4> wrong = {};
   for (int& count : wrong) {

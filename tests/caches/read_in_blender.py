@@ -32,18 +32,17 @@ def shown(thing):
     return coordinates(thing.evaluated_get(bpy.context.evaluated_depsgraph_get()).data)
 
 
-for ending in ('PC2', 'MDD'):
-    fresh()
-    bpy.ops.wm.obj_import(filepath=str(folder / 'clip.obj'))
-    garment = bpy.context.selected_objects[0]
-    cache = garment.modifiers.new('cache', 'MESH_CACHE')
-    cache.cache_format, cache.filepath = ending, str(folder / ('clip.' + ending.lower()))
-    cache.forward_axis, cache.up_axis = 'POS_Y', 'POS_Z'
-    for frame in (0, 1, 17, 40):
-        bpy.context.scene.frame_set(frame)
-        assert numpy.array_equal(shown(garment), shape(frame)), '%s, frame %d' % (ending, frame)
-    upright = garment.matrix_world @ garment.data.vertices[0].co
-    assert abs(upright.z - garment.data.vertices[0].co.y) < 1e-6, 'not upright'
+fresh()
+bpy.ops.wm.obj_import(filepath=str(folder / 'clip.obj'))
+garment = bpy.context.selected_objects[0]
+cache = garment.modifiers.new('cache', 'MESH_CACHE')
+cache.cache_format, cache.filepath = 'PC2', str(folder / 'clip.pc2')
+cache.forward_axis, cache.up_axis = 'POS_Y', 'POS_Z'
+for frame in (0, 1, 17, 40):
+    bpy.context.scene.frame_set(frame)
+    assert numpy.array_equal(shown(garment), shape(frame)), 'PC2, frame %d' % frame
+upright = garment.matrix_world @ garment.data.vertices[0].co
+assert abs(upright.z - garment.data.vertices[0].co.y) < 1e-6, 'not upright'
 
 fresh()
 bpy.ops.wm.obj_import(filepath=str(folder / 'shapes/17.obj'))

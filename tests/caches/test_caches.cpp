@@ -71,7 +71,7 @@ struct Caches : testing::Test {
     std::vector<std::vector<sim::Vec3>> written;
     for (int frame = first; frame <= last; ++frame) {
       moment.advance_frame();
-      sink.write(frame, moment);
+      sink.write(frame, moment.state().current);
       std::vector<sim::Vec3>& positions = written.emplace_back(WrittenCloth(loaded).positions(moment.state().current));
       for (sim::Vec3& p : positions) {
         p = sim::Vec3(glm::vec3(p));
@@ -119,7 +119,7 @@ TEST_F(Caches, SubdividedGarmentsAreWrittenAsTheyAreSimulated) {
 
 TEST_F(Caches, AStartIsReadFromTheFilesVertices) {
   sim::Simulation moment = simulation();
-  const auto sink = open_sink(settings("end.obj", {1, 20}), loaded, moment);
+  const auto sink = open_sink(settings("end.obj", {1, 20}), loaded, moment.state().current);
   write(*sink, moment, 1, 20);
   EXPECT_EQ(sink->finish(), "wrote " + (folder / "end.obj").string());
   scene.garment.start = folder / "end.obj";
@@ -127,76 +127,65 @@ TEST_F(Caches, AStartIsReadFromTheFilesVertices) {
 }
 
 TEST_F(Caches, PointCachesAreReadAsTheyWereWritten) {
-  for (const char* name : {"clip.pc2", "clip.mdd"}) {
-    sim::Simulation moment = simulation();
-    const auto sink = open_sink(settings(name), loaded, moment);
-    const auto expected = write(*sink, moment, 3, 6);
-    EXPECT_CONTAINS(sink->finish(), "4 frames of 13 vertices, and ");
-    const auto cache = std::string(name) == "clip.pc2" ? open_pc2(folder / name) : open_mdd(folder / name);
-    expect_frames(*cache, expected);
-    if (std::string(name) == "clip.mdd") {
-      EXPECT_NEAR(cache->rate_hz().value(), 25.0, 1e-4);
-    }
-    std::ifstream rest(folder / "clip.obj");
-    const std::string obj((std::istreambuf_iterator<char>(rest)), {});
-    EXPECT_EQ(obj, WrittenCloth(loaded).obj_at_rest());
-  }
-  EXPECT_EQ(folder.file_count(), 4U) << "something unfinished is left";
+  sim::Simulation moment = simulation();
+  const auto sink = open_sink(settings("clip.pc2"), loaded, moment.state().current);
+  const auto expected = write(*sink, moment, 3, 6);
+  EXPECT_CONTAINS(sink->finish(), "4 frames of 13 vertices, and ");
+  const auto cache = open_pc2(folder / "clip.pc2");
+  expect_frames(*cache, expected);
+  std::ifstream rest(folder / "clip.obj");
+  const std::string obj((std::istreambuf_iterator<char>(rest)), {});
+  EXPECT_EQ(obj, WrittenCloth(loaded).obj_at_rest());
+  EXPECT_EQ(folder.file_count(), 3U) << "something unfinished is left";
 }
 
 TEST_F(Caches, ARunThatEndsEarlyLeavesACacheOfFewerFrames) {
-  for (const char* name : {"clip.pc2", "clip.mdd"}) {
-    sim::Simulation moment = simulation();
-    const auto sink = open_sink(settings(name), loaded, moment);
-    const auto expected = write(*sink, moment, 3, 4);
-    EXPECT_CONTAINS(sink->finish(), "2 frames");
-    const auto cache = std::string(name) == "clip.pc2" ? open_pc2(folder / name) : open_mdd(folder / name);
-    expect_frames(*cache, expected);
-  }
-  EXPECT_EQ(folder.file_count(), 4U);
+  sim::Simulation moment = simulation();
+  const auto sink = open_sink(settings("clip.pc2"), loaded, moment.state().current);
+  const auto expected = write(*sink, moment, 3, 4);
+  EXPECT_CONTAINS(sink->finish(), "2 frames");
+  const auto cache = open_pc2(folder / "clip.pc2");
+  expect_frames(*cache, expected);
+  EXPECT_EQ(folder.file_count(), 3U);
 }
 
 TEST_F(Caches, ARunThatIsGivenUpLeavesNothing) {
   sim::Simulation moment = simulation();
-  for (const char* name : {"clip.pc2", "clip.mdd", "clip.glb"}) {
-    const auto sink = open_sink(settings(name), loaded, moment);
+  for (const char* name : {"clip.pc2", "clip.glb"}) {
+    const auto sink = open_sink(settings(name), loaded, moment.state().current);
     write(*sink, moment, 3, 4);
   }
   EXPECT_EQ(folder.file_count(), 1U);
 }
 
 TEST_F(Caches, GoesOnOnlyFromTheFrameItStoppedAt) {
-  for (const char* name : {"clip.pc2", "clip.mdd"}) {
-    const auto format = std::string(name) == "clip.pc2" ? PointCacheFormat::pc2 : PointCacheFormat::mdd;
-    ExportSettings stopped = settings(name, {1, 4});
-    stopped.can_be_resumed = true;
-    sim::Simulation moment = simulation();
-    const sim::Simulation start = simulation();
-    std::vector<std::vector<sim::Vec3>> expected;
-    {
-      const auto sink = open_sink(stopped, loaded, moment);
-      expected = write(*sink, moment, 1, 2);
-      sink->keep();
-      EXPECT_EQ(std::filesystem::file_size(stopped.name + ".part"),
-                point_cache_header_bytes(format, 4) + 2 * point_cache_frame_bytes(13))
-          << "the frames that a checkpoint counts are in the file";
-    }
-    stopped.last_kept = 2;
-    EXPECT_CONTAINS(test::message_of<InputError>([&] { open_sink(stopped, loaded, start); }),
-                    ".part': its frame 2 is not the one that the run goes on from");
-    stopped.last_kept = 3;
-    EXPECT_CONTAINS(test::message_of<InputError>([&] { open_sink(stopped, loaded, moment); }),
-                    "for 3 frames of 13 vertices and more");
-    stopped.last_kept = 2;
-    // The end may have become another.
-    stopped.frames.last = 6;
-    const auto sink = open_sink(stopped, loaded, moment);
-    for (std::vector<sim::Vec3>& frame : write(*sink, moment, 3, 6)) {
-      expected.push_back(std::move(frame));
-    }
-    sink->finish();
-    expect_frames(std::string(name) == "clip.pc2" ? *open_pc2(folder / name) : *open_mdd(folder / name), expected);
+  ExportSettings stopped = settings("clip.pc2", {1, 4});
+  stopped.can_be_resumed = true;
+  sim::Simulation moment = simulation();
+  const sim::Simulation start = simulation();
+  std::vector<std::vector<sim::Vec3>> expected;
+  {
+    const auto sink = open_sink(stopped, loaded, moment.state().current);
+    expected = write(*sink, moment, 1, 2);
+    sink->keep();
+    EXPECT_EQ(std::filesystem::file_size(stopped.name + ".part"), pc2_header_bytes + 2 * 13 * 12)
+        << "the frames that a checkpoint counts are in the file";
   }
+  stopped.last_kept = 2;
+  EXPECT_CONTAINS(test::message_of<InputError>([&] { open_sink(stopped, loaded, start.state().current); }),
+                  ".part': its frame 2 is not the one that the run goes on from");
+  stopped.last_kept = 3;
+  EXPECT_CONTAINS(test::message_of<InputError>([&] { open_sink(stopped, loaded, moment.state().current); }),
+                  "for 3 frames of 13 vertices and more");
+  stopped.last_kept = 2;
+  // The end may have become another.
+  stopped.frames.last = 6;
+  const auto sink = open_sink(stopped, loaded, moment.state().current);
+  for (std::vector<sim::Vec3>& frame : write(*sink, moment, 3, 6)) {
+    expected.push_back(std::move(frame));
+  }
+  sink->finish();
+  expect_frames(*open_pc2(folder / "clip.pc2"), expected);
 }
 
 TEST_F(Caches, NamesAreRefusedWithWhatIsExpected) {
@@ -207,8 +196,8 @@ TEST_F(Caches, NamesAreRefusedWithWhatIsExpected) {
   };
   EXPECT_EQ(refusal("deeper/clip.pc2", true), "");
   EXPECT_EQ(refusal("deeper/{frame:04}.obj", true), "");
-  EXPECT_CONTAINS(refusal("clip.abc"), "ends in .obj, .pc2, .mdd, .glb, .usda or .pvd");
-  EXPECT_CONTAINS(refusal("clip-{frame}.mdd"), "one .mdd holds all frames; expected a name without {frame}");
+  EXPECT_CONTAINS(refusal("clip.abc"), "ends in .obj, .pc2, .glb or .usda");
+  EXPECT_CONTAINS(refusal("clip-{frame}.pc2"), "one .pc2 holds all frames; expected a name without {frame}");
   EXPECT_CONTAINS(refusal("clip.glb", true), "expected no --checkpoint and no --resume, or .pc2");
   EXPECT_CONTAINS(refusal("model.obj"), "it would replace the garment's own file");
   EXPECT_CONTAINS(refusal("model.pc2"), "it would replace the garment's own file");
@@ -216,7 +205,7 @@ TEST_F(Caches, NamesAreRefusedWithWhatIsExpected) {
 
 TEST_F(Caches, GltfHasALimit) {
   const std::string said = test::message_of<InputError>([&] {
-    open_sink(settings("clip.glb", {1, 100'000}), loaded, simulation());
+    open_sink(settings("clip.glb", {1, 100'000}), loaded, simulation().state().current);
   });
   EXPECT_CONTAINS(said, "clip.glb': 100000 frames of 12 vertices are 37.3 GiB");
   EXPECT_CONTAINS(said, "expected at most 1 GiB: fewer --frames, or .pc2");

@@ -45,7 +45,7 @@ def run(*command, where='.'):
 
 
 def results():
-    return {file: file.stat().st_mtime_ns for file in folder.glob('sweep/runs/*/*.json')}
+    return {file: file.stat().st_mtime_ns for file in folder.glob('sweep/runs/*.json')}
 
 
 if not shutil.which(farm):

@@ -19,16 +19,15 @@ using test::Person;
 constexpr const char* own_steps = "solver.substeps=0";
 
 DrawnScene scene_of(const char* solver, double wind = 0.0) {
-  return find_scene(
-      "pinned-9x9-5",
-      std::vector<Override>{parse_override(std::string("solver.kind=") + solver), parse_override(own_steps),
-                            parse_override("wind.speed=" + std::to_string(wind))});
+  return find_scene("pinned-9x9-5", std::vector<Override>{parse_override(std::string("solver.kind=") + solver),
+                                                          parse_override(own_steps),
+                                                          parse_override("wind.speed=" + std::to_string(wind))});
 }
 
 // Flies apart at once.
-const std::vector<Override> too_stiff = {
-    parse_override("solver.kind=ideal"), parse_override("solver.substeps=1"),
-    parse_override("solver.stiffness.structural=1e9"), parse_override("wind.speed=5")};
+const std::vector<Override> too_stiff = {parse_override("solver.kind=ideal"), parse_override("solver.substeps=1"),
+                                         parse_override("solver.stiffness.structural=1e9"),
+                                         parse_override("wind.speed=5")};
 
 void advance(auto& simulation, int frames) {
   for (int i = 0; i < frames; ++i) {
@@ -88,7 +87,7 @@ TEST(SimulationPair, BothGoBack) {
   const SnapshotPtr past = pair.take_snapshot();
   advance(pair, 10);
   const SnapshotPtr then = pair.take_snapshot();
-  pair.apply(ReleasePins{});
+  pair.apply(TogglePin{past->pins->front()});
   advance(pair, 5);
   EXPECT_NE(*pair.take_snapshot()->compared->pins, *past->compared->pins);
   pair.apply(GoBack{past});
@@ -217,9 +216,7 @@ TEST(Comparison, IsChosenInThePanelAndSharesTheWind) {
 // From either half, at the same cloth.
 TEST(Comparison, TheHandPullsBoth) {
   const auto at = [](glm::vec2 px) { return renderer::WindowEvent(renderer::PointerMoved{px.x, px.y}); };
-  const auto left = [](bool down) {
-    return renderer::WindowEvent(renderer::ButtonChanged{PointerButton::left, down});
-  };
+  const auto left = [](bool down) { return renderer::WindowEvent(renderer::ButtonChanged{PointerButton::left, down}); };
   Person person("pinned-9x9-5", {parse_override("solver.kind=bounded"), parse_override(own_steps)});
   person.click("compare");
   person.click("compare.implicit");

@@ -12,13 +12,10 @@
 namespace taut::app {
 namespace {
 
-DrawnScene small_scene() {
-  return find_scene("pinned-9x9-5", {});
-}
+DrawnScene small_scene() { return find_scene("pinned-9x9-5", {}); }
 
 DrawnScene diverging_scene() {
-  const std::vector<Override> overrides = {parse_override("solver.kind=\"ideal\""),
-                                           parse_override("solver.substeps=1"),
+  const std::vector<Override> overrides = {parse_override("solver.kind=\"ideal\""), parse_override("solver.substeps=1"),
                                            parse_override("solver.stiffness.structural=1e9")};
   return find_scene("pinned-9x9-5", overrides);
 }
@@ -55,7 +52,7 @@ TEST(LiveSimulation, ResetStartsAgainWithTheSettingsOfNow) {
 
   LiveSimulation live(scene);
   advance(live, 10);
-  live.apply(ReleasePins{});
+  live.apply(TogglePin{live.take_snapshot()->pins->front()});
   advance(live, 5);
   live.apply(with_wind(scene, 6.0));
   EXPECT_FALSE(live.take_snapshot()->pristine);
@@ -73,7 +70,7 @@ TEST(LiveSimulation, GoesOnFromAFrameOfThePast) {
   const SnapshotPtr past = live.take_snapshot();
   advance(live, 10);
   const std::uint64_t then = live.state_hash();
-  live.apply(ReleasePins{});
+  live.apply(TogglePin{live.take_snapshot()->pins->front()});
   live.apply(with_wind(scene, 6.0));
   advance(live, 25);
   live.apply(GoBack{past});
@@ -90,10 +87,10 @@ TEST(LiveSimulation, GoesOnFromAFrameOfThePast) {
 // The solver's memory is gone back to as well.
 TEST(LiveSimulation, PlaysOnFromAnyFrameBitForBit) {
   for (const char* solver : {"strong", "bounded"}) {
-    const std::vector<Override> overrides = {
-        parse_override(std::string("solver.kind=\"") + solver + '"'), parse_override("solver.substeps=0"),
-        parse_override("solver.max_stretch=0.002"), parse_override("wind.speed=5"),
-        parse_override("wind.gust_amplitude=0.5")};
+    const std::vector<Override> overrides = {parse_override(std::string("solver.kind=\"") + solver + '"'),
+                                             parse_override("solver.substeps=0"),
+                                             parse_override("solver.max_stretch=0.002"), parse_override("wind.speed=5"),
+                                             parse_override("wind.gust_amplitude=0.5")};
     LiveSimulation live(find_scene("pinned-9x9-5", overrides));
     std::vector<SnapshotPtr> first = {live.take_snapshot()};
     for (int frame = 1; frame <= 60; ++frame) {
@@ -121,8 +118,8 @@ TEST(LiveSimulation, StopsWithTheClothAsItWasWhereSomethingWouldCross) {
   const SnapshotPtr after = live.take_snapshot();
   const Notice& said = after->notices->back();
   EXPECT_TRUE(said.is_error);
-  EXPECT_TRUE(said.text.starts_with("frame " + std::to_string(before->record.frame + 1) +
-                                    ": something would cross at 0.2"))
+  EXPECT_TRUE(
+      said.text.starts_with("frame " + std::to_string(before->record.frame + 1) + ": something would cross at 0.2"))
       << said.text;
   EXPECT_CONTAINS(said.text, " m; R or any other setting starts again");
   EXPECT_FALSE(live.wants_to_advance());
@@ -162,8 +159,7 @@ TEST(LiveSimulation, DoesNotGoBackToAnotherGarment) {
 void expect_stretches_of_shape(const SnapshotPtr& shown, const char* when) {
   const sim::Garment& garment = *shown->garment;
   EXPECT_EQ(shown->record.stretch.max, sim::measure_stretch(garment.springs, shown->positions()).max) << when;
-  EXPECT_EQ(shown->record.surface_stretch.max, sim::measure_surface_stretch(garment, shown->positions()).max)
-      << when;
+  EXPECT_EQ(shown->record.surface_stretch.max, sim::measure_surface_stretch(garment, shown->positions()).max) << when;
   EXPECT_GT(shown->record.surface_stretch.p99, 0.0) << when;
 }
 
@@ -210,9 +206,7 @@ TEST(LiveSimulation, ANewBoundHoldsBeforeTheNextFrame) {
 TEST(LiveSimulation, ComingBackFromASolverWithoutContactPartsWhatCrossed) {
   const std::vector<Override> small = {parse_override("garment.file=\"tshirt_1028\"")};
   const DrawnScene scene = find_scene("tshirt-wind-10", small);
-  const auto crossing = [](LiveSimulation& live) {
-    return live.take_snapshot()->record.contact.crossing_pairs;
-  };
+  const auto crossing = [](LiveSimulation& live) { return live.take_snapshot()->record.contact.crossing_pairs; };
   LiveSimulation live(scene);
   advance(live, 10);
   ASSERT_EQ(crossing(live), 0U);
@@ -254,9 +248,9 @@ TEST(LiveSimulation, AHandPullsTheHemAndLetsGo) {
 }
 
 TEST(LiveSimulation, ABoundHoldsWhileAHandPulls) {
-  LiveSimulation live(find_scene("pinned-9x9-5", std::vector{parse_override("solver.kind=\"bounded\""),
-                                                             parse_override("solver.substeps=0"),
-                                                             parse_override("solver.max_stretch=0.02")}));
+  LiveSimulation live(find_scene(
+      "pinned-9x9-5", std::vector{parse_override("solver.kind=\"bounded\""), parse_override("solver.substeps=0"),
+                                  parse_override("solver.max_stretch=0.02")}));
   advance(live, 60);
   const SnapshotPtr hanging = live.take_snapshot();
   Grip grip = take_grip(*hanging->loaded->garment, hanging->positions(), 80);
@@ -296,20 +290,6 @@ TEST(LiveSimulation, PinsAreSetWhereTheClothIs) {
   live.apply(TogglePin{72});
   advance(live, 30);
   EXPECT_NE(live.take_snapshot()->positions()[72], place);
-}
-
-TEST(LiveSimulation, LetsGoOneCornerThenTheOther) {
-  LiveSimulation live(small_scene());
-  EXPECT_EQ(live.take_snapshot()->pins->size(), 2U);
-  live.apply(ReleasePins{.right = false});
-  const auto left = *live.take_snapshot()->pins;
-  ASSERT_EQ(left.size(), 1U);
-  EXPECT_GT(live.take_snapshot()->loaded->garment->mesh.positions[left.front()].x, 0.0);
-  live.apply(ReleasePins{.right = true});
-  EXPECT_TRUE(live.take_snapshot()->pins->empty());
-  live.apply(ReleasePins{.right = true});
-  advance(live, 5);
-  EXPECT_EQ(live.take_snapshot()->notices->size(), 0U);
 }
 
 TEST(LiveSimulation, DivergesIntoANoticeAndGoesOnAfterAReset) {
@@ -381,7 +361,7 @@ std::vector<SimulationCommand> commands_at(int frame, const DrawnScene& scene, c
     case 3:
       return {with_wind(scene, 7.0)};
     case 9:
-      return {ReleasePins{.right = true}};
+      return {TogglePin{newest.pins->back()}};
     case 14:
       return {TakeHold{take_grip(*newest.loaded->garment, newest.positions(), 40)}};
     case 15:

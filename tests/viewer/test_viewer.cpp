@@ -310,10 +310,8 @@ TEST(Window, AnySolverOfTheListGoesOnAfterADivergence) {
 }
 
 TEST(Window, ClothThatHasLeftIsSaidAndWhatToDo) {
-  Person person("pinned-9x9-5", {parse_override("gravity.acceleration=[0, -500, 0]")});
+  Person person("pinned-9x9-5", {parse_override("gravity.acceleration=[0, -500, 0]"), parse_override("pins.at=[]")});
   EXPECT_EQ(person.viewer.state().warning, "");
-  person.press('J');
-  person.press('K');
   person.wait(20);
   EXPECT_NE(person.viewer.state().warning.find("F looks at it"), std::string::npos);
   person.press(keys::space);

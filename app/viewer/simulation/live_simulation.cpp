@@ -85,22 +85,6 @@ std::string describe_now(const Untangling& u) {
                          : fmt::format("{} left, around which contact is off until they are apart", u.pairs_left));
 }
 
-// The outer third on one side of what the pins extend over, across.
-std::vector<sim::Index> without_side(const sim::Garment& garment, std::span<const sim::Index> pins, bool right) {
-  double lowest = INFINITY, highest = -INFINITY;
-  for (const sim::Index pin : pins) {
-    lowest = std::min(lowest, garment.mesh.positions[pin].x);
-    highest = std::max(highest, garment.mesh.positions[pin].x);
-  }
-  const double third = (highest - lowest) / 3.0;
-  std::vector<sim::Index> kept;
-  for (const sim::Index pin : pins) {
-    const double x = garment.mesh.positions[pin].x;
-    if (right ? x < highest - third : x > lowest + third) kept.push_back(pin);
-  }
-  return kept;
-}
-
 }  // namespace
 
 bool has_stopped(const Snapshot& snapshot) {
@@ -303,10 +287,6 @@ void LiveSimulation::perform(const TogglePin& toggle) {
     pins.insert(place, toggle.vertex);
   }
   set_pins(std::move(pins));
-}
-
-void LiveSimulation::perform(const ReleasePins& release) {
-  if (!now_.pins->empty()) set_pins(without_side(simulation_->garment(), *now_.pins, release.right));
 }
 
 void LiveSimulation::set_pins(std::vector<sim::Index> pins) {

@@ -129,10 +129,6 @@ struct ChangeSettings {
 struct TogglePin {
   sim::Index vertex = 0;
 };
-/// Removes the pins of one side: those in the outer third of the width of all pins.
-struct ReleasePins {
-  bool right = false;
-};
 /// Takes hold of cloth, or moves the hand that holds it.
 struct TakeHold {
   Grip grip;
@@ -160,8 +156,8 @@ struct Compare {
   std::optional<sim::SolverKind> with;
 };
 
-using SimulationCommand = std::variant<LoadScene, ChangeSettings, TogglePin, ReleasePins, TakeHold, LetGo, Reset,
-                                       GoBack, SetPaused, StepOnce, SetSpeed, Compare>;
+using SimulationCommand = std::variant<LoadScene, ChangeSettings, TogglePin, TakeHold, LetGo, Reset, GoBack, SetPaused,
+                                       StepOnce, SetSpeed, Compare>;
 
 /// A simulation that takes commands between its frames and goes on whatever comes: what a command or a frame
 /// cannot do becomes a notice. Its states depend on the order of commands and advances alone, never on a
@@ -200,7 +196,6 @@ class LiveSimulation {
   void perform(const LoadScene& load);
   void perform(const ChangeSettings& change);
   void perform(const TogglePin& toggle);
-  void perform(const ReleasePins& release);
   void perform(const TakeHold& hold);
   void perform(const LetGo&);
   void perform(const Reset&);

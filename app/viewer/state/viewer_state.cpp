@@ -106,7 +106,7 @@ std::vector<Choice> choices_for(const BodySource& source, const std::shared_ptr<
 
 namespace keys = renderer::keys;
 
-constexpr std::array<KeyBinding, 31> bindings = {{
+constexpr std::array<KeyBinding, 29> bindings = {{
     {"Left drag", "on cloth: pull it; elsewhere: orbit"},
     {"Right drag", "move the view"},
     {"Wheel", "nearer to what is under the pointer, farther"},
@@ -119,8 +119,6 @@ constexpr std::array<KeyBinding, 31> bindings = {{
     {"Time bar", "back in time; Space goes on from there"},
     {"R", "start again, with the scene's pins", 'R', Action::reset},
     {"P", "pin or free the cloth under the pointer", 'P', Action::toggle_pin},
-    {"J, K", "let go the left, the right corner", 'J', Action::release_left},
-    {"", "", 'K', Action::release_right},
     {"F", "look at the whole garment", 'F', Action::show_whole_garment},
     {"1, 3, 7, 9", "from the front, the side, behind, three quarters", '1', Action::see_front},
     {"", "", '3', Action::see_side},

@@ -168,8 +168,6 @@ enum class Action {
   turn_wind_left,
   turn_wind_right,
   toggle_pin,
-  release_left,
-  release_right,
   show_whole_garment,
   see_front,
   see_side,

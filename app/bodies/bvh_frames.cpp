@@ -1,22 +1,42 @@
-#include "app/bodies/bvh_frames.hpp"
-
 #include "app/base/errors.hpp"
 #include "app/base/words.hpp"
+#include "app/bodies/frame_source.hpp"
 #include "sim/mesh/elementary.hpp"
 
 namespace taut::app {
 namespace {
 
-constexpr std::array<std::pair<std::string_view, BvhChannel>, 6> channel_names = {
-    {{"Xposition", BvhChannel::x_position},
-     {"Yposition", BvhChannel::y_position},
-     {"Zposition", BvhChannel::z_position},
-     {"Xrotation", BvhChannel::x_rotation},
-     {"Yrotation", BvhChannel::y_rotation},
-     {"Zrotation", BvhChannel::z_rotation}}};
+/// Positions and rotations, by axes.
+constexpr std::array<std::string_view, 6> channel_names = {"Xposition", "Yposition", "Zposition",
+                                                           "Xrotation", "Yrotation", "Zrotation"};
 
 constexpr std::size_t deepest = 200;
 constexpr std::size_t most_frames = 10'000'000;
+
+/// A joint of a BVH file, or the end of a limb.
+struct BvhJoint {
+  std::string name;                   ///< empty: the end of a limb
+  std::size_t parent = 0;             ///< the index of a joint before this one; of the root its own
+  sim::Vec3 offset = sim::Vec3(0.0);  ///< from the joint above, in the file's unit
+  std::vector<int> channels;     ///< indices of channel_names, in the order in which they are applied, the last first
+  std::size_t first_number = 0;  ///< of a frame
+};
+
+/// A motion of joints (Biovision hierarchy). In its zero pose nothing is rotated, so that the frames of all
+/// joints have the axes of the file.
+struct BvhMotion {
+  std::vector<BvhJoint> joints;  ///< the root first
+  std::size_t frames = 0;
+  double frame_time_s = 0.0;
+  std::size_t numbers = 0;     ///< of a frame
+  std::vector<double> values;  ///< lengths in the file's unit and degrees, by frame, then as the joints have them
+};
+
+/// The joints at one moment.
+struct BvhPose {
+  std::vector<glm::dmat3> rotations;  ///< per joint, from the zero pose, in the axes of the file
+  std::vector<sim::Vec3> positions;   ///< per joint, in the file's unit
+};
 
 class BvhReader {
  public:
@@ -118,11 +138,9 @@ void BvhReader::read_joint(std::string name, std::size_t parent, std::size_t dep
 void BvhReader::read_channels(std::size_t joint) {
   const std::size_t count = whole_number("the number of channels", 0, channel_names.size());
   for (std::size_t k = 0; k < count; ++k) {
-    const std::string_view name = next();
-    std::optional<BvhChannel> found;
-    for (const auto& [known, channel] : channel_names) found = name == known ? channel : found;
-    if (!found) reject("a channel, such as Xposition or Zrotation");
-    motion_.joints[joint].channels.push_back(*found);
+    const auto* const found = std::ranges::find(channel_names, next());
+    if (found == channel_names.end()) reject("a channel, such as Xposition or Zrotation");
+    motion_.joints[joint].channels.push_back(static_cast<int>(found - channel_names.begin()));
   }
   motion_.joints[joint].first_number = motion_.numbers;
   motion_.numbers += count;
@@ -145,6 +163,40 @@ glm::dmat3 turned_about(int axis, double degrees) {
   rotation[next][last] = s;
   rotation[last][next] = -s;
   return rotation;
+}
+
+/// Returns the joints in a frame. Requires one that there is.
+BvhPose pose_in(const BvhMotion& motion, std::size_t frame) {
+  BvhPose pose;
+  for (std::size_t j = 0; j < motion.joints.size(); ++j) {
+    const BvhJoint& joint = motion.joints[j];
+    const double* numbers = motion.values.data() + frame * motion.numbers + joint.first_number;
+    glm::dmat3 rotation(1.0);
+    sim::Vec3 place = joint.offset;
+    for (std::size_t k = 0; k < joint.channels.size(); ++k) {
+      const int kind = joint.channels[k];
+      if (kind < 3) {
+        place[kind] = numbers[k];
+      } else {
+        rotation = rotation * turned_about(kind - 3, numbers[k]);
+      }
+    }
+    const bool is_root = j == 0;
+    pose.positions.push_back(is_root ? place : pose.positions[joint.parent] + pose.rotations[joint.parent] * place);
+    pose.rotations.push_back(is_root ? rotation : pose.rotations[joint.parent] * rotation);
+  }
+  return pose;
+}
+
+/// Returns the joints with nothing rotated and the root at its offset.
+BvhPose zero_pose(const BvhMotion& motion) {
+  BvhPose pose;
+  for (const BvhJoint& joint : motion.joints) {
+    const bool is_root = pose.positions.empty();
+    pose.positions.push_back(is_root ? joint.offset : pose.positions[joint.parent] + joint.offset);
+    pose.rotations.emplace_back(1.0);
+  }
+  return pose;
 }
 
 constexpr std::size_t unmatched = static_cast<std::size_t>(-1);
@@ -347,8 +399,7 @@ std::vector<std::string> remarks_on(const Rig& rig, const BvhMotion& motion, con
   return remarks;
 }
 
-}  // namespace
-
+/// Reads a BVH file. Throws InputError that names the file, the line, what was found and what was expected.
 BvhMotion read_bvh(const std::filesystem::path& file) {
   const std::string text = read_text_file(file);
   try {
@@ -358,39 +409,15 @@ BvhMotion read_bvh(const std::filesystem::path& file) {
   }
 }
 
-BvhPose pose_in(const BvhMotion& motion, std::size_t frame) {
-  BvhPose pose;
-  for (std::size_t j = 0; j < motion.joints.size(); ++j) {
-    const BvhJoint& joint = motion.joints[j];
-    const double* numbers = motion.values.data() + frame * motion.numbers + joint.first_number;
-    glm::dmat3 rotation(1.0);
-    sim::Vec3 place = joint.offset;
-    for (std::size_t k = 0; k < joint.channels.size(); ++k) {
-      const int kind = static_cast<int>(joint.channels[k]);
-      if (kind < 3) {
-        place[kind] = numbers[k];
-      } else {
-        rotation = rotation * turned_about(kind - 3, numbers[k]);
-      }
-    }
-    const bool is_root = j == 0;
-    pose.positions.push_back(is_root ? place : pose.positions[joint.parent] + pose.rotations[joint.parent] * place);
-    pose.rotations.push_back(is_root ? rotation : pose.rotations[joint.parent] * rotation);
-  }
-  return pose;
-}
-
-BvhPose zero_pose(const BvhMotion& motion) {
-  BvhPose pose;
-  for (const BvhJoint& joint : motion.joints) {
-    const bool is_root = pose.positions.empty();
-    pose.positions.push_back(is_root ? joint.offset : pose.positions[joint.parent] + joint.offset);
-    pose.rotations.emplace_back(1.0);
-  }
-  return pose;
-}
-
-RetargetedMotion retarget(std::shared_ptr<const Rig> rig, ModelAxis up, BvhMotion motion, std::size_t first) {
+/// Moves a body as a BVH motion says. Joints are matched by their names (rig_pose.hpp). The stored pose of
+/// the body is taken as the zero pose of the motion: a matched joint is turned from there as the motion's
+/// joint is turned from its zero pose, in the axes of the scene; others keep their place under the joint
+/// above. The hips go as those of the motion do, times the ratio of the heights of the hips over the lowest
+/// joint that both have: sideways from where they are in frame `first`; up from where they are in the
+/// zero pose, or, where that has its hips near the ground, from as high over the ground as the body's are
+/// over its lowest vertex. Throws InputError if the body's vertices follow no joints, or if no joint is
+/// matched, with the names of both.
+OpenedMotion retarget(std::shared_ptr<const Rig> rig, ModelAxis up, BvhMotion motion, std::size_t first) {
   if (rig->influences.empty()) {
     throw InputError(
         "found a motion of joints, and a body whose vertices follow no joints; expected one with a skin, "
@@ -403,13 +430,28 @@ RetargetedMotion retarget(std::shared_ptr<const Rig> rig, ModelAxis up, BvhMotio
   const glm::dmat3 motion_into_scene = into_scene(motion_up);
   const HipsMotion hips =
       hips_motion(*rig, up, motion, skeletons, joint_of, motion_into_scene, std::min(first, motion.frames - 1));
-  RetargetedMotion retargeted{nullptr, remarks_on(*rig, motion, skeletons, joint_of, hips)};
+  OpenedMotion retargeted{{}, nullptr, remarks_on(*rig, motion, skeletons, joint_of, hips)};
   if (motion_up == ModelAxis::z) {
     retargeted.remarks.emplace_back("up in its motion is z, as its head is there");
   }
   retargeted.frames =
       std::make_unique<BvhFrames>(std::move(rig), up, std::move(motion), std::move(joint_of), hips, motion_into_scene);
   return retargeted;
+}
+
+}  // namespace
+
+OpenedMotion open_bvh(const BodySource& source, const std::shared_ptr<const Rig>& rig, ModelAxis up) {
+  BvhMotion motion = read_bvh(source.motion);
+  const double rate_hz = source.frame_rate_hz.value_or(1.0 / motion.frame_time_s);
+  const auto first = static_cast<std::size_t>(std::round(std::min(source.start_s * rate_hz, 1e9)));
+  try {
+    OpenedMotion opened = retarget(rig, up, std::move(motion), first);
+    opened.file = source.motion;
+    return opened;
+  } catch (const InputError& error) {
+    throw InputError("'" + source.motion.string() + "': " + error.what());
+  }
 }
 
 }  // namespace taut::app

@@ -2,7 +2,6 @@
 
 #include "app/base/errors.hpp"
 #include "app/base/words.hpp"
-#include "app/bodies/bvh_frames.hpp"
 #include "app/verify/crossing_pairs.hpp"
 
 namespace taut::app {
@@ -204,18 +203,6 @@ OpenedMotion open_clip(const BodySource& source, const std::shared_ptr<const Rig
   return opened;
 } catch (const InputError& error) {
   throw InputError("'" + source.file.string() + "': " + error.what());
-}
-
-OpenedMotion open_bvh(const BodySource& source, const std::shared_ptr<const Rig>& rig, ModelAxis up) {
-  BvhMotion motion = read_bvh(source.motion);
-  const double rate_hz = source.frame_rate_hz.value_or(1.0 / motion.frame_time_s);
-  const auto first = static_cast<std::size_t>(std::round(std::min(source.start_s * rate_hz, 1e9)));
-  try {
-    RetargetedMotion retargeted = retarget(rig, up, std::move(motion), first);
-    return {source.motion, std::move(retargeted.frames), std::move(retargeted.remarks)};
-  } catch (const InputError& error) {
-    throw InputError("'" + source.motion.string() + "': " + error.what());
-  }
 }
 
 }  // namespace

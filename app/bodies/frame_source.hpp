@@ -114,6 +114,9 @@ inline constexpr double usual_frame_rate_hz = 60.0;
 /// model that is up. Throws InputError that names the file.
 OpenedMotion open_motion(const BodySource& source, const std::shared_ptr<const Rig>& rig, ModelAxis up);
 
+/// The same of a BVH file (bvh_frames.cpp).
+OpenedMotion open_bvh(const BodySource& source, const std::shared_ptr<const Rig>& rig, ModelAxis up);
+
 /// Where a motion that repeats goes on after its last frame.
 struct LoopBegin {
   std::size_t frame = 0;

@@ -60,19 +60,6 @@ std::string did_you_mean(std::string_view name, std::span<const std::string> nam
   return nearest.empty() ? "" : "; did you mean '" + nearest + "'?";
 }
 
-std::string base64(std::span<const std::uint8_t> bytes) {
-  constexpr const char* letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string text;
-  text.reserve((bytes.size() + 2) / 3 * 4);
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    const std::size_t count = std::min<std::size_t>(3, bytes.size() - i);
-    std::uint32_t group = 0;
-    for (std::size_t k = 0; k < 3; ++k) group = (group << 8U) | (k < count ? bytes[i + k] : 0U);
-    for (std::size_t k = 0; k < 4; ++k) text += k <= count ? letters[(group >> (18U - 6U * k)) & 63U] : '=';
-  }
-  return text;
-}
-
 std::string program_version() { return TAUT_VERSION; }
 
 std::string compiler_version() {

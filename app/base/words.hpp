@@ -35,9 +35,6 @@ std::string joined(std::span<const std::string> names, std::string_view separato
 /// Returns "; did you mean 'NAME'?" for the nearest name, or an empty text if no name is near.
 std::string did_you_mean(std::string_view name, std::span<const std::string> names);
 
-/// The bytes as base64 (RFC 4648, section 4).
-std::string base64(std::span<const std::uint8_t> bytes);
-
 /// The version of the program, such as "0.1.0".
 std::string program_version();
 /// Name and version of the compiler that built the program.

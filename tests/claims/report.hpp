@@ -66,4 +66,7 @@ extern const char* const methods_text;
 /// The texts of the claims as TOML. {names} are replaced by the numbers of the rules.
 extern const char* const claim_texts;
 
+/// The bytes as base64 (RFC 4648, section 4).
+std::string base64(std::span<const std::uint8_t> bytes);
+
 }  // namespace taut::app

@@ -8,8 +8,8 @@
 namespace taut::app {
 namespace {
 
-void count_faces(const ModelArrays& arrays, ImportedModel& model) {
-  for (const std::uint32_t corners : arrays.corner_counts) {
+void count_faces(ImportedModel& model) {
+  for (const std::uint32_t corners : model.faces.corner_counts) {
     ++(corners == 3 ? model.file_triangles : corners == 4 ? model.file_quads : model.file_polygons);
   }
 }
@@ -22,25 +22,22 @@ bool is_counting_up(const std::vector<sim::Index>& corners) {
 }
 
 void require_size(const ModelArrays& arrays) {
-  if (arrays.corner_counts.empty()) throw std::invalid_argument("it has no faces");
-  const std::size_t triangles = arrays.corners.size() - 2 * arrays.corner_counts.size();
+  if (arrays.faces.empty()) throw std::invalid_argument("it has no faces");
+  const std::size_t triangles = arrays.faces.corners.size() - 2 * arrays.faces.corner_counts.size();
   if (triangles > most_triangles) {
     throw std::invalid_argument(
         fmt::format("it has {} triangles, more than the {} that can be simulated", triangles, most_triangles));
   }
 }
 
-/// The faces with the file's numbers of vertices.
-FileFaces faces_in_file(ModelArrays& arrays) {
-  if (!arrays.position_of_vertex.empty()) {
-    std::vector<sim::Index> number(arrays.positions.size(), 0);
-    for (auto v = static_cast<sim::Index>(arrays.position_of_vertex.size()); v-- > 0;) {
-      number[arrays.position_of_vertex[v]] = v;
-    }
-    for (sim::Index& corner : arrays.corners) corner = number[corner];
+/// Gives the faces the file's numbers of vertices.
+void number_as_in_file(ImportedModel& model) {
+  if (model.position_of_vertex.empty()) return;
+  std::vector<sim::Index> number(model.positions.size(), 0);
+  for (auto v = static_cast<sim::Index>(model.position_of_vertex.size()); v-- > 0;) {
+    number[model.position_of_vertex[v]] = v;
   }
-  return {
-      std::move(arrays.corner_counts), std::move(arrays.corners), {}, std::move(arrays.sections), arrays.has_normals};
+  for (sim::Index& corner : model.faces.corners) corner = number[corner];
 }
 
 /// Other readable formats: for those who chose another kind of file. To others it would say nothing.
@@ -53,23 +50,15 @@ std::string expectation(const std::string& reason) {
 }  // namespace
 
 ImportedModel model_of(ModelArrays arrays) {
-  ImportedModel model;
-  count_faces(arrays, model);
-  model.triangles = sim::cut_into_triangles({arrays.positions, arrays.corner_counts, arrays.corners});
-  std::vector<glm::vec2> corner_uv = arrays.colours.corner_uv;
-  model.colours = cut_colours(std::move(arrays.colours), arrays.corner_counts, arrays.corners, model.triangles);
-  model.shares_vertices = arrays.corner_counts.size() == 1 || !is_counting_up(arrays.corners);
-  model.faces = faces_in_file(arrays);
-  model.faces.corner_uv = std::move(corner_uv);
-  model.positions = std::move(arrays.positions);
-  model.position_of_vertex = std::move(arrays.position_of_vertex);
-  model.format = std::move(arrays.format);
-  model.meshes = arrays.meshes;
-  model.ignored_lines = arrays.ignored_lines;
-  model.ignored_points = arrays.ignored_points;
-  model.metres_per_unit = arrays.metres_per_unit;
-  model.up = arrays.up;
-  model.rig = std::move(arrays.rig);
+  ImportedModel model{std::move(arrays), {}};
+  count_faces(model);
+  const std::vector<std::uint32_t>& corner_counts = model.faces.corner_counts;
+  const std::vector<sim::Index>& corners = model.faces.corners;
+  model.triangles = sim::cut_into_triangles({model.positions, corner_counts, corners});
+  model.faces.corner_uv = model.colours.corner_uv;
+  model.colours = cut_colours(std::move(model.colours), corner_counts, corners, model.triangles);
+  model.shares_vertices = corner_counts.size() == 1 || !is_counting_up(corners);
+  number_as_in_file(model);
   return model;
 }
 
@@ -77,8 +66,8 @@ ImportedModel model_of(std::vector<sim::Vec3> positions_m, std::vector<std::uint
                        std::vector<sim::Index> corners) {
   ModelArrays arrays;
   arrays.positions = std::move(positions_m);
-  arrays.corner_counts = std::move(corner_counts);
-  arrays.corners = std::move(corners);
+  arrays.faces.corner_counts = std::move(corner_counts);
+  arrays.faces.corners = std::move(corners);
   arrays.metres_per_unit = 1.0;
   arrays.up = ModelAxis::y;
   number_by_first_use(arrays);

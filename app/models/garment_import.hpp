@@ -4,24 +4,14 @@
 
 namespace taut::app {
 
-/// A model file as triangles: all its meshes, at the places their nodes give them.
-struct ImportedModel {
-  std::vector<sim::Vec3> positions;  ///< in the file's unit and axes
+/// A model file as triangles too. Its faces have the file's numbers of vertices and their texture coordinates, and its
+/// colours are those of the triangles.
+struct ImportedModel : ModelArrays {
   std::vector<sim::Triangle> triangles;
-  std::vector<sim::Index> position_of_vertex;  ///< as in ModelArrays
-  bool shares_vertices = false;                ///< false: each corner of a face has its own position
-  std::string format;                          ///< name of the format, from the reader
-  std::size_t meshes = 0;
+  bool shares_vertices = false;    ///< false: each corner of a face has its own position
   std::size_t file_triangles = 0;  ///< faces with three corners
   std::size_t file_quads = 0;      ///< faces with four corners; each was cut in two
   std::size_t file_polygons = 0;   ///< faces with more corners, which were cut into triangles
-  std::size_t ignored_lines = 0;
-  std::size_t ignored_points = 0;
-  std::optional<double> metres_per_unit;  ///< empty if neither the file nor its format says
-  std::optional<ModelAxis> up;            ///< empty if neither the file nor its format says
-  Rig rig;                                ///< as in ModelArrays
-  SurfaceColours colours;                 ///< of `triangles`
-  FileFaces faces;                        ///< as the file has them
 };
 
 /// Limit on the triangles of a model. More would not fit into memory with their springs.

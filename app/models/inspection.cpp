@@ -377,10 +377,6 @@ std::vector<std::string> remarks_of(const LoadedGarment& loaded) {
                                 loaded.placement->scale * loaded.placement->extent, loaded.placement->unit_text));
   }
   if (loaded.strays.triangles > 0) lines.push_back(describe(loaded.strays, loaded.placement->scale));
-  if (loaded.strays.body_triangles > 0) {
-    lines.push_back(counted(loaded.strays.body_triangles, "triangle") +
-                    " of a body in its file left out; --body FILE has it worn");
-  }
   if (loaded.placement && loaded.placement->moved_m != sim::Vec3(0.0)) {
     lines.emplace_back("it is very far from the origin and was moved there");
   }

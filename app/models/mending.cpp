@@ -15,14 +15,6 @@ constexpr double outlying_area = 0.005;
 // Distance of strays beyond the rest, as a multiple of its size.
 constexpr double stray_distance = 0.25;
 
-// Of bodies: share of all area from which a piece is large; length of their open borders, such as of a neck, wrists
-// and ankles, by the square root of their area, of which suits have 1.2 and shirts 2.8; mean thickness by their size.
-constexpr double large_piece = 0.1;
-constexpr double body_piece = 0.02;  // the same beside another body: its head, but no button
-constexpr double near_body = 0.25;   // of its size
-constexpr double widest_cut = 0.95;
-constexpr double stoutness = 0.025;
-
 struct Patch {
   sim::Vec3 middle;
   double area;
@@ -71,89 +63,6 @@ sim::Groups pieces_of(const sim::Mesh& mesh) {
     pieces.join(places[a], a);
   }
   return pieces;
-}
-
-/// Parts that triangles connect.
-struct Piece {
-  std::vector<sim::Triangle> triangles;  ///< of places
-  sim::Extent range;
-  double area = 0.0;
-  double volume = 0.0;  ///< within it, if it is closed
-  double border = 0.0;  ///< length of the edges with one triangle
-  bool is_left_out = false;
-};
-
-/// The length of the borders, without those of parts that were cut away: these go to and fro from triangle to triangle.
-double border_of(const sim::Mesh& mesh, const std::vector<sim::Triangle>& triangles) {
-  std::vector<sim::Edge> edges;
-  for (const sim::Triangle& t : triangles) {
-    for (int k = 0; k < 3; ++k) {
-      edges.push_back({std::min(t[k], t[(k + 1) % 3]), std::max(t[k], t[(k + 1) % 3])});
-    }
-  }
-  std::ranges::sort(edges);
-  std::map<sim::Index, std::vector<sim::Index>> neighbours;
-  for (std::size_t e = 0; e < edges.size(); ++e) {
-    const bool is_alone = (e == 0 || edges[e - 1] != edges[e]) && (e + 1 == edges.size() || edges[e + 1] != edges[e]);
-    for (std::size_t k = 0; is_alone && k < 2; ++k) neighbours[edges[e][k]].push_back(edges[e][1 - k]);
-  }
-  double length = 0.0;
-  for (const auto& [vertex, ends] : neighbours) {
-    length += ends.size() == 2 ? 0.5 * glm::distance(mesh.positions[ends[0]], mesh.positions[ends[1]]) : 0.0;
-  }
-  return length;
-}
-
-std::map<sim::Index, Piece> measured_pieces(const sim::Mesh& mesh, sim::Groups& pieces, const sim::Vec3& origin) {
-  const std::vector<sim::Index> places = sim::first_at_same_position(mesh.positions);
-  std::map<sim::Index, Piece> measured;
-  for (const sim::Triangle& t : mesh.triangles) {
-    Piece& piece = measured[pieces.find(t[0])];
-    const sim::Vec3 a = mesh.positions[t[0]] - origin, b = mesh.positions[t[1]] - origin,
-                    c = mesh.positions[t[2]] - origin;
-    piece.triangles.push_back({places[t[0]], places[t[1]], places[t[2]]});
-    piece.area += 0.5 * glm::length(glm::cross(b - a, c - a));
-    piece.volume += glm::dot(a, glm::cross(b, c)) / 6.0;
-    for (const sim::Vec3& p : {a, b, c}) piece.range.add(p + origin);
-  }
-  for (auto& [first, piece] : measured) piece.border = border_of(mesh, piece.triangles);
-  return measured;
-}
-
-/// A body is closed, but for where its head, hands or feet are cut off, and stout; a thick garment is closed and thin.
-bool is_stout(const Piece& piece) {
-  const double size = glm::length(piece.range.size());
-  return piece.border <= widest_cut * std::sqrt(piece.area) &&
-         2.0 * std::abs(piece.volume) >= stoutness * size * piece.area;
-}
-
-/// Finds the bodies among the pieces, with the small ones within them, such as eyes, and beside them, such as
-/// a head. There has to be cloth besides, and it has to be about them.
-void find_bodies(const sim::Mesh& mesh, std::map<sim::Index, Piece>& pieces, double area) {
-  sim::Extent cloth;
-  double cloth_area = 0.0;
-  for (auto& [first, piece] : pieces) {
-    piece.is_left_out = piece.area >= large_piece * area && is_stout(piece);
-    if (!piece.is_left_out && piece.area >= large_piece * area) {
-      cloth_area += piece.area;
-      cloth.add(piece.range.lower);
-      cloth.add(piece.range.upper);
-    }
-  }
-  for (auto& [first, body] : pieces) {
-    body.is_left_out = body.is_left_out && cloth_area > 0.0 && sim::overlap(body.range, cloth);
-  }
-  for (auto& [first, body] : pieces) {
-    const double reach = near_body * glm::length(body.range.size());
-    const sim::Extent near{body.range.lower - reach, body.range.upper + reach};
-    for (auto& [other, piece] : pieces) {
-      if (!body.is_left_out || body.area < large_piece * area || piece.area >= large_piece * area) continue;
-      const bool is_apart = piece.area >= body_piece * area && is_stout(piece) && sim::overlap(piece.range, near);
-      const bool is_within = sim::overlap(piece.range, body.range) &&
-                             std::abs(winding_number(piece.range.middle(), {mesh.positions, body.triangles})) > 0.5;
-      piece.is_left_out = piece.is_left_out || is_apart || is_within;
-    }
-  }
 }
 
 // The sum of an open surface's normals along the way from its middle, as a share of that sum if all pointed
@@ -321,10 +230,6 @@ Strays remove_strays(sim::Mesh& mesh) {
     strays.distance = std::max(strays.distance, glm::distance(patches[t].middle, bulk.middle()));
   }
   mesh.triangles = std::move(kept);
-  std::map<sim::Index, Piece> measured = measured_pieces(mesh, pieces, bulk.middle());
-  find_bodies(mesh, measured, area);
-  strays.body_triangles =
-      std::erase_if(mesh.triangles, [&](const sim::Triangle& t) { return measured[pieces.find(t[0])].is_left_out; });
   return strays;
 }
 

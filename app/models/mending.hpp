@@ -10,11 +10,9 @@ struct Strays {
   std::size_t triangles = 0;
   double area_share = 0.0;  ///< of all the area
   double distance = 0.0;    ///< of the farthest from the middle of the rest, in the file's unit
-  /// Of bodies that came along in the garment's file, such as mannequins, with what is within them.
-  std::size_t body_triangles = 0;
 };
 
-/// Removes the strays and the bodies from the model's triangles and returns what they were. Of a model with
+/// Removes the strays from the model's triangles and returns what they were. Of a model with
 /// positions that are not finite it removes none.
 Strays remove_strays(sim::Mesh& mesh);
 

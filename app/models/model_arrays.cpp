@@ -155,9 +155,9 @@ void fields(auto& archive, Is<SurfaceColours> auto& colours) {
 }
 
 void fields(auto& archive, Is<ModelArrays> auto& model) {
-  archive(model.positions, model.corner_counts, model.corners, model.position_of_vertex, model.sections,
-          model.has_normals, model.format, model.meshes, model.ignored_lines, model.ignored_points,
-          model.metres_per_unit, model.up, model.rig, model.colours);
+  archive(model.positions, model.faces.corner_counts, model.faces.corners, model.position_of_vertex,
+          model.faces.sections, model.faces.has_normals, model.format, model.meshes, model.ignored_lines,
+          model.ignored_points, model.metres_per_unit, model.up, model.rig, model.colours);
 }
 
 namespace {
@@ -209,8 +209,8 @@ void require_indices(const Rig& rig) {
 
 void require_colours(const ModelArrays& model) {
   const SurfaceColours& colours = model.colours;
-  require(colours.corner_uv.empty() || colours.corner_uv.size() == model.corners.size());
-  require(colours.material_of_face.empty() || colours.material_of_face.size() == model.corner_counts.size());
+  require(colours.corner_uv.empty() || colours.corner_uv.size() == model.faces.corners.size());
+  require(colours.material_of_face.empty() || colours.material_of_face.size() == model.faces.corner_counts.size());
   require(are_below(colours.material_of_face, colours.materials.size()));
   for (const SurfaceMaterial& material : colours.materials) {
     require(material.map == no_map || material.map < colours.maps.size());
@@ -235,7 +235,7 @@ void number_by_first_use(ModelArrays& model) {
     }
     return number_of[old];
   };
-  for (sim::Index& corner : model.corners) corner = number(corner);
+  for (sim::Index& corner : model.faces.corners) corner = number(corner);
   for (sim::Index old = 0; old < number_of.size(); ++old) number(old);
   model.positions = std::move(positions);
   model.position_of_vertex = std::move(number_of);
@@ -244,7 +244,7 @@ void number_by_first_use(ModelArrays& model) {
 std::string encode(const ModelArrays& model) {
   ArrayWriter out;
   out.bytes.reserve(model.positions.size() * sizeof(sim::Vec3) +
-                    (model.corners.size() + model.corner_counts.size()) * sizeof(sim::Index) + 256);
+                    (model.faces.corners.size() + model.faces.corner_counts.size()) * sizeof(sim::Index) + 256);
   out(model);
   return std::move(out.bytes);
 }

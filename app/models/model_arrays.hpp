@@ -9,21 +9,18 @@ namespace taut::app {
 
 /// A model file as flat arrays: the faces of all its meshes, at the places their nodes give them.
 struct ModelArrays {
-  std::vector<sim::Vec3> positions;          ///< in the file's unit and axes
-  std::vector<std::uint32_t> corner_counts;  ///< per face, at least 3
-  std::vector<sim::Index> corners;           ///< indices into `positions`, face after face
+  std::vector<sim::Vec3> positions;  ///< in the file's unit and axes
+  FileFaces faces;                   ///< with indices into `positions`, without texture coordinates
   /// Index into `positions` for each vertex of the file. Empty if the order is the same.
   std::vector<sim::Index> position_of_vertex;
-  std::vector<FaceSection> sections;  ///< what groups the faces, ordered by them
-  bool has_normals = false;           ///< the file has some; they are not read
-  std::string format;                 ///< name of the format, from the reader
+  std::string format;  ///< name of the format, from the reader
   std::size_t meshes = 0;
   std::size_t ignored_lines = 0;
   std::size_t ignored_points = 0;
   std::optional<double> metres_per_unit;  ///< empty if neither the file nor its format says
   std::optional<ModelAxis> up;            ///< empty if neither the file nor its format says
   Rig rig;                                ///< of the same vertices as `positions`
-  SurfaceColours colours;                 ///< of the same faces as `corners`
+  SurfaceColours colours;                 ///< of the same faces
 };
 
 /// Numbers the positions in the order in which faces first use them; unused ones come last. The last bits of

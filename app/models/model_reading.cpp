@@ -18,13 +18,13 @@ void append_face(const aiFace& face, const aiMesh& mesh, bool mirrored, ModelArr
   model.ignored_points += face.mNumIndices == 1;
   model.ignored_lines += face.mNumIndices == 2;
   if (face.mNumIndices < 3) return;
-  model.corner_counts.push_back(face.mNumIndices);
+  model.faces.corner_counts.push_back(face.mNumIndices);
   model.colours.material_of_face.push_back(mesh.mMaterialIndex);
   const auto first = static_cast<sim::Index>(model.positions.size()) - mesh.mNumVertices;
   for (unsigned k = 0; k < face.mNumIndices; ++k) {
     // A mirrored node would turn the garment inside out.
     const unsigned v = face.mIndices[mirrored && k > 0 ? face.mNumIndices - k : k];
-    model.corners.push_back(first + v);
+    model.faces.corners.push_back(first + v);
     model.colours.corner_uv.push_back(mesh.HasTextureCoords(0)
                                           ? glm::vec2(mesh.mTextureCoords[0][v].x, mesh.mTextureCoords[0][v].y)
                                           : glm::vec2(0.0F));
@@ -35,7 +35,7 @@ void append_face(const aiFace& face, const aiMesh& mesh, bool mirrored, ModelArr
 void begin_section(const char* kind, std::string name, ModelArrays& model) {
   std::erase_if(name, [](char letter) { return std::iscntrl(static_cast<unsigned char>(letter)) != 0; });
   if (!name.empty()) {
-    model.sections.push_back({static_cast<std::uint32_t>(model.corner_counts.size()), kind + name});
+    model.faces.sections.push_back({static_cast<std::uint32_t>(model.faces.corner_counts.size()), kind + name});
   }
 }
 
@@ -68,7 +68,7 @@ void append_node(const aiScene& scene, const aiNode& node, const aiMatrix4x4& pa
     if (mesh.mMaterialIndex < scene.mNumMaterials) {
       begin_section("usemtl ", scene.mMaterials[mesh.mMaterialIndex]->GetName().C_Str(), model);
     }
-    model.has_normals = model.has_normals || mesh.HasNormals();
+    model.faces.has_normals = model.faces.has_normals || mesh.HasNormals();
     append_mesh(mesh, to_world, model);
   }
   for (unsigned c = 0; c < node.mNumChildren; ++c) append_node(scene, *node.mChildren[c], to_world, model);

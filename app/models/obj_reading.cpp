@@ -140,8 +140,8 @@ void ObjReader::read_face(std::string_view line) {
     return;
   }
   model_.meshes += std::exchange(group_begins_, false) ? 1 : 0;
-  model_.corner_counts.push_back(static_cast<std::uint32_t>(face_.size()));
-  model_.corners.insert(model_.corners.end(), face_.begin(), face_.end());
+  model_.faces.corner_counts.push_back(static_cast<std::uint32_t>(face_.size()));
+  model_.faces.corners.insert(model_.faces.corners.end(), face_.begin(), face_.end());
   corner_texture_.insert(corner_texture_.end(), face_texture_.begin(), face_texture_.end());
   if (model_.colours.materials.empty()) use_material("");
   model_.colours.material_of_face.push_back(material_);
@@ -183,7 +183,7 @@ void ObjReader::read_line(std::string_view line) {
     const float u = share_of(take_word(line));
     texture_vertices_.emplace_back(u, share_of(take_word(line)));
   } else if (kind == "vn") {
-    model_.has_normals = true;
+    model_.faces.has_normals = true;
   } else if (kind == "mtllib" || kind == "o" || kind == "g" || kind == "s" || kind == "usemtl") {
     begin_section(kind, name_in(line));
   }
@@ -191,7 +191,7 @@ void ObjReader::read_line(std::string_view line) {
 
 void ObjReader::begin_section(std::string_view kind, std::string_view name) {
   std::string line = std::string(kind) + (name.empty() ? "" : " ") + std::string(name);
-  model_.sections.push_back({static_cast<std::uint32_t>(model_.corner_counts.size()), std::move(line)});
+  model_.faces.sections.push_back({static_cast<std::uint32_t>(model_.faces.corner_counts.size()), std::move(line)});
   group_begins_ = group_begins_ || kind == "o" || kind == "g" || kind == "usemtl";
   if (kind == "mtllib") {
     model_.colours.libraries.emplace_back(name);
@@ -217,7 +217,7 @@ void ObjReader::place_texture() {
 
 // Only at the end: a face may come before its vertices.
 void ObjReader::require_vertices() const {
-  if (!model_.corners.empty() && highest_ >= model_.positions.size()) {
+  if (!model_.faces.corners.empty() && highest_ >= model_.positions.size()) {
     throw InputError("line {}: a face uses vertex {} of a model that has {}", line_of_highest_,
                      std::size_t{highest_} + 1, model_.positions.size());
   }

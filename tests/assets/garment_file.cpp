@@ -14,11 +14,11 @@ sim::Mesh read_obj(const std::filesystem::path& file) {
   const app::ModelArrays model = app::read_obj(app::read_text_file(file)).value();
   sim::Mesh mesh;
   mesh.positions = model.positions;
-  for (std::size_t c = 0; c + 2 < model.corners.size(); c += 3) {
-    mesh.triangles.push_back({model.corners[c], model.corners[c + 1], model.corners[c + 2]});
+  for (std::size_t c = 0; c + 2 < model.faces.corners.size(); c += 3) {
+    mesh.triangles.push_back({model.faces.corners[c], model.faces.corners[c + 1], model.faces.corners[c + 2]});
   }
-  const bool triangles_alone = mesh.triangles.size() == model.corner_counts.size() &&
-                               model.corners.size() == 3 * mesh.triangles.size() &&
+  const bool triangles_alone = mesh.triangles.size() == model.faces.corner_counts.size() &&
+                               model.faces.corners.size() == 3 * mesh.triangles.size() &&
                                model.ignored_lines + model.ignored_points == 0;
   if (!triangles_alone || !std::is_sorted(model.position_of_vertex.begin(), model.position_of_vertex.end())) {
     throw std::runtime_error(file.string() + ": expected triangles, their vertices in the order of first use");

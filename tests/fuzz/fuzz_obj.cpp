@@ -24,18 +24,18 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     if (!model) {
       return 0;
     }
-    for (const taut::sim::Index corner : model->corners) {
+    for (const taut::sim::Index corner : model->faces.corners) {
       if (corner >= model->positions.size()) {
         std::abort();
       }
     }
     const SurfaceColours& colours = model->colours;
-    if ((!colours.corner_uv.empty() && colours.corner_uv.size() != model->corners.size()) ||
-        (!colours.material_of_face.empty() && colours.material_of_face.size() != model->corner_counts.size())) {
+    if ((!colours.corner_uv.empty() && colours.corner_uv.size() != model->faces.corners.size()) ||
+        (!colours.material_of_face.empty() && colours.material_of_face.size() != model->faces.corner_counts.size())) {
       std::abort();
     }
-    if (std::accumulate(model->corner_counts.begin(), model->corner_counts.end(), std::size_t{0}) !=
-        model->corners.size()) {
+    if (std::accumulate(model->faces.corner_counts.begin(), model->faces.corner_counts.end(), std::size_t{0}) !=
+        model->faces.corners.size()) {
       std::abort();
     }
   } catch (const InputError&) {

@@ -58,8 +58,7 @@ void add_sheet(const Cut& cut, const Sheet& sheet, const Sheet& other, bool is_f
     std::map<Node, sim::Index>& vertices = meets && !cut.open(x_m, y_m) ? shared : own;
     const auto [found, is_new] = vertices.try_emplace(node, static_cast<sim::Index>(mesh.positions.size()));
     if (is_new) {
-      const double half_m =
-          0.5 * cut.depth_m * (&vertices == &shared ? 0.0 : std::max(0.2, bulge(sheet, node, other)));
+      const double half_m = 0.5 * cut.depth_m * (&vertices == &shared ? 0.0 : std::max(0.2, bulge(sheet, node, other)));
       mesh.positions.emplace_back(x_m, y_m, is_front ? half_m : -half_m);
     }
     return found->second;
@@ -83,9 +82,7 @@ bool in_shirt(double x, double y) {
   return in_box(x, y, -0.24, 0.24, 0.0, 0.72) || in_box(x, y, -0.45, 0.45, 0.54, 0.72);
 }
 
-bool open_in_shirt(double x, double y) {
-  return y < 0.01 || std::abs(x) > 0.44 || (std::abs(x) < 0.08 && y > 0.71);
-}
+bool open_in_shirt(double x, double y) { return y < 0.01 || std::abs(x) > 0.44 || (std::abs(x) < 0.08 && y > 0.71); }
 
 /// Rings of vertices, joined to a tube: what a ring is, by its number and the angle.
 sim::Mesh tube(int rings, int around, const std::function<sim::Vec3(int ring, double angle)>& place) {
@@ -122,26 +119,18 @@ sim::Mesh sewn(const Cut& cut) {
 }
 
 sim::Mesh shirt() {
-  const auto front = [](double x, double y) {
-    return in_shirt(x, y) && !in_box(x, y, -0.09, 0.09, 0.63, 0.8);
-  };
+  const auto front = [](double x, double y) { return in_shirt(x, y) && !in_box(x, y, -0.09, 0.09, 0.63, 0.8); };
   return sewn({.front = front, .back = in_shirt, .open = open_in_shirt});
 }
 
 sim::Mesh shirt_with_gap() {
-  const auto front = [](double x, double y) {
-    return in_shirt(x, y) && !in_box(x, y, -0.09, 0.09, 0.63, 0.8);
-  };
-  const auto open = [](double x, double y) {
-    return open_in_shirt(x, y) || in_box(x, y, 0.13, 0.28, 0.71, 0.8);
-  };
+  const auto front = [](double x, double y) { return in_shirt(x, y) && !in_box(x, y, -0.09, 0.09, 0.63, 0.8); };
+  const auto open = [](double x, double y) { return open_in_shirt(x, y) || in_box(x, y, 0.13, 0.28, 0.71, 0.8); };
   return sewn({.front = front, .back = in_shirt, .open = open});
 }
 
 sim::Mesh jacket(double hem_m) {
-  const auto back = [hem_m](double x, double y) {
-    return in_shirt(x, y) || in_box(x, y, -hem_m, hem_m, 0.0, 0.12);
-  };
+  const auto back = [hem_m](double x, double y) { return in_shirt(x, y) || in_box(x, y, -hem_m, hem_m, 0.0, 0.12); };
   const auto front = [&](double x, double y) { return back(x, y) && std::abs(x) > 0.03; };
   const auto open = [](double x, double y) { return open_in_shirt(x, y) && (y < 0.01 || y > 0.5); };
   return sewn({.front = front, .back = back, .open = open});
@@ -171,9 +160,7 @@ sim::Mesh hoodie(double top_m, double face_from_m, double shoulders_m) {
   const auto front = [=](double x, double y) {
     return back(x, y) && !in_box(x, y, -0.09, 0.09, face_from_m, top_m - 0.06);
   };
-  const auto open = [=](double x, double y) {
-    return y < 0.01 || std::abs(x) > std::min(0.44, shoulders_m - 0.01);
-  };
+  const auto open = [=](double x, double y) { return y < 0.01 || std::abs(x) > std::min(0.44, shoulders_m - 0.01); };
   return sewn({.front = front, .back = back, .open = open, .depth_m = 0.2});
 }
 
@@ -185,8 +172,7 @@ sim::Mesh trousers() {
 }
 
 sim::Mesh skirt() {
-  return tube(12, 24,
-              [](int ring, double angle) { return around_y(0.3 - 0.015 * ring, angle, 0.05 * ring); });
+  return tube(12, 24, [](int ring, double angle) { return around_y(0.3 - 0.015 * ring, angle, 0.05 * ring); });
 }
 
 sim::Mesh circle_skirt(double wave_m) {
@@ -217,9 +203,8 @@ sim::Mesh lined_bell(double lining_from) {
   constexpr int rings = 11, lining = 4;
   const sim::Index around = 24;
   sim::Mesh mesh = tube(rings + lining, around, [&](int ring, double angle) {
-    return ring < rings
-               ? around_y(0.25, angle, 0.08 * ring)
-               : around_y(0.2, angle, 0.8 * (1.0 - (1.0 - lining_from) * (ring - rings + 1) / lining));
+    return ring < rings ? around_y(0.25, angle, 0.08 * ring)
+                        : around_y(0.2, angle, 0.8 * (1.0 - (1.0 - lining_from) * (ring - rings + 1) / lining));
   });
   const auto top = static_cast<sim::Index>(mesh.positions.size());
   mesh.positions.emplace_back(0.0, 0.81, 0.0);
@@ -301,27 +286,6 @@ sim::Mesh split_tube(double gap_m) {
     for (sim::Index k = 0; k < 24; ++k) {
       const sim::Index a = 25 * ring + k;
       mesh.triangles.insert(mesh.triangles.end(), {{a, a + 1, a + 26}, {a, a + 26, a + 25}});
-    }
-  }
-  return mesh;
-}
-
-sim::Mesh dummy(double height_m, bool is_cut) {
-  sim::Mesh mesh = tube(21, 16, [height_m](int ring, double angle) {
-    const double at = ring / 20.0;
-    const double radius_m = ring == 0 || ring == 20 ? 0.03 : 0.07 + 0.05 * std::sin(3.1 * at);
-    return around_y(radius_m, angle, height_m * at);
-  });
-  for (const int end : {0, 20}) {
-    if (end == 20 && is_cut) {
-      break;
-    }
-    const auto middle = static_cast<sim::Index>(mesh.positions.size());
-    mesh.positions.emplace_back(0.0, height_m * end / 20.0, 0.0);
-    for (sim::Index k = 0; k < 16; ++k) {
-      const sim::Index a = 16 * static_cast<sim::Index>(end) + k;
-      const sim::Index b = 16 * static_cast<sim::Index>(end) + (k + 1) % 16;
-      mesh.triangles.push_back(end == 0 ? sim::Triangle{b, a, middle} : sim::Triangle{a, b, middle});
     }
   }
   return mesh;

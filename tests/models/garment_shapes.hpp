@@ -63,8 +63,6 @@ sim::Mesh thick(const sim::Mesh& mesh, double thickness_m = 0.004);
 sim::Mesh dress_with_wide_skirt(double hem_m = 0.6);
 /// A tube whose border runs down a seam that was left open by this much.
 sim::Mesh split_tube(double gap_m);
-/// A closed body as tall as this, standing on the floor, with its neck cut if `is_cut`.
-sim::Mesh dummy(double height_m = 1.6, bool is_cut = false);
 
 /// Both as one mesh, not joined.
 sim::Mesh both(const sim::Mesh& a, const sim::Mesh& b);

@@ -66,8 +66,7 @@ TEST(Hanging, HoldsADressWithStrapsOnBothSides) {
 TEST(Hanging, HoldsAnApronByItsStrapsAndNoTiltedWaist) {
   const auto apron = [](double bib_m) {
     const auto body = [bib_m](double x, double y) {
-      return std::abs(x) < 0.2 && y > 0.0 &&
-             (y < 0.9 - bib_m || (std::abs(x) > 0.05 && std::abs(x) < 0.11 && y < 0.9));
+      return std::abs(x) < 0.2 && y > 0.0 && (y < 0.9 - bib_m || (std::abs(x) > 0.05 && std::abs(x) < 0.11 && y < 0.9));
     };
     const auto open = [bib_m](double, double y) { return y < 0.01 || (y < 0.89 && y > 0.89 - bib_m); };
     return held(test::sewn({.front = body, .back = body, .open = open}));
@@ -198,9 +197,7 @@ TEST(Hanging, TakesTheEndOfALiningForATopOpeningOnlyIfItIsHigh) {
 }
 
 TEST(Hanging, TakesALongAndWideOpeningThatCarries) {
-  const auto by = [](double height_m, const test::Neck& neck) {
-    return held(test::bottle(height_m, neck)).by;
-  };
+  const auto by = [](double height_m, const test::Neck& neck) { return held(test::bottle(height_m, neck)).by; };
   EXPECT_EQ(by(1.6, {0.054, 0.054}), HungBy::top_opening);
   EXPECT_EQ(by(1.6, {0.048, 0.048}), HungBy::highest_band) << "0.19 of the size around";
   EXPECT_EQ(by(0.8, {0.022, 0.1}), HungBy::top_opening);
@@ -241,12 +238,12 @@ TEST(Upright, IsWhereAnOpeningCanHoldTheGarment) {
   const test::TemporaryFolder folder;
   const auto up = [&](const sim::Mesh& mesh) { return test::load(folder, mesh).placement->up; };
   EXPECT_EQ(up(test::circle_skirt()), ModelAxis::y) << "though it is far longer along z";
-  for (const sim::Mesh& mesh : {test::skirt(), test::shirt(), test::strap_dress(), test::trousers(),
-                                test::hoodie(), test::cape(), test::jacket()}) {
+  for (const sim::Mesh& mesh : {test::skirt(), test::shirt(), test::strap_dress(), test::trousers(), test::hoodie(),
+                                test::cape(), test::jacket()}) {
     EXPECT_EQ(up(mesh), ModelAxis::y);
   }
-  for (const sim::Mesh& mesh : {test::skirt(), test::shirt(), test::strap_dress(), test::trousers(),
-                                test::hoodie(), test::circle_skirt()}) {
+  for (const sim::Mesh& mesh :
+       {test::skirt(), test::shirt(), test::strap_dress(), test::trousers(), test::hoodie(), test::circle_skirt()}) {
     EXPECT_EQ(up(test::with_z_up(mesh)), ModelAxis::z);
   }
   for (const sim::Mesh& mesh : {test::cape(), test::jacket()}) {
@@ -273,9 +270,8 @@ TEST(Upright, TurnsWhatLiesOnItsBackToItsNarrowerEnd) {
 TEST(Upright, IsFoundWithoutOpenings) {
   const test::TemporaryFolder folder;
   const auto up = [&](const sim::Mesh& mesh) { return test::load(folder, mesh).placement->up; };
-  for (const sim::Mesh& mesh :
-       {test::thick(test::shirt()), test::thick(test::skirt()), test::thick(test::trousers()),
-        test::thick(test::strap_dress()), test::thick(test::jacket())}) {
+  for (const sim::Mesh& mesh : {test::thick(test::shirt()), test::thick(test::skirt()), test::thick(test::trousers()),
+                                test::thick(test::strap_dress()), test::thick(test::jacket())}) {
     EXPECT_EQ(up(mesh), ModelAxis::y);
   }
   for (const sim::Mesh& mesh :
@@ -292,8 +288,8 @@ sim::Mesh cloth(double width_m, double height_m, const std::function<sim::Vec3(d
   constexpr sim::Index columns = 40, rows = 40;
   sim::Mesh mesh;
   for (sim::Index k = 0; k < (columns + 1) * (rows + 1); ++k) {
-    mesh.positions.push_back(place(width_m * (k % (columns + 1)) / columns,
-                                   height_m * static_cast<double>(k / (columns + 1)) / rows));
+    mesh.positions.push_back(
+        place(width_m * (k % (columns + 1)) / columns, height_m * static_cast<double>(k / (columns + 1)) / rows));
   }
   for (sim::Index k = 0; k < (columns + 1) * rows; ++k) {
     if (k % (columns + 1) < columns) {
@@ -311,18 +307,16 @@ TEST(Upright, IsWhereAClothWithoutOpeningsIsHighAndHardlyMoves) {
       cloth(1.5, 2.0, [](double x, double y) { return sim::Vec3(x, y, 0.06 * std::sin(25.0 * x)); });
   const sim::Mesh scarf =
       cloth(0.3, 1.8, [](double x, double y) { return sim::Vec3(x, y, 0.002 * std::sin(17.0 * y)); });
-  const sim::Mesh blanket = cloth(1.5, 2.0, [](double x, double y) {
-    return sim::Vec3(x, 0.02 * std::sin(5.0 * x) * std::sin(5.0 * y), y);
-  });
+  const sim::Mesh blanket =
+      cloth(1.5, 2.0, [](double x, double y) { return sim::Vec3(x, 0.02 * std::sin(5.0 * x) * std::sin(5.0 * y), y); });
   EXPECT_EQ(up(curtain), ModelAxis::y) << "lying, its folds hold it";
   EXPECT_EQ(up(test::with_z_up(curtain)), ModelAxis::z);
   EXPECT_EQ(up(scarf), ModelAxis::y) << "across its waves it goes around nothing";
   EXPECT_EQ(up(blanket), ModelAxis::z);
   // A piece of a pattern that is cut from cloth on a table, its narrow end away from whoever cuts.
   const auto piece = [](double away) {
-    return cloth(1.0, 1.0, [away](double x, double y) {
-      return sim::Vec3((x - 0.5) * (1.0 - 0.5 * y), 0.0, away * y);
-    });
+    return cloth(1.0, 1.0,
+                 [away](double x, double y) { return sim::Vec3((x - 0.5) * (1.0 - 0.5 * y), 0.0, away * y); });
   };
   EXPECT_EQ(up(piece(-1.0)), ModelAxis::minus_z);
   EXPECT_EQ(up(piece(1.0)), ModelAxis::z);
@@ -378,12 +372,10 @@ TEST(Upright, IsNotTurnedByAFewOpeningsThatCarryLittle) {
 TEST(Strays, AreLeftOutAndSaid) {
   const test::TemporaryFolder folder;
   const LoadedGarment alone = test::load(folder, test::shirt());
-  const LoadedGarment loaded =
-      test::load(folder, test::both(test::shirt(), test::button({107.0, 0.4, 0.1}, 0.01)));
+  const LoadedGarment loaded = test::load(folder, test::both(test::shirt(), test::button({107.0, 0.4, 0.1}, 0.01)));
   EXPECT_EQ(loaded.placement->scale, 1.0);
   EXPECT_EQ(loaded.garment->mesh.positions, alone.garment->mesh.positions);
-  EXPECT_CONTAINS(test::remarks(loaded),
-                  "8 triangles with 0.031 % of its area lie 107 m away and are left out");
+  EXPECT_CONTAINS(test::remarks(loaded), "8 triangles with 0.031 % of its area lie 107 m away and are left out");
   EXPECT_EQ(test::remarks(alone).find("left out"), std::string::npos);
 }
 
@@ -392,16 +384,14 @@ TEST(Strays, AreWholePieces) {
   // A ribbon of 0.6 % of the area, of which most lies more than the shirt's size beside it.
   sim::Mesh ribbon;
   for (sim::Index k = 0; k < 40; ++k) {
-    ribbon.positions.insert(ribbon.positions.end(),
-                            {{0.3 + 0.05 * k, 0.4, 0.0}, {0.3 + 0.05 * k, 0.402, 0.0}});
+    ribbon.positions.insert(ribbon.positions.end(), {{0.3 + 0.05 * k, 0.4, 0.0}, {0.3 + 0.05 * k, 0.402, 0.0}});
     if (k > 0) {
       ribbon.triangles.insert(ribbon.triangles.end(),
                               {{2 * k - 2, 2 * k, 2 * k + 1}, {2 * k - 2, 2 * k + 1, 2 * k - 1}});
     }
   }
   EXPECT_EQ(test::load(folder, test::both(test::shirt(), ribbon)).strays.triangles, 0U);
-  EXPECT_EQ(test::load(folder, test::both(test::shirt(), test::moved(ribbon, {2, 0, 0}))).strays.triangles,
-            78U);
+  EXPECT_EQ(test::load(folder, test::both(test::shirt(), test::moved(ribbon, {2, 0, 0}))).strays.triangles, 78U);
 }
 
 TEST(Strays, AreNeitherNearNorLarge) {
@@ -413,37 +403,6 @@ TEST(Strays, AreNeitherNearNorLarge) {
   EXPECT_EQ(left_out(test::button({0.75, 0.4, 0.0}, 0.01)), 8U) << "0.33";
   EXPECT_EQ(left_out(test::button({1.6, 0.4, 0.0}, 0.044)), 0U) << "0.6 % of the area";
   EXPECT_EQ(left_out(test::button({1.6, 0.4, 0.0}, 0.035)), 8U) << "0.3 % of the area";
-}
-
-TEST(Bodies, AreNoCloth) {
-  const test::TemporaryFolder folder;
-  const auto left_out = [&](const sim::Mesh& more) {
-    return test::load(folder, test::both(test::skirt(), more)).strays.body_triangles;
-  };
-  const sim::Mesh eye = test::moved(test::dummy(0.1), {0.0, 1.0, 0.0});
-  const std::size_t body = test::dummy().triangles.size();
-  EXPECT_EQ(left_out(test::dummy()), body);
-  EXPECT_EQ(left_out(test::inside_out(test::dummy())), body);
-  EXPECT_EQ(left_out(test::dummy(1.6, true)), body - 16) << "cut at its neck";
-  sim::Mesh cut = test::dummy(1.6, true);
-  std::erase_if(cut.triangles, [](const sim::Triangle& t) { return std::max({t[0], t[1], t[2]}) >= 16 * 20; });
-  EXPECT_EQ(left_out(cut), cut.triangles.size()) << "cut below its neck and at its feet";
-  EXPECT_EQ(left_out(test::both(test::dummy(), eye)), body + eye.triangles.size()) << "with what is in it";
-  const auto above = [](double share) {
-    sim::Mesh piece = test::dummy();
-    for (sim::Vec3& p : piece.positions) {
-      p = share * p + sim::Vec3(0.0, 1.65, 0.0);
-    }
-    return test::both(test::dummy(), piece);
-  };
-  EXPECT_EQ(left_out(above(0.25)), 2 * body) << "with its head apart";
-  EXPECT_EQ(left_out(above(0.1)), body) << "too small for a head";
-  EXPECT_EQ(left_out(test::thick(test::shirt())), 0U) << "closed, but thin";
-  EXPECT_EQ(left_out(test::trousers()), 0U) << "open";
-  EXPECT_EQ(left_out(test::moved(test::dummy(), {2.0, 0.0, 0.0})), 0U) << "not in the clothes";
-  EXPECT_EQ(test::load(folder, test::dummy()).strays.body_triangles, 0U) << "there is nothing else";
-  EXPECT_CONTAINS(test::remarks(test::load(folder, test::both(test::skirt(), test::dummy()))),
-                  " triangles of a body in its file left out; --body FILE has it worn");
 }
 
 TEST(Seams, JoinPanelsWhoseBordersLieTogether) {
@@ -471,8 +430,7 @@ TEST(Trims, GoWithTheClothThatTheyLieOn) {
   EXPECT_EQ(loaded.pins.size(), 18U);
   EXPECT_CONTAINS(test::remarks(loaded), "1 small part sewn to the cloth below (garment.weld)");
   EXPECT_EQ(sewn_on(test::button({0.01, 0.4, front_m + 0.018}, 0.02)), 1U);
-  EXPECT_EQ(sewn_on(test::button({0.01, 0.4, front_m + 0.022}, 0.02)), 0U)
-      << "it does not lie near the cloth";
+  EXPECT_EQ(sewn_on(test::button({0.01, 0.4, front_m + 0.022}, 0.02)), 0U) << "it does not lie near the cloth";
   EXPECT_EQ(sewn_on(test::button({0.4, 0.2, front_m}, 0.02)), 0U) << "beside the cloth";
   EXPECT_EQ(sewn_on(test::button({0.01, -0.03, 0.012}, 0.02)), 1U) << "a label that hangs from the hem";
   EXPECT_EQ(sewn_on(test::button({0.01, 0.4, front_m + 0.003}, 0.18)), 1U) << "8 % of the area";
@@ -499,13 +457,12 @@ TEST(Outside, IsWhereAGarmentFacesAway) {
   const auto turned = [&](const sim::Mesh& mesh) { return test::load(folder, mesh).turned_outside_out; };
   const sim::Mesh tetrahedron = {
       {{0, 0, 0}, {1, 0, 0}, {0, 0, 1}, {0, 1, 0}}, {{0, 1, 2}, {0, 3, 1}, {0, 2, 3}, {1, 3, 2}}, {}};
-  for (const sim::Mesh& mesh :
-       {test::shirt(), test::hoodie(), test::skirt(), test::trousers(), tetrahedron}) {
+  for (const sim::Mesh& mesh : {test::shirt(), test::hoodie(), test::skirt(), test::trousers(), tetrahedron}) {
     EXPECT_EQ(turned(mesh), 0U);
     EXPECT_GE(turned(test::inside_out(mesh)) + 1, mesh.triangles.size());
-    EXPECT_GT(glm::dot(first_normal(test::load(folder, test::inside_out(mesh))),
-                       first_normal(test::load(folder, mesh))),
-              0.0);
+    EXPECT_GT(
+        glm::dot(first_normal(test::load(folder, test::inside_out(mesh))), first_normal(test::load(folder, mesh))),
+        0.0);
   }
   EXPECT_CONTAINS(test::remarks(test::load(folder, test::inside_out(tetrahedron))),
                   "4 triangles of surfaces that faced inwards turned");
@@ -516,9 +473,7 @@ TEST(Outside, IsWhereAGarmentFacesAway) {
 // 0.58 of the whole larger than the rest.
 TEST(Outside, IsLeftAloneWherePartOfAGarmentIsTurnedDown) {
   const test::TemporaryFolder folder;
-  const auto turned = [&](double until_m) {
-    return test::load(folder, test::turned_down(until_m)).turned_outside_out;
-  };
+  const auto turned = [&](double until_m) { return test::load(folder, test::turned_down(until_m)).turned_outside_out; };
   EXPECT_EQ(turned(0.4), 0U);
   EXPECT_EQ(turned(-0.4), 0U);
   EXPECT_EQ(turned(-0.6), 0U);

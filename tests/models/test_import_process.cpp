@@ -46,8 +46,7 @@ TEST(ImportProcess, SurvivesACrash) {
 
 TEST(ImportProcess, EndsWhatHangs) {
   const auto start = std::chrono::steady_clock::now();
-  EXPECT_CONTAINS(error_with("exec /bin/sleep 60", {.seconds = 1}),
-                  "dress.obj': reading it takes more than 1 s");
+  EXPECT_CONTAINS(error_with("exec /bin/sleep 60", {.seconds = 1}), "dress.obj': reading it takes more than 1 s");
   EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(10));
   EXPECT_CONTAINS(error_with("kill -XCPU $$"), "reading it takes more than 18 s");
 }
@@ -69,8 +68,7 @@ TEST(ImportProcess, NamesAnImporterThatDoesNotStart) {
 }
 
 /// Whether something is true in a process that is confined to a folder.
-template <class Question>
-bool holds_in(const TemporaryFolder& folder, const Question& question) {
+template <class Question> bool holds_in(const TemporaryFolder& folder, const Question& question) {
   const pid_t child = ::fork();
   if (child == 0) {
     const bool is_confined = confine_to(std::vector<std::filesystem::path>{folder / ""});
@@ -81,8 +79,7 @@ bool holds_in(const TemporaryFolder& folder, const Question& question) {
   return WIFEXITED(status) && WEXITSTATUS(status) == 0;
 }
 
-constexpr const char* not_confined =
-    "this kernel has no Landlock (Linux 5.13), which keeps files from a process";
+constexpr const char* not_confined = "this kernel has no Landlock (Linux 5.13), which keeps files from a process";
 
 TEST(Confinement, LeavesAFolderToReadAndNothingElse) {
   const TemporaryFolder folder;
@@ -110,8 +107,7 @@ TEST(Confinement, IsThatOfAModelsReader) {
   }
   std::filesystem::create_directories(folder / "here");
   folder.write("blue.mtl", "newmtl blue\nKd 0 0 1\n");
-  const auto model = folder.write(
-      "dress.obj", "mtllib dress.mtl\nusemtl blue\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  const auto model = folder.write("dress.obj", "mtllib dress.mtl\nusemtl blue\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
   std::filesystem::create_symlink(model, folder / "here/dress.obj");
   const auto colour = [&] {
     const ModelArrays read = read_model_in_process(folder / "here/dress.obj", {}, ReadParts::model);
@@ -141,8 +137,8 @@ TEST(ImportProcess, KeepsToItsMemory) {
 ModelArrays some_arrays() {
   ModelArrays model;
   model.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
-  model.corner_counts = {3};
-  model.corners = {0, 1, 2};
+  model.faces.corner_counts = {3};
+  model.faces.corners = {0, 1, 2};
   model.position_of_vertex = {2, 0, 1};
   model.format = "any";
   model.meshes = 7;
@@ -159,8 +155,8 @@ ModelArrays some_arrays() {
 TEST(ModelArrays, AreTheSameAfterwards) {
   const ModelArrays model = some_arrays(), again = decode(encode(model));
   EXPECT_EQ(again.positions, model.positions);
-  EXPECT_EQ(again.corner_counts, model.corner_counts);
-  EXPECT_EQ(again.corners, model.corners);
+  EXPECT_EQ(again.faces.corner_counts, model.faces.corner_counts);
+  EXPECT_EQ(again.faces.corners, model.faces.corners);
   EXPECT_EQ(again.position_of_vertex, model.position_of_vertex);
   EXPECT_EQ(again.format, "any");
   EXPECT_EQ(again.meshes, 7U);

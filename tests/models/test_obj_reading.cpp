@@ -25,14 +25,14 @@ TEST(ObjReading, KeepsEveryDigit) {
 TEST(ObjReading, TakesEveryWayToNameAVertex) {
   const ModelArrays model =
       read_obj("v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvn 0 0 1\nf 1/1 2//1 3/1/1 -1\n").value();
-  EXPECT_EQ(model.corner_counts, std::vector<std::uint32_t>{4});
-  EXPECT_EQ(model.corners, (std::vector<sim::Index>{0, 1, 2, 3}));
+  EXPECT_EQ(model.faces.corner_counts, std::vector<std::uint32_t>{4});
+  EXPECT_EQ(model.faces.corners, (std::vector<sim::Index>{0, 1, 2, 3}));
   EXPECT_EQ(model.positions[3], sim::Vec3(0, 1, 0));
 }
 
 TEST(ObjReading, NumbersVerticesByTheirFirstUse) {
   const ModelArrays model = read_obj("v 9 9 9\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 4 2 3\n").value();
-  EXPECT_EQ(model.corners, (std::vector<sim::Index>{0, 1, 2}));
+  EXPECT_EQ(model.faces.corners, (std::vector<sim::Index>{0, 1, 2}));
   EXPECT_EQ(model.positions[0], sim::Vec3(0, 1, 0));
   ASSERT_EQ(model.positions.size(), 4U);
   EXPECT_EQ(model.positions[3], sim::Vec3(9, 9, 9));
@@ -42,7 +42,7 @@ TEST(ObjReading, TakesLinesAsProgramsWriteThem) {
   const ModelArrays model =
       read_obj("\xEF\xBB\xBF# f 7 8 9\r\nv\t0 0 0 # first\r\n  v +1 .5 -2E3\rv 0 1 0 0.2 0.3 0.4\nf 1 2 \\\n3").value();
   EXPECT_EQ(model.positions[1], sim::Vec3(1, 0.5, -2000));
-  EXPECT_EQ(model.corners, (std::vector<sim::Index>{0, 1, 2}));
+  EXPECT_EQ(model.faces.corners, (std::vector<sim::Index>{0, 1, 2}));
 }
 
 TEST(ObjReading, AFaceMayComeBeforeItsVertices) {
@@ -57,7 +57,7 @@ TEST(ObjReading, CountsWhatItPassesOver) {
   EXPECT_EQ(model.ignored_lines, 3U);
   EXPECT_EQ(model.ignored_points, 3U);
   EXPECT_EQ(model.meshes, 2U);
-  EXPECT_EQ(model.corner_counts.size(), 2U);
+  EXPECT_EQ(model.faces.corner_counts.size(), 2U);
 }
 
 TEST(ObjReading, LeavesOtherFilesAlone) {

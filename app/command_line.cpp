@@ -49,15 +49,6 @@ std::string direction_from(double angle_deg) {
   return fmt::format("[{}, 0.0, {}]", rounded(-std::sin(angle_rad)), rounded(-std::cos(angle_rad)));
 }
 
-/// The text below the options of a command, of assets/texts/help.toml.
-std::string footer_of(const std::string& command) {
-  static const toml::table footers = toml::parse(help_texts);
-  return footers[command].value<std::string>().value();
-}
-
-/// Values of `--resolution` and `--size`, for --help.
-constexpr const char* size_help = "WIDTHxHEIGHT in pixels, or 720p, 1080p, 1440p, 4K, 8K (default 1280x720)";
-
 /// Reads a size in pixels: "1280x720", "1280,720", or a name such as "1080p" or "4K". Throws UsageError with the
 /// option's name in front.
 renderer::Resized parse_size(const std::string& text, const std::string& option) {
@@ -84,7 +75,7 @@ void add_resolution(CLI::App& command, std::vector<Override>& overrides) {
     overrides.push_back({"picture.width", std::to_string(size.width_px), "--resolution " + text});
     overrides.push_back({"picture.height", std::to_string(size.height_px), "--resolution " + text});
   };
-  command.add_option_function<std::string>("--resolution", set, size_help);
+  command.add_option_function<std::string>("--resolution", set);
 }
 
 /// `--view NAME`: from where.
@@ -98,8 +89,7 @@ void add_side(CLI::App& command, std::vector<Override>& overrides) {
     overrides.push_back({"camera.azimuth", fmt::format("{}", side->azimuth_deg), "--view " + text});
     overrides.push_back({"camera.elevation", fmt::format("{}", side->elevation_deg), "--view " + text});
   };
-  command.add_option_function<std::string>("--view", set,
-                                           "from where, the garment filling the picture: " + names_of(sides));
+  command.add_option_function<std::string>("--view", set);
 }
 
 /// `--wind SPEED[@ANGLE]`.
@@ -115,67 +105,30 @@ void add_wind(CLI::App& command, std::vector<Override>& overrides) {
     overrides.push_back({"wind.speed", text.substr(0, at), option});
     if (angle_deg) overrides.push_back({"wind.direction", direction_from(*angle_deg), option});
   };
-  command.add_option_function<std::string>(
-      "--wind", set,
-      "SPEED in m/s, or SPEED@ANGLE: from where it blows, in degrees, 0 from the front, 90 from +x, 180 from "
-      "behind");
+  command.add_option_function<std::string>("--wind", set);
 }
 
-using Options = std::shared_ptr<SweepOptions>;
-
-CLI::App* add(CLI::App& sweep, const Options& options, SweepAction action, const std::string& name,
-              const std::string& meaning) {
-  CLI::App* command = sweep.add_subcommand(name, meaning);
-  command->callback([options, action] { options->action = action; });
-  if (action != SweepAction::plan) {
-    command->add_option("DIR", options->folder, "folder that taut sweep plan made")->required();
-  }
-  return command;
-}
-
-void add_plan(CLI::App& sweep, const Options& options) {
-  CLI::App* command =
-      add(sweep, options, SweepAction::plan, "plan", "Check a study and make the folder in which its runs are made");
-  command->add_option("STUDY", options->study, "a TOML file: scene, frames and [axes]")->required();
-  command->add_option("--output,-o", options->folder, "folder of the sweep")->required();
-  command->footer(footer_of("sweep plan"));
-}
-
-void add_run(CLI::App& sweep, const Options& options) {
-  CLI::App* command = add(sweep, options, SweepAction::run, "run", "Make runs that are not done yet");
-  command->add_option("--index", options->index, "one run, from 0")->check(CLI::NonNegativeNumber);
-  CLI::Option* all = command->add_flag("--all", options->all, "all runs");
-  command->add_option("--jobs", options->jobs, "with --all: so many at a time (default: the processors)")
-      ->needs(all)
-      ->check(CLI::Range(1, 1024));
-  command->footer(footer_of("sweep run"));
-}
-
-void add_merge(CLI::App& sweep, const Options& options) {
-  CLI::App* command = add(sweep, options, SweepAction::merge, "merge", "Write the table of all results");
-  command->footer(footer_of("sweep merge"));
-}
-
-void add_rest(CLI::App& sweep, const Options& options) {
-  CLI::App* status = add(sweep, options, SweepAction::status, "status", "Say how many runs are done");
-  status->add_flag("--missing", options->missing, "print which are not, as ranges such as sbatch --array takes");
-  status->footer(footer_of("sweep status"));
-}
-
-/// Call the result after the arguments were parsed, as of all that add a command.
 std::function<int()> add_sweep(CLI::App& app) {
   auto options = std::make_shared<SweepOptions>();
-  CLI::App* sweep = app.add_subcommand("sweep", "Simulate a scene with every combination of some values");
+  CLI::App* sweep = app.add_subcommand("sweep");
   sweep->require_subcommand(1);
-  add_plan(*sweep, options);
-  add_run(*sweep, options);
-  add_rest(*sweep, options);
-  add_merge(*sweep, options);
-  sweep->footer(footer_of("sweep"));
+  const auto add = [&](const char* name, SweepAction action) {
+    CLI::App* command = sweep->add_subcommand(name);
+    command->callback([options, action] { options->action = action; });
+    if (action != SweepAction::plan) command->add_option("DIR", options->folder)->required();
+    return command;
+  };
+  CLI::App* plan = add("plan", SweepAction::plan);
+  plan->add_option("STUDY", options->study)->required();
+  plan->add_option("--output,-o", options->folder)->required();
+  CLI::App* run_some = add("run", SweepAction::run);
+  run_some->add_option("--index", options->index)->check(CLI::NonNegativeNumber);
+  CLI::Option* all = run_some->add_flag("--all", options->all);
+  run_some->add_option("--jobs", options->jobs)->needs(all)->check(CLI::Range(1, 1024));
+  add("status", SweepAction::status)->add_flag("--missing", options->missing);
+  add("merge", SweepAction::merge);
   return [options] { return run(*options); };
 }
-
-constexpr const char* scene_help_text = "a scene file (TOML), a built-in scene (see taut scenes), or a garment file";
 
 std::string unit_symbols() {
   std::string text;
@@ -193,99 +146,70 @@ std::string unit_value(const std::string& text) {
 struct KeyOption {
   const char* option;
   const char* key;
-  const char* meaning;
   const char* value = nullptr;  ///< of an option without one
 };
-
-constexpr KeyOption untangle_option = {
-    "--untangle", "garment.untangle",
-    "where the garment crosses itself at the start, move it apart first, such as a thick one whose walls "
-    "pierce each other; it keeps its rest shape",
-    "true"};
-constexpr KeyOption fabric_option = {"--fabric", "cloth.fabric",
-                                     "what the garment is made of: a name of taut fabrics, or a file like "
-                                     "theirs; sets weight, stiffness and look"};
-constexpr KeyOption texture_option = {
-    "--texture", "picture.texture",
-    "an image to lay on the garment's texture coordinates, such as a print, or none for a model's own too"};
 
 // They take effect in the order in which they are added here.
 void add_keys(CLI::App& command, std::vector<Override>& overrides, std::initializer_list<KeyOption> options) {
   for (const KeyOption& o : options) {
     if (o.value != nullptr) {
-      command.add_flag_callback(
-          o.option,
-          [&overrides, o] {
-            overrides.push_back({o.key, o.value, o.option});
-          },
-          o.meaning);
+      command.add_flag_callback(o.option, [&overrides, o] { overrides.push_back({o.key, o.value, o.option}); });
       continue;
     }
     const bool is_unit = std::string_view(o.key).ends_with(".scale");
     const auto set = [&overrides, o, is_unit](const std::string& text) {
       overrides.push_back({o.key, is_unit ? unit_value(text) : text, o.option + (' ' + text)});
     };
-    command.add_option_function<std::string>(o.option, set, o.meaning);
+    command.add_option_function<std::string>(o.option, set);
   }
 }
 
 /// To be added last: it is stronger than options that stand for keys.
 void add_set(CLI::App& command, std::vector<Override>& overrides) {
-  const std::string meaning = "KEY=VALUE, any key of the scene; can be repeated (taut help scene)";
   const auto set = [&overrides](const std::vector<std::string>& texts) {
     std::ranges::transform(texts, std::back_inserter(overrides), parse_override);
   };
-  command.add_option_function<std::vector<std::string>>("--set", set, meaning)->allow_extra_args(false);
+  command.add_option_function<std::vector<std::string>>("--set", set)->allow_extra_args(false);
 }
 
 void add_body(CLI::App& command, std::vector<Override>& overrides) {
-  add_keys(
-      command, overrides,
-      {{"--body", "body.file",
-        "a closed 3D model that cloth cannot enter, besides the scene's bodies; glTF, FBX and Collada "
-        "may bring joints and animations"},
-       {"--body-motion", "body.motion", "how the body moves: a PC2 or BVH file"},
-       {"--body-clip", "body.clip", "which of its animations is played, or all at once, or none (default: the first)"},
-       {"--body-fps", "body.frame_rate", "frames a second of its motion (default: what the file says, or else 60)"},
-       {"--body-loop", "body.loop", "repeat its motion after its last frame (default: it stays there)", "true"},
-       {"--body-units", "body.scale", "of the body, as --units"},
-       {"--dress", "body.dress",
-        "simulate so many frames before frame 0, in which the body grows from its bones to its shape, "
-        "into what it wears (default: 90 of a body that is given together with a garment, where it "
-        "can); a garment that lies elsewhere is moved to it first"},
-       {"--body-up", "body.up", "the body's direction that is up, as --up"}});
+  add_keys(command, overrides,
+           {{"--body", "body.file"},
+            {"--body-motion", "body.motion"},
+            {"--body-clip", "body.clip"},
+            {"--body-fps", "body.frame_rate"},
+            {"--body-loop", "body.loop", "true"},
+            {"--body-units", "body.scale"},
+            {"--dress", "body.dress"},
+            {"--body-up", "body.up"}});
 }
 
 void add_garment_arguments(CLI::App& command, std::vector<Override>& overrides) {
-  const std::string units_help =
-      "of the model: " + unit_symbols() + ", or its unit in metres (default: what the file says, or a guess)";
   add_keys(command, overrides,
-           {{"--units", "garment.scale", units_help.c_str()},
-            {"--up", "garment.up", "the model's direction that is up: x, -x, y, -y, z or -z"},
-            fabric_option,
-            untangle_option});
+           {{"--units", "garment.scale"},
+            {"--up", "garment.up"},
+            {"--fabric", "cloth.fabric"},
+            {"--untangle", "garment.untangle", "true"}});
   add_body(command, overrides);
 }
 
 // Options of render and simulate.
-template <class Options> void add_scene_arguments(CLI::App& command, Options& options, const std::string& scenes) {
-  command.add_option("SCENE", options.scene, scenes)->required();
+template <class Options> void add_scene_arguments(CLI::App& command, Options& options) {
+  command.add_option("SCENE", options.scene)->required();
   add_garment_arguments(command, options.overrides);
   add_wind(command, options.overrides);
-  command.add_option("--stats", options.statistics,
-                     "write measurements of every frame to this file, .jsonl or .csv, as they come (taut help stats)");
-  command.add_flag("--verify", options.verify,
-                   "check every frame, the start included, by a way of its own: no triangle crosses another "
-                   "or a body, but for what does so since the start until it is apart, and nothing is longer "
-                   "than the bound; else end with exit code 3");
+  command.add_option("--stats", options.statistics);
+  command.add_flag("--verify", options.verify);
+}
+
+std::vector<std::string> backends() {
+  std::vector<std::string> names = renderer::context_names();
+  names.insert(names.begin(), "auto");
+  return names;
 }
 
 void add_backend(CLI::App& command, std::string& backend) {
-  std::vector<std::string> names = renderer::context_names();
-  names.insert(names.begin(), "auto");
-  command.add_option("--backend", backend, "how to get OpenGL: " + joined(names, " or "))
-      ->check(CLI::IsMember(names))
-      ->capture_default_str();
+  command.add_option("--backend", backend)->check(CLI::IsMember(backends()))->capture_default_str();
 }
 
 /// Figures that judge the program come with the report, from the build.
@@ -296,181 +220,141 @@ std::string drawn_elsewhere(const std::string& figure) {
 
 std::function<int()> add_figures(CLI::App& app) {
   auto options = std::make_shared<FiguresOptions>();
-  CLI::App* command = app.add_subcommand("figures", "Draw the figures of the paper");
-  command->add_option("--only", options->only, "some of them: " + joined(figure_names(), ","))
+  CLI::App* command = app.add_subcommand("figures");
+  command->add_option("--only", options->only)
       ->delimiter(',')
       ->check(CLI::Validator(drawn_elsewhere, "", ""))
       ->check(CLI::IsMember(figure_names()));
-  command->add_option("-o,--output", options->output, "folder for the pictures")->capture_default_str();
-  command->add_option("--data", options->data,
-                      "folder with the tables (CSV) of an earlier run: draw from those instead of simulating "
-                      "and measuring anew");
-  command->add_option("--scale", options->scale, "pictures this many times as wide and high, 0.1 to 4")
-      ->check(CLI::Range(0.1, 4.0))
-      ->capture_default_str();
+  command->add_option("-o,--output", options->output)->capture_default_str();
+  command->add_option("--data", options->data);
+  command->add_option("--scale", options->scale)->check(CLI::Range(0.1, 4.0))->capture_default_str();
   add_backend(*command, options->backend);
-  command->footer(footer_of("figures"));
   return [options] { return run(*options); };
 }
 
 std::function<int()> add_render(CLI::App& app, std::span<const char* const> arguments) {
   auto options = std::make_shared<RenderOptions>();
   options->arguments.assign(arguments.begin() + 1, arguments.end());
-  CLI::App* command = app.add_subcommand("render", "Simulate a scene and draw pictures of it");
-  add_scene_arguments(*command, *options,
-                      std::string(scene_help_text) + ", or a picture of taut render, to make it again");
-  command->add_option("-o,--output", options->output,
-                      "file, or pattern such as frames/frame_{frame:04}.png, or a video, .mp4 (default SCENE.png)");
-  command->add_option("--frames", options->frames,
-                      std::string("frames to draw: ") + frame_range_help + " (default: last; of a video 0:)");
-  command->add_option("--export", options->shapes, export_help);
+  CLI::App* command = app.add_subcommand("render");
+  add_scene_arguments(*command, *options);
+  command->add_option("-o,--output", options->output);
+  command->add_option("--frames", options->frames);
+  command->add_option("--export", options->shapes);
   add_resolution(*command, options->overrides);
   add_side(*command, options->overrides);
-  add_keys(
-      *command, options->overrides,
-      {{"--background", "picture.background",
-        "what is behind: studio (default), none (transparent, with the shadow), or a colour such as "
-        "white or #rrggbb"},
-       {"--wireframe", "picture.wireframe", "draw the springs over the surface", "true"},
-       {"--stretch", "picture.surface", "colour the surface by its stretch", "stretch"},
-       texture_option,
-       {"--quality", "picture.quality", "draft, normal or high, which is for print (default normal)"},
-       {"--samples", "picture.samples", "samples in a pixel, 1 to 16 (default 4)"},
-       {"--supersampling", "picture.supersampling", "draw N times as wide and high and average, 1 to 8 (default 1)"}});
+  add_keys(*command, options->overrides,
+           {{"--background", "picture.background"},
+            {"--wireframe", "picture.wireframe", "true"},
+            {"--stretch", "picture.surface", "stretch"},
+            {"--texture", "picture.texture"},
+            {"--quality", "picture.quality"},
+            {"--samples", "picture.samples"},
+            {"--supersampling", "picture.supersampling"}});
   add_set(*command, options->overrides);
   add_backend(*command, options->backend);
-  command->footer(footer_of("render"));
   return [options] { return run(*options); };
 }
 
 std::function<int()> add_simulate(CLI::App& app) {
   auto options = std::make_shared<SimulateOptions>();
-  CLI::App* command = app.add_subcommand("simulate", "Simulate a scene without drawing and print measurements");
-  add_scene_arguments(*command, *options, scene_help_text);
+  CLI::App* command = app.add_subcommand("simulate");
+  add_scene_arguments(*command, *options);
   add_set(*command, options->overrides);
-  command->add_option("--frames", options->frames,
-                      std::string("frames to print and to export, simulated up to the last of them: ") +
-                          frame_range_help + " (default: 1:)");
-  command->add_option("--export", options->shapes, export_help);
-  command->add_flag("--quiet", options->quiet, "print nothing but warnings and errors");
-  command->add_flag("--json", options->json,
-                    "print what --stats writes as JSON lines, and nothing else; remarks go to standard error");
-  command->add_option("--checkpoint", options->checkpoint,
-                      "save the run to this file now and then, at its end, and when it is interrupted "
-                      "(SIGTERM, SIGINT), which ends it with exit code 75");
-  command->add_option("--checkpoint-every", options->checkpoint_every, "save it after so many frames")
+  command->add_option("--frames", options->frames);
+  command->add_option("--export", options->shapes);
+  command->add_flag("--quiet", options->quiet);
+  command->add_flag("--json", options->json);
+  command->add_option("--checkpoint", options->checkpoint);
+  command->add_option("--checkpoint-every", options->checkpoint_every)
       ->check(CLI::Range(1, 1000000))
       ->capture_default_str();
-  command->add_option("--resume", options->resume,
-                      "go on from such a file with the same bits, and save to it where --checkpoint names no "
-                      "other; --stats and --export go on where they stopped");
-  command->footer(footer_of("simulate"));
+  command->add_option("--resume", options->resume);
   return [options] { return run(*options); };
 }
 
-void add_compare(CLI::App& command, std::optional<sim::SolverKind>& compared_with) {
+std::vector<std::string> solvers() {
   std::vector<std::string> names;
   for (const sim::SolverKind kind : sim::all_solver_kinds) names.emplace_back(sim::name_of(kind));
-  const auto set = [&compared_with, known = joined(names, ", ")](const std::string& text) {
+  return names;
+}
+
+void add_compare(CLI::App& command, std::optional<sim::SolverKind>& compared_with) {
+  const auto set = [&compared_with](const std::string& text) {
     compared_with = solver_named(text);
-    if (!compared_with) throw UsageError("--compare " + text + ": expected one of " + known);
+    if (!compared_with) throw UsageError("--compare " + text + ": expected one of " + joined(solvers()));
   };
-  command.add_option_function<std::string>("--compare", set,
-                                           "show the garment a second time, by this solver: " + joined(names, ", "));
+  command.add_option_function<std::string>("--compare", set);
 }
 
 std::function<int()> add_view(CLI::App& app) {
   auto options = std::make_shared<ViewOptions>();
-  CLI::App* command = app.add_subcommand("view", "Open a window: blow at the cloth, pull it, watch its stretch");
-  command->add_option("SCENE", options->scene, scene_help_text);
+  CLI::App* command = app.add_subcommand("view");
+  command->add_option("SCENE", options->scene);
   add_garment_arguments(*command, options->overrides);
   add_wind(*command, options->overrides);
   add_side(*command, options->overrides);
-  add_keys(*command, options->overrides, {texture_option});
+  add_keys(*command, options->overrides, {{"--texture", "picture.texture"}});
   add_set(*command, options->overrides);
   command->add_option_function<std::string>(
-      "--size", [options](const std::string& text) { options->size = parse_size(text, "--size"); },
-      std::string("of the window: ") + size_help);
+      "--size", [options](const std::string& text) { options->size = parse_size(text, "--size"); });
   add_compare(*command, options->compared_with);
-  command->add_option("--keep", options->keep_folder, "folder for screenshots, videos and saved scenes")
-      ->capture_default_str();
-  command->add_option("--record", options->record, "write all input to this file, for --script");
-  command->add_flag("--headless", options->headless, "no window: play a script and end");
-  command->add_option("--script", options->script, "input to play: recorded, or written by hand");
-  command->add_option("--screenshot", options->screenshot, "a picture of the window after the script");
-  command->add_option("--layout", options->layout, "where the panel's parts are after the script, as text");
+  command->add_option("--keep", options->keep_folder)->capture_default_str();
+  command->add_option("--record", options->record);
+  command->add_flag("--headless", options->headless);
+  command->add_option("--script", options->script);
+  command->add_option("--screenshot", options->screenshot);
+  command->add_option("--layout", options->layout);
   add_backend(*command, options->backend);
-  command->footer(footer_of("view"));
   return [options] { return run(*options); };
 }
 
 std::function<int()> add_inspect(CLI::App& app) {
   auto options = std::make_shared<InspectOptions>();
-  CLI::App* command = app.add_subcommand("inspect", "Say what is in a 3D model and how it maps to springs");
-  command->add_option("GARMENT", options->garment,
-                      "a 3D model: OBJ, PLY, STL, glTF, FBX, Collada, 3MF, ..., or a built-in scene, for its "
-                      "garment; without one, the body is inspected");
+  CLI::App* command = app.add_subcommand("inspect");
+  command->add_option("GARMENT", options->garment);
   add_garment_arguments(*command, options->overrides);
   add_set(*command, options->overrides);
-  command->add_flag("--json", options->json, "for programs");
-  command->add_option("-o,--output,--picture", options->picture,
-                      "PNG file: the garment with its springs by kind, what holds it, its borders and defects");
+  command->add_flag("--json", options->json);
+  command->add_option("-o,--output,--picture", options->picture);
   add_backend(*command, options->backend);
-  command->footer(footer_of("inspect"));
   return [options] { return run(*options); };
 }
 
 std::function<int()> add_fit(CLI::App& app) {
   auto options = std::make_shared<FitOptions>();
-  CLI::App* command = app.add_subcommand("fit", "Put a garment on a body, and say and draw how it fits");
-  command->add_option("GARMENT", options->scene, "a garment file, or a scene in which a body is dressed")->required();
+  CLI::App* command = app.add_subcommand("fit");
+  command->add_option("GARMENT", options->scene)->required();
   add_garment_arguments(*command, options->overrides);
   add_set(*command, options->overrides);
-  command->add_option("-o,--output", options->output,
-                      "PNG file: front and back, coloured by stretch, and a table (default GARMENT-fit.png)");
-  command->add_option("--frames", options->frames, "at most so many frames after it was put on")
-      ->check(CLI::Range(1, 100000))
-      ->capture_default_str();
-  command->add_flag("--json", options->json, "for programs");
+  command->add_option("-o,--output", options->output);
+  command->add_option("--frames", options->frames)->check(CLI::Range(1, 100000))->capture_default_str();
+  command->add_flag("--json", options->json);
   add_backend(*command, options->backend);
-  std::string footer = footer_of("fit");
-  const std::string thresholds = "{thresholds}";
-  footer.replace(footer.find(thresholds), thresholds.size(), fit_thresholds());
-  command->footer(footer);
   return [options] { return run(*options); };
 }
 
 std::function<int()> add_sew(CLI::App& app) {
   auto options = std::make_shared<SewOptions>();
-  CLI::App* command = app.add_subcommand("sew", "Sew a pattern on a body, to a garment that is worn");
-  command->add_option("PATTERN", options->pattern, "a sewing pattern in the JSON of GarmentCode")->required();
-  command->add_option("--over", options->over, "a pattern that is worn over it; can be repeated")
-      ->allow_extra_args(false);
-  command
-      ->add_option("--over-fabric", options->over_fabrics,
-                   "what that is made of; as often as --over, in the same order (default: the same fabric)")
-      ->allow_extra_args(false);
-  add_keys(*command, options->overrides, {fabric_option});
+  CLI::App* command = app.add_subcommand("sew");
+  command->add_option("PATTERN", options->pattern)->required();
+  command->add_option("--over", options->over)->allow_extra_args(false);
+  command->add_option("--over-fabric", options->over_fabrics)->allow_extra_args(false);
+  add_keys(*command, options->overrides, {{"--fabric", "cloth.fabric"}});
   add_body(*command, options->overrides);
   add_set(*command, options->overrides);
-  command->add_option("-o,--output", options->output, "OBJ file of the garment (default PATTERN.obj, here)");
-  command->add_option("--picture", options->picture, "PNG file: it worn, from the front and from behind");
-  command->add_option("--steps", options->steps, "PNG file: its pattern, placed, half closed and worn, side by side");
-  command->add_option("--triangles", options->triangles, "about so many")
-      ->check(CLI::Range(100, 200000))
-      ->capture_default_str();
-  command->add_option("--frames", options->frames, "at most so many frames until it rests")
-      ->check(CLI::Range(0, 100000))
-      ->capture_default_str();
-  command->add_flag("--json", options->json, "for programs");
+  command->add_option("-o,--output", options->output);
+  command->add_option("--picture", options->picture);
+  command->add_option("--steps", options->steps);
+  command->add_option("--triangles", options->triangles)->check(CLI::Range(100, 200000))->capture_default_str();
+  command->add_option("--frames", options->frames)->check(CLI::Range(0, 100000))->capture_default_str();
+  command->add_flag("--json", options->json);
   add_backend(*command, options->backend);
-  command->footer(footer_of("sew"));
   return [options] { return run(*options); };
 }
 
 std::function<int()> add_import_model(CLI::App& app) {
   auto options = std::make_shared<ImportModelOptions>();
-  CLI::App* command = app.add_subcommand("import-model", "Read a model for the program that started this one");
+  CLI::App* command = app.add_subcommand("import-model");
   command->group("");  // not shown: nothing a person could read comes out
   command->add_option("MODEL", options->model)->required();
   command->add_option("--memory", options->limits.memory_mib)->check(CLI::Range(64, 1 << 20));
@@ -479,41 +363,23 @@ std::function<int()> add_import_model(CLI::App& app) {
   return [options] { return run(*options); };
 }
 
-std::function<int()> add_scenes(CLI::App& app) {
-  auto scene = std::make_shared<std::string>();
-  CLI::App* command = app.add_subcommand("scenes", "List the built-in scenes");
-  command->add_option("SCENE", *scene, "print this scene's file, with every key");
-  command->footer(footer_of("scenes"));
-  return [scene] { return list_scenes(*scene); };
-}
-
-std::function<int()> add_fabrics(CLI::App& app) {
-  auto fabric = std::make_shared<std::string>();
-  CLI::App* command = app.add_subcommand("fabrics", "List the fabrics that --fabric names");
-  command->add_option("FABRIC", *fabric, "print this fabric's file");
-  command->footer(footer_of("fabrics"));
-  return [fabric] { return list_fabrics(*fabric); };
+/// A command that lists what comes with the program, or prints the one that is named.
+std::function<int()> add_list(CLI::App& app, const char* command, const char* name, int (*list)(const std::string&)) {
+  auto asked = std::make_shared<std::string>();
+  app.add_subcommand(command)->add_option(name, *asked);
+  return [asked, list] { return list(*asked); };
 }
 
 std::function<int()> add_bench(CLI::App& app) {
   auto options = std::make_shared<BenchOptions>();
-  CLI::App* command =
-      app.add_subcommand("bench", "Measure the time of a frame, its stretch, and whether any frame breaks a promise");
-  command->add_flag("--contact", options->contact, "all scenes about contact and being worn: takes an hour");
-  command->add_flag("--quick", options->quick,
-                    "a shirt that hangs, in winds, in one that is dragged up and back, and on someone who walks, on "
-                    "one thread: three minutes at most (default)");
-  command->add_option("--scenes", options->scenes, "some of the rows alone")->delimiter(',');
-  command
-      ->add_option("--runs", options->runs,
-                   "so many runs of each scene, each with its start moved at random by a twentieth of the "
-                   "cloth's thickness (default: one run of the scene as it is)")
-      ->check(CLI::Range(1, 1000));
-  command->add_option("--frames", options->frames, "frames of each run (default: as the scene has it)")
-      ->check(CLI::Range(1, 1000000));
-  command->add_flag("--csv", options->csv, "print a table (CSV) of all runs instead");
-  command->add_flag("--quiet", options->quiet, "print neither progress nor the table");
-  command->footer(footer_of("bench"));
+  CLI::App* command = app.add_subcommand("bench");
+  command->add_flag("--contact", options->contact);
+  command->add_flag("--quick", options->quick);
+  command->add_option("--scenes", options->scenes)->delimiter(',');
+  command->add_option("--runs", options->runs)->check(CLI::Range(1, 1000));
+  command->add_option("--frames", options->frames)->check(CLI::Range(1, 1000000));
+  command->add_flag("--csv", options->csv);
+  command->add_flag("--quiet", options->quiet);
   return [options] { return run(*options); };
 }
 
@@ -543,9 +409,7 @@ std::string help_about(CLI::App& app, const std::string& topic) {
 
 std::function<int()> add_help(CLI::App& app) {
   auto topic = std::make_shared<std::string>();
-  CLI::App* command = app.add_subcommand("help", "Explain a command, the keys of scene files or the statistics");
-  command->add_option("TOPIC", *topic, "a command, scene or stats (default: what commands there are)");
-  command->footer(footer_of("help"));
+  app.add_subcommand("help")->add_option("TOPIC", *topic);
   return [&app, topic] {
     fmt::print("{}", help_about(app, *topic));
     return 0;
@@ -603,6 +467,38 @@ std::string what_is_wrong(const CLI::App& app, const CLI::ParseError& error, std
          "; see " + help;
 }
 
+/// The text with the names of what there is in the place of their kinds in braces.
+std::string filled_in(std::string text) {
+  const std::array<std::pair<const char*, std::string>, 6> lists = {{{"{figures}", joined(figure_names(), ",")},
+                                                                     {"{solvers}", joined(solvers())},
+                                                                     {"{sides}", names_of(sides)},
+                                                                     {"{backends}", joined(backends(), " or ")},
+                                                                     {"{units}", unit_symbols()},
+                                                                     {"{thresholds}", fit_thresholds()}}};
+  for (const auto& [kind, names] : lists) {
+    const std::size_t at = text.find(kind);
+    if (at != std::string::npos) text.replace(at, std::strlen(kind), names);
+  }
+  return text;
+}
+
+/// Says what commands and their options are for, by assets/texts/help.toml: an option of a command, or else of any.
+void describe(CLI::App& command, const std::string& name, const toml::table& texts) {
+  const auto text_of = [&](const std::string& section, const std::string& key) {
+    return texts[section][key].value<std::string>();
+  };
+  command.description(text_of(name, "about").value_or(""));
+  command.footer(filled_in(text_of(name, "footer").value_or("")));
+  for (CLI::Option* option : command.get_options()) {
+    const std::string key = option->get_name();
+    const std::optional<std::string> own = text_of(name, key);
+    if (const auto text = own ? own : text_of("any", key)) option->description(filled_in(*text));
+  }
+  for (CLI::App* below : command.get_subcommands([](const CLI::App*) { return true; })) {
+    describe(*below, (name == "taut" ? "" : name + ' ') + below->get_name(), texts);
+  }
+}
+
 // At once where it is asked for, before values are read: what is wrong with them may be why help is needed.
 void show_help_first(CLI::App& app) {
   const auto show = [](const std::string&) { throw CLI::CallForHelp(); };
@@ -615,17 +511,23 @@ void show_help_first(CLI::App& app) {
 }  // namespace
 
 int run_command_line(std::span<const char* const> arguments) {
-  CLI::App app("Taut simulates garments that do not over-stretch and draws them.", "taut");
+  CLI::App app("", "taut");
   app.set_version_flag("--version", "taut " + program_version());
   app.require_subcommand(1);
-  app.footer(footer_of("taut"));
-  const std::vector<std::function<int()>> commands = {add_figures(app),  add_render(app, arguments),
-                                                      add_simulate(app), add_view(app),
-                                                      add_inspect(app),  add_fit(app),
-                                                      add_sew(app),      add_bench(app),
-                                                      add_scenes(app),   add_fabrics(app),
-                                                      add_sweep(app),    add_import_model(app),
+  const std::vector<std::function<int()>> commands = {add_figures(app),
+                                                      add_render(app, arguments),
+                                                      add_simulate(app),
+                                                      add_view(app),
+                                                      add_inspect(app),
+                                                      add_fit(app),
+                                                      add_sew(app),
+                                                      add_bench(app),
+                                                      add_list(app, "scenes", "SCENE", list_scenes),
+                                                      add_list(app, "fabrics", "FABRIC", list_fabrics),
+                                                      add_sweep(app),
+                                                      add_import_model(app),
                                                       add_help(app)};
+  describe(app, "taut", toml::parse(help_texts));
   show_help_first(app);
   require_command(app, arguments);
   try {

@@ -55,13 +55,6 @@ class ObjSink final : public FrameSink {
 
 }  // namespace
 
-const char* const export_help =
-    "write the shape of each of these frames, in metres with y up and in the vertices, faces and groups of "
-    "the model's file; the name's ending says how: shapes/{frame:04}.obj, or end.obj for the last of them; "
-    "clip.pc2, with clip.obj beside it, the rest shape that it moves (in Blender import that, and add a Mesh "
-    "Cache modifier: Forward +Y, Up +Z); clip.glb, which plays in any viewer; clip.usda, which is USD as text; "
-    "bodies are not written";
-
 bool is_clip(const std::string& name) { return !name.empty() && fs::path(name).extension() != ".obj"; }
 
 void require_export(const ExportSettings& settings, const fs::path& garment) {

@@ -7,9 +7,6 @@
 
 namespace taut::app {
 
-/// The help text of --export: names, axes and what is not written.
-extern const char* const export_help;
-
 /// Things to be written.
 struct ExportSettings {
   std::string name;   ///< of the file; the pattern of several OBJ files

@@ -42,12 +42,6 @@ struct FrameRange {
   int count() const { return last - first + 1; }
 };
 
-/// The help text of --frames.
-inline constexpr const char* frame_range_help =
-    "A:B, A: to the last, :B from 0, last, or a number: that frame alone, but so many frames from 0 of a "
-    "video or a clip (.pc2, .glb, .usda); frame 0 is the cloth before the first step, the last one is "
-    "the scene's time.frames";
-
 /// A number alone means so many frames of what is played, as of a video, and else the frame of that number.
 enum class NumberMeans { frame, count };
 

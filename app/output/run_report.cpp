@@ -4,13 +4,14 @@
 #include "app/base/files.hpp"
 
 namespace taut::app {
+
+extern const char* const statistics_texts;  ///< assets/texts/statistics.toml
+
 namespace {
 
 /// Columns of the statistics of a frame.
 struct FrameColumn {
   const char* name;
-  const char* unit;
-  const char* meaning;
   Json (*value)(const FrameRecord&);
   bool of_verified_runs = false;
 };
@@ -22,51 +23,33 @@ Json number_json(int number) { return number >= 0 ? Json(number) : Json(); }
 
 #define VALUE(of_record) [](const FrameRecord& r) -> Json { return of_record; }
 const FrameColumn frame_columns[] = {
-    {"frame", "", "its number; 0 is the cloth before the first step", VALUE(r.frame)},
-    {"time_s", "s", "simulated", VALUE(r.time_s)},
-    {"max_stretch", "", "length / rest length - 1, the largest of all structural springs", VALUE(r.stretch.max)},
-    {"p99_stretch", "", "99 of 100 springs are stretched no more", VALUE(r.stretch.p99)},
-    {"max_surface_stretch", "",
-     "the largest singular value of a triangle's deformation gradient - 1: the same of any direction in it",
-     VALUE(r.surface_stretch.max)},
-    {"p99_surface_stretch", "", "99 of 100 triangles are stretched no more", VALUE(r.surface_stretch.p99)},
-    {"mean_stretch", "", "of all structural springs", VALUE(r.stretch.mean)},
-    {"raw_max_stretch", "", "the largest before the solver's last correction, which keeps the bound",
-     VALUE(r.raw_max_stretch)},
-    {"bound_kept", "", "false: the solver promised solver.max_stretch of solver.bound and could not keep it",
-     VALUE(r.bound_kept)},
-    {"substeps", "", "time steps in the frame", VALUE(r.substeps)},
-    {"max_compression", "", "1 - length / rest length, the largest", VALUE(r.stretch.max_compression)},
-    {"rms_speed", "m/s", "root of the mean square of all vertices", VALUE(r.rms_speed_m_per_s)},
-    {"kinetic_energy", "J", "of all vertices", VALUE(r.energy.kinetic_j)},
-    {"potential_energy", "J", "in gravity", VALUE(r.energy.potential_j)},
-    {"convergence", "m", "the largest |p(t) - p(t - dt)| of any vertex, from frame to frame", VALUE(r.convergence_m)},
-    {"sim_ms", "ms", "processor time of the thread that simulates; of several threads, the one that leads",
-     VALUE(r.sim_ms)},
-    {"draw_ms", "ms", "time on the clock", VALUE(r.draw_ms)},
-    {"encode_ms", "ms", "time on the clock: making and writing the picture or the shape", VALUE(r.encode_ms)},
-    {"state_hash", "", "equal where all positions are equal, bit for bit", VALUE(fmt::format("{:016x}", r.state_hash))},
-    {"asleep", "", "at rest: nothing is computed until something changes", VALUE(r.asleep)},
-    {"detections", "", "how often all was searched for what is near, for solver.contact and for bodies",
-     VALUE(r.contact.detections)},
-    {"partial_detections", "", "how often that was done around single vertices alone",
-     VALUE(r.contact.partial_detections)},
-    {"contact_pairs", "", "near pairs that were kept apart at a time, the most of them", VALUE(r.contact.most_pairs)},
-    {"smallest_distance", "m",
-     "of the two nearest triangles that share no vertex, or from a body, measured at the frame's end; null: "
-     "more than twice cloth.thickness",
-     VALUE(number_json(r.contact.smallest_distance_m))},
-    {"measured_crossings", "",
-     "pairs of triangles that cross then, and triangles in a body: also where they are left out",
-     VALUE(r.contact.crossing_pairs)},
-    {"left_out_share", "",
-     "of the cloth's area, not kept apart within itself: around what crosses since the start, and what is nearer "
-     "than 2 um at rest",
-     VALUE(r.contact.left_out_share)},
-    {"crossing_pairs", "",
-     "with --verify alone: pairs of triangles that cross, and triangles in a body; not those that do so "
-     "since the start, nor within what is left out",
-     VALUE(r.crossing_pairs.value_or(0)), true},
+    {"frame", VALUE(r.frame)},
+    {"time_s", VALUE(r.time_s)},
+    {"max_stretch", VALUE(r.stretch.max)},
+    {"p99_stretch", VALUE(r.stretch.p99)},
+    {"max_surface_stretch", VALUE(r.surface_stretch.max)},
+    {"p99_surface_stretch", VALUE(r.surface_stretch.p99)},
+    {"mean_stretch", VALUE(r.stretch.mean)},
+    {"raw_max_stretch", VALUE(r.raw_max_stretch)},
+    {"bound_kept", VALUE(r.bound_kept)},
+    {"substeps", VALUE(r.substeps)},
+    {"max_compression", VALUE(r.stretch.max_compression)},
+    {"rms_speed", VALUE(r.rms_speed_m_per_s)},
+    {"kinetic_energy", VALUE(r.energy.kinetic_j)},
+    {"potential_energy", VALUE(r.energy.potential_j)},
+    {"convergence", VALUE(r.convergence_m)},
+    {"sim_ms", VALUE(r.sim_ms)},
+    {"draw_ms", VALUE(r.draw_ms)},
+    {"encode_ms", VALUE(r.encode_ms)},
+    {"state_hash", VALUE(fmt::format("{:016x}", r.state_hash))},
+    {"asleep", VALUE(r.asleep)},
+    {"detections", VALUE(r.contact.detections)},
+    {"partial_detections", VALUE(r.contact.partial_detections)},
+    {"contact_pairs", VALUE(r.contact.most_pairs)},
+    {"smallest_distance", VALUE(number_json(r.contact.smallest_distance_m))},
+    {"measured_crossings", VALUE(r.contact.crossing_pairs)},
+    {"left_out_share", VALUE(r.contact.left_out_share)},
+    {"crossing_pairs", VALUE(r.crossing_pairs.value_or(0)), true},
 };
 #undef VALUE
 
@@ -90,21 +73,6 @@ Json record_json(const FrameRecord& record) {
   for (const FrameColumn& column : frame_columns) {
     if (is_written(column, record.crossing_pairs.has_value())) json[column.name] = column.value(record);
   }
-  return json;
-}
-
-Json summary_json(const RunSummary& summary) {
-  Json json = Json::object();
-  for_each_field(summary, [&](const char* name, const auto& number) {
-    if (name == nullptr) return;
-    // Means stand before what they go with.
-    if (&number == static_cast<const void*>(&summary.final_rms_speed_m_per_s)) {
-      json["mean_substeps"] = summary.mean_substeps();
-    } else if (&number == static_cast<const void*>(&summary.total_sim_ms)) {
-      json["mean_sim_ms"] = summary.mean_sim_ms();
-    }
-    json[name] = number_json(number);
-  });
   return json;
 }
 
@@ -137,6 +105,21 @@ std::uintmax_t end_of_frame(const fs::path& path, StatisticsFormat format, const
 }
 
 }  // namespace
+
+Json summary_json(const RunSummary& summary) {
+  Json json = Json::object();
+  for_each_field(summary, [&](const char* name, const auto& number) {
+    if (name == nullptr) return;
+    // Means stand before what they go with.
+    if (&number == static_cast<const void*>(&summary.final_rms_speed_m_per_s)) {
+      json["mean_substeps"] = summary.mean_substeps();
+    } else if (&number == static_cast<const void*>(&summary.total_sim_ms)) {
+      json["mean_sim_ms"] = summary.mean_sim_ms();
+    }
+    json[name] = number_json(number);
+  });
+  return json;
+}
 
 StatisticsFormat statistics_format(const std::filesystem::path& file) {
   // A file without an ending, such as /dev/stdout, is given JSON lines.
@@ -178,14 +161,11 @@ std::string statistics_line_start(StatisticsFormat format, int frame) {
 }
 
 std::string statistics_help() {
-  std::string text =
-      "--stats FILE.csv writes a row for every frame that was simulated, as it comes. --stats FILE.jsonl "
-      "writes\n"
-      "JSON lines: first an object with the scene, its garment and settings and the versions, then one of "
-      "every\n"
-      "frame, as it comes, and at the end one with a summary of the run. Of every frame:\n\n";
+  const toml::table texts = toml::parse(statistics_texts);
+  std::string text = texts["about"].value_or(std::string()) + '\n';
   for (const FrameColumn& column : frame_columns) {
-    text += fmt::format("  {:<19} {:<4} {}\n", column.name, column.unit, column.meaning);
+    text += fmt::format("  {:<19} {:<4} {}\n", column.name, texts[column.name][0].value_or(""),
+                        texts[column.name][1].value_or(""));
   }
   return text;
 }

@@ -105,8 +105,8 @@ std::vector<Key<Fabric>> own_keys() {
     fabric.published_drape_percent = {*lowest, *highest};
     return true;
   };
-  return {text_key<Fabric>("title", MEMBER(title), "what it is"),
-          {"drape", "%", "a list of two numbers from 0 to 100, the first no larger", "published", read_band, {}}};
+  return {text_key<Fabric>("title", MEMBER(title)),
+          {"drape", "%", "a list of two numbers from 0 to 100, the first no larger", read_band, {}}};
 }
 
 [[noreturn]] void fail_unknown(const std::string& name, const Source& source, int line) {
@@ -256,13 +256,7 @@ Key<Scene> fabric_key() {
     if (name) scene.fabric = is_file_name(*name) ? beside(source, *name).string() : *name;
     return name.has_value();
   };
-  return {"cloth.fabric",
-          "",
-          "a text",
-          "what it is made of: a name of `taut fabrics`, or a file like theirs; sets the keys of the cloth's "
-          "weight, stiffness and look that nothing else sets",
-          read,
-          [](const Scene& scene) { return Json(scene.fabric); }};
+  return {"cloth.fabric", "", "a text", read, [](const Scene& scene) { return Json(scene.fabric); }};
 }
 
 }  // namespace taut::app

@@ -136,11 +136,12 @@ template <class S> Json settings_of(const SceneFormat<S>& format, const S& scene
   return settings;
 }
 
-/// A key with default, unit, range and meaning, as text for people.
-template <class T> std::string describe_key(const Key<T>& key, const T& defaults) {
+/// A key with default, unit, range and meaning, as text for people. `list` stands in front of the key of an entry.
+template <class T> std::string describe_key(const Key<T>& key, const T& defaults, const std::string& list = "") {
   const std::string unit = key.unit.empty() ? "" : " " + key.unit;
-  const std::string meaning = key.meaning.empty() ? "" : "; " + key.meaning;
-  return "  " + key.name + " = " + to_text(key.write(defaults)) + unit + "\n      " + key.expected + meaning + '\n';
+  const std::string own = meaning_of(list + key.name), meaning = own.empty() ? meaning_of(key.name) : own;
+  return "  " + key.name + " = " + to_text(key.write(defaults)) + unit + "\n      " + key.expected +
+         (meaning.empty() ? "" : "; " + meaning) + '\n';
 }
 
 /// The keys of [[forces]], [[pins.moving]] and [[bodies]], as describe_key() writes them.
@@ -156,12 +157,12 @@ Key<Scene> bodies_key();
 Key<Scene> moving_pins_key();
 
 /// A key for the direction of a model that is up.
-template <class T, class Access> Key<T> up_key(std::string name, Access access, std::string meaning) {
+template <class T, class Access> Key<T> up_key(std::string name, Access access) {
   std::vector<std::pair<std::string, std::optional<ModelAxis>>> choices = {{"auto", std::nullopt}};
   for (std::size_t i = 0; i < axis_names.size(); ++i) {
     choices.emplace_back(axis_names[i], static_cast<ModelAxis>(i));
   }
-  Key<T> key = choice_key<T>(std::move(name), choices, access, std::move(meaning));
+  Key<T> key = choice_key<T>(std::move(name), choices, access);
   key.expected = "\"auto\" or \"x\", \"-x\", \"y\", \"-y\", \"z\", \"-z\"";
   return key;
 }

@@ -5,6 +5,8 @@
 
 namespace taut::app {
 
+extern const char* const key_texts;  ///< assets/texts/keys.toml
+
 namespace {
 
 // Names of CSS Color Module Level 4.
@@ -96,6 +98,11 @@ std::string joined_words(const Json& value, std::string (*word)(const Json&)) {
 }
 
 }  // namespace
+
+std::string meaning_of(const std::string& key) {
+  static const toml::table meanings = toml::parse(key_texts);
+  return meanings[key].value_or(std::string());
+}
 
 std::string units_like(std::string_view unit) {
   std::vector<std::string> names;

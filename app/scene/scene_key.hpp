@@ -57,12 +57,15 @@ std::string to_text(const toml::node& value);
 /// are not UTF-8; these become U+FFFD.
 std::string toml_text(const Json& value);
 
+/// One line that says what a key is for, of assets/texts/keys.toml; empty if it says nothing. A key of a list's entries
+/// has the list in front: "forces.vertex".
+std::string meaning_of(const std::string& key);
+
 /// One key of a scene file. It sets something of a T.
 template <class T> struct Key {
   std::string name;      ///< with its section: "solver.substeps"
   std::string unit;      ///< empty: no unit
   std::string expected;  ///< what a value must be: "a whole number from 1 to 1000"
-  std::string meaning;   ///< one line
   /// Stores a value. Returns false if it is not as expected. May also throw by `fail`, with its own message.
   std::function<bool(const toml::node&, const Source&, T&)> read;
   std::function<Json(const T&)> write;  ///< returns what is stored, also for printing the default
@@ -122,8 +125,7 @@ template <class Found, class Member> bool store(const std::optional<Found>& foun
 /// `read(value, member)` or `read(value, source, member)` stores a value and returns false if it is not as
 /// expected; `write(member)` returns it.
 template <class T, class Access, class Read, class Write>
-Key<T> member_key(std::string name, std::string unit, std::string expected, Access access, std::string meaning,
-                  Read read, Write write) {
+Key<T> member_key(std::string name, std::string unit, std::string expected, Access access, Read read, Write write) {
   auto read_member = [=](const toml::node& value, const Source& source, T& target) -> bool {
     if constexpr (std::is_invocable_v<Read, const toml::node&, const Source&, decltype(access(target))>) {
       return read(value, source, access(target));
@@ -132,62 +134,59 @@ Key<T> member_key(std::string name, std::string unit, std::string expected, Acce
     }
   };
   auto write_member = [=](const T& target) -> Json { return write(access(target)); };
-  return {std::move(name), std::move(unit), std::move(expected), std::move(meaning), read_member, write_member};
+  return {std::move(name), std::move(unit), std::move(expected), read_member, write_member};
 }
 
 /// A number is stored times `factor`: degrees in files, radians in code.
 template <class T, class Access>
-Key<T> number_key(std::string name, std::string unit, const Range& range, Access access, std::string meaning,
-                  double factor = 1.0) {
+Key<T> number_key(std::string name, std::string unit, const Range& range, Access access, double factor = 1.0) {
   auto read = [=](const toml::node& value, auto& member) {
     const std::optional<double> number = finite_number(value, unit);
     const bool is_within = number && range.contains(*number);
     if (is_within) store(*number * factor, member);
     return is_within;
   };
-  return member_key<T>(std::move(name), unit, describe("a number", range), access, std::move(meaning), read,
+  return member_key<T>(std::move(name), unit, describe("a number", range), access, read,
                        [=](const auto& member) { return stored(member) / factor; });
 }
 
 template <class T, class Access>
-Key<T> whole_key(std::string name, const Range& range, Access access, std::string meaning, std::string unit = "") {
+Key<T> whole_key(std::string name, const Range& range, Access access, std::string unit = "") {
   auto read = [=](const toml::node& value, auto& member) {
     const std::optional<std::int64_t> number = whole_number(value);
     const bool is_within = number && range.contains(static_cast<double>(*number));
     if (is_within) store(static_cast<double>(*number), member);
     return is_within;
   };
-  return member_key<T>(std::move(name), std::move(unit), describe("a whole number", range), access, std::move(meaning),
-                       read, [](const auto& member) { return static_cast<std::int64_t>(stored(member)); });
+  return member_key<T>(std::move(name), std::move(unit), describe("a whole number", range), access, read,
+                       [](const auto& member) { return static_cast<std::int64_t>(stored(member)); });
 }
 
-template <class T, class Access> Key<T> switch_key(std::string name, Access access, std::string meaning) {
+template <class T, class Access> Key<T> switch_key(std::string name, Access access) {
   return member_key<T>(
-      std::move(name), "", "true or false", access, std::move(meaning),
+      std::move(name), "", "true or false", access,
       [](const toml::node& value, bool& member) { return store(value.value_exact<bool>(), member); },
       [](bool member) { return member; });
 }
 
-template <class T, class Access>
-Key<T> text_key(std::string name, Access access, std::string meaning, std::string expected = "a text") {
+template <class T, class Access> Key<T> text_key(std::string name, Access access, std::string expected = "a text") {
   return member_key<T>(
-      std::move(name), "", std::move(expected), access, std::move(meaning),
+      std::move(name), "", std::move(expected), access,
       [](const toml::node& value, std::string& member) { return store(text_in(value), member); },
       [](const std::string& member) { return member; });
 }
 
 /// The member is a path, empty while no file is named.
-template <class T, class Access>
-Key<T> file_key(std::string name, Access access, std::string meaning, bool may_be_empty = false) {
+template <class T, class Access> Key<T> file_key(std::string name, Access access, bool may_be_empty = false) {
   auto read = [=](const toml::node& value, const Source& source, std::filesystem::path& member) {
     const std::optional<std::string> text = text_in(value);
     if (!text || (text->empty() && !may_be_empty)) return false;
     member = text->empty() ? std::filesystem::path() : beside(source, *text);
     return true;
   };
-  return member_key<T>(
-      std::move(name), "", "a file name", access, std::move(meaning), read,
-      [](const std::filesystem::path& member) { return member.empty() ? Json() : Json(member.string()); });
+  return member_key<T>(std::move(name), "", "a file name", access, read, [](const std::filesystem::path& member) {
+    return member.empty() ? Json() : Json(member.string());
+  });
 }
 
 /// The range of a vector of three numbers.
@@ -202,22 +201,22 @@ bool allows(const VectorLimits& limits, const std::array<double, 3>& numbers);
 
 /// Makes a key for a point or a direction: a vector type with members x, y and z.
 template <class T, class Access>
-Key<T> vector_key(std::string name, std::string unit, Access access, std::string meaning, VectorLimits limits = {}) {
+Key<T> vector_key(std::string name, std::string unit, Access access, VectorLimits limits = {}) {
   auto read = [=](const toml::node& value, auto& member) {
     const auto numbers = three_numbers(value, unit);
     const bool is_allowed = numbers && allows(limits, *numbers);
     if (is_allowed) member = {(*numbers)[0], (*numbers)[1], (*numbers)[2]};
     return is_allowed;
   };
-  return member_key<T>(std::move(name), unit, describe(limits), access, std::move(meaning), read, [](const auto& v) {
+  return member_key<T>(std::move(name), unit, describe(limits), access, read, [](const auto& v) {
     return Json::array({v.x, v.y, v.z});
   });
 }
 
 /// The member is a colour, or an optional one.
-template <class T, class Access> Key<T> colour_key(std::string name, Access access, std::string meaning) {
+template <class T, class Access> Key<T> colour_key(std::string name, Access access) {
   return member_key<T>(
-      std::move(name), "", "a colour, \"#rrggbb\" or a name such as \"navy\"", access, std::move(meaning),
+      std::move(name), "", "a colour, \"#rrggbb\" or a name such as \"navy\"", access,
       [](const toml::node& value, auto& member) { return store(colour_value(value), member); },
       [](const std::optional<glm::vec3>& colour) { return colour ? Json(colour_text(*colour)) : Json(); });
 }
@@ -231,8 +230,7 @@ template <class Choices> auto named(const Choices& all) {
 
 /// Makes a key whose value is one of several names.
 template <class T, class Choice, class Access>
-Key<T> choice_key(std::string name, std::vector<std::pair<std::string, Choice>> choices, Access access,
-                  std::string meaning) {
+Key<T> choice_key(std::string name, std::vector<std::pair<std::string, Choice>> choices, Access access) {
   std::string expected;
   for (const auto& [text, choice] : choices) expected += (expected.empty() ? "\"" : " or \"") + text + '"';
   auto read = [=](const toml::node& value, Choice& member) {
@@ -245,7 +243,7 @@ Key<T> choice_key(std::string name, std::vector<std::pair<std::string, Choice>> 
     const auto chosen = std::ranges::find_if(choices, [&](const auto& c) { return c.second == member; });
     return chosen != choices.end() ? Json(chosen->first) : Json();
   };
-  return member_key<T>(std::move(name), "", std::move(expected), access, std::move(meaning), read, write);
+  return member_key<T>(std::move(name), "", std::move(expected), access, read, write);
 }
 
 /// The key, written only where it is in use.

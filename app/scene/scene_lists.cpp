@@ -62,9 +62,7 @@ template <class T> Json write_list(const std::vector<Key<T>>& keys, const std::v
 /// The keys of an entry of [[forces]].
 std::vector<Key<sim::PointForce>> force_keys() {
   using F = sim::PointForce;
-  return {
-      whole_key<F>("vertex", {0, 4294967294.0}, MEMBER(vertex), "the vertex that is pulled, as numbered in pins.at"),
-      vector_key<F>("force", "N", MEMBER(force_n), "the pull")};
+  return {whole_key<F>("vertex", {0, 4294967294.0}, MEMBER(vertex)), vector_key<F>("force", "N", MEMBER(force_n))};
 }
 
 std::optional<std::vector<sim::PathPoint>> path_in(const toml::node& value) {
@@ -108,8 +106,7 @@ void check_motion(const Source& source, int line, sim::RigidMotion& motion) {
 }
 
 /// A key for a path.
-template <class T, class Access>
-Key<T> path_key(std::string name, std::string unit, Access access, std::string meaning) {
+template <class T, class Access> Key<T> path_key(std::string name, std::string unit, Access access) {
   auto write = [](const std::vector<sim::PathPoint>& path) {
     Json list;
     for (const sim::PathPoint& point : path) {
@@ -119,7 +116,6 @@ Key<T> path_key(std::string name, std::string unit, Access access, std::string m
   };
   return member_key<T>(
       std::move(name), "s, " + unit, "a list of [time, x, y, z], the times rising", access,
-      meaning + "; straight in between, held before and after",
       [](const toml::node& value, auto& path) { return store(path_in(value), path); }, write);
 }
 
@@ -128,36 +124,28 @@ template <class T, class Access> void add_motion(std::vector<Key<T>>& keys, Acce
 #define MOTION(member) \
   [=](auto& entry) -> auto& { return motion(entry).member; }
   constexpr Range time = {.lowest = 0.0, .highest = 1e6};
-  const std::string begins = "when it begins; not set: at 0", ends = "when it ends; not set: never";
   const auto shifts = [=](const T& e) { return motion(e).shift != sim::Shift{}; };
   const auto spins = [=](const T& e) { return motion(e).spin != sim::Spin{}; };
   const auto ends_shift = [=](const T& e) { return std::isfinite(motion(e).shift.until_s); };
   const auto ends_spin = [=](const T& e) { return std::isfinite(motion(e).spin.until_s); };
   keys.insert(
       keys.end(),
-      {written_if(vector_key<T>("shift.velocity", "m/s", MOTION(shift.velocity_m_per_s), "it moves along a line"),
-                  shifts),
-       written_if(number_key<T>("shift.from", "s", time, MOTION(shift.from_s), begins), shifts),
-       written_if(number_key<T>("shift.until", "s", time, MOTION(shift.until_s), ends), ends_shift),
-       written_if(vector_key<T>("spin.about", "m", MOTION(spin.about_m),
-                                "it turns about the line through this point, before it is moved"),
-                  spins),
-       written_if(vector_key<T>("spin.axis", "", MOTION(spin.axis), "the line's direction, of any length; not set: up",
-                                {.may_be_zero = false}),
-                  spins),
-       written_if(number_key<T>("spin.turns_per_second", "", {-1000.0, 1000.0}, MOTION(spin.turns_per_s),
-                                "counter-clockwise seen from where the axis points"),
-                  spins),
-       written_if(number_key<T>("spin.from", "s", time, MOTION(spin.from_s), begins), spins),
-       written_if(number_key<T>("spin.until", "s", time, MOTION(spin.until_s), ends), ends_spin),
-       path_key<T>("path", "m", MOTION(path), "how far it is from where it was modelled")});
+      {written_if(vector_key<T>("shift.velocity", "m/s", MOTION(shift.velocity_m_per_s)), shifts),
+       written_if(number_key<T>("shift.from", "s", time, MOTION(shift.from_s)), shifts),
+       written_if(number_key<T>("shift.until", "s", time, MOTION(shift.until_s)), ends_shift),
+       written_if(vector_key<T>("spin.about", "m", MOTION(spin.about_m)), spins),
+       written_if(vector_key<T>("spin.axis", "", MOTION(spin.axis), {.may_be_zero = false}), spins),
+       written_if(number_key<T>("spin.turns_per_second", "", {-1000.0, 1000.0}, MOTION(spin.turns_per_s)), spins),
+       written_if(number_key<T>("spin.from", "s", time, MOTION(spin.from_s)), spins),
+       written_if(number_key<T>("spin.until", "s", time, MOTION(spin.until_s)), ends_spin),
+       path_key<T>("path", "m", MOTION(path))});
 #undef MOTION
 }
 
 std::vector<Key<MovingPinsInScene>> moving_pins_keys() {
   using P = MovingPinsInScene;
   std::vector<Key<P>> keys = {member_key<P>(
-      "at", "", "a list as of pins.at", MEMBER(at), "vertices that are held and led",
+      "at", "", "a list as of pins.at", MEMBER(at),
       [](const toml::node& value, auto& at) { return store(pins_in(value), at); },
       [](const auto& at) { return at.empty() ? Json() : json_of(at); })};
   add_motion(keys, MEMBER(motion));
@@ -177,9 +165,9 @@ struct BodyInScene {
 };
 
 /// Writes the full path of a file that a scene names.
-Key<BodyInScene> body_file_key(std::string name, std::filesystem::path BodySource::*member, std::string meaning) {
+Key<BodyInScene> body_file_key(std::string name, std::filesystem::path BodySource::*member) {
   Key<BodyInScene> key = file_key<BodyInScene>(
-      std::move(name), [member](auto& entry) -> auto& { return entry.source.*member; }, std::move(meaning));
+      std::move(name), [member](auto& entry) -> auto& { return entry.source.*member; });
   key.write = [member](const BodyInScene& entry) {
     const std::filesystem::path& file = entry.source.*member;
     return file.empty() ? Json() : Json(std::filesystem::absolute(file).lexically_normal().string());
@@ -189,13 +177,12 @@ Key<BodyInScene> body_file_key(std::string name, std::filesystem::path BodySourc
 
 std::vector<Key<BodyInScene>> common_keys() {
   using B = BodyInScene;
-  std::vector<Key<B>> keys = {{"shape", "", shape_names, "", [](const toml::node&, const Source&, B&) { return true; },
+  std::vector<Key<B>> keys = {{"shape", "", shape_names, [](const toml::node&, const Source&, B&) { return true; },
                                [](const B& entry) { return Json(name_of(entry.body.shape)); }},
-                              text_key<B>("name", MEMBER(body.name), "for messages"),
+                              text_key<B>("name", MEMBER(body.name)),
                               // A body's friction may be 0.
                               member_key<B>(
                                   "friction", "", describe("a number", friction), MEMBER(body.friction),
-                                  "Coulomb's coefficient; not set: cloth.friction",
                                   [](const toml::node& value, std::optional<double>& member) {
                                     member = finite_number(value);
                                     return member && friction.contains(*member);
@@ -208,47 +195,29 @@ std::vector<Key<BodyInScene>> common_keys() {
 std::vector<Key<BodyInScene>> shape_keys(const sim::Shape& shape) {
   using B = BodyInScene;
   if (std::holds_alternative<sim::Plane>(shape)) {
-    return {vector_key<B>("point", "m", MEMBER_OF(Plane, point_m), "any point of it"),
-            vector_key<B>("normal", "", MEMBER_OF(Plane, normal), "points to the cloth's side, of any length",
-                          {.may_be_zero = false})};
+    return {vector_key<B>("point", "m", MEMBER_OF(Plane, point_m)),
+            vector_key<B>("normal", "", MEMBER_OF(Plane, normal), {.may_be_zero = false})};
   }
   if (std::holds_alternative<sim::Sphere>(shape)) {
-    return {vector_key<B>("centre", "m", MEMBER_OF(Sphere, centre_m), "of the ball"),
-            number_key<B>("radius", "m", positive, MEMBER_OF(Sphere, radius_m), "of the ball")};
+    return {vector_key<B>("centre", "m", MEMBER_OF(Sphere, centre_m)),
+            number_key<B>("radius", "m", positive, MEMBER_OF(Sphere, radius_m))};
   }
   if (std::holds_alternative<sim::Capsule>(shape)) {
-    return {vector_key<B>("start", "m", MEMBER_OF(Capsule, start_m), "one end"),
-            vector_key<B>("end", "m", MEMBER_OF(Capsule, end_m), "the other end"),
-            number_key<B>("start_radius", "m", positive, MEMBER_OF(Capsule, start_radius_m), "at the start"),
-            number_key<B>("end_radius", "m", positive, MEMBER_OF(Capsule, end_radius_m), "at the end")};
+    return {vector_key<B>("start", "m", MEMBER_OF(Capsule, start_m)),
+            vector_key<B>("end", "m", MEMBER_OF(Capsule, end_m)),
+            number_key<B>("start_radius", "m", positive, MEMBER_OF(Capsule, start_radius_m)),
+            number_key<B>("end_radius", "m", positive, MEMBER_OF(Capsule, end_radius_m))};
   }
-  return {body_file_key("file", &BodySource::file, "a closed 3D model, relative to the scene file"),
-          number_key<B>("scale", "m", not_negative, MEMBER(source.scale),
-                        "the model's unit of length; 0: what the file says, or else metres"),
-          up_key<B>("up", MEMBER(source.up), "the model's direction that is up; auto: what the file says, or else y"),
-          body_file_key("motion", &BodySource::motion, "where its vertices or joints are over time: a PC2 or BVH file"),
+  return {body_file_key("file", &BodySource::file), number_key<B>("scale", "m", not_negative, MEMBER(source.scale)),
+          up_key<B>("up", MEMBER(source.up)), body_file_key("motion", &BodySource::motion),
           // The name of `motion` when it was PC2 alone.
-          written_if(body_file_key("frames", &BodySource::motion, "another name of motion"),
-                     [](const B&) { return false; }),
-          written_if(text_key<B>("clip", MEMBER(source.clip),
-                                 "which animation of the model is played; not set: the first; \"all\": all "
-                                 "at once; \"none\": none",
-                                 "a name"),
+          written_if(body_file_key("frames", &BodySource::motion), [](const B&) { return false; }),
+          written_if(text_key<B>("clip", MEMBER(source.clip), "a name"),
                      [](const B& entry) { return !entry.source.clip.empty(); }),
-          number_key<B>("frame_rate", "Hz", {.lowest = 0.0, .highest = 1e5}, MEMBER(source.frame_rate_hz),
-                        "of the motion, and how often a clip is looked at; in between vertices go straight; "
-                        "0: what the file says, or else 60"),
-          number_key<B>("start", "s", not_negative, MEMBER(source.start_s),
-                        "the time of the motion with which the run begins, rounded to a frame"),
-          written_if(switch_key<B>("loop", MEMBER(source.loop),
-                                   "the motion repeats after its last frame: from the earliest frame that is "
-                                   "the same, or else its first; false: it stays in its last"),
-                     [](const B& entry) { return entry.source.loop; }),
-          written_if(whole_key<B>("dress", {.lowest = 0.0, .highest = 10000.0}, MEMBER(source.dress),
-                                  "so many frames are simulated before frame 0, without gravity and wind, in which "
-                                  "the body grows from its bones to its shape, into what it wears; a garment that "
-                                  "lies elsewhere is moved to it first; it needs joints, or arms off its trunk",
-                                  "frames"),
+          number_key<B>("frame_rate", "Hz", {.lowest = 0.0, .highest = 1e5}, MEMBER(source.frame_rate_hz)),
+          number_key<B>("start", "s", not_negative, MEMBER(source.start_s)),
+          written_if(switch_key<B>("loop", MEMBER(source.loop)), [](const B& entry) { return entry.source.loop; }),
+          written_if(whole_key<B>("dress", {.lowest = 0.0, .highest = 10000.0}, MEMBER(source.dress), "frames"),
                      [](const B& entry) { return entry.source.dress != 0; })};
 }
 
@@ -282,9 +251,10 @@ BodyInScene read_body(const toml::table& table, const Source& source) {
 }
 
 template <class T>
-std::string entry_help(const std::string& title, const std::vector<Key<T>>& keys, const T& defaults) {
+std::string entry_help(const std::string& title, const std::string& list, const std::vector<Key<T>>& keys,
+                       const T& defaults) {
   std::string text = '\n' + title + ":\n";
-  for (const Key<T>& key : keys) text += describe_key(key, defaults);
+  for (const Key<T>& key : keys) text += describe_key(key, defaults, list);
   return text;
 }
 
@@ -326,11 +296,6 @@ Key<Scene> pins_key() {
       "\"none\" or \"hanger\" or a list of landmark names, grid names (\"top-left\", ...), vertex numbers "
       "and { nearest = [x, y, z] }",
       MEMBER(pins),
-      "vertices that are held; not set: the upper edge of a grid, each part of a model by its top. "
-      "\"hanger\": none, but two bars below its shoulders. Numbers count from 0: a grid's vertices row by "
-      "row from the top left; the v lines of an OBJ file; the vertices of other files, mesh after mesh; "
-      "where a format shares no vertices between faces (STL, FBX, Collada) the corners of its faces. taut "
-      "inspect says which, and how many",
       [](const toml::node& value, auto& pins) {
         return store(text_in(value) == "none" ? std::vector<PinSelector>{} : pins_in(value), pins);
       },
@@ -345,16 +310,12 @@ Key<Scene> weld_key() {
     weld_m = is_right ? number : weld_m;
     return is_right;
   };
-  return member_key<Scene>(
-      "garment.weld", "m", "\"auto\" or " + describe("a number", range), MEMBER(garment.weld_m),
-      "borders of the model nearer to each other than this are sewn together; auto: borders of different "
-      "parts within 1 mm, where it is beyond doubt what belongs together; 0: none",
-      read, [](const std::optional<double>& weld_m) { return weld_m ? Json(*weld_m) : Json(); });
+  return member_key<Scene>("garment.weld", "m", "\"auto\" or " + describe("a number", range), MEMBER(garment.weld_m),
+                           read, [](const std::optional<double>& weld_m) { return weld_m ? Json(*weld_m) : Json(); });
 }
 
 Key<Scene> gravity_path_key() {
-  return path_key<Scene>("gravity.path", "m/s2", MEMBER(surroundings.forces.gravity_path),
-                         "what is added to gravity over time");
+  return path_key<Scene>("gravity.path", "m/s2", MEMBER(surroundings.forces.gravity_path));
 }
 
 Key<Scene> forces_key() {
@@ -365,8 +326,7 @@ Key<Scene> forces_key() {
                      [&](const toml::table& table) { KeyReader(keys, source, forces.emplace_back()).read(table); });
   };
   return member_key<Scene>("forces", "", "a list of tables [[forces]]", MEMBER(surroundings.forces.artificial_forces),
-                           "pulls on single vertices", read,
-                           [](const auto& forces) { return write_list(force_keys(), forces); });
+                           read, [](const auto& forces) { return write_list(force_keys(), forces); });
 }
 
 Key<Scene> bodies_key() {
@@ -388,7 +348,7 @@ Key<Scene> bodies_key() {
     }
     return list;
   };
-  return {"bodies", "", "a list of tables [[bodies]]", "what cloth cannot enter", read, write};
+  return {"bodies", "", "a list of tables [[bodies]]", read, write};
 }
 
 Key<Scene> moving_pins_key() {
@@ -405,18 +365,17 @@ Key<Scene> moving_pins_key() {
       }
     });
   };
-  return member_key<Scene>(
-      "pins.moving", "", "a list of tables [[pins.moving]]", MEMBER(moving_pins),
-      "groups of vertices that are held, each led by a motion of its own, besides those of pins.at", read,
-      [](const auto& groups) { return write_list(moving_pins_keys(), groups); });
+  return member_key<Scene>("pins.moving", "", "a list of tables [[pins.moving]]", MEMBER(moving_pins), read,
+                           [](const auto& groups) { return write_list(moving_pins_keys(), groups); });
 }
 
 std::string list_entries_help() {
-  std::string text = entry_help("Each [[forces]]", force_keys(), sim::PointForce{}) +
-                     entry_help("Each [[pins.moving]]", moving_pins_keys(), MovingPinsInScene{}) +
-                     entry_help("Each [[bodies]]", common_keys(), BodyInScene{});
+  std::string text = entry_help("Each [[forces]]", "forces.", force_keys(), sim::PointForce{}) +
+                     entry_help("Each [[pins.moving]]", "pins.moving.", moving_pins_keys(), MovingPinsInScene{}) +
+                     entry_help("Each [[bodies]]", "bodies.", common_keys(), BodyInScene{});
   for (const auto& [name, shape] : shapes) {
-    text += entry_help(std::string("Each [[bodies]] with shape = \"") + name + "\" also", shape_keys(shape),
+    text += entry_help(std::string("Each [[bodies]] with shape = \"") + name + "\" also",
+                       std::string("bodies.") + name + '.', shape_keys(shape),
                        BodyInScene{.body = {.shape = shape}, .source = {}});
   }
   return text +

@@ -19,12 +19,6 @@ namespace fs = std::filesystem;
 constexpr std::array end_names = {"done", "broken", "failed"};
 constexpr int checkpoint_every = 60;
 
-constexpr std::array measures = {
-    "max_stretch",       "max_surface_stretch", "max_p99_stretch",   "max_p99_surface_stretch",
-    "final_max_stretch", "frames_over_bound",   "smallest_distance", "mean_substeps",
-    "mean_sim_ms",       "total_sim_ms",        "final_rms_speed",   "frames",
-    "vertices",          "triangles",           "state_hash",        "reason"};
-
 std::string hash_text(std::uint64_t hash) { return fmt::format("{:016x}", hash); }
 
 std::string program_hash() { return hash_text(sim::fnv1a(sim::fnv1a_of_nothing, read_text_file("/proc/self/exe"))); }
@@ -219,7 +213,7 @@ class SweepRun {
       result["vertices"] = simulation_->garment().mesh.positions.size();
       result["triangles"] = simulation_->garment().mesh.triangles.size();
       result["state_hash"] = hash_text(sim::hash(simulation_->state()));
-      result.update(Json::parse(statistics_end(StatisticsFormat::json_lines, saved_.summary))["summary"]);
+      result.update(summary_json(saved_.summary));
     }
     write_text_file(sweep_.file(run_, ".json"), result.dump(-1, ' ', false, Json::error_handler_t::replace) + '\n');
     std::error_code ignored;
@@ -242,7 +236,7 @@ std::string value_cell(const Json& value) {
   return cell(value.is_string() ? fs::path(value.get<std::string>()).stem().string() : toml_text(value));
 }
 
-std::string cell_of(const Json& result, const char* name) {
+std::string cell_of(const Json& result, const std::string& name) {
   const Json value = result.value(name, Json());
   return value.is_null() ? "" : value.is_string() ? cell(value.get<std::string>()) : value.dump();
 }
@@ -361,15 +355,17 @@ std::string ranges_text(std::span<const std::size_t> numbers) {
 std::string sweep_table(const Sweep& sweep) {
   std::vector<std::string> columns = {"index"};
   for (const auto& [key, value] : sweep.runs.front().values.items()) columns.push_back(cell(key));
-  columns.emplace_back("end");
+  std::vector<std::string> measures = {"end"};
+  const Json summary = summary_json({});
+  for (const auto& [name, value] : summary.items()) measures.push_back(name);
+  measures.insert(measures.end(), {"vertices", "triangles", "state_hash", "reason"});
   columns.insert(columns.end(), measures.begin(), measures.end());
   CsvTable table(columns);
   for (std::size_t run = 0; run < sweep.runs.size(); ++run) {
     const Json result = result_of(sweep, run).value_or(Json{{"end", "missing"}});
     std::vector<std::string> row = {std::to_string(run)};
     for (const Json& value : sweep.runs[run].values) row.push_back(value_cell(value));
-    row.push_back(cell_of(result, "end"));
-    for (const char* name : measures) row.push_back(cell_of(result, name));
+    for (const std::string& name : measures) row.push_back(cell_of(result, name));
     table.add(std::move(row));
   }
   return table.text();

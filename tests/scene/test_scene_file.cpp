@@ -336,7 +336,7 @@ TEST(SceneKeys, AcceptTheirOwnDefaults) {
       EXPECT_TRUE(key.read(*read_toml_value(toml_text(value)).get("value"), source, scene)) << key.name;
       EXPECT_EQ(to_text(key.write(scene)), to_text(value)) << key.name;
     }
-    EXPECT_FALSE(key.meaning.empty()) << key.name;
+    EXPECT_FALSE(meaning_of(key.name).empty()) << key.name;
   }
 }
 

@@ -211,9 +211,9 @@ TEST_F(SweepTest, TheTableHasEveryRun) {
   const Sweep sweep = planned(axes);
   attempt_run(sweep, 1);
   const std::string table = sweep_table(sweep);
-  EXPECT_CONTAINS(table, "index,solver.max_stretch,wind.speed,end,max_stretch,");
+  EXPECT_CONTAINS(table, "index,solver.max_stretch,wind.speed,end,frames,max_stretch,");
   EXPECT_CONTAINS(table, "\n0,0.6,0,missing,,");
-  EXPECT_CONTAINS(table, "\n1,0.6,1.5,done,0.");
+  EXPECT_CONTAINS(table, "\n1,0.6,1.5,done,20,0.");
   EXPECT_EQ(std::count(table.begin(), table.end(), '\n'), 7);
 }
 

@@ -245,8 +245,8 @@ std::string hint_for(const std::string& name) {
   static const std::vector<Key<Scene>> keys = scene_keys();
   const auto key = std::ranges::find(keys, name, &Key<Scene>::name);
   if (key == keys.end()) return "";
-  const std::string unit = key->unit.empty() ? "" : ", in " + key->unit;
-  return static_cast<char>(std::toupper(key->meaning[0])) + key->meaning.substr(1) + unit + '.';
+  const std::string meaning = meaning_of(name), unit = key->unit.empty() ? "" : ", in " + key->unit;
+  return static_cast<char>(std::toupper(meaning[0])) + meaning.substr(1) + unit + '.';
 }
 
 }  // namespace taut::app

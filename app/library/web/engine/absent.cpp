@@ -6,6 +6,9 @@
 // say so; a sewing pattern is a model that is not read.
 namespace taut::app {
 
+extern const char* const key_texts;
+const char* const key_texts = "";  // of the help, which nobody can ask for
+
 std::filesystem::path own_file() { return {}; }
 
 sim::Mesh remesh(const sim::Mesh& /*surface*/, double /*edge_m*/) {

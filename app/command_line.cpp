@@ -108,26 +108,23 @@ void add_wind(CLI::App& command, std::vector<Override>& overrides) {
   command.add_option_function<std::string>("--wind", set);
 }
 
-std::function<int()> add_sweep(CLI::App& app) {
-  auto options = std::make_shared<SweepOptions>();
-  CLI::App* sweep = app.add_subcommand("sweep");
-  sweep->require_subcommand(1);
+void define_sweep(CLI::App& sweep, SweepOptions& options) {
+  sweep.require_subcommand(1);
   const auto add = [&](const char* name, SweepAction action) {
-    CLI::App* command = sweep->add_subcommand(name);
-    command->callback([options, action] { options->action = action; });
-    if (action != SweepAction::plan) command->add_option("DIR", options->folder)->required();
+    CLI::App* command = sweep.add_subcommand(name);
+    command->callback([&options, action] { options.action = action; });
+    if (action != SweepAction::plan) command->add_option("DIR", options.folder)->required();
     return command;
   };
   CLI::App* plan = add("plan", SweepAction::plan);
-  plan->add_option("STUDY", options->study)->required();
-  plan->add_option("--output,-o", options->folder)->required();
+  plan->add_option("STUDY", options.study)->required();
+  plan->add_option("--output,-o", options.folder)->required();
   CLI::App* run_some = add("run", SweepAction::run);
-  run_some->add_option("--index", options->index)->check(CLI::NonNegativeNumber);
-  CLI::Option* all = run_some->add_flag("--all", options->all);
-  run_some->add_option("--jobs", options->jobs)->needs(all)->check(CLI::Range(1, 1024));
-  add("status", SweepAction::status)->add_flag("--missing", options->missing);
+  run_some->add_option("--index", options.index)->check(CLI::NonNegativeNumber);
+  CLI::Option* all = run_some->add_flag("--all", options.all);
+  run_some->add_option("--jobs", options.jobs)->needs(all)->check(CLI::Range(1, 1024));
+  add("status", SweepAction::status)->add_flag("--missing", options.missing);
   add("merge", SweepAction::merge);
-  return [options] { return run(*options); };
 }
 
 std::string unit_symbols() {
@@ -218,31 +215,25 @@ std::string drawn_elsewhere(const std::string& figure) {
   return figure + " is drawn by build/release/tests/claims/judge_claims --only " + figure;
 }
 
-std::function<int()> add_figures(CLI::App& app) {
-  auto options = std::make_shared<FiguresOptions>();
-  CLI::App* command = app.add_subcommand("figures");
-  command->add_option("--only", options->only)
+void define_figures(CLI::App& command, FiguresOptions& options) {
+  command.add_option("--only", options.only)
       ->delimiter(',')
       ->check(CLI::Validator(drawn_elsewhere, "", ""))
       ->check(CLI::IsMember(figure_names()));
-  command->add_option("-o,--output", options->output)->capture_default_str();
-  command->add_option("--data", options->data);
-  command->add_option("--scale", options->scale)->check(CLI::Range(0.1, 4.0))->capture_default_str();
-  add_backend(*command, options->backend);
-  return [options] { return run(*options); };
+  command.add_option("-o,--output", options.output)->capture_default_str();
+  command.add_option("--data", options.data);
+  command.add_option("--scale", options.scale)->check(CLI::Range(0.1, 4.0))->capture_default_str();
+  add_backend(command, options.backend);
 }
 
-std::function<int()> add_render(CLI::App& app, std::span<const char* const> arguments) {
-  auto options = std::make_shared<RenderOptions>();
-  options->arguments.assign(arguments.begin() + 1, arguments.end());
-  CLI::App* command = app.add_subcommand("render");
-  add_scene_arguments(*command, *options);
-  command->add_option("-o,--output", options->output);
-  command->add_option("--frames", options->frames);
-  command->add_option("--export", options->shapes);
-  add_resolution(*command, options->overrides);
-  add_side(*command, options->overrides);
-  add_keys(*command, options->overrides,
+void define_render(CLI::App& command, RenderOptions& options) {
+  add_scene_arguments(command, options);
+  command.add_option("-o,--output", options.output);
+  command.add_option("--frames", options.frames);
+  command.add_option("--export", options.shapes);
+  add_resolution(command, options.overrides);
+  add_side(command, options.overrides);
+  add_keys(command, options.overrides,
            {{"--background", "picture.background"},
             {"--wireframe", "picture.wireframe", "true"},
             {"--stretch", "picture.surface", "stretch"},
@@ -250,26 +241,22 @@ std::function<int()> add_render(CLI::App& app, std::span<const char* const> argu
             {"--quality", "picture.quality"},
             {"--samples", "picture.samples"},
             {"--supersampling", "picture.supersampling"}});
-  add_set(*command, options->overrides);
-  add_backend(*command, options->backend);
-  return [options] { return run(*options); };
+  add_set(command, options.overrides);
+  add_backend(command, options.backend);
 }
 
-std::function<int()> add_simulate(CLI::App& app) {
-  auto options = std::make_shared<SimulateOptions>();
-  CLI::App* command = app.add_subcommand("simulate");
-  add_scene_arguments(*command, *options);
-  add_set(*command, options->overrides);
-  command->add_option("--frames", options->frames);
-  command->add_option("--export", options->shapes);
-  command->add_flag("--quiet", options->quiet);
-  command->add_flag("--json", options->json);
-  command->add_option("--checkpoint", options->checkpoint);
-  command->add_option("--checkpoint-every", options->checkpoint_every)
+void define_simulate(CLI::App& command, SimulateOptions& options) {
+  add_scene_arguments(command, options);
+  add_set(command, options.overrides);
+  command.add_option("--frames", options.frames);
+  command.add_option("--export", options.shapes);
+  command.add_flag("--quiet", options.quiet);
+  command.add_flag("--json", options.json);
+  command.add_option("--checkpoint", options.checkpoint);
+  command.add_option("--checkpoint-every", options.checkpoint_every)
       ->check(CLI::Range(1, 1000000))
       ->capture_default_str();
-  command->add_option("--resume", options->resume);
-  return [options] { return run(*options); };
+  command.add_option("--resume", options.resume);
 }
 
 std::vector<std::string> solvers() {
@@ -286,80 +273,74 @@ void add_compare(CLI::App& command, std::optional<sim::SolverKind>& compared_wit
   command.add_option_function<std::string>("--compare", set);
 }
 
-std::function<int()> add_view(CLI::App& app) {
-  auto options = std::make_shared<ViewOptions>();
-  CLI::App* command = app.add_subcommand("view");
-  command->add_option("SCENE", options->scene);
-  add_garment_arguments(*command, options->overrides);
-  add_wind(*command, options->overrides);
-  add_side(*command, options->overrides);
-  add_keys(*command, options->overrides, {{"--texture", "picture.texture"}});
-  add_set(*command, options->overrides);
-  command->add_option_function<std::string>(
-      "--size", [options](const std::string& text) { options->size = parse_size(text, "--size"); });
-  add_compare(*command, options->compared_with);
-  command->add_option("--keep", options->keep_folder)->capture_default_str();
-  command->add_option("--record", options->record);
-  command->add_flag("--headless", options->headless);
-  command->add_option("--script", options->script);
-  command->add_option("--screenshot", options->screenshot);
-  command->add_option("--layout", options->layout);
-  add_backend(*command, options->backend);
-  return [options] { return run(*options); };
+void define_view(CLI::App& command, ViewOptions& options) {
+  command.add_option("SCENE", options.scene);
+  add_garment_arguments(command, options.overrides);
+  add_wind(command, options.overrides);
+  add_side(command, options.overrides);
+  add_keys(command, options.overrides, {{"--texture", "picture.texture"}});
+  add_set(command, options.overrides);
+  command.add_option_function<std::string>(
+      "--size", [&options](const std::string& text) { options.size = parse_size(text, "--size"); });
+  add_compare(command, options.compared_with);
+  command.add_option("--keep", options.keep_folder)->capture_default_str();
+  command.add_option("--record", options.record);
+  command.add_flag("--headless", options.headless);
+  command.add_option("--script", options.script);
+  command.add_option("--screenshot", options.screenshot);
+  command.add_option("--layout", options.layout);
+  add_backend(command, options.backend);
 }
 
-std::function<int()> add_inspect(CLI::App& app) {
-  auto options = std::make_shared<InspectOptions>();
-  CLI::App* command = app.add_subcommand("inspect");
-  command->add_option("GARMENT", options->garment);
-  add_garment_arguments(*command, options->overrides);
-  add_set(*command, options->overrides);
-  command->add_flag("--json", options->json);
-  command->add_option("-o,--output,--picture", options->picture);
-  add_backend(*command, options->backend);
-  return [options] { return run(*options); };
+void define_inspect(CLI::App& command, InspectOptions& options) {
+  command.add_option("GARMENT", options.garment);
+  add_garment_arguments(command, options.overrides);
+  add_set(command, options.overrides);
+  command.add_flag("--json", options.json);
+  command.add_option("-o,--output,--picture", options.picture);
+  add_backend(command, options.backend);
 }
 
-std::function<int()> add_fit(CLI::App& app) {
-  auto options = std::make_shared<FitOptions>();
-  CLI::App* command = app.add_subcommand("fit");
-  command->add_option("GARMENT", options->scene)->required();
-  add_garment_arguments(*command, options->overrides);
-  add_set(*command, options->overrides);
-  command->add_option("-o,--output", options->output);
-  command->add_option("--frames", options->frames)->check(CLI::Range(1, 100000))->capture_default_str();
-  command->add_flag("--json", options->json);
-  add_backend(*command, options->backend);
-  return [options] { return run(*options); };
+void define_fit(CLI::App& command, FitOptions& options) {
+  command.add_option("GARMENT", options.scene)->required();
+  add_garment_arguments(command, options.overrides);
+  add_set(command, options.overrides);
+  command.add_option("-o,--output", options.output);
+  command.add_option("--frames", options.frames)->check(CLI::Range(1, 100000))->capture_default_str();
+  command.add_flag("--json", options.json);
+  add_backend(command, options.backend);
 }
 
-std::function<int()> add_sew(CLI::App& app) {
-  auto options = std::make_shared<SewOptions>();
-  CLI::App* command = app.add_subcommand("sew");
-  command->add_option("PATTERN", options->pattern)->required();
-  command->add_option("--over", options->over)->allow_extra_args(false);
-  command->add_option("--over-fabric", options->over_fabrics)->allow_extra_args(false);
-  add_keys(*command, options->overrides, {{"--fabric", "cloth.fabric"}});
-  add_body(*command, options->overrides);
-  add_set(*command, options->overrides);
-  command->add_option("-o,--output", options->output);
-  command->add_option("--picture", options->picture);
-  command->add_option("--steps", options->steps);
-  command->add_option("--triangles", options->triangles)->check(CLI::Range(100, 200000))->capture_default_str();
-  command->add_option("--frames", options->frames)->check(CLI::Range(0, 100000))->capture_default_str();
-  command->add_flag("--json", options->json);
-  add_backend(*command, options->backend);
-  return [options] { return run(*options); };
+void define_sew(CLI::App& command, SewOptions& options) {
+  command.add_option("PATTERN", options.pattern)->required();
+  command.add_option("--over", options.over)->allow_extra_args(false);
+  command.add_option("--over-fabric", options.over_fabrics)->allow_extra_args(false);
+  add_keys(command, options.overrides, {{"--fabric", "cloth.fabric"}});
+  add_body(command, options.overrides);
+  add_set(command, options.overrides);
+  command.add_option("-o,--output", options.output);
+  command.add_option("--picture", options.picture);
+  command.add_option("--steps", options.steps);
+  command.add_option("--triangles", options.triangles)->check(CLI::Range(100, 200000))->capture_default_str();
+  command.add_option("--frames", options.frames)->check(CLI::Range(0, 100000))->capture_default_str();
+  command.add_flag("--json", options.json);
+  add_backend(command, options.backend);
 }
 
-std::function<int()> add_import_model(CLI::App& app) {
-  auto options = std::make_shared<ImportModelOptions>();
-  CLI::App* command = app.add_subcommand("import-model");
-  command->group("");  // not shown: nothing a person could read comes out
-  command->add_option("MODEL", options->model)->required();
-  command->add_option("--memory", options->limits.memory_mib)->check(CLI::Range(64, 1 << 20));
-  command->add_option("--seconds", options->limits.seconds)->check(CLI::Range(1, 86400));
-  command->add_option("--parts", options->parts)->check(CLI::Range(0, static_cast<int>(ReadParts::image)));
+void define_import_model(CLI::App& command, ImportModelOptions& options) {
+  command.group("");  // not shown: nothing a person could read comes out
+  command.add_option("MODEL", options.model)->required();
+  command.add_option("--memory", options.limits.memory_mib)->check(CLI::Range(64, 1 << 20));
+  command.add_option("--seconds", options.limits.seconds)->check(CLI::Range(1, 86400));
+  command.add_option("--parts", options.parts)->check(CLI::Range(0, static_cast<int>(ReadParts::image)));
+}
+
+/// A command that runs with its options as they are defined.
+template <class Options>
+std::function<int()> add_command(CLI::App& app, const char* name, void (*define)(CLI::App&, Options&),
+                                 const Options& asked = {}) {
+  const auto options = std::make_shared<Options>(asked);
+  define(*app.add_subcommand(name), *options);
   return [options] { return run(*options); };
 }
 
@@ -370,17 +351,14 @@ std::function<int()> add_list(CLI::App& app, const char* command, const char* na
   return [asked, list] { return list(*asked); };
 }
 
-std::function<int()> add_bench(CLI::App& app) {
-  auto options = std::make_shared<BenchOptions>();
-  CLI::App* command = app.add_subcommand("bench");
-  command->add_flag("--contact", options->contact);
-  command->add_flag("--quick", options->quick);
-  command->add_option("--scenes", options->scenes)->delimiter(',');
-  command->add_option("--runs", options->runs)->check(CLI::Range(1, 1000));
-  command->add_option("--frames", options->frames)->check(CLI::Range(1, 1000000));
-  command->add_flag("--csv", options->csv);
-  command->add_flag("--quiet", options->quiet);
-  return [options] { return run(*options); };
+void define_bench(CLI::App& command, BenchOptions& options) {
+  command.add_flag("--contact", options.contact);
+  command.add_flag("--quick", options.quick);
+  command.add_option("--scenes", options.scenes)->delimiter(',');
+  command.add_option("--runs", options.runs)->check(CLI::Range(1, 1000));
+  command.add_option("--frames", options.frames)->check(CLI::Range(1, 1000000));
+  command.add_flag("--csv", options.csv);
+  command.add_flag("--quiet", options.quiet);
 }
 
 // Without those that belong to no group, which are not shown.
@@ -514,18 +492,20 @@ int run_command_line(std::span<const char* const> arguments) {
   CLI::App app("", "taut");
   app.set_version_flag("--version", "taut " + program_version());
   app.require_subcommand(1);
-  const std::vector<std::function<int()>> commands = {add_figures(app),
-                                                      add_render(app, arguments),
-                                                      add_simulate(app),
-                                                      add_view(app),
-                                                      add_inspect(app),
-                                                      add_fit(app),
-                                                      add_sew(app),
-                                                      add_bench(app),
+  RenderOptions rendering;
+  rendering.arguments.assign(arguments.begin() + 1, arguments.end());
+  const std::vector<std::function<int()>> commands = {add_command(app, "figures", define_figures),
+                                                      add_command(app, "render", define_render, rendering),
+                                                      add_command(app, "simulate", define_simulate),
+                                                      add_command(app, "view", define_view),
+                                                      add_command(app, "inspect", define_inspect),
+                                                      add_command(app, "fit", define_fit),
+                                                      add_command(app, "sew", define_sew),
+                                                      add_command(app, "bench", define_bench),
                                                       add_list(app, "scenes", "SCENE", list_scenes),
                                                       add_list(app, "fabrics", "FABRIC", list_fabrics),
-                                                      add_sweep(app),
-                                                      add_import_model(app),
+                                                      add_command(app, "sweep", define_sweep),
+                                                      add_command(app, "import-model", define_import_model),
                                                       add_help(app)};
   describe(app, "taut", toml::parse(help_texts));
   show_help_first(app);

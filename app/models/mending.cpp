@@ -2,9 +2,7 @@
 
 #include "app/base/words.hpp"
 #include "app/fitting/following.hpp"
-#include "app/verify/crossing_pairs.hpp"
 #include "sim/mesh/groups.hpp"
-#include "sim/mesh/point_cells.hpp"
 #include "sim/mesh/welding.hpp"
 
 namespace taut::app {
@@ -95,65 +93,6 @@ struct Place {
   sim::Index vertex;
   sim::Index triangle;
   double distance;
-};
-
-double distance_to_triangle(const sim::Vec3& point, const sim::Mesh& mesh, const sim::Triangle& t) {
-  const sim::Vec3 normal = glm::normalize(sim::doubled_area_vector(mesh.positions, t));
-  double to_border = std::numeric_limits<double>::infinity();
-  bool is_above = true;
-  for (int k = 0; k < 3; ++k) {
-    const sim::Vec3 &a = mesh.positions[t[k]], &b = mesh.positions[t[(k + 1) % 3]];
-    is_above = is_above && glm::dot(glm::cross(b - a, point - a), normal) >= 0.0;
-    to_border = std::min(to_border, glm::distance(point, a + share_along(point, a, b) * (b - a)));
-  }
-  return is_above ? std::abs(glm::dot(point - mesh.positions[t[0]], normal)) : to_border;
-}
-
-/// The triangles of all parts that are no trims, by their middles.
-struct Cloth {
-  Cloth(std::span<const GarmentPart> parts, double most_area, double farthest, const sim::Mesh& source)
-      : mesh(source), reach(longest_way(parts, most_area) + farthest), middles(reach) {
-    for (const GarmentPart& part : parts) {
-      for (const sim::Index t : part.area_m2 > most_area ? part.triangles : std::vector<sim::Index>{}) {
-        middles.add(middle_of(t), t);
-      }
-    }
-  }
-
-  /// The place below this vertex; empty if there is no cloth nearer than `farthest`.
-  std::optional<Place> below(sim::Index vertex, double farthest) const {
-    std::optional<Place> best;
-    middles.visit_near(mesh.positions[vertex], [&](sim::Index t) {
-      const double distance = distance_to_triangle(mesh.positions[vertex], mesh, mesh.triangles[t]);
-      const bool is_nearer = distance <= (best ? best->distance : farthest);
-      if (is_nearer && !(best && distance == best->distance && t > best->triangle)) {
-        best = Place{vertex, t, distance};
-      }
-    });
-    return best;
-  }
-
-  const sim::Mesh& mesh;
-  double reach;
-  sim::PointCells middles;
-
- private:
-  sim::Vec3 middle_of(sim::Index t) const {
-    const auto& [a, b, c] = mesh.triangles[t];
-    return (mesh.positions[a] + mesh.positions[b] + mesh.positions[c]) / 3.0;
-  }
-  /// From the middle of any triangle to its farthest corner.
-  double longest_way(std::span<const GarmentPart> parts, double most_area) const {
-    double longest = 0.0;
-    for (const GarmentPart& part : parts) {
-      for (const sim::Index t : part.area_m2 > most_area ? part.triangles : std::vector<sim::Index>{}) {
-        for (const sim::Index v : mesh.triangles[t]) {
-          longest = std::max(longest, glm::distance(mesh.positions[v], middle_of(t)));
-        }
-      }
-    }
-    return longest;
-  }
 };
 
 /// Places as far from each other as there are: the nearest to the cloth, then the farthest from those before.
@@ -271,13 +210,21 @@ std::size_t sew_on_trims(std::span<const GarmentPart> parts, double metres_per_u
   const auto is_trim = [&](const GarmentPart& part) { return part.area_m2 <= largest_trim * area; };
   if (std::ranges::none_of(parts, is_trim) || std::ranges::all_of(parts, is_trim)) return 0;
   const double farthest = farthest_m / metres_per_unit;
-  const Cloth cloth(parts, largest_trim * area, farthest, mesh);
+  std::vector<sim::Index> cloth;
+  for (const GarmentPart& part : parts) {
+    if (!is_trim(part)) cloth.insert(cloth.end(), part.triangles.begin(), part.triangles.end());
+  }
+  std::ranges::sort(cloth);
+  std::vector<sim::Triangle> triangles;
+  for (const sim::Index t : cloth) triangles.push_back(mesh.triangles[t]);
+  const SurfaceTree tree(mesh.positions, triangles);
   std::vector<sim::Triangle> stitches;
   std::size_t sewn_on = 0;
   for (const GarmentPart& part : parts) {
     std::vector<Place> places;
     for (const sim::Index v : is_trim(part) ? part.vertices : std::vector<sim::Index>{}) {
-      if (const auto place = cloth.below(v, farthest)) places.push_back(*place);
+      const auto below = tree.nearest(mesh.positions[v], farthest, [](const SurfacePoint&) { return true; });
+      if (below) places.push_back({v, cloth[below->triangle], below->distance_m});
     }
     if (!places.empty()) {
       ++sewn_on;

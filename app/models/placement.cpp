@@ -2,7 +2,7 @@
 
 #include <fmt/core.h>
 
-#include "app/models/garment_parts.hpp"
+#include "app/models/garment_measures.hpp"
 #include "app/models/hanging.hpp"
 #include "sim/mesh/groups.hpp"
 #include "sim/mesh/welding.hpp"
@@ -167,22 +167,25 @@ sim::Vec3 turned(const sim::Vec3& p, ModelAxis up) {
 
 using LevelCut = std::vector<std::array<sim::Vec3, 2>>;
 
-LevelCut section_at(const sim::Mesh& mesh, double height) {
-  LevelCut section;
-  for (const sim::Triangle& t : mesh.triangles) {
-    std::array<sim::Vec3, 2> ends{};
-    std::size_t count = 0;
-    for (int k = 0; k < 3; ++k) {
-      // From the lower vertex of both triangles at an edge, so that their segments share their ends exactly.
-      const auto [first, second] = std::minmax(t[k], t[(k + 1) % 3]);
-      const sim::Vec3 &a = mesh.positions[first], &b = mesh.positions[second];
-      if ((a.y < height) != (b.y < height) && count < 2) {
-        ends[count++] = a + (height - a.y) / (b.y - a.y) * (b - a);
-      }
+/// The curves at a share of the height.
+std::vector<LevelCut> curves_at(const sim::Mesh& mesh, double share) {
+  const sim::Extent box = sim::extent_of(mesh.positions);
+  const CuttingPlane plane = {{0.0, box.lower.y + share * box.size().y, 0.0}};
+  std::vector<LevelCut> curves;
+  for (const SectionCurve& curve : section_of({mesh.positions, mesh.triangles}, plane)) {
+    const std::size_t count = curve.points_m.size();
+    LevelCut& segments = curves.emplace_back();
+    for (std::size_t k = 0; k + (curve.is_closed ? 0 : 1) < count; ++k) {
+      segments.push_back({place_in(plane, curve.points_m[k]), place_in(plane, curve.points_m[(k + 1) % count])});
     }
-    if (count == 2) section.push_back(ends);
   }
-  return section;
+  return curves;
+}
+
+LevelCut joined_up(const std::vector<LevelCut>& curves) {
+  LevelCut all;
+  for (const LevelCut& curve : curves) all.insert(all.end(), curve.begin(), curve.end());
+  return all;
 }
 
 sim::Extent range_of(const LevelCut& section) {
@@ -219,30 +222,13 @@ bool goes_around(const LevelCut& section) {
   return std::ranges::count(is_met, false) <= widest_slit;
 }
 
-/// The section's curves: segments that share ends.
-std::vector<LevelCut> curves_of(const LevelCut& section) {
-  std::map<std::array<double, 2>, sim::Index> ends;
-  for (const auto& segment : section) {
-    for (const sim::Vec3& p : segment) ends.try_emplace({p.x, p.z}, static_cast<sim::Index>(ends.size()));
-  }
-  sim::Groups joined(ends.size());
-  for (const auto& [a, b] : section) joined.join(ends.at({a.x, a.z}), ends.at({b.x, b.z}));
-  std::map<sim::Index, LevelCut> curves;
-  for (const auto& segment : section) {
-    curves[joined.find(ends.at({segment[0].x, segment[0].z}))].push_back(segment);
-  }
-  std::vector<LevelCut> all;
-  for (auto& [first, curve] : curves) all.push_back(std::move(curve));
-  return all;
-}
-
 /// Whether it goes around both halves, as around legs; those are apart where no curve belongs to both.
-bool goes_around_halves(const LevelCut& section, bool are_apart) {
-  const sim::Extent box = range_of(section);
+bool goes_around_halves(const std::vector<LevelCut>& curves, bool are_apart) {
+  const sim::Extent box = range_of(joined_up(curves));
   const int across = box.size().z > box.size().x ? 2 : 0;
   const double middle = box.middle()[across];
   std::array<LevelCut, 2> halves;
-  for (const LevelCut& curve : are_apart ? curves_of(section) : std::vector<LevelCut>{section}) {
+  for (const LevelCut& curve : curves) {
     const sim::Extent range = range_of(curve);
     const double over = std::min(middle - range.lower[across], range.upper[across] - middle);
     if (are_apart && over > most_over_middle * range.size()[across]) return false;
@@ -257,18 +243,14 @@ bool goes_around_halves(const LevelCut& section, bool are_apart) {
 /// Whether it lies as a flat garment does, whose outline says nothing of what goes around.
 bool is_lying(const sim::Vec3& size) { return size.y <= lying_height * std::max(size.x, size.z); }
 
-LevelCut level_of(const sim::Mesh& mesh, const sim::Extent& box, double share) {
-  return section_at(mesh, box.lower.y + share * box.size().y);
-}
-
 /// Returns of how many levels the cloth goes all around, a share of those in the middle half of the height. A
 /// thick garment, whose borders are closed, shows by this how it stands, and so does an open one.
 double share_around(const sim::Mesh& mesh) {
   const sim::Extent box = sim::extent_of(mesh.positions);
   int around = 0;
   for (int k = 0; k < levels && !is_lying(box.size()); ++k) {
-    const LevelCut section = level_of(mesh, box, 0.25 + 0.5 * (k + 0.5) / levels);
-    around += goes_around(section) || goes_around_halves(section, false);
+    const std::vector<LevelCut> curves = curves_at(mesh, 0.25 + 0.5 * (k + 0.5) / levels);
+    around += goes_around(joined_up(curves)) || goes_around_halves(curves, false);
   }
   return static_cast<double>(around) / levels;
 }
@@ -280,7 +262,7 @@ int legs_below(const sim::Mesh& mesh) {
   int below = 0;
   for (int k = 0; k < levels && size.y >= least_of_legs * std::max(size.x, size.z); ++k) {
     const int side = 2 * k + 1 < levels ? 1 : 2 * k + 1 > levels ? -1 : 0;
-    below += goes_around_halves(level_of(mesh, box, (k + 0.5) / levels), true) ? side : 0;
+    below += goes_around_halves(curves_at(mesh, (k + 0.5) / levels), true) ? side : 0;
   }
   return below;
 }

@@ -71,6 +71,7 @@ struct Study {
   std::string scene;
   int frames = 0;  ///< 0: as the scene has it
   std::vector<Axis> axes;
+  std::size_t runs = 0;
 };
 
 Study read_study(const toml::table& table, const Source& source) {
@@ -90,22 +91,8 @@ Study read_study(const toml::table& table, const Source& source) {
   if (runs > static_cast<double>(most_runs)) {
     fail(source, 0, fmt::format("the axes make {:.0f} runs, expected at most {}", runs, most_runs));
   }
+  study.runs = static_cast<std::size_t>(runs);
   return study;
-}
-
-using Choice = std::vector<const toml::node*>;
-
-/// Adds every choice of one value of each axis.
-void add_choices(std::span<const Axis> axes, Choice& begun, std::vector<Choice>& choices) {
-  if (begun.size() == axes.size()) {
-    choices.push_back(begun);
-    return;
-  }
-  for (const toml::node& value : *axes[begun.size()].values) {
-    begun.push_back(&value);
-    add_choices(axes, begun, choices);
-    begun.pop_back();
-  }
 }
 
 Json plan_of(const Sweep& sweep) {
@@ -260,17 +247,18 @@ Sweep plan_sweep(const fs::path& file, const fs::path& folder) {
   Sweep sweep{folder, program_hash(), {}};
   std::vector<std::string> scenes;
   FileHashes known;
-  Choice begun;
-  std::vector<Choice> choices;
-  add_choices(study.axes, begun, choices);
-  for (const Choice& choice : choices) {
+  for (std::size_t k = 0; k < study.runs; ++k) {
     throw_if_interrupted();
     DrawnScene scene = base;
     std::vector<KeyValue> values;
     PlannedRun& run = sweep.runs.emplace_back();
-    for (std::size_t k = 0; k < choice.size(); ++k) {
-      values.push_back({study.axes[k].key, choice[k], source});
-      run.values[study.axes[k].key] = json_of(*choice[k]);
+    std::size_t stride = study.runs;  // the last axis changes fastest
+    for (const Axis& axis : study.axes) {
+      const std::size_t all = stride;
+      stride /= axis.values->size();
+      const toml::node& value = (*axis.values)[k % all / stride];
+      values.push_back({axis.key, &value, source});
+      run.values[axis.key] = json_of(value);
     }
     set_values(format, values, scene);
     scenes.push_back(scene_text(scene, GarmentNaming::full_path));
@@ -292,6 +280,7 @@ Sweep read_sweep(const fs::path& folder) {
     const Json json = Json::parse(read_text_file(file));
     Sweep sweep{folder, json.at("program"), {}};
     for (const Json& run : json.at("runs")) sweep.runs.push_back({run.at("values"), run.at("hash")});
+    if (sweep.runs.empty()) throw InputError("'{}' names no run", file.string());
     return sweep;
   } catch (const Json::exception& error) {
     throw InputError("cannot read the sweep in '{}': {}", folder.string(), error.what());

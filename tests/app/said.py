@@ -184,6 +184,13 @@ def names_what_crosses_at_the_start():
            'the pair that crosses at the start counts: ' + done.stderr + done.stdout)
 
 
+def untold(said):
+    """The options of a help text of which it says nothing, beside them or on the line below."""
+    lines = said.splitlines()
+    return [line for line, below in zip(lines, lines[1:] + [''])
+            if line.startswith('  -') and not (re.match(r'.{28}  \S', line) or below.startswith(30 * ' '))]
+
+
 def helps():
     overview = run('help').stdout
     expect(overview == run('--help').stdout and 'simulate' in overview, 'taut help is not taut --help')
@@ -191,6 +198,9 @@ def helps():
         expect(re.search('^  %s ' % command, overview, re.M), 'taut help does not list ' + command)
         expect(run('help', command).stdout == run(command, '--help').stdout,
                'taut help %s is not taut %s --help' % (command, command))
+    for command in re.findall('^  ([a-z]+) ', overview, re.M):
+        without = untold(run('help', command).stdout)
+        expect(not without, 'taut help %s says nothing of %s' % (command, without))
     for command in ('render', 'simulate'):
         said = ' '.join(run('help', command).stdout.split())
         expect('A:B, A: to the last, :B from 0, last, or a number: that frame alone' in said, '%s does not explain --frames' % command)

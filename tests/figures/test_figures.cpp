@@ -206,7 +206,6 @@ TEST(Methods, UnrestIsThatOfTheLastQuarter) {
   const auto unrest = measure_unrest(run);
   ASSERT_TRUE(unrest);
   EXPECT_NEAR(unrest->speed_m_per_s, std::sqrt(12.5) / 0.5, 1e-12);
-  EXPECT_EQ(unrest->smallest_stretch, 0.1);
   EXPECT_EQ(unrest->largest_stretch, 0.3);
   run.diverged_at_s = 1.0;
   EXPECT_FALSE(measure_unrest(run));

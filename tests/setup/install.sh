@@ -76,7 +76,7 @@ completes taut render tshirt-gravity --s '--set --stats --stretch --samples --su
 completes taut render tshirt-gravity --set wind. 'wind.speed= wind.direction='
 completes taut render tshirt-gravity --fabric '' 'denim jersey silk'
 completes taut render tshirt-gravity --backend '' 'auto osmesa egl'
-completes taut sweep '' 'plan run status merge show'
+completes taut sweep '' 'plan run status merge'
 completes taut sweep run --a --all
 completes taut help '' "$commands scene stats"
 completes taut help st stats

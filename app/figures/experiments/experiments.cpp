@@ -323,10 +323,10 @@ std::optional<Unrest> measure_unrest(const MethodRun& run) {
   for (std::size_t i = begin; i < run.moved_rms_m.size(); ++i) {
     squares += run.moved_rms_m[i] * run.moved_rms_m[i];
   }
-  const auto [low, high] =
-      std::minmax_element(run.max_stretch.begin() + static_cast<std::ptrdiff_t>(begin), run.max_stretch.end());
+  const double largest =
+      *std::max_element(run.max_stretch.begin() + static_cast<std::ptrdiff_t>(begin), run.max_stretch.end());
   const auto count = static_cast<double>(run.moved_rms_m.size() - begin);
-  return Unrest{std::sqrt(squares / count) / run.time_step_s, *low, *high};
+  return Unrest{std::sqrt(squares / count) / run.time_step_s, largest};
 }
 
 StraightLine fit_line(std::span<const std::array<double, 2>> points) {

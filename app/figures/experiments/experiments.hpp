@@ -133,9 +133,7 @@ struct MethodRun {
 
 /// How much the cloth still moves when it should be at rest, measured over the last quarter of a run.
 struct Unrest {
-  double speed_m_per_s = 0.0;  ///< root mean square movement in a step, divided by the step
-  /// Smallest value of the largest stretch of a step. It differs from `largest_stretch` if springs vibrate.
-  double smallest_stretch = 0.0;
+  double speed_m_per_s = 0.0;    ///< root mean square movement in a step, divided by the step
   double largest_stretch = 0.0;  ///< Largest value of the largest stretch of a step.
 };
 

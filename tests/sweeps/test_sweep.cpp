@@ -100,6 +100,16 @@ TEST_F(SweepTest, PlannedAgainNothingChangesAndAnotherStudyIsRefused) {
   EXPECT_EQ(read_text_file(folder / "sweep/sweep.json"), before);
 }
 
+TEST_F(SweepTest, AFolderThatHoldsNoSweepIsRefused) {
+  const fs::path nowhere = (folder / "sweep.json").parent_path();
+  const auto refused = [&] { return message_of<InputError>([&] { read_sweep(nowhere); }); };
+  EXPECT_CONTAINS(refused(), "there is no sweep.json; taut sweep plan makes one");
+  folder.write("sweep.json", R"({"program": "0123", "runs": []})");
+  EXPECT_CONTAINS(refused(), "sweep.json' names no run");
+  folder.write("sweep.json", R"({"program": "0123", "runs": [{"values")");
+  EXPECT_CONTAINS(refused(), "cannot read the sweep in '");
+}
+
 TEST_F(SweepTest, FilesAreFoundBesideTheStudy) {
   fs::create_directory(folder / "models");
   const fs::path garment = find_asset("tshirt_1028").value();

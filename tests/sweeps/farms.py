@@ -58,7 +58,7 @@ folder.mkdir(parents=True)
 run(program, 'sweep', 'plan', 'study.toml', '-o', 'sweep')
 (folder / 'taut').symlink_to(program)
 language = 'sh' if farm == 'parallel' else 'python'
-script = re.search('```%s\n(.*?)```' % language, pathlib.Path(sys.argv[4]).read_text(), re.DOTALL).group(1)
+script = re.search('```%s\n((?!#!).*?)```' % language, pathlib.Path(sys.argv[4]).read_text(), re.DOTALL).group(1)
 (folder / 'sweep/farm').write_text(script)
 command = ['bash', 'farm', '--jobs', '2'] if farm == 'parallel' else ['snakemake', '--snakefile', 'farm', '--cores', '2']
 said = run(*command, where='sweep')

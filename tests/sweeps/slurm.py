@@ -146,7 +146,7 @@ def submit():
     """The array, and the job after it that makes the table. Returns the number of the array."""
     done = subprocess.run(['bash', 'submit.sh'], cwd=folder / 'farm', capture_output=True, text=True)
     expect(done.returncode == 0, done.stdout + done.stderr)
-    return done.stdout.split()[0]
+    return done.stdout.split()[-1]
 
 
 def is_idle():

@@ -469,6 +469,7 @@ std::function<int()> add_sew(CLI::App& app) {
   command->add_option("--triangles", options->triangles, "about so many")
       ->check(CLI::Range(100, 200000))
       ->capture_default_str();
+  command->add_flag("--exact", options->is_exact, "exactly so many triangles")->excludes("--over");
   command->add_option("--frames", options->frames, "at most so many frames until it rests")
       ->check(CLI::Range(0, 100000))
       ->capture_default_str();

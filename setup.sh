@@ -31,7 +31,6 @@ packages=(
   libminizip-dev      # reads the unit of 3MF files
   libpugixml-dev      # reads their XML
   libopenmesh-dev     # half-edges, to mesh garments anew
-  libqhull-dev        # triangulates the sewing pattern
   libstb-dev          # writes PNG, and the tests read it
   libegl1             # OpenGL without a display or a GPU
   libegl-mesa0

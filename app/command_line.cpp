@@ -322,6 +322,7 @@ void define_sew(CLI::App& command, SewOptions& options) {
   command.add_option("--picture", options.picture);
   command.add_option("--steps", options.steps);
   command.add_option("--triangles", options.triangles)->check(CLI::Range(100, 200000))->capture_default_str();
+  command.add_flag("--exact", options.is_exact)->excludes("--over");
   command.add_option("--frames", options.frames)->check(CLI::Range(0, 100000))->capture_default_str();
   command.add_flag("--json", options.json);
   add_backend(command, options.backend);

@@ -95,6 +95,7 @@ struct SewOptions {
   std::filesystem::path picture;  ///< PNG file; empty: none, but for one of what cannot be sewn
   std::filesystem::path steps;    ///< PNG file; empty: none
   int triangles = 4000;           ///< about so many
+  bool is_exact = false;          ///< exactly so many
   int frames = 600;               ///< at most, from when it is worn until it rests
   bool json = false;
   std::string backend = "auto";

@@ -93,8 +93,9 @@ int run(const SewOptions& asked) {
   Progress progress(scene.name);
   const std::clock_t began = std::clock();
   try {
-    const SewnGarment sewn = sew(scene, {options.triangles, options.frames, options.over, options.over_fabrics},
-                                 [&](const std::string& stage) { progress.begin(stage); });
+    const SewnGarment sewn =
+        sew(scene, {options.triangles, options.frames, options.over, options.over_fabrics, options.is_exact},
+            [&](const std::string& stage) { progress.begin(stage); });
     const double took_s = static_cast<double>(std::clock() - began) / CLOCKS_PER_SEC;
     write_text_file(options.output, obj_of(sewn));
     write_text_file(landmarks_path(options.output), landmarks_of(sewn));

@@ -20,6 +20,14 @@ constexpr double between_panels_m = 0.05;
 constexpr double layer_lift_m = 0.03;
 /// A seam is closed the shorter way round where that is by so much of its length, whatever other seams say.
 constexpr double beyond_doubt = 0.7;
+// Of an exact number of triangles: how many meshes are tried, how many times as long as for so many their edges are,
+// and how many points are added at most, as a share of the triangles.
+constexpr int most_meshes = 40;
+constexpr double wider = 1.002;
+constexpr double most_more = 0.02;
+// They are irregular, and where borders are not sewn these may be so much shorter than drafted, a fraction.
+constexpr double exact_jitter = 0.7;
+constexpr double exact_shortened = 0.005;
 
 std::vector<Vec2> fine_outline(const PatternPanel& panel) {
   std::vector<Vec2> outline;
@@ -34,8 +42,10 @@ double edge_for(const SewingPattern& pattern, int triangles) {
   return std::clamp(std::sqrt(area_m2 * 4.0 / (std::sqrt(3.0) * triangles)), finest_edge_m, coarsest_edge_m);
 }
 
-/// Per panel and edge, into how many steps it is divided: edges that are sewn to each other into the same.
-std::vector<std::vector<std::size_t>> steps_of_edges(const SewingPattern& pattern, double edge_m) {
+/// Per panel and edge, into how many steps it is divided: edges that are sewn to each other into the same. Those that
+/// are not sewn may be shortened by that share.
+std::vector<std::vector<std::size_t>> steps_of_edges(const SewingPattern& pattern, double edge_m,
+                                                     double of_borders = 0.0) {
   std::vector<Index> first = {0};
   for (const PatternPanel& panel : pattern.panels) {
     first.push_back(first.back() + static_cast<Index>(panel.edges_m.size()));
@@ -60,7 +70,8 @@ std::vector<std::vector<std::size_t>> steps_of_edges(const SewingPattern& patter
     std::size_t& steps = of_group[group];
     steps =
         std::max(steps, static_cast<std::size_t>(std::max(least, std::round(lengths[group] / counts[group] / edge_m))));
-    while (length_of(evenly_along(line, steps)) < length_of(line) - most_shortened_m) ++steps;
+    const double shortened_m = std::max(most_shortened_m, counts[group] > 1.0 ? 0.0 : of_borders * length_of(line));
+    while (length_of(evenly_along(line, steps)) < length_of(line) - shortened_m) ++steps;
   });
   std::vector<std::vector<std::size_t>> steps(pattern.panels.size());
   for_all([&](std::size_t p, std::size_t, Index group) { steps[p].push_back(of_group[group]); });
@@ -69,7 +80,7 @@ std::vector<std::vector<std::size_t>> steps_of_edges(const SewingPattern& patter
 
 /// Adds a panel. Returns, per edge, its vertices from begin to end.
 std::vector<std::vector<Index>> add_panel(const PatternPanel& panel, const std::vector<std::size_t>& steps,
-                                          CutPieces& pieces) {
+                                          const Filling& filling, CutPieces& pieces) {
   std::vector<Vec2> outline;
   std::vector<std::size_t> begins;
   for (std::size_t e = 0; e < steps.size(); ++e) {
@@ -82,7 +93,7 @@ std::vector<std::vector<Index>> add_panel(const PatternPanel& panel, const std::
   if (is_clockwise) std::ranges::reverse(outline);
   FilledOutline filled;
   try {
-    filled = fill_outline(outline, pieces.edge_m);
+    filled = fill_outline(outline, pieces.edge_m, filling);
   } catch (const std::invalid_argument& error) {
     throw std::invalid_argument("the panel '" + panel.name + "': " + error.what());
   }
@@ -293,6 +304,60 @@ void show_outsides(CutPieces& pieces) {
   }
 }
 
+/// The number of triangles is even or odd as that of all steps is: where that is to be changed, the longest edge that
+/// is not sewn gets one more.
+void make_as_even_as(std::size_t wanted, const SewingPattern& pattern, std::vector<std::vector<std::size_t>>& steps) {
+  std::size_t all = wanted;
+  std::size_t* longest = nullptr;
+  for (std::size_t p = 0; p < steps.size(); ++p) {
+    for (std::size_t e = 0; e < steps[p].size(); ++e) {
+      all += steps[p][e];
+      const bool is_sewn = std::ranges::any_of(pattern.stitches, [&](const Stitch& stitch) {
+        return stitch.first == PanelEdge{p, e} || stitch.second == PanelEdge{p, e};
+      });
+      if (!is_sewn && (longest == nullptr || steps[p][e] > *longest)) longest = &steps[p][e];
+    }
+  }
+  if (all % 2 == 1 && longest != nullptr) ++*longest;
+}
+
+/// Meshes the panels anew. Returns their borders. Points that are added are within the panel that had most triangles
+/// before.
+Borders mesh_panels(const SewingPattern& pattern, double edge_m, const std::vector<std::vector<std::size_t>>& steps,
+                    const Filling& filling, CutPieces& pieces) {
+  std::size_t largest = 0;
+  const auto size = [&](std::size_t p) { return pieces.panel_triangles[p + 1] - pieces.panel_triangles[p]; };
+  for (std::size_t p = 0; p + 1 < pieces.panel_triangles.size(); ++p) largest = size(p) > size(largest) ? p : largest;
+  pieces = {};
+  pieces.edge_m = edge_m;
+  Borders borders;
+  for (std::size_t p = 0; p < pattern.panels.size(); ++p) {
+    const Filling own = {filling.jitter, p == largest ? filling.more_points : 0};
+    borders.push_back(add_panel(pattern.panels[p], steps[p], own, pieces));
+  }
+  pieces.panel_triangles.push_back(static_cast<Index>(pieces.triangles.size()));
+  return borders;
+}
+
+/// The same with exactly so many triangles, irregular ones: a point more within a panel makes two of them, as a rule.
+Borders mesh_exactly(const SewingPattern& pattern, std::size_t triangles, CutPieces& pieces) {
+  const auto wanted = static_cast<double>(triangles);
+  double edge_m = pieces.edge_m, more = -1.0;
+  for (int trial = 0; trial < most_meshes; ++trial) {
+    const auto found = static_cast<double>(pieces.triangles.size());
+    more += 0.5 * (wanted - found);
+    if (more < 0.0 || more > most_more * wanted) {
+      edge_m *= std::sqrt(found / wanted) * wider;
+      more = 0.0;
+    }
+    auto steps = steps_of_edges(pattern, edge_m, exact_shortened);
+    make_as_even_as(triangles, pattern, steps);
+    Borders borders = mesh_panels(pattern, edge_m, steps, {exact_jitter, static_cast<std::size_t>(more)}, pieces);
+    if (pieces.triangles.size() == triangles) return borders;
+  }
+  throw std::invalid_argument(fmt::format("no mesh of it was found that has exactly {} triangles", triangles));
+}
+
 }  // namespace
 
 std::vector<sim::Extent> panel_boxes(const CutPieces& pieces) {
@@ -301,15 +366,11 @@ std::vector<sim::Extent> panel_boxes(const CutPieces& pieces) {
   return boxes;
 }
 
-CutPieces cut_pieces(const SewingPattern& pattern, int triangles) {
+CutPieces cut_pieces(const SewingPattern& pattern, int triangles, bool is_exact) {
   CutPieces pieces;
-  pieces.edge_m = edge_for(pattern, triangles);
-  const auto steps = steps_of_edges(pattern, pieces.edge_m);
-  Borders borders;
-  for (std::size_t p = 0; p < pattern.panels.size(); ++p) {
-    borders.push_back(add_panel(pattern.panels[p], steps[p], pieces));
-  }
-  pieces.panel_triangles.push_back(static_cast<Index>(pieces.triangles.size()));
+  const double edge_m = edge_for(pattern, triangles);
+  Borders borders = mesh_panels(pattern, edge_m, steps_of_edges(pattern, edge_m), {}, pieces);
+  if (is_exact) borders = mesh_exactly(pattern, static_cast<std::size_t>(triangles), pieces);
   pieces.seams = find_seams(pattern, borders, pieces);
   turn_outwards(pattern, pieces);
   show_outsides(pieces);

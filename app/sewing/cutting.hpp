@@ -28,10 +28,10 @@ struct CutPieces {
   std::size_t panel_count() const { return panel_triangles.size() - 1; }
 };
 
-/// Meshes the panels in about so many triangles. Both sides of a stitch have the same number of vertices, at
-/// equal shares of their lengths: so ease is spread. Their ends meet the way round that has less to go.
-/// Throws std::invalid_argument that names a panel which cannot be meshed.
-CutPieces cut_pieces(const SewingPattern& pattern, int triangles);
+/// Meshes the panels in about so many triangles, or exactly so many where that is found. Both sides of a stitch have
+/// the same number of vertices, at equal shares of their lengths: so ease is spread. Their ends meet the way round that
+/// has less to go. Throws std::invalid_argument that names a panel which cannot be meshed, or if there is no such mesh.
+CutPieces cut_pieces(const SewingPattern& pattern, int triangles, bool is_exact = false);
 
 /// Adds pieces that are worn over these.
 void add_over(const CutPieces& over, CutPieces& pieces);

@@ -14,7 +14,6 @@ using sim::Vec3;
 constexpr Index none = static_cast<Index>(-1);
 // As shares of the length of edges.
 constexpr double clearance = 0.6;  ///< of points within from the outline
-constexpr double jitter = 0.3;     ///< without it rows would fold along themselves
 constexpr int smoothing_rounds = 8;
 /// Flips a triangle: more are flips back and forth of four points on a circle.
 constexpr std::size_t most_flips = 100;
@@ -40,7 +39,7 @@ double distance_to(const std::vector<Vec2>& outline, const Vec2& p) {
 
 /// Points of a triangular grid within the outline, each moved a little: by multiples of the inverse plastic
 /// number, which are spread evenly.
-std::vector<Vec2> points_within(const std::vector<Vec2>& outline, double edge) {
+std::vector<Vec2> points_within(const std::vector<Vec2>& outline, double edge, double jitter) {
   constexpr double first_step = 0.7548776662466927, second_step = 0.5698402909980532;
   Vec2 low = outline[0], high = outline[0];
   for (const Vec2& p : outline) {
@@ -101,6 +100,12 @@ class Triangulation {
     renew(ca, t, third);
     for (const Index n : {t, second, third}) push(n);
     flip_all();
+  }
+
+  /// Adds a point in the middle of the largest triangle.
+  void insert() {
+    const auto t = std::ranges::max_element(triangles_, {}, [&](const Triangle& triangle) { return area(triangle); });
+    insert((points_[(*t)[0]] + points_[(*t)[1]] + points_[(*t)[2]]) / 3.0);
   }
 
   /// Moves points within to the means of their neighbours, where no triangle turns over.
@@ -278,12 +283,13 @@ double area_of(const std::vector<Vec2>& outline) {
   return area;
 }
 
-FilledOutline fill_outline(std::vector<Vec2> outline_m, double edge_m) {
+FilledOutline fill_outline(std::vector<Vec2> outline_m, double edge_m, const Filling& filling) {
   const double area_m2 = area_of(outline_m);
   if (!(std::abs(area_m2) > 0.0)) throw std::invalid_argument("its outline has no area");
   if (area_m2 < 0.0) throw std::invalid_argument("its outline goes clockwise");
   Triangulation triangulation(outline_m);
-  for (const Vec2& p : points_within(outline_m, edge_m)) triangulation.insert(p);
+  for (const Vec2& p : points_within(outline_m, edge_m, filling.jitter)) triangulation.insert(p);
+  for (std::size_t k = 0; k < filling.more_points; ++k) triangulation.insert();
   for (int round = 0; round < smoothing_rounds; ++round) triangulation.smooth();
   triangulation.halve_across();
   triangulation.require_areas();

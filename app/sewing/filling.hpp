@@ -10,11 +10,18 @@ struct FilledOutline {
   std::vector<sim::Triangle> triangles;
 };
 
+/// How an outline is filled.
+struct Filling {
+  double jitter =
+      0.3;  ///< of points within, as a share of the length of edges: without it rows would fold along themselves
+  std::size_t more_points = 0;  ///< than the length of edges asks for
+};
+
 /// Fills a closed outline, counter-clockwise and its first point not repeated, with triangles that are near
 /// equilateral, with edges of about this length. The edges of the outline stay as they are; every other edge
 /// has an end within. Throws std::invalid_argument on an outline that crosses or touches itself or goes
 /// clockwise.
-FilledOutline fill_outline(std::vector<sim::Vec2> outline_m, double edge_m);
+FilledOutline fill_outline(std::vector<sim::Vec2> outline_m, double edge_m, const Filling& filling = {});
 
 /// Twice the area of a triangle, above 0 if it is counter-clockwise.
 inline double doubled_area(const sim::Vec2& a, const sim::Vec2& b, const sim::Vec2& c) {

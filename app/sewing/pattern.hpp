@@ -23,6 +23,8 @@ struct PatternPanel {
 struct PanelEdge {
   std::size_t panel = 0;
   std::size_t edge = 0;
+
+  bool operator==(const PanelEdge&) const = default;
 };
 
 /// Two edges that are sewn together.

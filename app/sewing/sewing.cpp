@@ -163,9 +163,9 @@ void verify(const Scene& scene, SewnGarment& garment) {
   }
 }
 
-CutPieces cut(const std::filesystem::path& file, const SewingPattern& pattern, int triangles) {
+CutPieces cut(const std::filesystem::path& file, const SewingPattern& pattern, int triangles, bool is_exact) {
   try {
-    return cut_pieces(pattern, triangles);
+    return cut_pieces(pattern, triangles, is_exact);
   } catch (const std::invalid_argument& error) {
     throw InputError("cannot use '{}': {}", file.string(), error.what());
   }
@@ -251,7 +251,7 @@ SewnGarment sew(Scene& scene, const SewingSettings& settings, const std::functio
   stage("meshing its panels");
   for (const std::filesystem::path& file : files) {
     SewingPattern pattern = read_sewing_pattern(file);
-    CutPieces pieces = cut(file, pattern, settings.triangles / static_cast<int>(files.size()));
+    CutPieces pieces = cut(file, pattern, settings.triangles / static_cast<int>(files.size()), settings.is_exact);
     for (std::string& remark : bring_to_body(pattern, scene, pieces)) {
       garment.remarks.push_back((files.size() > 1 ? file.stem().string() + ": " : "") + remark);
     }

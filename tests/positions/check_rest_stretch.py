@@ -10,8 +10,8 @@ from program import Program, judged, settings
 
 SECONDS = 6
 COTTON = {"tensile_warp": 12000, "tensile_weft": 8000, "shear": 48}
-# Folds of a shirt that hangs lie one way or another by the last bit of what blows: at any one rate the largest stretch is 2.0 to
-# 2.5 % among winds that differ by a thousandth. The mean over these is what rates and sizes have in common.
+# Folds of a shirt that hangs lie one way or another by the last bit of what blows, and a few triangles beside its pins are
+# stretched by them. The mean of the others over winds that differ by a thousandth is what rates and sizes have in common.
 WINDS = (0.999, 0.9999, 1, 1.0001, 1.001)
 # Absolute; and of the mean height, in m. Folds lie elsewhere.
 STRETCH = 0.002
@@ -32,13 +32,13 @@ def mean(values):
 
 
 def rested(program, name, size=1, rate_hz=60, **law):
-    """The largest stretch of its surface and its mean height, as if it were of size 1, over all winds."""
+    """The largest stretch of its surface, but for a hundredth of it, and its mean height, as if it were of size 1, over all winds."""
     found = []
     for wind in WINDS:
         program.run("simulate", "tshirt-wind-1", "--quiet", "--stats", f"{name}.jsonl", "--export", f"{name}.obj",
-                    *settings(garment__file=str(program.shirt(1028)), **keys(size, rate_hz, wind, law)))
+                    *settings(garment__file=str(program.shirt(5280)), **keys(size, rate_hz, wind, law)))
         points = read_obj(program.folder / f"{name}.obj")[0]
-        found.append((program.statistics(f"{name}.jsonl")[-1]["max_surface_stretch"], mean([y for _, y, _ in points]) / size))
+        found.append((program.statistics(f"{name}.jsonl")[-1]["p99_surface_stretch"], mean([y for _, y, _ in points]) / size))
     return tuple(map(mean, zip(*found, strict=True)))
 
 

@@ -176,6 +176,18 @@ TEST(Cutting, BothSidesOfASeamHaveTheSameNumberOfVerticesAndSpreadTheEase) {
   EXPECT_NE(pieces.is_turned[0], pieces.is_turned[1]) << "one of them is seen from behind";
 }
 
+TEST(Cutting, MakesExactlyAsManyTrianglesAsAreAskedFor) {
+  for (const int triangles : {300, 301, 1028, 5280}) {
+    EXPECT_EQ(cut_pieces(two_squares(), triangles, true).triangles.size(), static_cast<std::size_t>(triangles));
+  }
+  // Where every edge is sewn to one of another panel there are as many along both.
+  SewingPattern closed = two_squares();
+  closed.stitches.push_back({{0, 0}, {1, 0}});
+  closed.stitches.push_back({{0, 2}, {1, 2}});
+  EXPECT_EQ(cut_pieces(closed, 300, true).triangles.size(), 300u);
+  EXPECT_THROW(cut_pieces(closed, 301, true), std::invalid_argument);
+}
+
 TEST(Cutting, SewsTheWayRoundThatOtherSeamsTellWhereLengthsDoNot) {
   SewingPattern pattern = two_squares();
   // A third seam that is as far from closing both ways round: the upper edges, from behind moved by their

@@ -25,7 +25,7 @@ class BallsAndPlanes : public Confinement {
   }
 
   void begin(const Float4Array&, const Float4Array&) override {}
-  void bring_back(Float4Array& displacements) override {
+  void bring_back(Float4Array& displacements, bool /*is_stuck*/) override {
     for (std::size_t row = 0; row < displacements.size(); ++row) {
       glm::vec3 d = vec(displacements[row]);
       d += std::max(0.0F, depth_m(row, d)) * normals_[row];

@@ -58,6 +58,20 @@ TEST(RepeatedFrames, OfClothThatIsLostTakeMoreStepsUntilTheBudgetIsSpent) {
   EXPECT_EQ(control.substeps(), 40);
 }
 
+/// The steps of a control that began with 100, repeated a frame three times and kept four with this cost.
+int steps_after_a_hard_frame(double cost_per_step) {
+  bounded::SubstepControl control(100, 8, 2000, 1.0 / 60.0);
+  for (int more = 0; more < 3; ++more) EXPECT_TRUE(control.try_more(16.0));
+  EXPECT_GE(control.substeps(), 400);
+  for (int frame = 0; frame < 4; ++frame) control.frame_kept(cost_per_step * control.substeps(), 0.1);
+  return control.substeps();
+}
+
+TEST(RepeatedFrames, LeaveNoStepsBehindWhereLaterOnesAreCheap) {
+  EXPECT_LE(steps_after_a_hard_frame(0.1), 112);
+  EXPECT_GE(steps_after_a_hard_frame(2.0), 400);
+}
+
 TEST(RepeatedFrames, ThrowNothing) {
   EXPECT_LT(jerk(9, 0.01, 40.0).speed_m_per_s, 1.3 * jerk(9, 0.01, 40.0, 200).speed_m_per_s);
 }

@@ -429,5 +429,23 @@ TEST(SteppedSimulation, RefusesAPaceThatGoesBack) {
   EXPECT_THROW(simulation.begin_frame(0.0, Pace{4, 6}), std::runtime_error);
 }
 
+// Cloth that is blown into itself is held up by what lies beside it, and gives when that is pushed.
+TEST(LiveSimulation, KeepsItsBoundInAStormThatBlowsTheShirtIntoItself) {
+  for (const auto& [direction, speed] : {std::pair("[0, 1, 0]", "10"), {"[0, 1, 0]", "20"}, {"[-1, 0, 0]", "20"}}) {
+    const std::string storm = std::string(speed) + " m/s towards " + direction;
+    const std::vector<Override> overrides = {
+        parse_override("garment.file=\"tshirt_1028\""), parse_override("solver.max_stretch=0.01"),
+        parse_override("wind.direction=" + std::string(direction)), parse_override("wind.speed=" + std::string(speed))};
+    DrawnScene scene = find_scene("tshirt-wind-10", overrides);
+    LiveSimulation live(scene);
+    for (int frame = 1; frame <= 60; ++frame) {
+      live.advance();
+      const FrameRecord record = live.take_snapshot()->record;
+      ASSERT_EQ(record.frame, frame) << storm;
+      EXPECT_TRUE(is_within(sim::BoundedSettings{.max_stretch = 0.01}, record)) << storm << ", frame " << frame;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace taut::app

@@ -74,19 +74,17 @@ class ApartWhileCorrected final : public Confinement {
     cloth_.contacts.make_regions(frame_, cloth_.layout, cloth_.motion, raw, expected, time_s_, kernels_);
     last_ = raw;
     is_held_back_ = false;
-    rounds_ = 0;
   }
-  // Where vertices are held back by their balls there is more room from where they have come; and so there is
-  // beside planes from which one of the two has moved away.
-  void bring_back(Float4Array& displacements) override {
+  // Where vertices are held back by their balls there is more room from where they have come. Regions that expect the
+  // correction push what stands in its way.
+  void bring_back(Float4Array& displacements, bool is_stuck) override {
     frame_.ask();
-    ++rounds_;
-    if (is_held_back_ || rounds_ % tuning::most_rounds == 0) {
+    if (is_held_back_ || is_stuck) {
       moved_.resize(last_.size());
       for (std::size_t row = 0; row < last_.size(); ++row) {
         moved_[row] = scaled_sum(displacements[row], last_[row], -1.0F);
       }
-      cloth_.contacts.renew_regions(frame_, cloth_.layout, cloth_.motion, last_, moved_, time_s_, kernels_);
+      cloth_.contacts.make_regions(frame_, cloth_.layout, cloth_.motion, last_, moved_, time_s_, kernels_);
     }
     is_held_back_ = cloth_.contacts.keep_apart(kernels_, displacements);
     last_ = displacements;
@@ -98,7 +96,6 @@ class ApartWhileCorrected final : public Confinement {
   double time_s_;
   ParallelKernels& kernels_;
   SteppedCloth& cloth_;
-  int rounds_ = 0;
   bool is_held_back_ = false;
   Float4Array last_;  ///< displacements that are known to keep everything apart
   Float4Array moved_;
@@ -515,10 +512,11 @@ BoundedSolver::Try BoundedSolver::next_try(const FramePart& part, const SubstepC
 }
 
 // A part twice as long would be stretched twice as much.
-void BoundedSolver::go_on(FramePart& part, double raw_bounds) {
+void BoundedSolver::go_on(FramePart& part, double raw_bounds, bool is_cheap) {
   part.done += part.length;
   part.attempts = 0;
-  if (part.length < most_parts && part.done % (2 * part.length) == 0 && raw_bounds < 0.5 * tuning::coped_stretch) {
+  const double limit = is_cheap ? overstretched : tuning::coped_stretch;
+  if (part.length < most_parts && part.done % (2 * part.length) == 0 && raw_bounds < 0.5 * limit) {
     part.length *= 2;
   }
 }
@@ -576,10 +574,11 @@ BoundedSolver::Attempt BoundedSolver::advance(const Frame& frame, const State& b
       continue;
     }
     const bool is_costly = tried.projected.cost > tuning::costliest * tried.substeps;
+    const bool is_cheap = tried.projected.cost < tuning::cheap * tried.substeps;
     made.follow(std::move(tried));
     if (made.blocked && !settings_.allow_crossing) return made;
     const bool was_halved = part.length < most_parts;
-    go_on(part, raw_bounds);
+    go_on(part, raw_bounds, is_cheap);
     if (is_costly && part.done < most_parts) {
       made.memory.control.try_more(raw_bounds);
     } else if (was_halved && part.done == most_parts) {

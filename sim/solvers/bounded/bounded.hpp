@@ -50,7 +50,7 @@ class BoundedSolver : public Solver {
   static Try next_try(const FramePart& part, const bounded::SubstepControl& control, const Effort& effort);
   FramePart first_part(const bounded::Memory& memory, const Effort& effort) const;
   static void halve(FramePart& part, double raw_bounds, double limit);
-  static void go_on(FramePart& part, double raw_bounds);
+  static void go_on(FramePart& part, double raw_bounds, bool is_cheap);
   void try_otherwise(FramePart& part, const Attempt& failed, double raw_bounds, const Try& how, const Effort& effort,
                      bounded::SubstepControl& control) const;
   Attempt advance(const Frame& frame, const State& begin, bounded::Memory memory, Effort& effort);

@@ -373,16 +373,6 @@ void Contacts::make_regions(const Frame& frame, const Layout& layout, const Moti
   find_regions(frame, layout, motion, {time_s, time_s}, false, kernels);
 }
 
-void Contacts::renew_regions(const Frame& frame, const Layout& layout, const Motion& motion,
-                             const Float4Array& displacements, const Float4Array& moved, double time_s,
-                             ParallelKernels& kernels) {
-  begin_rows(layout, motion, displacements);
-  for (std::size_t row = layout.pin_count; row < layout.vertex_count(); ++row) {
-    rows_.radii[row] = std::clamp(tuning::larger * length_of(moved[row]), correction_room_of(row), most_room_m());
-  }
-  find_regions(frame, layout, motion, {time_s, time_s}, false, kernels);
-}
-
 // Cloth whose parts are nearer at rest than it is thick is not torn apart for that.
 float Contacts::thickness_of(const NearPair& near, float thickness_m) const {
   std::array<glm::vec3, 4> p{};

@@ -69,9 +69,6 @@ class Contacts {
   /// `expected`.
   void make_regions(const Frame& frame, const Layout& layout, const Motion& motion, const Float4Array& displacements,
                     const Float4Array& expected, double time_s, ParallelKernels& kernels);
-  /// The same for going on with a correction, where `moved` is how far it came.
-  void renew_regions(const Frame& frame, const Layout& layout, const Motion& motion, const Float4Array& displacements,
-                     const Float4Array& moved, double time_s, ParallelKernels& kernels);
 
   /// Keeps things apart at the end of a time step, with friction.
   void keep_apart(const Layout& layout, double time_s, double time_step_s, ParallelKernels& kernels, Motion& motion);

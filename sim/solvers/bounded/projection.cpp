@@ -45,17 +45,6 @@ bool shorten_long_ones(const AnyLanes& lanes, float squared_bound, ParallelKerne
   return shorten(lanes, long_blocks(squared_ratios, squared_bound), squared_bound, 1.0F, kernels, rows) > 0.0;
 }
 
-/// Calls each(block, corners) for all triangles, with the rows of their corners.
-template <typename Each> void for_triangles(const SurfaceLanes& surface, const Each& each) {
-  for (std::size_t block = 0; block < surface.block_count(); ++block) {
-    for (std::size_t lane = 0; lane < block_size; ++lane) {
-      std::array<Index, 3> corners{};
-      for (std::size_t k = 0; k < 3; ++k) corners[k] = surface.blocks[block].at[k][lane] / 4;
-      each(block, corners);
-    }
-  }
-}
-
 }  // namespace
 
 void shorten_roughly(const Layout& layout, double max_stretch, ParallelKernels& kernels, Float4Array& rows) {
@@ -112,7 +101,7 @@ double BoundProjection::shorten_long(const Layout& layout, float squared_aim, Pa
 double BoundProjection::start(const Layout& layout, const Float4Array& raw, const Float4Array& corrections,
                               double raw_ratio, Confinement* confinement, ParallelKernels& kernels) {
   const auto bring_back = [&] {
-    if (confinement != nullptr) confinement->bring_back(corrected_);
+    if (confinement != nullptr) confinement->bring_back(corrected_, false);
     return largest_ratio(layout, kernels);
   };
   if (confinement != nullptr) confinement->begin(raw, corrections);
@@ -134,52 +123,6 @@ void BoundProjection::end(const Float4Array& raw, ProjectionResult& result, Floa
   result.largest_shift_m = std::sqrt(largest_shift2);
 }
 
-void BoundProjection::find_rings(const SurfaceLanes& surface, float squared_bound) {
-  rings_.assign(corrected_.size(), 0);
-  for_triangles(surface, [&](std::size_t block, const std::array<Index, 3>& corners) {
-    if (squared_surface_ratios_[block] > squared_bound) {
-      for (const Index row : corners) rings_[row] = tuning::evened_rings;
-    }
-  });
-  for (std::uint8_t ring = tuning::evened_rings; ring > 1; --ring) {
-    for_triangles(surface, [&](std::size_t, const std::array<Index, 3>& corners) {
-      if (std::any_of(corners.begin(), corners.end(), [&](Index row) { return rings_[row] == ring; })) {
-        for (const Index row : corners) rings_[row] = std::max<std::uint8_t>(rings_[row], ring - 1);
-      }
-    });
-  }
-}
-
-// Where all vertices move alike, triangles are as they were when the frame began: within the bound.
-void BoundProjection::even_out(const Layout& layout, float squared_bound) {
-  find_rings(layout.surface, squared_bound);
-  for (int pass = 0; pass < tuning::most_rounds; ++pass) {
-    sums_.assign(corrected_.size(), Float4{});
-    counts_.assign(corrected_.size(), 0.0F);
-    for_triangles(layout.surface, [&](std::size_t, const std::array<Index, 3>& corners) {
-      for (std::size_t k = 0; k < 3; ++k) {
-        add_scaled(sums_[corners[k]], corrected_[corners[(k + 1) % 3]], 1.0F);
-        add_scaled(sums_[corners[k]], corrected_[corners[(k + 2) % 3]], 1.0F);
-        counts_[corners[k]] += 2.0F;
-      }
-    });
-    for (std::size_t row = layout.pin_count; row < layout.vertex_count(); ++row) {
-      if (rings_[row] > 0) corrected_[row] = times(sums_[row], 1.0F / counts_[row]);
-    }
-  }
-}
-
-// Layers that are evened out together pass each other only where their regions expect it.
-void BoundProjection::expect_evened(const Layout& layout, float squared_bound, Confinement& confinement) {
-  before_ = corrected_;
-  even_out(layout, squared_bound);
-  moved_.resize(before_.size());
-  for (std::size_t row = 0; row < moved_.size(); ++row) {
-    moved_[row] = scaled_sum(corrected_[row], before_[row], -1.0F);
-  }
-  confinement.begin(before_, moved_);
-}
-
 ProjectionResult BoundProjection::project(const Layout& layout, const Float4Array& raw, double max_stretch,
                                           const Limits& limits, Confinement* confinement, ParallelKernels& kernels,
                                           Float4Array& corrections) {
@@ -192,25 +135,20 @@ ProjectionResult BoundProjection::project(const Layout& layout, const Float4Arra
   result.raw_max_stretch = std::sqrt(ratio) - 1.0;
   if (!(result.raw_max_stretch < limits.raw_max_stretch)) return result;
   if (!(ratio <= squared_bound)) ratio = start(layout, raw, corrections, ratio, confinement, kernels);
-  // A larger stretch is for more time steps to mend.
-  const bool evens_out = confinement != nullptr && result.raw_max_stretch < tuning::coped_stretch * max_stretch;
-  double earlier_ratio = ratio;
+  int rounds = 0;
+  bool is_stuck = false;
+  double checked_ratio = ratio;
   const auto may_go_on = [&] {
     return result.cost < limits.cost && std::isfinite(ratio) &&
            (confinement == nullptr || !confinement->is_spent(result.cost));
   };
-  for (int round = 1; !(ratio <= squared_bound) && may_go_on(); ++round) {
-    if (evens_out && round % tuning::most_rounds == 0) {
-      if (ratio - squared_bound > 0.5 * (earlier_ratio - squared_bound)) {
-        expect_evened(layout, static_cast<float>(squared_bound), *confinement);
-        confinement->bring_back(corrected_);
-        largest_ratio(layout, kernels);
-      }
-      earlier_ratio = ratio;
-    }
+  while (!(ratio <= squared_bound) && may_go_on()) {
     result.cost += shorten_long(layout, squared_aim, kernels);
-    if (confinement != nullptr) confinement->bring_back(corrected_);
+    if (confinement != nullptr) confinement->bring_back(corrected_, is_stuck);
     ratio = largest_ratio(layout, kernels);
+    const bool is_checked = ++rounds % (tuning::most_rounds / 2) == 0;
+    is_stuck = is_checked && ratio - squared_bound > 0.5 * (checked_ratio - squared_bound);
+    checked_ratio = is_checked ? ratio : checked_ratio;
   }
   result.kept = ratio <= squared_bound;
   end(raw, result, corrections);

@@ -23,7 +23,8 @@ class Confinement {
   virtual ~Confinement() = default;
   /// A correction of displacements `raw` begins, which is expected to be about `expected`.
   virtual void begin(const Float4Array& raw, const Float4Array& expected) = 0;
-  virtual void bring_back(Float4Array& displacements) = 0;
+  /// Where the correction is stuck, what stands in its way is expected to give way.
+  virtual void bring_back(Float4Array& displacements, bool is_stuck) = 0;
   /// Returns whether it has cost more than it may, with a projection of so many sweeps.
   virtual bool is_spent(double /*sweeps*/) const { return false; }
 };
@@ -68,20 +69,12 @@ class BoundProjection {
   double start(const Layout& layout, const Float4Array& raw, const Float4Array& corrections, double raw_ratio,
                Confinement* confinement, ParallelKernels& kernels);
   void end(const Float4Array& raw, ProjectionResult& result, Float4Array& corrections) const;
-  void find_rings(const SurfaceLanes& surface, float squared_bound);
-  void even_out(const Layout& layout, float squared_bound);
-  void expect_evened(const Layout& layout, float squared_bound, Confinement& confinement);
   double largest_ratio(const Layout& layout, ParallelKernels& kernels);
   double shorten_long(const Layout& layout, float squared_aim, ParallelKernels& kernels);
 
   float relaxation_;
   float kept_correction_;  ///< of the last frame's
   Float4Array corrected_;
-  Float4Array before_;                         ///< it was evened out
-  Float4Array moved_;                          ///< by evening it out
-  std::vector<std::uint8_t> rings_;            ///< by row, around triangles that stay too long; 0 elsewhere
-  Float4Array sums_;                           ///< by row, of neighbours' displacements
-  std::vector<float> counts_;                  ///< of `sums_`
   std::vector<float> squared_spring_ratios_;   ///< by block
   std::vector<float> squared_surface_ratios_;  ///< by block
 };

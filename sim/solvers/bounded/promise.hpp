@@ -18,7 +18,7 @@ struct PromiseNames {
 inline constexpr double smallest_promised_bound = 1e-4;
 
 /// A frame ends, kept or refused, within so many times the work of the median frame.
-inline constexpr double most_work = 20.0;
+inline constexpr double most_work = 30.0;
 
 /// A frame that fails is halved, and its halves are, into no more parts than this.
 inline constexpr int most_parts = 16;

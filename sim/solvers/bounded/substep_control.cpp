@@ -41,6 +41,9 @@ void SubstepControl::frame_kept(double projection_cost, double shift) {
   if (is_costly || is_far) {
     need_more();
     wanted = std::ceil(wanted * tuning::more_steps);
+  } else if (is_calm && usual_ > 0) {
+    wanted = std::max(tuning::more_steps * usual_, 0.5 * wanted);
+    calm_frames_ = 0;
   } else if (calm_frames_ >= calm_frames_needed_) {
     if (took_fewer_) calm_frames_needed_ = std::max(calm_frames_needed_ / 2, fewest_calm_frames_);
     took_fewer_ = true;
@@ -48,6 +51,7 @@ void SubstepControl::frame_kept(double projection_cost, double shift) {
     calm_frames_ = 0;
   }
   substeps_ = std::clamp(static_cast<int>(wanted), std::max(least_, needed_), most_);
+  if (is_costly || substeps_ <= tuning::more_steps * usual_) usual_ = 0;
 }
 
 void SubstepControl::need_more() {
@@ -70,6 +74,7 @@ void SubstepControl::need_at_least(int substeps) {
 
 bool SubstepControl::try_more(double raw) {
   if (is_spent()) return false;
+  if (usual_ == 0) usual_ = substeps_;
   // Stretch falls with the square of the time step. Cloth that is lost has no stretch: NaN asks for most.
   constexpr double least_more = tuning::more_steps * tuning::more_steps * tuning::more_steps;
   const double wanted = std::max(least_more, std::min(2.0, std::sqrt(raw / tuning::coped_stretch)));
@@ -85,6 +90,7 @@ void SubstepControl::ease(double raw) {
 
 void SubstepControl::save(ByteWriter& memory) const {
   memory.put(substeps_);
+  memory.put(usual_);
   memory.put(calm_frames_);
   memory.put(frames_since_more_);
   memory.put(calm_frames_needed_);
@@ -93,6 +99,7 @@ void SubstepControl::save(ByteWriter& memory) const {
 
 void SubstepControl::restore(ByteReader& memory) {
   substeps_ = memory.get("the number of substeps", least_, most_);
+  usual_ = memory.get("the usual number of substeps", 0, most_);
   calm_frames_ = memory.get("the number of calm frames", 0, most_counted);
   frames_since_more_ = memory.get("the number of frames since more were needed", 0, most_counted);
   calm_frames_needed_ = memory.get("the calm frames needed", fewest_calm_frames_, most_counted);

@@ -47,6 +47,7 @@ class SubstepControl {
   int fewest_calm_frames_ = 1;
   int needed_ = 1;  ///< set in every frame that sets it at all
   int substeps_ = 1;
+  int usual_ = 0;  ///< substeps before frames were repeated with more; 0 where they were not lately
   int calm_frames_ = 0;
   int frames_since_more_ = 0;
   int calm_frames_needed_ = 1;

@@ -18,8 +18,8 @@ inline constexpr double least_steps_per_s = 480.0;
 /// round where it was cheap, and at least to the third power where a frame is repeated: further from 1 they
 /// fit sooner, and change more about what fits.
 inline constexpr double more_steps = 1.12;
-/// Stretch before the projection, in bounds, that a repeated frame aims at, and up to which a projection that
-/// contact holds up evens out displacements. More takes fewer steps and longer projections.
+/// Stretch before the projection, in bounds, that a repeated frame aims at. More takes fewer steps and longer
+/// projections.
 inline constexpr double coped_stretch = 4.0;
 /// A projection is cheap below this many sweeps a time step, and below this part of the largest allowed
 /// shift. More takes fewer steps sooner, and gives them back sooner.
@@ -79,9 +79,6 @@ inline constexpr double aimed_part = 0.97;
 /// Weights grow by this power of e per spring towards the pins. More hands corrections down the cloth faster
 /// and leaves smaller ones near the pins.
 inline constexpr double projection_weight_growth = 0.2;
-/// Where contact holds a projection up, it evens out displacements on so many rings of vertices around triangles
-/// that are too long. More moves more of the cloth.
-inline constexpr std::uint8_t evened_rings = 5;
 
 // The law of cloth in its plane.
 

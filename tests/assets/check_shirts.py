@@ -8,7 +8,7 @@ import sys
 import tempfile
 from pathlib import Path
 
-NEAR_M = 0.03
+NEAR_M = 0.06
 
 
 def parts(file):

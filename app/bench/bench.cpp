@@ -207,6 +207,7 @@ std::vector<ContactCase> quick_contact_cases() {
                                     {"wind-1", "tshirt-wind-1"},
                                     {"wind-10", "tshirt-wind-10"},
                                     {"wind-10-around", "tshirt-wind-10", {{front}, {side}, {slanting}, {below}}},
+                                    {"wind-10-upwards", "tshirt-wind-10", {{{"wind.direction", "[0, 1, 0]"}}}},
                                     {"wind-20-front", "tshirt-wind-10", {{speed, front}}},
                                     {"wind-20-side", "tshirt-wind-10", {{speed, side}}},
                                     {"slider", "tshirt-wind-10", {{speed}}, 600, true},

@@ -12,8 +12,8 @@ struct FilledOutline {
 
 /// How an outline is filled.
 struct Filling {
-  double jitter =
-      0.3;  ///< of points within, as a share of the length of edges: without it rows would fold along themselves
+  /// Of points within, as a share of the length of edges: without it rows would fold along themselves.
+  double jitter = 0.3;
   std::size_t more_points = 0;  ///< than the length of edges asks for
 };
 

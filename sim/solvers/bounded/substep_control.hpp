@@ -21,6 +21,7 @@ class SubstepControl {
 
   /// After a frame whose projection took work worth `projection_cost` sweeps over all springs and moved no
   /// vertex further than `shift`, in parts of the largest that is allowed.
+  /// Where frames were repeated with more steps, each cheap one halves them, down to the usual ones.
   void frame_kept(double projection_cost, double shift);
 
   /// Takes at least so many, within the budget, in the frames to come until it is told otherwise.

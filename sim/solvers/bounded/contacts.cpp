@@ -383,8 +383,10 @@ float Contacts::thickness_of(const NearPair& near, float thickness_m) const {
 
 std::span<const NearPair> Contacts::find_near(const TimeSpan& time, float thickness_m, ParallelKernels& kernels) {
   reaches_.resize(rows_.radii.size());
+  // Balls alone keep more than the least gap between what is not found; what is expected to touch is found as well.
+  const float touching_m = 0.5F * Regions::touched_m(thickness_m);
   std::transform(rows_.radii.begin(), rows_.radii.end(), reaches_.begin(),
-                 [&](float radius) { return radius + 0.5F * thickness_m; });
+                 [&](float radius) { return std::max(radius + least_part * thickness_m, touching_m); });
   const std::clock_t began = std::clock();
   const std::span<const NearPair> found = near_->find({rows_.positions, rows_.moves, reaches_, time}, frame_ends_s_,
                                                       static_cast<float>(mean_edge_m_), kernels);

@@ -82,7 +82,7 @@ Regions::Pair Regions::pair_of(const ContactPair& contact, const RowMoves& rows)
 // way of what comes to lie beside such an edge, as if it were a step.
 void Regions::level(const std::array<glm::vec3, 4>& p, const RowMoves& rows, Pair& pair) const {
   const float apart_at_end = span_at_end(pair).apart();
-  if (std::min(pair.distance, apart_at_end) > touched_m(pair.contact)) return;
+  if (std::min(pair.distance, apart_at_end) > touched_m(pair.contact.thickness_m)) return;
   const glm::vec3 between = pair.normal;
   const std::optional<glm::vec3> normal = normal_of_surfaces(pair.contact.near, p, between, rows);
   if (!normal) return;

@@ -84,6 +84,9 @@ class Regions {
   /// Returns whether a vertex may be moved by so much since the time 0, in m, at a time from 0 to 1.
   [[nodiscard]] bool contains(Index row, float time, const Vec3& moved_m) const;
 
+  /// Returns the distance in m up to which things collide. Things further apart are left to their planes.
+  static float touched_m(float thickness_m);
+
   std::size_t pair_count() const { return pairs_.size(); }
 
   /// Returns how far kinematic vertices, together with those of the other thing, may be off their chords at
@@ -161,7 +164,6 @@ class Regions {
   void make_half_spaces(std::span<const float> inverse_masses, ParallelKernels& kernels);
   void set_half_spaces(const Pair& pair, std::span<const float> inverse_masses);
   float room_of(Index row) const;
-  static float touched_m(const ContactPair& contact);
   void make_touches(const RowMoves& rows);
   void add_touch(const Pair& pair, const std::array<float, 4>& weights, const RowMoves& rows);
   static void collide(const Touch& touch, float time, float step, const Float4* since, Float4* previous,

@@ -42,15 +42,12 @@ void Regions::add_touch(const Pair& pair, const std::array<float, 4>& weights, c
   touches_.push_back(touch);
 }
 
-// Things further apart are left to their planes.
-float Regions::touched_m(const ContactPair& contact) {
-  return (1.0F + tuning::parted_at_once) * contact.thickness_m;
-}
+float Regions::touched_m(float thickness_m) { return (1.0F + tuning::parted_at_once) * thickness_m; }
 
 void Regions::make_touches(const RowMoves& rows) {
   touches_.clear();
   for (const Pair& pair : pairs_) {
-    if (std::min(pair.distance, span_at_end(pair).apart()) > touched_m(pair.contact)) continue;
+    if (std::min(pair.distance, span_at_end(pair).apart()) > touched_m(pair.contact.thickness_m)) continue;
     if (pair.contact.near.first_count < 3) {
       add_touch(pair, pair.weights, rows);
     } else {

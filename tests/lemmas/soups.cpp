@@ -208,9 +208,11 @@ std::vector<ContactPair> pairs_within_reach(const Soup& soup) {
     for (Index k = 0; k < 4; ++k) {
       const Index row = near.rows[k];
       double& reach = reach_m[k < near.first_count ? 0 : 1];
-      reach = std::max<double>(reach, length_of(soup.rows.moves[row]) + soup.rows.radii[row]);
+      const float move_m = length_of(soup.rows.moves[row]);
+      const float error_m = distance_error_m({length_of(soup.rows.positions[row]), 0.1F, move_m, 0.0F});
+      reach = std::max<double>(reach, move_m + Regions::reach_m(soup.rows.radii[row], soup.thickness_m, error_m));
     }
-    if (distance_m(near, positions_m) <= reach_m[0] + reach_m[1] + soup.thickness_m) {
+    if (distance_m(near, positions_m) <= reach_m[0] + reach_m[1]) {
       pairs.push_back({near, soup.thickness_m, 0.3F});
     }
   }

@@ -42,8 +42,7 @@ std::size_t crossings(const Soup& soup, const std::vector<Vec3>& positions_m);
 Vec3 between_m(const NearPair& near, const std::vector<Vec3>& positions_m);
 double distance_m(const NearPair& near, const std::vector<Vec3>& positions_m);
 
-/// Returns the pairs within reach of each other: that are no further apart than a thickness and all that both
-/// may move.
+/// Returns the pairs within reach of each other, see Regions::reach_m, on all their ways.
 std::vector<ContactPair> pairs_within_reach(const Soup& soup);
 
 }  // namespace taut::sim::bounded

@@ -108,14 +108,20 @@ constexpr float rest_part = 0.5F;
 /// Beside its triangles a sweep costs as much as so many of them: measured, 0.5 us at 1.7 ns for a triangle.
 constexpr double sweep_overhead = 300.0;
 
-/// Returns the first row that is where nothing can be found, if one is: in a frame that flies apart.
-std::optional<std::size_t> first_not_findable(const RowMoves& rows) {
-  constexpr float furthest_m = 1e9F;
+struct FurthestRow {
+  std::size_t row = 0;
+  float from_origin_m = 0.0F;  ///< with all of its way; infinite where that is not a number
+};
+
+FurthestRow furthest_row(const RowMoves& rows) {
+  FurthestRow furthest;
   for (std::size_t row = 0; row < rows.radii.size(); ++row) {
     const float far_m = length_of(rows.positions[row]) + length_of(rows.moves[row]) + rows.radii[row];
-    if (!(far_m < furthest_m)) return row;
+    if (!(far_m <= furthest.from_origin_m)) {
+      furthest = {row, std::isnan(far_m) ? std::numeric_limits<float>::infinity() : far_m};
+    }
   }
-  return std::nullopt;
+  return furthest;
 }
 
 }  // namespace
@@ -381,12 +387,11 @@ float Contacts::thickness_of(const NearPair& near, float thickness_m) const {
   return std::min(thickness_m, rest_part * distance_between(near, p));
 }
 
-std::span<const NearPair> Contacts::find_near(const TimeSpan& time, float thickness_m, ParallelKernels& kernels) {
+std::span<const NearPair> Contacts::find_near(const TimeSpan& time, float thickness_m, float error_m,
+                                              ParallelKernels& kernels) {
   reaches_.resize(rows_.radii.size());
-  // Balls alone keep more than the least gap between what is not found; what is expected to touch is found as well.
-  const float touching_m = 0.5F * Regions::touched_m(thickness_m);
   std::transform(rows_.radii.begin(), rows_.radii.end(), reaches_.begin(),
-                 [&](float radius) { return std::max(radius + least_part * thickness_m, touching_m); });
+                 [&](float radius_m) { return Regions::reach_m(radius_m, thickness_m, error_m); });
   const std::clock_t began = std::clock();
   const std::span<const NearPair> found = near_->find({rows_.positions, rows_.moves, reaches_, time}, frame_ends_s_,
                                                       static_cast<float>(mean_edge_m_), kernels);
@@ -430,11 +435,15 @@ bool Contacts::find_regions(const Frame& frame, const Layout& layout, const Moti
   for (std::size_t row = layout.pin_count; row < layout.vertex_count(); ++row) {
     rows_.radii[row] = std::max(rows_.radii[row], memory_.deviations[row] / tuning::filled_part_of_ball);
   }
-  if (const std::optional<std::size_t> row = first_not_findable(rows_)) {
+  // Further away, as in a frame that flies apart, nothing can be found.
+  constexpr float furthest_findable_m = 1e9F;
+  const FurthestRow furthest = furthest_row(rows_);
+  if (!(furthest.from_origin_m < furthest_findable_m)) {
     confine_nothing(kernels);
-    blocked_ = blocked_.value_or(blocked_contact({layout, bodies_, rows_, {}, origin_m}, *row));
+    blocked_ = blocked_.value_or(blocked_contact({layout, bodies_, rows_, {}, origin_m}, furthest.row));
     return true;
   }
+  const float error_m = distance_error_m({furthest.from_origin_m, 0.0F, furthest.from_origin_m, rows_.displaced_m});
   assert(frame.garment.material.thickness_m >= least_thickness_m);
   const auto thickness_m = static_cast<float>(frame.garment.material.thickness_m);
   const int most_searches = may_be_shorter ? tuning::most_rounds / 4 : tuning::most_rounds;
@@ -445,7 +454,8 @@ bool Contacts::find_regions(const Frame& frame, const Layout& layout, const Moti
     rows_.moves.resize(lasting_rows);
     rows_.radii.resize(lasting_rows);
     rows_.inverse_masses_per_kg.resize(lasting_rows);
-    collect_pairs(frame.garment.material, thickness_m, find_near(time, thickness_m, kernels), time, origin_m, kernels);
+    collect_pairs(frame.garment.material, thickness_m, find_near(time, thickness_m, error_m, kernels), time, origin_m,
+                  kernels);
     fits = regions_.make(pairs_, rows_, kernels, search > 0);
     pairs_made_ += static_cast<double>(pairs_.size());
     if (!fits && may_be_shorter && (search + 1 == most_searches || are_many_large())) return false;

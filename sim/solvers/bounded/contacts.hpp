@@ -104,7 +104,7 @@ class Contacts {
   bool find_regions(const Frame& frame, const Layout& layout, const Motion& motion, const TimeSpan& time,
                     bool may_be_shorter, ParallelKernels& kernels);
   bool are_many_large() const;
-  std::span<const NearPair> find_near(const TimeSpan& time, float thickness_m, ParallelKernels& kernels);
+  std::span<const NearPair> find_near(const TimeSpan& time, float thickness_m, float error_m, ParallelKernels& kernels);
   void collect_pairs(const Material& material, float thickness_m, std::span<const NearPair> found, const TimeSpan& time,
                      const Vec3& origin_m, ParallelKernels& kernels);
   ContactPair contact_of(const NearPair& near, const Material& material, float thickness_m) const;
@@ -131,7 +131,7 @@ class Contacts {
   std::vector<Body> bodies_of_frame_;
   std::vector<ContactPair> pairs_;
   RowMoves rows_;
-  std::vector<float> reaches_;  ///< by row: radius and half the thickness, in m
+  std::vector<float> reaches_;  ///< by row, see Regions::reach_m
   Float4Array expected_ends_;   ///< by row, displacements since the start of the frame
   Regions regions_;
   std::optional<BlockedContact> blocked_;

@@ -87,6 +87,12 @@ class Regions {
   /// Returns the distance in m up to which things collide. Things further apart are left to their planes.
   static float touched_m(float thickness_m);
 
+  /// Returns how far around its expected way a row has to be looked for, in m, so that every pair is found that its
+  /// ball alone does not keep apart by what planes leave, or that is expected to collide.
+  static float reach_m(float radius_m, float thickness_m, float error_m) {
+    return std::max(radius_m + least_gap_m(thickness_m, error_m), 0.5F * touched_m(thickness_m));
+  }
+
   std::size_t pair_count() const { return pairs_.size(); }
 
   /// Returns how far kinematic vertices, together with those of the other thing, may be off their chords at

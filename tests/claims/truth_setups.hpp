@@ -79,5 +79,7 @@ std::vector<TruthPoint> run_all(const Cases& cases, const ProgressCallback& repo
 using Runs = std::vector<TruthPoint>(const TruthExperiment& experiment, double physics, const ProgressCallback& report);
 // truth_strips.cpp
 Runs run_cantilever, run_buckling, run_slip;
+// truth_rest.cpp
+Runs run_rest;
 
 }  // namespace taut::app::truth

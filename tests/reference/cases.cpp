@@ -35,7 +35,7 @@ Surface even_sheet(int across, int rows, double width_m, double length_m) {
   return sheet;
 }
 
-Case shirt(const std::filesystem::path& garments) {
+RestCase shirt(const std::filesystem::path& garments) {
   const Surface model = read_obj(garments / "tshirt_1028.obj");
   // The seams of both shoulders and the neckline at the back, as its landmarks have them.
   std::vector<int> pins = {16, 15, 21, 13, 20, 18, 234, 247, 252, 213, 211, 126, 124, 246, 244, 249, 64, 61, 23};
@@ -43,12 +43,12 @@ Case shirt(const std::filesystem::path& garments) {
   return {"shirt", {model.points_m, model.triangles, pins, canvas}, model.points_m};
 }
 
-Case cloth_on_ball(int across, double rigidity_n_m) {
+RestCase cloth_on_ball(int across, double rigidity_n_m) {
   constexpr double radius_m = 0.25;
   const Surface square = even_sheet(across, static_cast<int>(std::lround(across / std::sqrt(0.75))), 1.0, 1.0);
-  Case result{"ball_" + std::to_string(across) + "_" + std::to_string(std::lround(1e3 * rigidity_n_m)),
-              {square.points_m, square.triangles, {}, canvas},
-              square.points_m};
+  RestCase result{"ball_" + std::to_string(across) + "_" + std::to_string(std::lround(1e3 * rigidity_n_m)),
+                  {square.points_m, square.triangles, {}, canvas},
+                  square.points_m};
   result.cloth.fabric.rigidity_n_m = rigidity_n_m;
   const auto middle =
       std::min_element(square.points_m.begin(), square.points_m.end(),
@@ -64,15 +64,15 @@ Case cloth_on_ball(int across, double rigidity_n_m) {
   return result;
 }
 
-std::vector<Case> kept_cases(const std::filesystem::path& garments) {
-  std::vector<Case> cases = {shirt(garments)};
+std::vector<RestCase> kept_cases(const std::filesystem::path& garments) {
+  std::vector<RestCase> cases = {shirt(garments)};
   for (const double rigidity_n_m : kept_rigidities_n_m) {
     for (const int across : kept_meshes) cases.push_back(cloth_on_ball(across, rigidity_n_m));
   }
   return cases;
 }
 
-Vector kept_rest(const Case& what, const std::filesystem::path& shapes) {
+Vector kept_rest(const RestCase& what, const std::filesystem::path& shapes) {
   const std::filesystem::path file = shapes / (what.name + ".obj");
   const Surface surface = read_obj(file);
   if (surface.points_m.size() != what.start_m.size()) {

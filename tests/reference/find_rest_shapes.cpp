@@ -18,7 +18,7 @@ bool write(const std::filesystem::path& file, const Rest& rest) {
 }
 
 int find_all(const std::filesystem::path& garments, const std::filesystem::path& folder) {
-  for (const Case& what : kept_cases(garments)) {
+  for (const RestCase& what : kept_cases(garments)) {
     const Potential potential(what.cloth);
     const Rest rest = minimise(potential, flattened(what.start_m), {.largest_force = 1e-5, .most_steps = 300});
     std::printf("%s: %d steps, force %.2g of a vertex' weight, %s, %.7f J\n", what.name.c_str(), rest.steps,

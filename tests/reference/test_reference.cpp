@@ -9,7 +9,7 @@
 
 namespace reference {
 
-void PrintTo(const Case& what, std::ostream* out) { *out << what.name; }
+void PrintTo(const RestCase& what, std::ostream* out) { *out << what.name; }
 
 namespace {
 
@@ -133,10 +133,10 @@ TEST(Reference, ShapesAreAsFarApartAsTheyAre) {
   EXPECT_NEAR(drape.lowest_m, 0.04, 1e-12);
 }
 
-class KeptShape : public testing::TestWithParam<Case> {};
+class KeptShape : public testing::TestWithParam<RestCase> {};
 
 TEST_P(KeptShape, IsAtRest) {
-  const Case& what = GetParam();
+  const RestCase& what = GetParam();
   const Vector kept = kept_rest(what, TAUT_REFERENCE_SHAPES);
   const Rest rest = minimise(Potential(what.cloth), kept, {.largest_force = 1e-3, .most_steps = 0});
   EXPECT_LT(rest.largest_force, 1e-3);
@@ -148,7 +148,7 @@ TEST_P(KeptShape, IsAtRest) {
 }
 
 TEST_P(KeptShape, IsNotWhereThePhysicsIsWrongByATenth) {
-  const Case& what = GetParam();
+  const RestCase& what = GetParam();
   const Vector kept = kept_rest(what, TAUT_REFERENCE_SHAPES);
   const auto force = [&](auto change) {
     Cloth cloth = what.cloth;

@@ -18,7 +18,7 @@ void draw_and_judge(const FiguresOptions& options) {
   std::vector<Job> jobs = experiments(results, Checking::promises);
   std::ranges::move(claim_experiments(results), std::back_inserter(jobs));
   std::ranges::move(truth_jobs(results.truth), std::back_inserter(jobs));
-  jobs.push_back({"rest_shapes", 15.0, [&](const ProgressCallback& report) { results.rests = compare_rests(report); }});
+  jobs.push_back({"rest_shapes", 60.0, [&](const ProgressCallback& report) { results.rests = compare_rests(report); }});
   const DrawnFigures drawn = draw_figures(options, std::move(figures), std::move(jobs));
   if (!options.only.empty() || !options.data.empty()) return;
   const Report report = make_report(results, drawn);

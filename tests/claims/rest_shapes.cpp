@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "app/output/csv.hpp"
 #include "tests/claims/truth_setups.hpp"
 
 namespace taut::app {
@@ -98,16 +99,46 @@ RestComparison compare(const RestCase& what, const std::string& title) {
           drape_of(what, with_stiffer)};
 }
 
-std::string millimetres(double length_m) { return fmt::format("{:.1f} mm", 1e3 * length_m); }
+struct NamedNumber {
+  std::string name;
+  double value;
+  int decimals;
+};
 
-std::string apart_text(const reference::Difference& apart) {
-  return fmt::format("{} ({})", millimetres(apart.hausdorff_m), millimetres(apart.mean_m));
+/// All that is compared, in the report's order.
+std::vector<NamedNumber> numbers_of(const RestComparison& rest) {
+  std::vector<NamedNumber> numbers;
+  const auto add = [&](const std::string& name, const reference::Difference& apart) {
+    numbers.push_back({name + ", largest distance in mm", 1e3 * apart.hausdorff_m, 1});
+    numbers.push_back({name + ", root mean square in mm", 1e3 * apart.mean_m, 1});
+  };
+  add("Taut's shape from the potential's", rest.apart);
+  add("Taut's, if it begins in the potential's, from that", rest.from_reference);
+  add("the potential's, if it begins in Taut's, from Taut's", rest.moved);
+  add("the same from the potential's own", rest.from_taut);
+  add("the potential's with a tenth more rigidity from its own", rest.stiffer);
+  const auto add_drape = [&](const std::string& whose, const reference::Drape& drape) {
+    numbers.push_back({"lowest point of " + whose + " in mm", 1e3 * drape.lowest_m, 1});
+    numbers.push_back({"mean height of " + whose + " in mm", 1e3 * drape.mean_m, 1});
+    numbers.push_back({"shadow of " + whose + " in cm2", 1e4 * drape.shadow_m2, 0});
+  };
+  add_drape("the potential's", rest.by_reference);
+  add_drape("Taut's", rest.by_taut);
+  add_drape("the potential's with a tenth more rigidity", rest.by_stiffer);
+  numbers.push_back({"potential of its own in mJ", 1e3 * rest.reference_j, 2});
+  numbers.push_back({"potential of Taut's in mJ", 1e3 * rest.taut_j, 2});
+  numbers.push_back({"potential of its own, if it begins in Taut's, in mJ", 1e3 * rest.from_taut_j, 2});
+  return numbers;
 }
 
-std::string row(const std::string& name, std::span<const RestComparison> rests, const auto& text) {
-  std::string html = fmt::format("<tr><td>{}</td>", name);
-  for (const RestComparison& rest : rests) html += fmt::format("<td class=\"number\">{}</td>", text(rest));
-  return html + "</tr>\n";
+std::string rests_csv(const std::vector<RestComparison>& rests) {
+  CsvTable table({"cloth", "what", "value"});
+  for (const RestComparison& rest : rests) {
+    for (const NamedNumber& number : numbers_of(rest)) {
+      table.add({cell(rest.title), cell(number.name), cell(number.value)});
+    }
+  }
+  return table.text();
 }
 
 Drawing draw_rests(const std::vector<RestComparison>& rests, LazyOffscreenRenderer& offscreen) {
@@ -121,7 +152,7 @@ Drawing draw_rests(const std::vector<RestComparison>& rests, LazyOffscreenRender
                           fmt::format("shadow {:.0f} cm2{}", 1e4 * drape.shadow_m2, more)});
     };
     add(rest.reference, "incremental potential", rest.by_reference, "");
-    add(rest.taut, "Taut", rest.by_taut, ", up to " + millimetres(rest.apart.hausdorff_m) + " away");
+    add(rest.taut, "Taut", rest.by_taut, ", up to " + fmt::format("{:.1f} mm away", 1e3 * rest.apart.hausdorff_m));
   }
   return sheet_of_last(recordings, captions, {1000, 900}, {.columns = 2}, false, offscreen);
 }
@@ -131,7 +162,7 @@ Drawing draw_rests(const std::vector<RestComparison>& rests, LazyOffscreenRender
 Vector kept_rest(const RestCase& what) { return reference::kept_rest(what, TAUT_REFERENCE_SHAPES); }
 
 Vector rest_of(const RestCase& what, double physics, const std::optional<Vector>& start) {
-  const int frames = what.cloth.ball < 0 ? 600 : 360;
+  const int frames = what.cloth.ball < 0 ? 300 : 360;
   sim::Surroundings surroundings;
   surroundings.forces.gravity_m_per_s2.y = -what.cloth.gravity_m_per_s2;
   surroundings.bodies = bodies_of(what);
@@ -158,9 +189,12 @@ double drape_coefficient(const RestCase& what, const Vector& shape) {
 
 std::vector<RestComparison> compare_rests(const ProgressCallback& report) {
   std::vector<RestComparison> rests;
-  rests.push_back(compare(reference::shirt(assets_folder() / "garments"), "the T-shirt"));
-  report(0.5);
-  rests.push_back(compare(reference::cloth_on_ball(28, 1e-3), "a cloth on a ball"));
+  for (const int triangles : reference::kept_shirts) {
+    rests.push_back(compare(reference::shirt(assets_folder() / "garments", triangles),
+                            fmt::format("T-shirt of {} triangles", triangles)));
+    report(0.4 * static_cast<double>(rests.size()));
+  }
+  rests.push_back(compare(reference::cloth_on_ball(28, 1e-3), "cloth on a ball"));
   return rests;
 }
 
@@ -168,34 +202,23 @@ Figure rest_figure(std::vector<RestComparison>& rests) {
   return {"rest_shapes",
           "Shapes at rest by an incremental potential, our own implementation of IPC's equations, and by Taut",
           {"rest_shapes"},
-          std::bind_front(draw_rests, std::ref(rests))};
+          std::bind_front(draw_rests, std::ref(rests)),
+          std::bind_front(rests_csv, std::ref(rests))};
 }
 
 std::string rest_html(std::span<const RestComparison> rests) {
-  std::string html = "<table>\n";
-  html += row("largest distance (root mean square)", rests, [](const RestComparison& r) { return r.title; });
-  html += row("of Taut's shape, both from the same start", rests,
-              [](const RestComparison& r) { return apart_text(r.apart); });
-  html += row("of Taut's shape, if it begins at rest by the potential", rests,
-              [](const RestComparison& r) { return apart_text(r.from_reference); });
-  html += row("which the potential moves Taut's shape by until it is at rest", rests,
-              [](const RestComparison& r) { return apart_text(r.moved); });
-  html += row("of where that is, from where it rests from the start", rests,
-              [](const RestComparison& r) { return apart_text(r.from_taut); });
-  html += row("which a tenth more rigidity moves its shape by", rests,
-              [](const RestComparison& r) { return apart_text(r.stiffer); });
-  const auto of_all = [&](const std::string& name, const auto& text) {
-    html += row(name + ": potential, Taut, potential with a tenth more rigidity", rests, [&](const RestComparison& r) {
-      return fmt::format("{}, {}, {}", text(r.by_reference), text(r.by_taut), text(r.by_stiffer));
-    });
-  };
-  of_all("lowest point, in mm", [](const auto& drape) { return fmt::format("{:.1f}", 1e3 * drape.lowest_m); });
-  of_all("mean height, in mm", [](const auto& drape) { return fmt::format("{:.1f}", 1e3 * drape.mean_m); });
-  of_all("shadow, in cm2", [](const auto& drape) { return fmt::format("{:.0f}", 1e4 * drape.shadow_m2); });
-  html += row("energy of the potential, in mJ: its shape, Taut's, where it comes to rest from Taut's", rests,
-              [](const RestComparison& r) {
-                return fmt::format("{:.2f}, {:.2f}, {:.2f}", 1e3 * r.reference_j, 1e3 * r.taut_j, 1e3 * r.from_taut_j);
-              });
+  if (rests.empty()) return "";
+  std::string html = "<table>\n<tr><th></th>";
+  for (const RestComparison& rest : rests) html += fmt::format("<th>{}</th>", rest.title);
+  html += "</tr>\n";
+  const std::vector<NamedNumber> first = numbers_of(rests.front());
+  for (std::size_t i = 0; i < first.size(); ++i) {
+    html += fmt::format("<tr><td>{}</td>", first[i].name);
+    for (const RestComparison& rest : rests) {
+      html += fmt::format("<td class=\"number\">{:.{}f}</td>", numbers_of(rest)[i].value, first[i].decimals);
+    }
+    html += "</tr>\n";
+  }
   return html + "</table>\n";
 }
 

@@ -29,7 +29,7 @@ reference::Vector rest_of(const reference::RestCase& what, double physics = 1.0,
 /// The kept shape of a case. Throws as reference::kept_rest does.
 reference::Vector kept_rest(const reference::RestCase& what);
 
-/// The T-shirt, and a cloth on a ball.
+/// Two T-shirts, and a cloth on a ball.
 std::vector<RestComparison> compare_rests(const ProgressCallback& report);
 
 /// The shadow beyond the ball's, as a part of the cloth beyond it, as Cusick has it for a disc.

@@ -12,6 +12,27 @@ namespace {
 /// Cotton of 0.318 mm with a Young's modulus of 0.821 MPa (Penava, Simic Penava and Knezic 2014), as stiff to bend as
 /// canvas, so that folds are wider than edges.
 constexpr Fabric canvas{0.1503, 261.0, 1e-4, 1e-3};
+std::string text_of(const std::filesystem::path& file) {
+  std::ifstream in(file);
+  if (!in) throw std::runtime_error("cannot read " + file.string());
+  std::ostringstream text;
+  text << in.rdbuf();
+  return text.str();
+}
+
+/// The whole numbers of `name = [1, 2, ...]`.
+std::vector<int> numbers_of(const std::string& text, const std::string& name) {
+  const std::size_t at = text.find("\n" + name + " = [");
+  if (at == std::string::npos) throw std::runtime_error("found no list " + name);
+  const std::size_t from = text.find('[', at) + 1;
+  std::string list = text.substr(from, text.find(']', from) - from);
+  std::replace(list.begin(), list.end(), ',', ' ');
+  std::istringstream words(list);
+  std::vector<int> numbers;
+  for (int number = 0; words >> number;) numbers.push_back(number);
+  return numbers;
+}
+
 }  // namespace
 
 Surface even_sheet(int across, int rows, double width_m, double length_m) {
@@ -35,12 +56,18 @@ Surface even_sheet(int across, int rows, double width_m, double length_m) {
   return sheet;
 }
 
-RestCase shirt(const std::filesystem::path& garments) {
-  const Surface model = read_obj(garments / "tshirt_1028.obj");
-  // The seams of both shoulders and the neckline at the back, as its landmarks have them.
-  std::vector<int> pins = {16, 15, 21, 13, 20, 18, 234, 247, 252, 213, 211, 126, 124, 246, 244, 249, 64, 61, 23};
+RestCase shirt(const std::filesystem::path& garments, int triangles) {
+  const std::string name = "tshirt_" + std::to_string(triangles);
+  const Surface model = read_obj(garments / (name + ".obj"));
+  const std::string landmarks = text_of(garments / (name + ".landmarks.toml"));
+  std::vector<int> pins;
+  for (const char* seam : {"left_shoulder_seam", "right_shoulder_seam", "back_neckline"}) {
+    const std::vector<int> vertices = numbers_of(landmarks, seam);
+    pins.insert(pins.end(), vertices.begin(), vertices.end());
+  }
   std::sort(pins.begin(), pins.end());
-  return {"shirt", {model.points_m, model.triangles, pins, canvas}, model.points_m};
+  pins.erase(std::unique(pins.begin(), pins.end()), pins.end());
+  return {name, {model.points_m, model.triangles, pins, canvas}, model.points_m};
 }
 
 RestCase cloth_on_ball(int across, double rigidity_n_m) {
@@ -65,7 +92,8 @@ RestCase cloth_on_ball(int across, double rigidity_n_m) {
 }
 
 std::vector<RestCase> kept_cases(const std::filesystem::path& garments) {
-  std::vector<RestCase> cases = {shirt(garments)};
+  std::vector<RestCase> cases;
+  for (const int triangles : kept_shirts) cases.push_back(shirt(garments, triangles));
   for (const double rigidity_n_m : kept_rigidities_n_m) {
     for (const int across : kept_meshes) cases.push_back(cloth_on_ball(across, rigidity_n_m));
   }

@@ -22,12 +22,15 @@ struct RestCase {
   std::vector<Point> start_m;
 };
 
-/// The built-in T-shirt of 1028 triangles, held as the scene tshirt-gravity holds it, from the shape it is modelled in.
-RestCase shirt(const std::filesystem::path& garments);
+/// The built-in T-shirt of so many triangles, held as the scene tshirt-gravity holds it, from the shape it is modelled
+/// in.
+RestCase shirt(const std::filesystem::path& garments, int triangles);
 /// A square of 1 m, of about even triangles, that is laid level over a ball of 0.25 m, a little aside. It is held at
 /// two vertices on top, as nothing rubs.
 RestCase cloth_on_ball(int across, double rigidity_n_m);
 
+/// The T-shirts whose shapes are kept.
+inline constexpr std::array kept_shirts = {1028, 5280};
 /// The cloths on a ball whose shapes are kept: each rigidity on each mesh.
 inline constexpr std::array kept_meshes = {24, 28, 32};
 inline constexpr std::array kept_rigidities_n_m = {1e-3, 2e-3};

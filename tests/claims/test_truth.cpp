@@ -68,9 +68,10 @@ TEST(Rests, TheIncrementalPotentialComesBackFromTheShapeOnTheBall) {
     return reference::difference(reference::surface_of(ball.cloth, one), reference::surface_of(ball.cloth, other));
   };
   const reference::Vector shape = rest_of(ball), kept = kept_rest(ball);
-  EXPECT_LT(apart(shape, kept).hausdorff_m, 0.014);
-  EXPECT_LT(apart(shape, kept).mean_m, 0.003);
-  const reference::Vector from_there = reference::minimise(reference::Potential(ball.cloth), shape, {}).x;
+  EXPECT_LT(apart(shape, kept).hausdorff_m, 0.02);
+  EXPECT_LT(apart(shape, kept).mean_m, 0.004);
+  const reference::Vector from_there =
+      reference::minimise(reference::Potential(ball.cloth), shape, {.largest_force = 1e-3}).x;
   EXPECT_LT(apart(from_there, kept).hausdorff_m, 1e-4);
 }
 

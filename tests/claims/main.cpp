@@ -14,9 +14,11 @@ void draw_and_judge(const FiguresOptions& options) {
   std::vector<Figure> figures = all_figures(results);
   figures.push_back(figure8_of(results));
   figures.push_back(truth_figure(results.truth));
+  figures.push_back(rest_figure(results.rests));
   std::vector<Job> jobs = experiments(results, Checking::promises);
   std::ranges::move(claim_experiments(results), std::back_inserter(jobs));
   std::ranges::move(truth_jobs(results.truth), std::back_inserter(jobs));
+  jobs.push_back({"rest_shapes", 60.0, [&](const ProgressCallback& report) { results.rests = compare_rests(report); }});
   const DrawnFigures drawn = draw_figures(options, std::move(figures), std::move(jobs));
   if (!options.only.empty() || !options.data.empty()) return;
   const Report report = make_report(results, drawn);
@@ -35,6 +37,7 @@ int main(int argument_count, char** arguments) {
   std::vector<std::string> names = figure_names();
   names.emplace_back("fig8");
   names.emplace_back("truth");
+  names.emplace_back("rest_shapes");
   app.add_option("--only", options.only, "some of the figures; no report")->delimiter(',')->check(CLI::IsMember(names));
   app.add_option("--data", options.data, "folder with the tables of an earlier run, to draw from; no report");
   app.add_option("-o,--output", options.output, "folder for the pictures")->capture_default_str();

@@ -54,12 +54,12 @@ std::string methods_html(const ClaimResults& results);
 /// embedded, so it opens from any folder. The PDFs that it links to are expected beside it.
 std::string report_html(std::span<const Claim> claims, const std::vector<PromiseResult>& promises,
                         std::span<const DrawnFigure> figures, const Machine& machine, const std::string& methods = "",
-                        const std::string& truth = "");
+                        const std::string& truth = "", const std::string& rests = "");
 
 // assets/report, embedded when the program is built.
 
 /// The HTML page of the report with its style. <!--machine-->, <!--claims-->,
-/// <!--promises-->, <!--figures-->, <!--methods--> and <!--truth--> are replaced.
+/// <!--promises-->, <!--figures-->, <!--methods-->, <!--truth--> and <!--rests--> are replaced.
 extern const char* const report_page;
 /// The text below figure 8 as HTML. <!--rows--> is replaced by those of its table.
 extern const char* const methods_text;

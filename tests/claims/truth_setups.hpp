@@ -47,11 +47,12 @@ inline Surroundings in_vacuum() {
 }
 
 inline sim::Simulation begin(std::shared_ptr<const sim::Garment> garment, std::vector<Index> pins,
-                             Surroundings surroundings, double max_stretch, bool contact) {
+                             Surroundings surroundings, double max_stretch, bool contact,
+                             std::optional<std::vector<Vec3>> start_m = {}) {
   sim::SimulationSettings settings;
   settings.rest.speed_m_per_s = 0.0;
   settings.solver.method = sim::BoundedSettings{.max_stretch = max_stretch, .contact = contact, .threads = 1};
-  return {std::move(garment), std::move(pins), settings, std::move(surroundings)};
+  return {std::move(garment), std::move(pins), settings, std::move(surroundings), std::move(start_m)};
 }
 
 inline sim::Simulation begin(sim::Mesh mesh, const Material& material, std::vector<Index> pins,
@@ -79,5 +80,7 @@ std::vector<TruthPoint> run_all(const Cases& cases, const ProgressCallback& repo
 using Runs = std::vector<TruthPoint>(const TruthExperiment& experiment, double physics, const ProgressCallback& report);
 // truth_strips.cpp
 Runs run_cantilever, run_buckling, run_slip;
+// truth_rest.cpp
+Runs run_rest;
 
 }  // namespace taut::app::truth

@@ -79,8 +79,8 @@ TruthPoint buckled(const TruthExperiment& experiment, const Size& size, double w
     return load / simulation.state().current.back().z;
   };
   double load = 0.6, critical = 0.0;
-  double stiffness = stiffness_under(load, 100);
-  for (const int frames : {80, 170}) {
+  double stiffness = stiffness_under(load, 200);
+  for (const int frames : {160, 340}) {
     const double next = critical > 0.0 ? 0.85 * critical : 0.8;
     const double then = stiffness_under(next, frames);
     critical = std::sqrt((stiffness * next * next - then * load * load) / (stiffness - then));

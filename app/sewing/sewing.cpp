@@ -111,9 +111,9 @@ void wear(const Scene& scene, const SewingSettings& settings, const std::functio
   sim::Surroundings thick_air = scene.surroundings;
   double& air_per_s = thick_air.forces.air_drag_per_s;
   air_per_s = std::max(air_per_s, resting_drag_per_s);
-  // In it cloth that comes loose is no faster than it can be kept apart.
   sim::SimulationSettings made = simulation_settings(run);
   made.rest.speed_m_per_s = std::max(made.rest.speed_m_per_s, resting_m_per_s);
+  // In thick air cloth that comes loose is no faster than it can be kept apart.
   sim::Simulation simulation(sim::share(sewn.garment), {}, made, thick_air, sewn.garment.mesh.positions);
   const auto keep = [&] {
     sewn.garment.mesh.positions = simulation.state().current;

@@ -32,6 +32,7 @@ constexpr double near_enough = 0.1;   ///< of the length of edges: vertices that
 constexpr double further = 1.3;       ///< times as near, as often as the strongest pull joins nothing
 constexpr double furthest = 0.35;
 constexpr int frames_between_joins = 4;
+constexpr double in_the_way_m = 0.03;          ///< the body, of a gap that stays
 constexpr int most_frames_between_joins = 16;  ///< after some that failed
 constexpr int first_join = 12;
 constexpr int most_frames_for_first = 60;
@@ -175,7 +176,11 @@ class Closing {
       }
       if (report) report(share_joined(), sewn_.garment, now_m());
     }
-    find_gap();
+    if (find_gap() > 0.0 && sewn_.reason.empty()) {
+      const auto nearest = body_tree_.nearest(sewn_.gap_place_m, in_the_way_m, accept_all);
+      const double off_m = nearest ? glm::distance(nearest->place_m, sewn_.gap_place_m) : 0.0;
+      if (nearest) sewn_.reason = fmt::format("the body is in the way, {:.1f} cm from there", 100.0 * off_m);
+    }
     keep_shape();
     return std::move(sewn_);
   }

@@ -98,10 +98,10 @@ double upper_border_m(const SewingPattern& pattern, double top_m) {
   return sum_m;
 }
 
-/// The height of the level nearest to this one that the border goes around and that is not the narrowest
-/// beside wider ones only because of that.
-double level_for(const BodyMeasures& measures, double border_m, double height_m) {
-  double best_m = height_m, least_m = std::numeric_limits<double>::infinity();
+/// The height of the level nearest to this one that the border goes around, if there is any.
+std::optional<double> level_for(const BodyMeasures& measures, double border_m, double height_m) {
+  std::optional<double> best_m;
+  double least_m = std::numeric_limits<double>::infinity();
   const double chest_m = measures.levels.back().height_m;
   const double fork_m = measures.levels[measures.fork].height_m;
   for (const LevelTape& level : measures.levels) {
@@ -133,7 +133,8 @@ Vec3 shift_of(const SewingPattern& pattern, const Wearer& wearer, CutPieces& pie
     const std::vector<Vec3> thin_m = placed_m(wearer.places, thin_shape(*wearer.rig, wearer.pose));
     shift.y = above_shoulders_m + rise_over(shoulders_m, shift.x, thin_m, half_width_m);
   } else {
-    shift.y = level_for(measures, upper_border_m(pattern, top_m), top_m + shift.y) - top_m;
+    const double usual_m = measures.waist_m ? measures.waist_m->y : top_m + shift.y;
+    shift.y = level_for(measures, upper_border_m(pattern, top_m), top_m + shift.y).value_or(usual_m) - top_m;
   }
   if (glm::length(shift) > hardly_moved_m) {
     said.push_back(fmt::format("its pieces are moved by {} m to be about the body", describe_point(shift)));
@@ -165,7 +166,7 @@ void lift_to_waist(const SewingPattern& pattern, const BodyMeasures& measures, d
   }
   lower = pattern.sewn_with(std::move(lower), [&](std::size_t p) { return !upper.contains(p); });
   if (lower.empty() || std::ranges::any_of(upper, [&](std::size_t p) { return lower.contains(p); })) return;
-  const double lift_m = level_for(measures, border_m, height_m) - height_m;
+  const double lift_m = level_for(measures, border_m, height_m).value_or(height_m) - height_m;
   for (std::size_t v = 0; v < pieces.placed_m.size(); ++v) {
     pieces.placed_m[v].y += lower.contains(pieces.panel_of[v]) ? std::max(lift_m, 0.0) : 0.0;
   }

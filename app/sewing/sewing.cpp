@@ -31,10 +31,14 @@ constexpr int most_substeps = 250;
 // many frames.
 constexpr double resting_drag_per_s = 6.0;
 constexpr double thicker = 1.5;
-constexpr int frames_to_thicker = 60;
+constexpr double thickest_per_s = 60.0;
+constexpr int frames_to_thicker = 15;
+/// At rest it moves no faster, on average: in the thickest air its weight is then held but for a hundredth.
+constexpr double resting_m_per_s = 1.5e-3;
 /// Over all of it, until it rests. Cloth that is nearly too small takes as many in each frame as others in all.
 constexpr double most_sweeps = 150e3;
 constexpr double of_one_limb = 0.6;  ///< of a girth, at most
+constexpr double of_waist_m = 0.05;  ///< below the upper end of what is worn at the waist, at most
 
 [[noreturn]] void refuse_open(SewnGarment garment) {
   const SewnPieces& sewn = garment.sewn;
@@ -62,8 +66,9 @@ sim::Garment of_fabrics(sim::Garment cloth, const SewnGarment& garment) {
   }
 }
 
-/// Says in which panel it is stretched most, and beside which seam.
-std::string describe_tightest(const SewnGarment& garment) {
+/// Says in which panel it is stretched most, beside which seam, and how far it and the body go around there. It lay at
+/// these positions before the body grew.
+std::string describe_tightest(const Scene& scene, const SewnGarment& garment, const std::vector<Vec3>& start_m) {
   const sim::Mesh& mesh = garment.sewn.garment.mesh;
   const std::vector<double> stretch = sim::triangle_surface_stretch(garment.sewn.garment, mesh.positions);
   const auto t = static_cast<std::size_t>(std::ranges::max_element(stretch) - stretch.begin());
@@ -78,8 +83,20 @@ std::string describe_tightest(const SewnGarment& garment) {
     }
   }
   const sim::Index panel = garment.pieces.panel_of[garment.pieces.triangles[t][0]];
-  return fmt::format("it is tightest in the panel '{}', beside the seam of {}", garment.pattern.panels[panel].name,
-                     garment.pattern.describe(garment.pattern.stitches[nearest]));
+  std::string around;
+  const BodyMeasures& measures = dressed_body(scene).wearer->measures;
+  const Surface start = {start_m, mesh.triangles};
+  const GarmentMarks marks = marks_of(garment.sewn.garment, start_m, {});
+  const auto tube = tube_of(start);
+  const double height_m = start_m[mesh.triangles[t][0]].y;
+  std::optional<double> cloth_m = tube ? girth_at(start, std::min(height_m, tube->highest_m)) : std::nullopt;
+  if (marks.is_worn_at_waist && height_m > marks.top_height_m - of_waist_m) cloth_m = marks.top_m;
+  if (cloth_m && at_m.y > measures.levels[measures.fork].height_m && at_m.y < measures.levels.back().height_m) {
+    around = fmt::format(", where the body is {:.1f} cm around and the garment {:.1f} cm",
+                         measures.level_at(at_m.y).girth_m / cm, *cloth_m / cm);
+  }
+  return fmt::format("it is tightest in the panel '{}', beside the seam of {}{}", garment.pattern.panels[panel].name,
+                     garment.pattern.describe(garment.pattern.stitches[nearest]), around);
 }
 
 /// Lets the body grow into what was sewn, and that come to rest.
@@ -94,9 +111,10 @@ void wear(const Scene& scene, const SewingSettings& settings, const std::functio
   sim::Surroundings thick_air = scene.surroundings;
   double& air_per_s = thick_air.forces.air_drag_per_s;
   air_per_s = std::max(air_per_s, resting_drag_per_s);
-  // In it cloth that comes loose is no faster than it can be kept apart.
-  sim::Simulation simulation(sim::share(sewn.garment), {}, simulation_settings(run), thick_air,
-                             sewn.garment.mesh.positions);
+  sim::SimulationSettings made = simulation_settings(run);
+  made.rest.speed_m_per_s = std::max(made.rest.speed_m_per_s, resting_m_per_s);
+  // In thick air cloth that comes loose is no faster than it can be kept apart.
+  sim::Simulation simulation(sim::share(sewn.garment), {}, made, thick_air, sewn.garment.mesh.positions);
   const auto keep = [&] {
     sewn.garment.mesh.positions = simulation.state().current;
     garment.time_s = simulation.state().time_s;
@@ -104,25 +122,27 @@ void wear(const Scene& scene, const SewingSettings& settings, const std::functio
   std::vector<FitRow> fit = fit_of(scene, sewn.garment, sewn.garment.mesh.positions);
   // Where the body is thin a level may meet one limb alone.
   std::erase_if(fit, [](const FitRow& row) { return row.garment_m < of_one_limb * row.body_m; });
+  const std::vector<Vec3> start_m = sewn.garment.mesh.positions;
   const auto refuse = [&](const std::exception& error) {
     keep();
     const std::string tight = describe_tightness(scene, sewn.garment, sewn.garment.mesh.positions, fit);
-    const std::string message =
-        "its seams are closed, but it cannot be worn: " + (error.what() + describe_misfit(fit)) + "; " +
-        describe_tightest(garment) + (tight.empty() ? "" : "; " + tight);
+    std::string misfit = describe_misfit(fit);
+    if (!misfit.empty()) misfit = misfit.substr(2) + "; ";
+    const std::string message = "its seams are closed, but it cannot be worn: " + misfit +
+                                describe_tightest(scene, garment, start_m) + (tight.empty() ? "" : "; " + tight) +
+                                "; " + error.what();
     throw SewingFailed(message, std::move(garment));
   };
   try {
     stage("the body grows into it");
     dress(scene, simulation);
-    simulation.set_settings(simulation_settings(scene.simulation));
     double sweeps = 0.0;
     for (; garment.frames < settings.frames && !simulation.state().asleep && sweeps < most_sweeps; ++garment.frames) {
       throw_if_interrupted();
       stage(fmt::format("worn for {} of {} frames", garment.frames, settings.frames));
       if (garment.frames % frames_to_thicker == 0) {
         simulation.set_surroundings(thick_air);
-        air_per_s *= thicker;
+        air_per_s = std::max(air_per_s, std::min(thicker * air_per_s, thickest_per_s));
       }
       simulation.advance_frame(throw_if_interrupted);
       sweeps += simulation.last_report().sweeps;

@@ -42,6 +42,21 @@ std::string skirt(double waist_cm, double hem_cm, double out_cm = 20.0) {
             [{"panel": "front", "edge": 2}, {"panel": "back", "edge": 2}]]}})";
 }
 
+/// A rectangle of so many m whose middle of the upper edge is at a place, turned about z.
+PatternPanel rectangle(const std::string& name, double width_m, double height_m, const sim::Vec3& top_m,
+                       double angle_rad = 0.0) {
+  PatternPanel panel{name, {}};
+  const double half = 0.5 * width_m;
+  const std::vector<sim::Vec2> corners = {{-half, -height_m}, {half, -height_m}, {half, 0.0}, {-half, 0.0}};
+  for (std::size_t k = 0; k < 4; ++k) {
+    panel.edges_m.push_back({corners[k], corners[(k + 1) % 4]});
+  }
+  panel.rotation[0] = {std::cos(angle_rad), std::sin(angle_rad), 0.0};
+  panel.rotation[1] = {-std::sin(angle_rad), std::cos(angle_rad), 0.0};
+  panel.translation_m = top_m;
+  return panel;
+}
+
 struct Sewing : testing::Test {
   Scene scene_with(const std::filesystem::path& pattern) const {
     Scene scene;
@@ -115,10 +130,32 @@ TEST_F(Sewing, SaysThatWhatWasSewnIsTooSmall) {
   Scene scene = scene_with(folder.write("skirt.json", skirt(30.0, 35.0)));
   scene.simulation.solver.max_substeps = 30;  // more would try harder, and longer
   const std::string message = test::message_of<SewingFailed>([&] { sewn(scene, 200); });
-  EXPECT_NE(message.find("its seams are closed, but it cannot be worn: while it is dressed"), std::string::npos)
+  EXPECT_NE(message.find("its seams are closed, but it cannot be worn: it does not fit: "), std::string::npos)
       << message;
+  EXPECT_NE(message.find(", where the body is "), std::string::npos) << message;
+  EXPECT_NE(message.find("; while it is dressed, in frame "), std::string::npos) << message;
   EXPECT_NE(message.find("in a garment of 6"), std::string::npos) << message;
   EXPECT_NE(message.find("; it is tightest in the panel '"), std::string::npos) << message;
+}
+
+TEST_F(Sewing, AWaistThatGoesAroundNothingBeginsAtThatOfTheBody) {
+  const Scene scene = scene_with(folder.write("skirt.json", skirt(40.0, 60.0)));
+  const Wearer& wearer = *dressed_body(scene).wearer;
+  const sim::Vec3 top_m = {0.0, 0.9, 0.2};
+  const SewingPattern pattern = {
+      {rectangle("front", 0.3, 0.6, top_m), rectangle("back", 0.3, 0.6, top_m - sim::Vec3(0.0, 0.0, 0.4))},
+      {{{0, 1}, {1, 1}}, {{0, 3}, {1, 3}}}};
+  CutPieces pieces = cut_pieces(pattern, 300);
+  bring_to_body(pattern, scene, pieces);
+  EXPECT_NEAR(sim::extent_of(pieces.placed_m).upper.y, wearer.measures.waist_m->y, 1e-6);
+}
+
+TEST_F(Sewing, ComesToRestInTwoSecondsOrThree) {
+  Scene scene = scene_with(folder.write("skirt.json", skirt(40.0, 60.0)));
+  const SewnGarment garment = sewn(scene, 800, 600);
+  EXPECT_TRUE(garment.is_at_rest);
+  EXPECT_LE(garment.frames, 180);
+  EXPECT_LE(garment.rms_speed_m_per_s, 0.02);
 }
 
 TEST_F(Sewing, SaysWhichSeamStaysOpenAndByHowMuch) {
@@ -133,6 +170,7 @@ TEST_F(Sewing, SaysWhichSeamStaysOpenAndByHowMuch) {
     EXPECT_NE(std::string(error.what()).find("a seam stays open: front, edge 3 with back, edge 3, by "),
               std::string::npos)
         << error.what();
+    EXPECT_NE(std::string(error.what()).find("; the body is in the way, "), std::string::npos) << error.what();
     EXPECT_GT(error.garment.sewn.gap_m, 0.005);
     EXPECT_FALSE(error.garment.sewn.garment.mesh.triangles.empty()) << "there is nothing to draw";
   }
@@ -199,21 +237,6 @@ TEST_F(Sewing, FactsOfAGarmentThatWasSewnAreNotThoseOfItsPattern) {
   folder.write("skirt.landmarks.toml", "fabric = \"denim\"\nlayers = 2\n");
   EXPECT_EQ(find_scene(undrawn_format(), pattern.string(), {}).fabric, "");
   EXPECT_EQ(garments_worn(pattern), 1);
-}
-
-/// A rectangle of so many m whose middle of the upper edge is at a place, turned about z.
-PatternPanel rectangle(const std::string& name, double width_m, double height_m, const sim::Vec3& top_m,
-                       double angle_rad = 0.0) {
-  PatternPanel panel{name, {}};
-  const double half = 0.5 * width_m;
-  const std::vector<sim::Vec2> corners = {{-half, -height_m}, {half, -height_m}, {half, 0.0}, {-half, 0.0}};
-  for (std::size_t k = 0; k < 4; ++k) {
-    panel.edges_m.push_back({corners[k], corners[(k + 1) % 4]});
-  }
-  panel.rotation[0] = {std::cos(angle_rad), std::sin(angle_rad), 0.0};
-  panel.rotation[1] = {-std::sin(angle_rad), std::cos(angle_rad), 0.0};
-  panel.translation_m = top_m;
-  return panel;
 }
 
 TEST_F(Sewing, ASleeveIsTurnedToTheArmWithItsCuff) {

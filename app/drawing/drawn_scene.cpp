@@ -205,7 +205,7 @@ Key<DrawnScene> background_key() {
                                                             : "studio";
   };
   return member_key<DrawnScene>("picture.background", "",
-                                "\"studio\", \"none\" or a colour, \"#rrggbb\" or a name such as \"white\"",
+                                "\"studio\", \"none\" or a colour, \"#rrggbb\"",
                                 MEMBER(picture.background), read, write);
 }
 

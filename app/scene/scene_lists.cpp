@@ -305,7 +305,7 @@ Key<Scene> pins_key() {
 Key<Scene> weld_key() {
   constexpr Range range = {0.0, 0.05};
   auto read = [range](const toml::node& value, std::optional<double>& weld_m) {
-    const std::optional<double> number = finite_number(value, "m");
+    const std::optional<double> number = finite_number(value);
     const bool is_right = (number && range.contains(*number)) || text_in(value) == "auto";
     weld_m = is_right ? number : weld_m;
     return is_right;

@@ -221,7 +221,6 @@ void define_figures(CLI::App& command, FiguresOptions& options) {
       ->check(CLI::Validator(drawn_elsewhere, "", ""))
       ->check(CLI::IsMember(figure_names()));
   command.add_option("-o,--output", options.output)->capture_default_str();
-  command.add_option("--data", options.data);
   command.add_option("--scale", options.scale)->check(CLI::Range(0.1, 4.0))->capture_default_str();
   add_backend(command, options.backend);
 }

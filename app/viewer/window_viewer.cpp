@@ -104,12 +104,6 @@ class WindowViewer {
     return elapsed_s;
   }
 
-  // Of all processors, by all threads of this program.
-  double next_busy_s() {
-    const double used_ms = std::exchange(used_, ProcessorStopwatch(CLOCK_PROCESS_CPUTIME_ID)).elapsed_ms();
-    return 1e-3 * used_ms / std::max(std::thread::hardware_concurrency(), 1U);
-  }
-
   void show() {
     if (!viewer_.is_still()) since_change_ = Stopwatch();
     const renderer::Resized size = window_->framebuffer_size();
@@ -137,7 +131,7 @@ class WindowViewer {
                             is_urgent);
     renderer::finish_drawing(*window_);
     const double draw_ms = drawing.elapsed_ms();
-    viewer_.note_times(draw_ms, panel_ms_, simulation_.worked_ms(), next_busy_s());
+    viewer_.note_times(draw_ms, panel_ms_);
     window_->present();
     if (context_.picture().drew_scene() && level == quality_.level()) {
       quality_.note(panel_ms_ + drawing.elapsed_ms(), simulation_.take_given_up_ms());
@@ -176,7 +170,6 @@ class WindowViewer {
   QualityControl quality_;
   Stopwatch since_frame_;
   Stopwatch since_loss_;
-  ProcessorStopwatch used_{CLOCK_PROCESS_CPUTIME_ID};
   Stopwatch since_change_;  ///< of anything that is drawn
   double panel_ms_ = 0.0;
   int losses_ = 0;

@@ -409,14 +409,4 @@ void FittedView::place_camera(DrawnScene& scene) const {
   }
 }
 
-float share_in_picture(const renderer::Camera& camera, float aspect, std::span<const sim::Vec3> positions) {
-  const glm::mat4 to_clip = camera.projection(aspect) * camera.view();
-  const auto is_seen = [&](const sim::Vec3& position) {
-    const glm::vec4 clip = to_clip * glm::vec4(glm::vec3(position), 1.0F);
-    return clip.w > 0.0F && std::abs(clip.x) <= clip.w && std::abs(clip.y) <= clip.w;
-  };
-  const auto seen = std::ranges::count_if(positions, is_seen);
-  return static_cast<float>(seen) / static_cast<float>(std::max<std::size_t>(positions.size(), 1));
-}
-
 }  // namespace taut::app

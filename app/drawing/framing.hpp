@@ -122,7 +122,4 @@ class FittedView {
   float highest_m_ = -INFINITY;
 };
 
-/// Share of the garment's vertices that the camera sees within the picture, 0 to 1.
-float share_in_picture(const renderer::Camera& camera, float aspect, std::span<const sim::Vec3> positions);
-
 }  // namespace taut::app

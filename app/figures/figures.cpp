@@ -119,10 +119,6 @@ void draw_legend_row(renderer::Canvas& canvas, float centre_px, float y_px) {
   canvas.text(x_px + 60.0F, y_px, "mass point", text);
 }
 
-int height_in_cell(const renderer::Image& picture, int cell_px) {
-  return static_cast<int>(std::lround(static_cast<double>(picture.height_px) * cell_px / picture.width_px));
-}
-
 class FigureWriter {
  public:
   explicit FigureWriter(const FiguresOptions& options)
@@ -141,11 +137,6 @@ class FigureWriter {
     }
     drawn_.push_back({figure.name, figure.title, std::move(picture), figure.csv != nullptr});
     std::ranges::sort(drawn_, [](auto& a, auto& b) { return a.name < b.name; });
-    tell();
-  }
-
-  void write_contact_sheet() {
-    write_file(noted("contact_sheet.png"), renderer::encode_png(contact_sheet(drawn_, options_.scale)));
     tell();
   }
 
@@ -264,7 +255,6 @@ DrawnFigures draw_figures(const FiguresOptions& options, std::vector<Figure> fig
   std::erase_if(figures, [&](const Figure& figure) {
     return !options.only.empty() && std::ranges::find(options.only, figure.name) == options.only.end();
   });
-  const bool are_several = figures.size() > 1;
   FigureWriter writer(options);
   if (!options.only.empty()) {
     std::erase_if(experiments, [&](const Job& job) {
@@ -277,33 +267,7 @@ DrawnFigures draw_figures(const FiguresOptions& options, std::vector<Figure> fig
     if (figure.measure) figure.measure([](double) { throw_if_interrupted(); });
     if (figure.measure || figure.needs.empty()) writer.write(figure);
   }
-  if (are_several) writer.write_contact_sheet();
   return std::move(writer).finish();
-}
-
-renderer::Image contact_sheet(std::span<const DrawnFigure> figures, float scale) {
-  constexpr int columns = 3, cell_px = 800;
-  constexpr float title_px = 30.0F;
-  const int gap_px = cell_px / 20;
-  const int title_height_px = static_cast<int>(std::lround(1.8F * title_px));
-  // Each goes to the column that is shortest so far.
-  std::vector<int> bottoms_px(columns, gap_px);
-  std::vector<std::pair<int, int>> corners;
-  for (const DrawnFigure& figure : figures) {
-    const auto shortest = std::ranges::min_element(bottoms_px);
-    const int column = static_cast<int>(shortest - bottoms_px.begin());
-    corners.emplace_back(gap_px + column * (cell_px + gap_px), *shortest);
-    *shortest += title_height_px + height_in_cell(figure.picture, cell_px) + gap_px;
-  }
-  renderer::Canvas canvas =
-      renderer::Canvas::scaled(gap_px + columns * (cell_px + gap_px), *std::ranges::max_element(bottoms_px), scale);
-  for (std::size_t i = 0; i < figures.size(); ++i) {
-    const auto x_px = static_cast<float>(corners[i].first), y_px = static_cast<float>(corners[i].second);
-    canvas.text(x_px, y_px + title_px, figures[i].name, text_style(title_px, palette::ink, true));
-    canvas.image(x_px, y_px + static_cast<float>(title_height_px), static_cast<float>(cell_px),
-                 static_cast<float>(height_in_cell(figures[i].picture, cell_px)), figures[i].picture);
-  }
-  return canvas.to_image();
 }
 
 }  // namespace taut::app

@@ -67,11 +67,7 @@ struct DrawnFigures {
 };
 
 /// Draws those figures that are asked for and writes each, with its tables, as soon as the experiments it
-/// needs are done; and a contact sheet of several. Where all are asked for, all experiments are made.
+/// needs are done. Where all are asked for, all experiments are made.
 DrawnFigures draw_figures(const FiguresOptions& options, std::vector<Figure> figures, std::vector<Job> experiments);
-
-/// All figures, small, on one picture, each in the column that is shortest so far. `scale` multiplies its
-/// pixels each way.
-renderer::Image contact_sheet(std::span<const DrawnFigure> figures, float scale = 1.0F);
 
 }  // namespace taut::app

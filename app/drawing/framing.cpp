@@ -364,9 +364,7 @@ std::optional<float> ground_height(const DrawnScene& scene, const renderer::Box&
   return plane_m ? plane_m : standing_height(bodies, reach.lower.y).value_or(ground_below(box.lower.y, box.upper.y));
 }
 
-bool is_fitted(const DrawnScene& scene) {
-  return scene.camera.fit == CameraFit::frames && !scene.camera.box && !scene.camera.eye;
-}
+bool is_fitted(const DrawnScene& scene) { return !scene.camera.box && !scene.camera.eye; }
 
 FittedView::FittedView(const DrawnScene& scene, const sim::Garment& garment)
     : scene_(scene),

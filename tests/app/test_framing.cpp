@@ -108,9 +108,6 @@ TEST(FittedView, SeesTheGarmentInEveryFrameAndNoMore) {
 TEST(FittedView, LeavesACameraThatIsGivenAlone) {
   DrawnScene scene = horizontal_cloth();
   EXPECT_TRUE(is_fitted(scene));
-  scene.camera.fit = CameraFit::reach;
-  EXPECT_FALSE(is_fitted(scene));
-  scene.camera = {};
   scene.camera.box = renderer::Box{};
   EXPECT_FALSE(is_fitted(scene));
   scene.camera = {};

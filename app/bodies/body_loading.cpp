@@ -269,32 +269,9 @@ Json json_of(const sim::Vec3& p) { return Json::array({p.x, p.y, p.z}); }
 
 /// The motion, or the clip that is played.
 Json motion_of(const sim::BodyMesh& body) {
-  const std::size_t frames = body.frames->count();
-  double fastest_m_per_s = 0.0;
-  std::size_t fastest_frame = 0;
-  sim::Vec3 fastest_at_m(0.0);
-  std::vector<sim::Vec3> before_m(body.data->positions_m.size());
-  std::vector<sim::Vec3> now_m(before_m.size());
-  body.frames->positions_in(0, before_m);
-  for (std::size_t frame = 1; frame < frames; ++frame) {
-    throw_if_interrupted();
-    body.frames->positions_in(frame, now_m);
-    for (std::size_t v = 0; v < now_m.size(); ++v) {
-      const double speed = glm::distance(before_m[v], now_m[v]) * body.frames->rate_hz();
-      if (speed > fastest_m_per_s) {
-        fastest_m_per_s = speed;
-        fastest_frame = frame;
-        fastest_at_m = now_m[v];
-      }
-    }
-    std::swap(before_m, now_m);
-  }
   const LoopBegin loop = find_loop_begin(*body.frames, body.data->positions_m.size());
-  return {{"frames", frames},
+  return {{"frames", body.frames->count()},
           {"frame_rate_hz", body.frames->rate_hz()},
-          {"fastest_m_per_s", fastest_m_per_s},
-          {"fastest_frame", fastest_frame},
-          {"fastest_at_m", json_of(fastest_at_m)},
           {"repeats_from_frame", loop.frame},
           {"repeats_from_m_away", loop.furthest_m},
           {"repeats", describe(loop)}};

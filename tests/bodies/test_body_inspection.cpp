@@ -25,8 +25,6 @@ TEST(BodyInspection, SaysWhatIsInABodyAndHowItMoves) {
   ASSERT_TRUE(body.contains("motion"));
   const Json& motion = body["motion"];
   EXPECT_EQ(motion["frames"], 181U);
-  EXPECT_NEAR(motion["fastest_m_per_s"].get<double>(), 1.5, 1e-3);
-  EXPECT_LE(motion["fastest_frame"], 60U);
   EXPECT_TRUE(body["crossings"]["frames"].empty());
   const std::string text = describe(body);
   EXPECT_CONTAINS(text, "\njoints                    [Hips, Spine, LeftFoot]\n");

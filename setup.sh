@@ -28,8 +28,6 @@ packages=(
   libgmp-dev          # rational numbers of any length: whether triangles cross, exactly
   libhwy-dev          # Highway: vectors of any width
   libimgui-dev        # what is in it
-  libminizip-dev      # reads the unit of 3MF files
-  libpugixml-dev      # reads their XML
   libopenmesh-dev     # half-edges, to mesh garments anew
   libstb-dev          # writes PNG, and the tests read it
   libegl1             # OpenGL without a display or a GPU

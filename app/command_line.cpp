@@ -209,19 +209,9 @@ void add_backend(CLI::App& command, std::string& backend) {
   command.add_option("--backend", backend)->check(CLI::IsMember(backends()))->capture_default_str();
 }
 
-/// Figures that judge the program come with the report, from the build.
-std::string drawn_elsewhere(const std::string& figure) {
-  if (figure != "fig8" && figure != "truth") return {};
-  return figure + " is drawn by build/release/tests/claims/judge_claims --only " + figure;
-}
-
 void define_figures(CLI::App& command, FiguresOptions& options) {
-  command.add_option("--only", options.only)
-      ->delimiter(',')
-      ->check(CLI::Validator(drawn_elsewhere, "", ""))
-      ->check(CLI::IsMember(figure_names()));
+  command.add_option("--only", options.only)->delimiter(',')->check(CLI::IsMember(figure_names()));
   command.add_option("-o,--output", options.output)->capture_default_str();
-  command.add_option("--data", options.data);
   command.add_option("--scale", options.scale)->check(CLI::Range(0.1, 4.0))->capture_default_str();
   add_backend(command, options.backend);
 }
@@ -352,16 +342,6 @@ std::function<int()> add_list(CLI::App& app, const char* command, const char* na
   return [asked, list] { return list(*asked); };
 }
 
-void define_bench(CLI::App& command, BenchOptions& options) {
-  command.add_flag("--contact", options.contact);
-  command.add_flag("--quick", options.quick);
-  command.add_option("--scenes", options.scenes)->delimiter(',');
-  command.add_option("--runs", options.runs)->check(CLI::Range(1, 1000));
-  command.add_option("--frames", options.frames)->check(CLI::Range(1, 1000000));
-  command.add_flag("--csv", options.csv);
-  command.add_flag("--quiet", options.quiet);
-}
-
 // Without those that belong to no group, which are not shown.
 std::vector<std::string> command_names(const CLI::App& app) {
   std::vector<std::string> names;
@@ -436,14 +416,7 @@ std::string what_is_wrong(const CLI::App& app, const CLI::ParseError& error, std
   wrong = wrong != arguments.end() ? wrong : std::find_if(arguments.begin() + 1, arguments.end(), is_unknown);
   const std::string name = wrong != arguments.end() ? *wrong : unknown.back();
   const std::string option = name.substr(0, name.find('='));
-  std::vector<std::string> others;
-  for (const CLI::App* other : app.get_subcommands([](const CLI::App* c) { return !c->get_group().empty(); })) {
-    const std::vector<std::string> theirs = option_names(*other);
-    if (std::ranges::find(theirs, option) != theirs.end()) others.push_back("taut " + other->get_name());
-  }
-  const std::string meant = did_you_mean(option, options);
-  return "not expected: " + name + (meant.empty() && !others.empty() ? ", an option of " + joined(others) : meant) +
-         "; see " + help;
+  return "not expected: " + name + did_you_mean(option, options) + "; see " + help;
 }
 
 /// The text with the names of what there is in the place of their kinds in braces.
@@ -502,7 +475,6 @@ int run_command_line(std::span<const char* const> arguments) {
                                                       add_command(app, "inspect", define_inspect),
                                                       add_command(app, "fit", define_fit),
                                                       add_command(app, "sew", define_sew),
-                                                      add_command(app, "bench", define_bench),
                                                       add_list(app, "scenes", "SCENE", list_scenes),
                                                       add_list(app, "fabrics", "FABRIC", list_fabrics),
                                                       add_command(app, "sweep", define_sweep),

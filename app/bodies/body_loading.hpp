@@ -60,7 +60,4 @@ void print_body_remarks(const Scene& scene, const std::vector<std::string>& rema
 /// Throws InputError as load_bodies() does.
 Json inspect_body(const BodySource& source);
 
-/// The same as text for people.
-std::string describe_body(const Json& body);
-
 }  // namespace taut::app

@@ -3,6 +3,7 @@
 #include "app/bodies/wearing.hpp"
 #include "app/commands/options.hpp"
 #include "app/drawing/inspection_picture.hpp"
+#include "app/models/inspection.hpp"
 #include "app/sewing/sewing.hpp"
 
 namespace taut::app {
@@ -20,7 +21,7 @@ int inspect_bodies(const InspectOptions& options, const Scene& scene) {
   Json bodies = Json::array();
   for (const BodySource& source : scene.body_sources) {
     bodies.push_back(inspect_body(source));
-    fmt::print("{}", options.json ? "" : describe_body(bodies.back()));
+    fmt::print("{}", options.json ? "" : describe(bodies.back()));
   }
   fmt::print("{}", options.json ? Json({{"bodies", bodies}}).dump(2) + '\n' : "");
   return 0;
@@ -60,7 +61,7 @@ int run(const InspectOptions& options) {
   const Inspection inspection = inspect_garment(scene, loaded);
   progress.hide();
   fmt::print("{}", options.json ? inspection.facts.dump(2, ' ', false, Json::error_handler_t::replace) + '\n'
-                                : describe(inspection));
+                                : describe(inspection.facts));
   if (!options.picture.empty()) {
     progress.begin("drawing it");
     write_file(options.picture, renderer::encode_png(draw_inspection(inspection, loaded, scene, options.backend)));

@@ -121,34 +121,6 @@ bool can_gather(std::size_t frames, std::size_t vertices) {
   return frames * vertices * sizeof(sim::Vec3) <= most_bytes;
 }
 
-// Counts frames of which most of the garment is outside the picture.
-class LostGarment {
- public:
-  explicit LostGarment(std::span<const int> frames) : frames_(frames) {}
-
-  void look(const renderer::Camera& camera, float aspect, std::span<const sim::Vec3> positions) {
-    constexpr float most_of_it = 0.5F;
-    if (share_in_picture(camera, aspect, positions) < most_of_it) {
-      first_ = lost_++ == 0 ? frames_[drawn_] : first_;
-    }
-    ++drawn_;
-  }
-  void tell(const std::string& scene) const {
-    if (lost_ > 0) {
-      fmt::print(stderr,
-                 "taut: warning: {}: most of the garment is outside the picture in {} of {}, first in frame "
-                 "{}; camera.follow=true keeps it there, or camera.box\n",
-                 scene, lost_, counted(drawn_, "frame"), first_);
-    }
-  }
-
- private:
-  std::span<const int> frames_;
-  std::size_t drawn_ = 0;
-  std::size_t lost_ = 0;
-  int first_ = 0;
-};
-
 /// Pictures of a run.
 class Render {
  public:
@@ -178,11 +150,9 @@ class Render {
                          std::nullopt);
     if (!options_.shapes.empty()) run_.shapes = open_sink(exported, run_.loaded, run_.simulation->state().current);
     run_.progress.begin("preparing the first frame");
-    LostGarment lost(job_.frames);
-    connect(lost);
+    connect();
     const std::vector<FrameRecord> records = run_.go(job_.frames.back(), job_.output, &*offscreen_);
     run_.progress.hide();
-    lost.tell(run_.scene.name);
     return finish(records);
   }
 
@@ -214,7 +184,7 @@ class Render {
   }
 
   // Puts the simulation where it begins, and says where its frames go.
-  void connect(LostGarment& lost) {
+  void connect() {
     FrameOutputs& outputs = run_.outputs;
     const bool is_gathered =
         is_fitted(run_.scene) && can_gather(job_.frames.size(), run_.simulation->garment().mesh.positions.size());
@@ -226,10 +196,8 @@ class Render {
     }
     outputs.report = [this, is_gathered](const FrameRecord& record) { report(is_gathered ? "drawn" : "", record); };
     outputs.pictures = job_.frames;
-    outputs.draw_positions = [this, &lost](const std::vector<sim::Vec3>& positions, double time_s) {
-      renderer::Image picture = painter_->draw(positions, time_s);
-      lost.look(painter_->camera(), aspect_of(run_.scene.picture.settings), positions);
-      return picture;
+    outputs.draw_positions = [this](const std::vector<sim::Vec3>& positions, double time_s) {
+      return painter_->draw(positions, time_s);
     };
     outputs.write_frame = [this](const FrameRecord& record, const renderer::Image& picture) {
       output_.write(origin_, record, picture);

@@ -96,8 +96,7 @@ std::string scene_text(const DrawnScene& scene, GarmentNaming naming) {
 std::string scene_help() {
   std::string text =
       "A scene file is TOML. Every key has a default, apart from the garment: one of\n"
-      "garment.file and [garment.grid]. The same keys work with --set KEY=VALUE.\n"
-      "A length, speed, weight, angle or time may carry its unit: \"1 mm\", \"36 km/h\".\n\n";
+      "garment.file and [garment.grid]. The same keys work with --set KEY=VALUE.\n\n";
   const DrawnScene defaults;
   for (const Key<DrawnScene>& key : drawn_scene_format().keys) text += describe_key(key, defaults);
   return text + list_entries_help();
@@ -204,8 +203,7 @@ Key<DrawnScene> background_key() {
            : background.kind == BackgroundKind::transparent ? "none"
                                                             : "studio";
   };
-  return member_key<DrawnScene>("picture.background", "",
-                                "\"studio\", \"none\" or a colour, \"#rrggbb\" or a name such as \"white\"",
+  return member_key<DrawnScene>("picture.background", "", "\"studio\", \"none\" or a colour, \"#rrggbb\"",
                                 MEMBER(picture.background), read, write);
 }
 
@@ -243,8 +241,6 @@ SceneFormat<DrawnScene> drawn_scene_format() {
        number("camera.elevation", "degrees", acute, MEMBER(camera.framing.elevation_rad), degree),
        number("camera.margin", "", {0.0, 0.45}, MEMBER(camera.framing.margin)),
        number("camera.field_of_view", "degrees", {1.0, 120.0}, MEMBER(camera.framing.vertical_fov_rad), degree),
-       choice_key<DrawnScene, CameraFit>("camera.fit", {{"frames", CameraFit::frames}, {"reach", CameraFit::reach}},
-                                         MEMBER(camera.fit)),
        switch_key<DrawnScene>("camera.follow", MEMBER(camera.follow)),
        auto_key("camera.box", "two corners [[x, y, z], [x, y, z]], the smaller coordinates first, or \"auto\"",
                 MEMBER(camera.box), box_in,

@@ -5,18 +5,11 @@
 
 namespace taut::app {
 
-/// The subject of a camera without a place and a box of its own.
-enum class CameraFit {
-  frames,  ///< what the frames that are drawn show
-  reach,   ///< all that the garment can reach, which is known before anything is simulated
-};
-
 /// The camera of a scene's pictures.
 struct CameraSettings {
-  CameraFit fit = CameraFit::frames;
   bool follow = false;  ///< moves with the garment, by as much as the mean of its vertices
   renderer::Framing framing = {.azimuth_rad = 0.35F, .elevation_rad = 0.17F, .vertical_fov_rad = 0.5F};
-  std::optional<renderer::Box> box;  ///< what has to be in the picture, in metres; empty: `fit` says
+  std::optional<renderer::Box> box;  ///< what has to be in the picture, in metres; empty: the garment in all frames
   std::optional<glm::vec3> eye;      ///< in metres; with `target` it replaces framing
   std::optional<glm::vec3> target;   ///< in metres
 };

@@ -364,9 +364,7 @@ std::optional<float> ground_height(const DrawnScene& scene, const renderer::Box&
   return plane_m ? plane_m : standing_height(bodies, reach.lower.y).value_or(ground_below(box.lower.y, box.upper.y));
 }
 
-bool is_fitted(const DrawnScene& scene) {
-  return scene.camera.fit == CameraFit::frames && !scene.camera.box && !scene.camera.eye;
-}
+bool is_fitted(const DrawnScene& scene) { return !scene.camera.box && !scene.camera.eye; }
 
 FittedView::FittedView(const DrawnScene& scene, const sim::Garment& garment)
     : scene_(scene),
@@ -407,16 +405,6 @@ void FittedView::place_camera(DrawnScene& scene) const {
     const float gap = lowest_m_ - below_m;  // feet rise and sink a little as they walk
     ground = {GroundKind::fixed, static_cast<double>(standing_height(bodies, lowest_m_ + gap).value_or(below_m))};
   }
-}
-
-float share_in_picture(const renderer::Camera& camera, float aspect, std::span<const sim::Vec3> positions) {
-  const glm::mat4 to_clip = camera.projection(aspect) * camera.view();
-  const auto is_seen = [&](const sim::Vec3& position) {
-    const glm::vec4 clip = to_clip * glm::vec4(glm::vec3(position), 1.0F);
-    return clip.w > 0.0F && std::abs(clip.x) <= clip.w && std::abs(clip.y) <= clip.w;
-  };
-  const auto seen = std::ranges::count_if(positions, is_seen);
-  return static_cast<float>(seen) / static_cast<float>(std::max<std::size_t>(positions.size(), 1));
 }
 
 }  // namespace taut::app

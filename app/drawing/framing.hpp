@@ -94,7 +94,7 @@ renderer::Camera scene_camera(const DrawnScene& scene, const renderer::Box& reac
 std::optional<float> ground_height(const DrawnScene& scene, const renderer::Box& reach);
 
 /// Whether the camera of the scene's pictures is fitted to what they show: neither its place nor a box is
-/// given, and camera.fit asks for it.
+/// given.
 bool is_fitted(const DrawnScene& scene);
 
 /// Gathers what a run's pictures show, then places the camera so that all of it fills the picture.
@@ -121,8 +121,5 @@ class FittedView {
   float lowest_m_ = INFINITY;
   float highest_m_ = -INFINITY;
 };
-
-/// Share of the garment's vertices that the camera sees within the picture, 0 to 1.
-float share_in_picture(const renderer::Camera& camera, float aspect, std::span<const sim::Vec3> positions);
 
 }  // namespace taut::app

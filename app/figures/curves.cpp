@@ -208,11 +208,6 @@ std::string unrest_text(const std::vector<MethodRun>& runs) {
                      speed_text(runs[static_cast<std::size_t>(sim::SolverKind::strong)]));
 }
 
-// A run that diverges has cells left empty at its end.
-double number_or_infinity(const CsvFile& table, std::size_t row, std::size_t column) {
-  return table.text(row, column).empty() ? INFINITY : table.number(row, column);
-}
-
 }  // namespace
 
 std::string figure3_csv(const Results& results) {
@@ -222,23 +217,6 @@ std::string figure3_csv(const Results& results) {
     table.add({std::to_string(i + 1), cell(static_cast<double>(i + 1) * fall.time_step_s), cell(fall.moved_m[i])});
   }
   return table.text();
-}
-
-void read_figure3(Results& results, const std::filesystem::path& folder) {
-  const CsvFile table(folder / "fig3.csv", columns3);
-  results.fall = results.fall ? std::move(results.fall) : StepRecording{};
-  StepRecording& fall = *results.fall;
-  fall.frames.scene = find_scene(fall_scene, {});
-  LoadedGarment loaded = load_garment(fall.frames.scene);
-  fall.frames.garment = loaded.garment;
-  fall.frames.pins = std::move(loaded.pins);
-  fall.vertex = followed_vertex(fall.frames.scene);
-  fall.time_step_s = table.number(0, 1);
-  for (std::size_t row = 0; row < table.rows(); ++row) fall.moved_m.push_back(table.number(row, 2));
-  // A run that is not over at its last frame ends where the cloth is at rest.
-  const auto most_steps = static_cast<std::size_t>(
-      fall_frames.back() * sim::equal_substeps(solver_settings(fall.frames.scene.simulation.solver)));
-  fall.came_to_rest = table.rows() < most_steps;
 }
 
 // Iterative convergence of a single mass point of the cloth of figure 2.
@@ -269,22 +247,6 @@ std::string figure6_csv(const Results& results) {
   return table.text();
 }
 
-void read_figure6(Results& results, const std::filesystem::path& folder) {
-  const CsvFile table(folder / "fig6.csv", columns6);
-  std::vector<FrameTimes>& times = results.frame_times;
-  for (std::size_t row = 0; row < table.rows(); ++row) {
-    const FrameTimes next{table.whole_number(row, 0), table.whole_number(row, 1), table.whole_number(row, 2), {}};
-    if (times.empty() || times.back().triangles != next.triangles || times.back().substeps != next.substeps) {
-      times.push_back(next);
-    }
-    const double frame_ms = table.number(row, 4);
-    if (frame_ms <= 0.0 || next.triangles <= 0) {
-      table.fail(row, "found a time or a number of triangles of 0 or less, expected more");
-    }
-    times.back().frame_ms.push_back(frame_ms);
-  }
-}
-
 // Section IV: what a frame costs for models of different precision.
 Drawing draw_figure6(const Results& results, LazyOffscreenRenderer&) {
   const std::vector<FrameTimes> times = results.frame_times;
@@ -313,31 +275,6 @@ std::string figure7_csv(const Results& results) {
     }
   }
   return table.text();
-}
-
-void read_figure7(Results& results, const std::filesystem::path& folder) {
-  const CsvFile table(folder / "fig7.csv", columns7);
-  std::size_t row = 0;
-  for (const double rate_hz : method_rates_hz) {
-    for (const sim::SolverKind kind : compared_methods) {
-      MethodRun run;
-      run.kind = kind;
-      run.time_step_s = 1.0 / rate_hz;
-      const auto belongs = [&] {
-        return table.text(row, 0) == name_of(kind) &&
-               std::abs(table.number(row, 1) - run.time_step_s) < 1e-3 * run.time_step_s;
-      };
-      for (; row < table.rows() && belongs(); ++row) {
-        run.max_stretch.push_back(number_or_infinity(table, row, 3));
-        run.moved_rms_m.push_back(number_or_infinity(table, row, 4));
-      }
-      if (run.max_stretch.size() < static_cast<std::size_t>(std::lround(methods_duration_s * rate_hz))) {
-        run.diverged_at_s = run.time_step_s * static_cast<double>(run.max_stretch.size() + 1);
-      }
-      results.methods.push_back(std::move(run));
-    }
-  }
-  if (row < table.rows()) table.fail(row, "found a method or a time step out of turn");
 }
 
 // Section III: do springs that are pulled back to a threshold vibrate, and does the strong constraint not?

@@ -33,23 +33,6 @@ template <auto recordings_of> std::string shapes_of(const Results& results) {
   return shapes_csv(recordings_of(results));
 }
 
-void read_fall(Results& results, const std::filesystem::path& folder) {
-  results.fall = results.fall ? std::move(results.fall) : StepRecording{};
-  results.fall->frames = read_recording(folder, "fig2", fall_scene);
-}
-
-void read_pinned(Results& results, const std::filesystem::path& folder) {
-  for (std::size_t i = 0; i < results.pinned.size(); ++i) {
-    results.pinned[i] = read_recording(folder, "fig4", pinned_scenes[i]);
-  }
-}
-
-void read_shirts(Results& results, const std::filesystem::path& folder) {
-  for (std::size_t i = 0; i < results.shirts.size(); ++i) {
-    results.shirts[i] = read_recording(folder, "fig5", shirt_scenes[i]);
-  }
-}
-
 constexpr float panel_px = 1150.0F;
 
 struct KindLook {
@@ -136,10 +119,6 @@ void draw_legend_row(renderer::Canvas& canvas, float centre_px, float y_px) {
   canvas.text(x_px + 60.0F, y_px, "mass point", text);
 }
 
-int height_in_cell(const renderer::Image& picture, int cell_px) {
-  return static_cast<int>(std::lround(static_cast<double>(picture.height_px) * cell_px / picture.width_px));
-}
-
 class FigureWriter {
  public:
   explicit FigureWriter(const FiguresOptions& options)
@@ -158,11 +137,6 @@ class FigureWriter {
     }
     drawn_.push_back({figure.name, figure.title, std::move(picture), figure.csv != nullptr});
     std::ranges::sort(drawn_, [](auto& a, auto& b) { return a.name < b.name; });
-    tell();
-  }
-
-  void write_contact_sheet() {
-    write_file(noted("contact_sheet.png"), renderer::encode_png(contact_sheet(drawn_, options_.scale)));
     tell();
   }
 
@@ -186,16 +160,6 @@ class FigureWriter {
   std::vector<DrawnFigure> drawn_;
   std::vector<std::filesystem::path> written_;
 };
-
-// Reads all before the first is drawn: a table that is missing shall not cost minutes.
-void read_and_draw(std::span<const Figure> figures, const std::filesystem::path& folder, FigureWriter& writer) {
-  for (const Figure& figure : figures) {
-    if (figure.read) figure.read(folder);
-  }
-  for (const Figure& figure : figures) {
-    if (figure.read) writer.write(figure);
-  }
-}
 
 // Draws every figure as soon as the last of what it needs is there.
 void simulate_and_draw(std::span<const Figure> figures, std::span<const Job> experiments, FigureWriter& writer) {
@@ -225,38 +189,32 @@ std::vector<Figure> all_figures(Results& results) {
        {fall_scene},
        of(draw_figure2),
        of(moments_of<falls_of>),
-       of(shapes_of<falls_of>),
-       of(read_fall)},
-      {"fig3", "One mass point converges", {fall_scene}, of(draw_figure3), of(figure3_csv), {}, of(read_figure3)},
+       of(shapes_of<falls_of>)},
+      {"fig3", "One mass point converges", {fall_scene}, of(draw_figure3), of(figure3_csv)},
       {"fig4",
        "Over-stretch of up to 5 % and up to 20 %, and where it is",
        {pinned_scenes.begin(), pinned_scenes.end()},
        of(draw_figure4),
        of(moments_of<pinned_of>),
-       of(shapes_of<pinned_of>),
-       of(read_pinned)},
+       of(shapes_of<pinned_of>)},
       {"fig5",
        "The T-shirt under gravity and in two winds",
        {shirt_scenes.begin(), shirt_scenes.end()},
        of(draw_figure5),
        of(moments_of<shirts_of>),
-       of(shapes_of<shirts_of>),
-       of(read_shirts)},
+       of(shapes_of<shirts_of>)},
       {"fig6",
        "What a frame costs for models of different precision",
        {},
        of(draw_figure6),
        of(figure6_csv),
        {},
-       of(read_figure6),
        of(time_strong_shirts)},
       {"fig7",
        "Ideal springs, a threshold and the strong constraint: stretch and unrest",
        {"methods"},
        of(draw_figure7),
-       of(figure7_csv),
-       {},
-       of(read_figure7)},
+       of(figure7_csv)},
   };
 }
 
@@ -297,52 +255,19 @@ DrawnFigures draw_figures(const FiguresOptions& options, std::vector<Figure> fig
   std::erase_if(figures, [&](const Figure& figure) {
     return !options.only.empty() && std::ranges::find(options.only, figure.name) == options.only.end();
   });
-  const bool are_several = figures.size() > 1;
   FigureWriter writer(options);
-  if (!options.data.empty()) {
-    read_and_draw(figures, options.data, writer);
-    std::erase_if(figures, [](const Figure& figure) { return figure.read != nullptr; });
-  }
-  if (!options.only.empty() || !options.data.empty()) {
+  if (!options.only.empty()) {
     std::erase_if(experiments, [&](const Job& job) {
       return std::ranges::none_of(figures, [&](const Figure& figure) { return figure.does_need(job.name); });
     });
   }
   simulate_and_draw(figures, experiments, writer);
   for (const Figure& figure : figures) {
-    if (figure.measure) {
-      // Only now, with every other thread gone: they would take from what is measured.
-      figure.measure([](double) { throw_if_interrupted(); });
-      writer.write(figure);
-    }
+    // Only now, with every other thread gone: they would take from what is measured.
+    if (figure.measure) figure.measure([](double) { throw_if_interrupted(); });
+    if (figure.measure || figure.needs.empty()) writer.write(figure);
   }
-  if (are_several) writer.write_contact_sheet();
   return std::move(writer).finish();
-}
-
-renderer::Image contact_sheet(std::span<const DrawnFigure> figures, float scale) {
-  constexpr int columns = 3, cell_px = 800;
-  constexpr float title_px = 30.0F;
-  const int gap_px = cell_px / 20;
-  const int title_height_px = static_cast<int>(std::lround(1.8F * title_px));
-  // Each goes to the column that is shortest so far.
-  std::vector<int> bottoms_px(columns, gap_px);
-  std::vector<std::pair<int, int>> corners;
-  for (const DrawnFigure& figure : figures) {
-    const auto shortest = std::ranges::min_element(bottoms_px);
-    const int column = static_cast<int>(shortest - bottoms_px.begin());
-    corners.emplace_back(gap_px + column * (cell_px + gap_px), *shortest);
-    *shortest += title_height_px + height_in_cell(figure.picture, cell_px) + gap_px;
-  }
-  renderer::Canvas canvas =
-      renderer::Canvas::scaled(gap_px + columns * (cell_px + gap_px), *std::ranges::max_element(bottoms_px), scale);
-  for (std::size_t i = 0; i < figures.size(); ++i) {
-    const auto x_px = static_cast<float>(corners[i].first), y_px = static_cast<float>(corners[i].second);
-    canvas.text(x_px, y_px + title_px, figures[i].name, text_style(title_px, palette::ink, true));
-    canvas.image(x_px, y_px + static_cast<float>(title_height_px), static_cast<float>(cell_px),
-                 static_cast<float>(height_in_cell(figures[i].picture, cell_px)), figures[i].picture);
-  }
-  return canvas.to_image();
 }
 
 }  // namespace taut::app

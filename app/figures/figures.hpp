@@ -9,15 +9,14 @@ namespace taut::app {
 /// One figure, of the paper or about it: which experiments it needs and how it is drawn. Its functions know
 /// the results they fill and draw from.
 struct Figure {
-  std::string name;                ///< "fig2"
-  std::string title;               ///< what it shows, for the report
-  std::vector<std::string> needs;  ///< names of the experiments it is drawn from
+  std::string name;   ///< "fig2"
+  std::string title;  ///< what it shows, for the report
+  /// Names of the experiments it is drawn from. Without any it is drawn last.
+  std::vector<std::string> needs;
   /// Draws the figure from the results of its experiments.
   std::function<Drawing(LazyOffscreenRenderer&)> draw;
   /// Its data as tables NAME.csv and NAME_shapes.csv. Empty if the figure shows no measurement.
   std::function<std::string()> csv = {}, shapes_csv = {};
-  /// Reads these tables into the results, so that the figure can be drawn without its experiments.
-  std::function<void(const std::filesystem::path& folder)> read = {};
   /// Measures times that it shows. It is called when all experiments are done: they would take from what is
   /// measured.
   std::function<void(const ProgressCallback&)> measure = {};
@@ -40,22 +39,15 @@ std::string figure3_csv(const Results& results);
 std::string figure6_csv(const Results& results);
 std::string figure7_csv(const Results& results);
 
-/// Reads the table of a figure into the results. Throws InputError that names the file and the line.
-void read_figure3(Results& results, const std::filesystem::path& folder);
-void read_figure6(Results& results, const std::filesystem::path& folder);
-void read_figure7(Results& results, const std::filesystem::path& folder);
-
 /// All figures of the paper, in its order, drawn from and filling these results.
 std::vector<Figure> all_figures(Results& results);
 /// Their names, in the same order.
 std::vector<std::string> figure_names();
 
-/// Which figures are drawn, from what and to where: the options of `taut figures`.
+/// Which figures are drawn and to where: the options of `taut figures`.
 struct FiguresOptions {
   std::vector<std::string> only;  ///< names of figures; empty: all
   std::filesystem::path output = "figures";
-  /// Folder with the tables of an earlier run, to draw from without simulating. Empty: simulate.
-  std::filesystem::path data;
   float scale = 1.0F;            ///< times as many pixels each way
   std::string backend = "auto";  ///< as in renderer::create_context
 };
@@ -75,11 +67,7 @@ struct DrawnFigures {
 };
 
 /// Draws those figures that are asked for and writes each, with its tables, as soon as the experiments it
-/// needs are done; and a contact sheet of several. Where all are asked for, all experiments are made.
+/// needs are done. Where all are asked for, all experiments are made.
 DrawnFigures draw_figures(const FiguresOptions& options, std::vector<Figure> figures, std::vector<Job> experiments);
-
-/// All figures, small, on one picture, each in the column that is shortest so far. `scale` multiplies its
-/// pixels each way.
-renderer::Image contact_sheet(std::span<const DrawnFigure> figures, float scale = 1.0F);
 
 }  // namespace taut::app

@@ -85,27 +85,6 @@ template <class Visit> void for_each_panel(std::span<const Recording* const> rec
   }
 }
 
-Moment read_moment(const CsvFile& moments, std::size_t row) {
-  Moment moment;
-  moment.record.frame = moments.whole_number(row, 2);
-  moment.record.time_s = moments.number(row, 3);
-  moment.record.asleep = moments.whole_number(row, 4) != 0;
-  return moment;
-}
-
-std::vector<sim::Vec3> read_shape(const CsvFile& shapes, const std::string& panel) {
-  std::vector<sim::Vec3> positions;
-  for (std::size_t row = 0; row < shapes.rows(); ++row) {
-    if (shapes.text(row, 0) != panel) continue;
-    if (shapes.whole_number(row, 1) != static_cast<int>(positions.size())) {
-      shapes.fail(row,
-                  fmt::format("panel {}: found vertex {}, expected {}", panel, shapes.text(row, 1), positions.size()));
-    }
-    positions.emplace_back(shapes.number(row, 2), shapes.number(row, 3), shapes.number(row, 4));
-  }
-  return positions;
-}
-
 // With the letters from a on. Takes the pictures out of the prints.
 template <class CaptionOf>
 std::vector<Panel> panels_of(Prints& prints, std::span<const PrintedMoment> moments, CaptionOf caption_of) {
@@ -272,37 +251,6 @@ std::string shapes_csv(std::span<const Recording* const> recordings) {
     }
   });
   return table.text();
-}
-
-Recording read_recording(const std::filesystem::path& folder, const std::string& figure,
-                         const std::string& scene_name) {
-  const CsvFile moments(folder / (figure + ".csv"), moment_columns);
-  const std::filesystem::path shapes_file = folder / (figure + "_shapes.csv");
-  const CsvFile shapes(shapes_file, shape_columns);
-  Recording recording;
-  recording.scene = find_scene(scene_name, {});
-  LoadedGarment loaded = load_garment(recording.scene);
-  recording.garment = loaded.garment;
-  recording.pins = std::move(loaded.pins);
-  const std::size_t vertices = recording.garment->mesh.positions.size();
-  for (std::size_t row = 0; row < moments.rows(); ++row) {
-    if (moments.text(row, 1) != scene_name) continue;
-    Moment moment = read_moment(moments, row);
-    moment.positions = read_shape(shapes, moments.text(row, 0));
-    if (moment.positions.size() != vertices) {
-      throw InputError("{}: panel {}: found {} vertices, expected {}, as the garment of {} has", shapes_file.string(),
-                       moments.text(row, 0), moment.positions.size(), vertices, scene_name);
-    }
-    moment.record.stretch = sim::measure_stretch(recording.garment->springs, moment.positions);
-    moment.record.surface_stretch = sim::measure_surface_stretch(*recording.garment, moment.positions);
-    note_stretch(moment.record, recording);
-    recording.moments.push_back(std::move(moment));
-  }
-  if (recording.moments.empty()) {
-    throw InputError("{}: found no moment of the scene {}, expected one", (folder / (figure + ".csv")).string(),
-                     scene_name);
-  }
-  return recording;
 }
 
 // Simulation of cloth falling under the effect of gravity.

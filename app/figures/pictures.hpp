@@ -89,12 +89,6 @@ std::string moments_csv(std::span<const Recording* const> recordings);
 /// A table with one row per vertex of each moment: its position in metres.
 std::string shapes_csv(std::span<const Recording* const> recordings);
 
-/// Reads the moments of one scene from FIGURE.csv and FIGURE_shapes.csv in the folder. Scene and garment are
-/// taken from their files as they are now. The stretch in the tables is measured again from the shapes,
-/// and the largest numbers cover only these moments. Throws InputError that names the file and the line.
-/// Reasons are a broken table, no moment of this scene, or another number of vertices than the garment has.
-Recording read_recording(const std::filesystem::path& folder, const std::string& figure, const std::string& scene_name);
-
 /// Returns `scene`, named in its title, made of a fabric of this name or file. Throws UsageError if there is
 /// none.
 DrawnScene made_of(DrawnScene scene, const std::string& fabric);

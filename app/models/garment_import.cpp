@@ -40,8 +40,11 @@ void number_as_in_file(ImportedModel& model) {
   for (sim::Index& corner : model.faces.corners) corner = number[corner];
 }
 
-/// Other readable formats: for those who chose another kind of file. To others it would say nothing.
-std::string expectation(const std::string& reason) {
+/// How to save a file so that it is read: without compression, or in another format for those who chose another kind.
+std::string expectation(const std::string& reason, const std::filesystem::path& path) {
+  if (read_text_file(path).find("KHR_draco_mesh_compression") != std::string::npos) {
+    return "; its meshes are compressed with Draco in a way that is not read; save it without compression";
+  }
   const bool is_no_model =
       reason.find("no reader knows") != std::string::npos || reason.find("has no faces") != std::string::npos;
   return is_no_model ? "; expected a 3D model with faces, such as OBJ, PLY, STL, glTF, FBX or Collada" : "";
@@ -83,9 +86,8 @@ ImportedModel import_garment(const std::filesystem::path& path, const ImportLimi
   } catch (const Interrupted&) {
     throw;
   } catch (const std::exception& error) {
-    const std::string cause = why_unreadable(path);
-    throw InputError("cannot read a model from '" + path.string() +
-                     "': " + (cause.empty() ? error.what() + expectation(error.what()) : cause));
+    throw InputError("cannot read a model from '" + path.string() + "': " + error.what() +
+                     expectation(error.what(), path));
   }
 }
 

@@ -30,16 +30,4 @@ ImportedModel model_of(ModelArrays arrays);
 ImportedModel model_of(std::vector<sim::Vec3> positions_m, std::vector<std::uint32_t> corner_counts,
                        std::vector<sim::Index> corners);
 
-/// Returns why no reader takes the file, and how to save it otherwise, where that can be told from the file:
-/// another format of its family, a compression that is not known, or a file that it needs and that is not
-/// there. Empty: it cannot be told. Throws nothing if the file cannot be read.
-std::string why_unreadable(const std::filesystem::path& path);
-
-/// The unit in the start tag of a 3MF model, in metres. Without a named unit it is a millimetre (3MF Core
-/// Specification 1.3, section 3.4). Empty if the tag is missing or the unit is unknown.
-std::optional<double> unit_of_model_part(std::string_view xml);
-
-/// As above, from a 3MF file. Assimp reads such files but ignores the unit.
-std::optional<double> unit_of_3mf(const std::filesystem::path& path);
-
 }  // namespace taut::app

@@ -129,93 +129,40 @@ std::string describe_texture(const LoadedGarment& loaded) {
                      counted(colours.materials.size(), "material"), counted(colours.maps.size(), "image"));
 }
 
-/// Reads facts by their places in the inspection.
-struct Facts {
-  const Json& json;
-
-  double number(const char* place) const { return json.at(Json::json_pointer(place)).get<double>(); }
-  std::size_t count(const char* place) const { return json.at(Json::json_pointer(place)).get<std::size_t>(); }
-  std::string text(const char* place) const { return json.at(Json::json_pointer(place)).get<std::string>(); }
-  std::string counted(const char* place, const char* one, const char* many = nullptr) const {
-    return many == nullptr ? app::counted(count(place), one) : app::counted(count(place), one, many);
-  }
-  std::string vertices(const char* place) const { return counted(place, "vertex", "vertices"); }
-  sim::Vec3 corner(std::size_t k) const {
-    const Json& point = json["bounding_box_m"][k];
-    return {point[0].get<double>(), point[1].get<double>(), point[2].get<double>()};
-  }
-};
-
-void remark(Json& facts) {
-  const Facts found{facts};
+void remark(const sim::Extent& extent, Json& facts) {
   Json& remarks = facts["remarks"];
-  const double size_m = glm::length(found.corner(1) - found.corner(0));
+  const Json& topology = facts["topology"];
+  const double size_m = glm::length(extent.size());
   if (size_m > 10.0 || size_m < 0.05) {
     remarks.push_back(fmt::format(
         "it measures {:.3g} m across, which is no garment's size: --units mm reads it as millimetres", size_m));
   }
-  if (found.count("/topology/non_manifold_edges") + found.count("/topology/non_manifold_vertices") > 0) {
+  if (topology["non_manifold_edges"] != 0 || topology["non_manifold_vertices"] != 0) {
     remarks.push_back("more than two triangles meet in places; it can be simulated all the same");
   }
-  if (found.count("/topology/misoriented_edges") > 0) {
+  if (topology["misoriented_edges"] != 0) {
     remarks.push_back("neighbouring triangles disagree about which side is outside");
   }
-  if (found.number("/smallest_angle_degrees") < 2.0) {
+  if (facts["smallest_angle_degrees"] < 2.0) {
     remarks.push_back("some triangles are needles, which make cloth stiff there");
   }
-  if (found.count("/triangles_without_surface") > 0) {
-    remarks.push_back(found.counted("/triangles_without_surface", "triangle is", "triangles are") +
+  if (const std::size_t thin = facts["triangles_without_surface"]; thin > 0) {
+    remarks.push_back(counted(thin, "triangle is", "triangles are") +
                       " too thin to have a surface, of which only the edges are held and measured");
   }
 }
 
-std::string describe_size(const Facts& f) {
-  const sim::Vec3 lower = f.corner(0), upper = f.corner(1), size = upper - lower;
-  return fmt::format(
-      "size        {:.4g} x {:.4g} x {:.4g} m, from [{:.4g}, {:.4g}, {:.4g}] to [{:.4g}, {:.4g}, {:.4g}]\n"
-      "area        {:.4g} m2\n"
-      "edges       {:.3g} to {:.3g} mm, mean {:.3g} mm\n"
-      "angles      {:.3g} degrees and more\n",
-      size.x, size.y, size.z, lower.x, lower.y, lower.z, upper.x, upper.y, upper.z, f.number("/area_m2"),
-      1e3 * f.number("/edge_length_m/min"), 1e3 * f.number("/edge_length_m/max"), 1e3 * f.number("/edge_length_m/mean"),
-      f.number("/smallest_angle_degrees"));
-}
-
-std::string describe_reading(const Facts& f) {
-  return fmt::format(
-      "read        {}, {}: {}, {}, {}; ignored {}, {}\n"
-      "repaired    {} of {} welded, {} unused; {} degenerate and {} repeated of {} removed\n"
-      "            {} turned, {} welded to near ones, {} sewn, {} of touching layers kept apart\n",
-      f.text("/import/format"), f.counted("/import/meshes", "mesh", "meshes"),
-      f.counted("/import/triangles", "triangle"), f.counted("/import/quads", "quad"),
-      f.counted("/import/polygons", "polygon"), f.counted("/import/ignored_lines", "line"),
-      f.counted("/import/ignored_points", "point"), f.count("/repairs/welded_vertices"),
-      f.vertices("/repairs/input_vertices"), f.count("/repairs/unused_vertices"),
-      f.count("/repairs/degenerate_triangles"), f.count("/repairs/duplicate_triangles"),
-      f.counted("/repairs/input_triangles", "triangle"), f.counted("/repairs/turned_triangles", "triangle"),
-      f.vertices("/repairs/near_vertices"), f.count("/repairs/sewn_vertices"), f.count("/repairs/parted_vertices"));
-}
-
-std::string describe_start(const Facts& f) {
-  return fmt::format(
-      "start       springs stretched by up to {:.4f} %, 99 of 100 by {:.4f} %\n"
-      "            surface stretched by up to {:.4f} %, 99 of 100 triangles by {:.4f} %\n",
-      100.0 * f.number("/start/max_stretch"), 100.0 * f.number("/start/p99_stretch"),
-      100.0 * f.number("/start/max_surface_stretch"), 100.0 * f.number("/start/p99_surface_stretch"));
-}
-
-std::string describe_topology(const Facts& f) {
-  const std::size_t loops = f.count("/topology/boundary_loops");
-  const std::string border =
-      loops == 0 ? "no boundary"
-                 : fmt::format("{} ({}{})", counted(loops, "boundary loop"),
-                               f.counted("/topology/boundary_edges", "edge"), loops > 1 ? " in all" : "");
-  return fmt::format("topology    {}, {}, Euler characteristic {}\n            {}, {}, {}\n",
-                     f.counted("/topology/components", "component"), border,
-                     f.json["topology"]["euler_characteristic"].get<std::int64_t>(),
-                     f.counted("/topology/non_manifold_edges", "non-manifold edge"),
-                     f.counted("/topology/non_manifold_vertices", "non-manifold vertex", "non-manifold vertices"),
-                     f.counted("/topology/misoriented_edges", "misoriented edge"));
+std::string fact_text(const Json& value) {
+  if (value.is_null()) return "";
+  if (value.is_string()) return value.get<std::string>();
+  if (value.is_number_float()) return fmt::format("{:.6g}", value.get<double>());
+  if (!value.is_structured()) return value.dump();
+  std::vector<std::string> parts;
+  for (const auto& [key, item] : value.items()) {
+    const std::string text = fact_text(item);
+    if (!text.empty()) parts.push_back(value.is_object() ? key + ' ' + text : text);
+  }
+  return value.is_array() && !parts.empty() ? '[' + joined(parts) + ']' : joined(parts);
 }
 
 void append_repairs(const sim::MeshReport& repairs, std::vector<std::string>& lines) {
@@ -335,34 +282,19 @@ Inspection inspect_garment(const Scene& scene, const LoadedGarment& loaded) {
   for (const auto& [name, vertices] : loaded.landmarks) facts["landmarks"][name] = vertices.size();
   facts["vertex_numbers"] = loaded.file_vertices.describe();
   facts["remarks"] = loaded.colours.remarks;
-  remark(facts);
+  remark(extent, facts);
   return result;
 }
 
-std::string describe(const Inspection& inspection) {
-  const Facts f{inspection.facts};
-  const Json& i = inspection.facts;
-  std::string text = f.text("/file") + '\n' + describe_reading(f);
-  const auto line = [&](const char* title, const std::string& content) {
-    text += fmt::format("{:<12}{}\n", title, content);
-  };
-  line("unit", f.text("/placement/unit"));
-  line("up", f.text("/placement/up_from"));
-  line("mesh", f.vertices("/vertices") + ", " + f.counted("/triangles", "triangle"));
-  text += describe_size(f) + describe_topology(f);
-  if (!i["fitted"].is_null()) line("simulated", f.text("/fitted/said"));
-  line("springs", fmt::format("{} structural, {} shear, {} flexural", f.count("/springs/structural"),
-                              f.count("/springs/shear"), f.count("/springs/flexural")));
-  line("texture", f.text("/texture"));
-  line("crossings", f.text("/crossings/said"));
-  if (!i["untangling"].is_null()) line("untangled", f.text("/untangling/said"));
-  if (!i["start"].is_null()) text += describe_start(f);
-  line("numbers", "in pins.at count the " + f.text("/vertex_numbers"));
-  for (const Json& hung : i["hanging"]) line("hung", hung);
-  for (const auto& [name, vertices] : i["landmarks"].items()) {
-    line("landmark", name + ": " + counted(vertices.get<std::size_t>(), "vertex", "vertices"));
+std::string describe(const Json& facts) {
+  std::string text;
+  for (const auto& [key, value] : facts.items()) {
+    const bool is_list = key == "remarks" || key == "hanging" || key == "girths";
+    for (const Json& item : is_list ? value : Json::array({value})) {
+      const std::string said = fact_text(item);
+      if (!said.empty()) text += fmt::format("{:<26}{}\n", key, said);
+    }
   }
-  for (const Json& remark : i["remarks"]) line("remark", remark);
   return text;
 }
 
@@ -376,7 +308,6 @@ std::vector<std::string> remarks_of(const LoadedGarment& loaded) {
     lines.push_back(fmt::format("it is {:.3g} m large, which no garment is, with the unit {} (--units)",
                                 loaded.placement->scale * loaded.placement->extent, loaded.placement->unit_text));
   }
-  if (loaded.strays.triangles > 0) lines.push_back(describe(loaded.strays, loaded.placement->scale));
   if (loaded.placement && loaded.placement->moved_m != sim::Vec3(0.0)) {
     lines.emplace_back("it is very far from the origin and was moved there");
   }

@@ -19,8 +19,8 @@ Json springs_json(const sim::Springs& springs);
 /// The garment must have been read from a file.
 Inspection inspect_garment(const Scene& scene, const LoadedGarment& loaded);
 
-/// The inspection as text for people.
-std::string describe(const Inspection& inspection);
+/// The facts of an inspection as text for people: a line for each, by the name that programs read.
+std::string describe(const Json& facts);
 
 /// Guesses, repairs and choices that the scene does not make, one line each.
 std::vector<std::string> remarks_of(const LoadedGarment& loaded);

@@ -98,7 +98,7 @@ void read_fbx_settings(const aiMetadata& settings, ModelArrays& model) {
 
 bool contains(const std::string& text, const char* part) { return text.find(part) != std::string::npos; }
 
-void read_units(const aiScene& scene, const std::filesystem::path& path, ModelArrays& model) {
+void read_units(const aiScene& scene, ModelArrays& model) {
   if (contains(model.format, "FBX") && scene.mMetaData != nullptr) {
     read_fbx_settings(*scene.mMetaData, model);
   } else if (contains(model.format, "glTF") || contains(model.format, "Collada")) {
@@ -107,7 +107,6 @@ void read_units(const aiScene& scene, const std::filesystem::path& path, ModelAr
     model.up = ModelAxis::y;
   } else if (contains(model.format, "3mf") || contains(model.format, "3MF")) {
     model.up = ModelAxis::z;
-    model.metres_per_unit = unit_of_3mf(path);
   }
 }
 
@@ -212,7 +211,7 @@ ModelArrays read_with_assimp(const std::filesystem::path& path, ReadParts parts)
   ModelArrays model;
   model.format = format_of(importer);
   model.meshes = scene->mNumMeshes;
-  read_units(*scene, path, model);
+  read_units(*scene, model);
   append_node(*scene, *scene->mRootNode, aiMatrix4x4(), model);
   model.rig = read_rig(*scene, lower_case(path.extension().string()) != ".fbx");
   if (parts == ReadParts::model) read_colours(*scene, path.parent_path(), model);

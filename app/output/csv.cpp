@@ -1,7 +1,5 @@
 #include "app/output/csv.hpp"
 
-#include "app/base/errors.hpp"
-#include "app/base/files.hpp"
 #include "app/base/words.hpp"
 
 namespace taut::app {
@@ -13,24 +11,6 @@ std::string line_of(const std::vector<std::string>& cells) {
   return line + "\n";
 }
 
-std::vector<std::string> cells_of(const std::string& line) {
-  std::vector<std::string> cells(1);
-  bool is_quoted = false;
-  for (std::size_t i = 0; i < line.size(); ++i) {
-    const bool is_doubled = is_quoted && line[i] == '"' && i + 1 < line.size() && line[i + 1] == '"';
-    if (is_doubled) {
-      cells.back() += line[++i];
-    } else if (line[i] == '"') {
-      is_quoted = !is_quoted;
-    } else if (line[i] == ',' && !is_quoted) {
-      cells.emplace_back();
-    } else if (line[i] != '\r') {
-      cells.back() += line[i];
-    }
-  }
-  return cells;
-}
-
 }  // namespace
 
 CsvTable::CsvTable(std::vector<std::string> columns) : width_(columns.size()), text_(line_of(columns)) {}
@@ -40,43 +20,6 @@ void CsvTable::add(std::vector<std::string> cells) {
     throw std::invalid_argument(fmt::format("a row of {} cells in a table of {} columns", cells.size(), width_));
   }
   text_ += line_of(cells);
-}
-
-CsvFile::CsvFile(const std::filesystem::path& path, const std::vector<std::string>& columns)
-    : name_(path.string()), columns_(columns) {
-  std::istringstream lines(read_text_file(path));
-  std::string line;
-  std::getline(lines, line);
-  if (cells_of(line) != columns_) {
-    throw InputError("{}:1: found the columns {}, expected {}", name_, line, line_of(columns_));
-  }
-  while (std::getline(lines, line)) {
-    rows_.push_back(cells_of(line));
-    if (rows_.back().size() != columns_.size()) {
-      fail(rows_.size() - 1, fmt::format("found {} cells, expected {}", rows_.back().size(), columns_.size()));
-    }
-  }
-  if (rows_.empty()) throw InputError(name_ + ": found no rows, expected at least one");
-}
-
-double CsvFile::number(std::size_t row, std::size_t column) const {
-  const std::optional<double> number = number_in<double>(text(row, column));
-  if (!number || !std::isfinite(*number)) {
-    fail(row, fmt::format("{}: found '{}', expected a number", columns_[column], text(row, column)));
-  }
-  return *number;
-}
-
-int CsvFile::whole_number(std::size_t row, std::size_t column) const {
-  const std::optional<int> number = number_in<int>(text(row, column));
-  if (!number) {
-    fail(row, fmt::format("{}: found '{}', expected a whole number", columns_[column], text(row, column)));
-  }
-  return *number;
-}
-
-void CsvFile::fail(std::size_t row, const std::string& what) const {
-  throw InputError("{}:{}: {}", name_, row + 2, what);
 }
 
 std::string cell(double value) { return std::isfinite(value) ? fmt::format("{}", value) : ""; }

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <filesystem>
-
 #include "prelude.hpp"
 
 namespace taut::app {
@@ -27,29 +25,5 @@ class CsvTable {
 std::string cell(double value);
 /// A text as cell, in quotes if it needs them.
 std::string cell(const std::string& text);
-
-/// A table read from a file (RFC 4180, without line breaks in cells). Rows and columns count from 0; the line
-/// of names is not a row.
-class CsvFile {
- public:
-  /// Throws InputError that names the file and the line if the columns differ from `columns`, or if a row has
-  /// another number of cells.
-  CsvFile(const std::filesystem::path& path, const std::vector<std::string>& columns);
-
-  std::size_t rows() const { return rows_.size(); }
-  const std::string& text(std::size_t row, std::size_t column) const { return rows_[row][column]; }
-  /// The number in a cell. Throws InputError that names file, line and column if the cell holds no such
-  /// number.
-  double number(std::size_t row, std::size_t column) const;
-  /// As `number`, for whole numbers.
-  int whole_number(std::size_t row, std::size_t column) const;
-  /// Throws InputError with `what`, the file and the line of the row.
-  [[noreturn]] void fail(std::size_t row, const std::string& what) const;
-
- private:
-  std::string name_;
-  std::vector<std::string> columns_;
-  std::vector<std::vector<std::string>> rows_;
-};
 
 }  // namespace taut::app

@@ -87,16 +87,12 @@ inline constexpr Range positive = {.lowest = 0.0, .above_lowest = true};  ///< a
 std::string describe(const std::string& what, const Range& range);
 
 /// The content of a value: a finite number, a whole number, a list of three finite numbers. Empty for
-/// anything else. A number may be a text that ends in a unit of the same kind as `unit`, which it then is in:
-/// "1 mm".
-std::optional<double> finite_number(const toml::node& value, std::string_view unit = "");
+/// anything else.
+std::optional<double> finite_number(const toml::node& value);
 std::optional<std::int64_t> whole_number(const toml::node& value);
-std::optional<std::array<double, 3>> three_numbers(const toml::node& value, std::string_view unit = "");
+std::optional<std::array<double, 3>> three_numbers(const toml::node& value);
 
-/// The units that a text may end in where this one is expected: "mm, cm or m"; empty for most.
-std::string units_like(std::string_view unit);
-
-/// Red, green and blue, 0 to 1, of a text "#rrggbb" or the name of a colour; empty for anything else.
+/// Red, green and blue, 0 to 1, of a text "#rrggbb"; empty for anything else.
 std::optional<glm::vec3> colour_value(const toml::node& value);
 /// The colour as "#rrggbb".
 std::string colour_text(const glm::vec3& colour);
@@ -141,7 +137,7 @@ Key<T> member_key(std::string name, std::string unit, std::string expected, Acce
 template <class T, class Access>
 Key<T> number_key(std::string name, std::string unit, const Range& range, Access access, double factor = 1.0) {
   auto read = [=](const toml::node& value, auto& member) {
-    const std::optional<double> number = finite_number(value, unit);
+    const std::optional<double> number = finite_number(value);
     const bool is_within = number && range.contains(*number);
     if (is_within) store(*number * factor, member);
     return is_within;
@@ -203,7 +199,7 @@ bool allows(const VectorLimits& limits, const std::array<double, 3>& numbers);
 template <class T, class Access>
 Key<T> vector_key(std::string name, std::string unit, Access access, VectorLimits limits = {}) {
   auto read = [=](const toml::node& value, auto& member) {
-    const auto numbers = three_numbers(value, unit);
+    const auto numbers = three_numbers(value);
     const bool is_allowed = numbers && allows(limits, *numbers);
     if (is_allowed) member = {(*numbers)[0], (*numbers)[1], (*numbers)[2]};
     return is_allowed;
@@ -216,7 +212,7 @@ Key<T> vector_key(std::string name, std::string unit, Access access, VectorLimit
 /// The member is a colour, or an optional one.
 template <class T, class Access> Key<T> colour_key(std::string name, Access access) {
   return member_key<T>(
-      std::move(name), "", "a colour, \"#rrggbb\" or a name such as \"navy\"", access,
+      std::move(name), "", "a colour, \"#rrggbb\"", access,
       [](const toml::node& value, auto& member) { return store(colour_value(value), member); },
       [](const std::optional<glm::vec3>& colour) { return colour ? Json(colour_text(*colour)) : Json(); });
 }
@@ -291,8 +287,7 @@ template <class T> class KeyReader {
     for (const Key<T>& key : keys_) {
       if (key.name == name) {
         if (!key.read(value, source_, target_)) {
-          fail(source_, line_of(value),
-               name + ": found " + to_text(value) + ", expected " + expected(key, value.is_string()));
+          fail(source_, line_of(value), name + ": found " + to_text(value) + ", expected " + expected(key));
         }
         return;
       }
@@ -309,11 +304,8 @@ template <class T> class KeyReader {
   }
 
  private:
-  static std::string expected(const Key<T>& key, bool is_text_found) {
-    const std::string others = is_text_found ? units_like(key.unit) : "";
-    return key.unit.empty()
-               ? key.expected
-               : key.expected + " (" + key.unit + (others.empty() ? "" : ", or with its unit: " + others) + ')';
+  static std::string expected(const Key<T>& key) {
+    return key.unit.empty() ? key.expected : key.expected + " (" + key.unit + ')';
   }
 
   bool is_section(const std::string& name) const {

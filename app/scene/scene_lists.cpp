@@ -208,10 +208,10 @@ std::vector<Key<BodyInScene>> shape_keys(const sim::Shape& shape) {
             number_key<B>("start_radius", "m", positive, MEMBER_OF(Capsule, start_radius_m)),
             number_key<B>("end_radius", "m", positive, MEMBER_OF(Capsule, end_radius_m))};
   }
-  return {body_file_key("file", &BodySource::file), number_key<B>("scale", "m", not_negative, MEMBER(source.scale)),
-          up_key<B>("up", MEMBER(source.up)), body_file_key("motion", &BodySource::motion),
-          // The name of `motion` when it was PC2 alone.
-          written_if(body_file_key("frames", &BodySource::motion), [](const B&) { return false; }),
+  return {body_file_key("file", &BodySource::file),
+          number_key<B>("scale", "m", not_negative, MEMBER(source.scale)),
+          up_key<B>("up", MEMBER(source.up)),
+          body_file_key("motion", &BodySource::motion),
           written_if(text_key<B>("clip", MEMBER(source.clip), "a name"),
                      [](const B& entry) { return !entry.source.clip.empty(); }),
           number_key<B>("frame_rate", "Hz", {.lowest = 0.0, .highest = 1e5}, MEMBER(source.frame_rate_hz)),
@@ -305,7 +305,7 @@ Key<Scene> pins_key() {
 Key<Scene> weld_key() {
   constexpr Range range = {0.0, 0.05};
   auto read = [range](const toml::node& value, std::optional<double>& weld_m) {
-    const std::optional<double> number = finite_number(value, "m");
+    const std::optional<double> number = finite_number(value);
     const bool is_right = (number && range.contains(*number)) || text_in(value) == "auto";
     weld_m = is_right ? number : weld_m;
     return is_right;

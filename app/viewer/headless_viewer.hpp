@@ -24,13 +24,14 @@ class HeadlessViewer {
   Viewer& viewer() { return viewer_; }
   /// Hash of the newest state of the simulation.
   std::uint64_t state_hash() { return simulation_.state_hash(); }
-  const std::string& gl_renderer() { return context_.context().renderer(); }
+  const std::string& gl_renderer() { return context_->renderer(); }
 
  private:
   SimulationHost simulation_;
   Viewer viewer_;
-  ViewerContext context_;
-  std::unique_ptr<renderer::ColourTarget> target_;
+  std::unique_ptr<renderer::Context> context_;
+  ViewerPicture picture_;
+  renderer::ColourTarget target_;
 };
 
 }  // namespace taut::app

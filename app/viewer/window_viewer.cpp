@@ -13,10 +13,6 @@ constexpr double rest_time_s = 0.1;
 // The scene must be still for this long before it is drawn at best quality. That takes time, and a hand that
 // only pauses should not have to wait for it.
 constexpr double until_best_s = 0.3;
-// The program gives up after this many lost contexts, if they follow each other within
-// losses_forgotten_after_s.
-constexpr int most_losses = 3;
-constexpr double losses_forgotten_after_s = 10.0;
 
 class WindowViewer {
  public:
@@ -24,7 +20,8 @@ class WindowViewer {
                const std::filesystem::path& record_to)
       : simulation_(scene, SimulationHost::Runs::by_itself),
         title_(title_of(scene)),
-        context_([this, size = start.size] { return open(title_, size); }),
+        context_(open(title_, start.size)),
+        picture_(*context_),
         viewer_(simulation_,
                 {window_->framebuffer_size(), window_->content_scale(), keep_folder, start.compared_with, true}) {
     if (!record_to.empty()) {
@@ -104,55 +101,32 @@ class WindowViewer {
     return elapsed_s;
   }
 
-  // Of all processors, by all threads of this program.
-  double next_busy_s() {
-    const double used_ms = std::exchange(used_, ProcessorStopwatch(CLOCK_PROCESS_CPUTIME_ID)).elapsed_ms();
-    return 1e-3 * used_ms / std::max(std::thread::hardware_concurrency(), 1U);
-  }
-
   void show() {
     if (!viewer_.is_still()) since_change_ = Stopwatch();
     const renderer::Resized size = window_->framebuffer_size();
     const bool is_minimised = size.width_px < 1 || size.height_px < 1;
     const bool is_best_wanted = viewer_.wants_screenshot() || since_change_.elapsed_ms() > 1000.0 * until_best_s;
     const std::size_t level = is_best_wanted ? 0 : quality_.level();
-    const bool is_shown = context_.picture().is_drawn(viewer_.state(), viewer_.layout(), level, viewer_.overlay());
+    const bool is_shown = picture_.is_drawn(viewer_.state(), viewer_.layout(), level, viewer_.overlay());
     if (is_minimised || (!window_->take_damage() && is_shown && !viewer_.wants_picture())) return;
-    try {
-      draw(level);
-      if (window_->is_lost()) throw renderer::ContextError("the graphics driver lost the picture");
-    } catch (const renderer::ContextError& error) {
-      recover(error);
-    }
+    draw(level);
   }
 
   void draw(std::size_t level) {
     const Stopwatch drawing;
     const bool is_urgent = viewer_.has_input() || viewer_.is_still() || viewer_.wants_screenshot();
     if (viewer_.wants_picture()) {
-      viewer_.take_picture(context_.picture().picture(0, viewer_.state(), viewer_.layout(), level, viewer_.letters(),
-                                                      viewer_.picture_overlay()));
+      viewer_.take_picture(
+          picture_.picture(0, viewer_.state(), viewer_.layout(), level, viewer_.letters(), viewer_.picture_overlay()));
     }
-    context_.picture().draw(0, viewer_.state(), viewer_.layout(), level, viewer_.letters(), viewer_.overlay(),
-                            is_urgent);
+    picture_.draw(0, viewer_.state(), viewer_.layout(), level, viewer_.letters(), viewer_.overlay(), is_urgent);
     renderer::finish_drawing(*window_);
     const double draw_ms = drawing.elapsed_ms();
-    viewer_.note_times(draw_ms, panel_ms_, simulation_.worked_ms(), next_busy_s());
+    viewer_.note_times(draw_ms, panel_ms_);
     window_->present();
-    if (context_.picture().drew_scene() && level == quality_.level()) {
+    if (picture_.drew_scene() && level == quality_.level()) {
       quality_.note(panel_ms_ + drawing.elapsed_ms(), simulation_.take_given_up_ms());
     }
-  }
-
-  // The window's picture is gone, the simulation is not.
-  void recover(const renderer::ContextError& error) {
-    if (since_loss_.elapsed_ms() > 1000.0 * losses_forgotten_after_s) losses_ = 0;
-    since_loss_ = Stopwatch();
-    if (++losses_ > most_losses) throw error;
-    context_.renew();
-    queue_.add(renderer::WindowEvent(window_->framebuffer_size()));
-    queue_.add(renderer::WindowEvent(renderer::ScaleChanged{window_->content_scale()}));
-    viewer_.tell(std::string(error.what()) + "; the window was opened anew", true);
   }
 
   // The last line says what a replay has to end in.
@@ -168,18 +142,16 @@ class WindowViewer {
 
   SimulationHost simulation_;
   std::string title_;
-  renderer::Window* window_ = nullptr;  ///< the context of `context_`
-  ViewerContext context_;
+  renderer::Window* window_ = nullptr;  ///< `context_`
+  std::unique_ptr<renderer::Context> context_;
+  ViewerPicture picture_;
   Viewer viewer_;
   InputQueue queue_;
   std::optional<SessionRecorder> recorder_;
   QualityControl quality_;
   Stopwatch since_frame_;
-  Stopwatch since_loss_;
-  ProcessorStopwatch used_{CLOCK_PROCESS_CPUTIME_ID};
   Stopwatch since_change_;  ///< of anything that is drawn
   double panel_ms_ = 0.0;
-  int losses_ = 0;
 };
 
 }  // namespace

@@ -29,7 +29,6 @@ class GlfwWindow final : public Window {
     glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
     glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
     glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
-    glfwWindowHint(GLFW_CONTEXT_ROBUSTNESS, GLFW_LOSE_CONTEXT_ON_RESET);
     glfwWindowHint(GLFW_DEPTH_BITS, 0);
     glfwWindowHint(GLFW_STENCIL_BITS, 0);
     glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
@@ -43,7 +42,6 @@ class GlfwWindow final : public Window {
       throw;
     }
     glfwSwapInterval(1);
-    reset_status_ = reinterpret_cast<ResetStatus>(glfwGetProcAddress("glGetGraphicsResetStatusARB"));
     glfwSetWindowUserPointer(handle_, this);
     watch();
   }
@@ -81,12 +79,9 @@ class GlfwWindow final : public Window {
   void present() override { glfwSwapBuffers(handle_); }
   bool take_damage() override { return std::exchange(is_damaged_, false); }
   bool is_asked_to_close() const override { return glfwWindowShouldClose(handle_) == GLFW_TRUE; }
-  bool is_lost() const override { return reset_status_ != nullptr && reset_status_() != GL_NO_ERROR; }
   void set_title(const std::string& title) override { glfwSetWindowTitle(handle_, title.c_str()); }
 
  private:
-  using ResetStatus = unsigned (*)();
-
   static void note(GLFWwindow* window, WindowEvent event) {
     static_cast<GlfwWindow*>(glfwGetWindowUserPointer(window))->events_.push_back(std::move(event));
   }
@@ -129,7 +124,6 @@ class GlfwWindow final : public Window {
 
   Library library_;
   GLFWwindow* handle_ = nullptr;
-  ResetStatus reset_status_ = nullptr;
   std::vector<WindowEvent> events_;
   bool is_damaged_ = false;
 };

@@ -130,8 +130,6 @@ class Window : public Context {
 
   /// Returns whether the user has asked to close the window.
   virtual bool is_asked_to_close() const = 0;
-  /// Returns whether the driver has reset the context. Nothing can be drawn with it any more.
-  virtual bool is_lost() const = 0;
   /// Sets the title; UTF-8.
   virtual void set_title(const std::string& title) = 0;
 };

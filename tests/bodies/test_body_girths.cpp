@@ -348,7 +348,6 @@ TEST(BodyGirths, OfTheMannequinsAreNearThePublishedOnes) {
     EXPECT_NEAR(share(3, p.waist), -0.01, 0.012) << p.name << ", the narrowest level is above the published one";
     EXPECT_NEAR(share(4, p.seat), 0.03, 0.03) << p.name << ", the fullest level is above the published one";
     EXPECT_NEAR(share(8, p.biceps), 0.0, 0.001) << p.name;
-    EXPECT_CONTAINS(describe_body(body), "girths: neck ");
     EXPECT_EQ(body["girths"][2]["name"], "chest");
   }
 }

@@ -1,6 +1,7 @@
 #include <cmath>
 
 #include "app/bodies/body_loading.hpp"
+#include "app/models/inspection.hpp"
 #include "gltf_text.hpp"
 #include "loading.hpp"
 
@@ -24,14 +25,11 @@ TEST(BodyInspection, SaysWhatIsInABodyAndHowItMoves) {
   ASSERT_TRUE(body.contains("motion"));
   const Json& motion = body["motion"];
   EXPECT_EQ(motion["frames"], 181U);
-  EXPECT_NEAR(motion["fastest_m_per_s"].get<double>(), 1.5, 1e-3);
-  EXPECT_LE(motion["fastest_frame"], 60U);
   EXPECT_TRUE(body["crossings"]["frames"].empty());
-  const std::string text = describe_body(body);
-  EXPECT_CONTAINS(text, "2.000 m high");
-  EXPECT_CONTAINS(text, "3 joints: Hips, Spine, LeftFoot");
-  EXPECT_CONTAINS(text, "animations: 'Rise' (3 s)");
-  EXPECT_CONTAINS(text, "repeated, its motion goes on from frame 0, which its last is again (loop, --body-loop)");
+  const std::string text = describe(body);
+  EXPECT_CONTAINS(text, "\njoints                    [Hips, Spine, LeftFoot]\n");
+  EXPECT_CONTAINS(text, "\nanimations                'Rise' (3 s)\n");
+  EXPECT_CONTAINS(text, "repeated, its motion goes on from frame 0, which its last is again\n");
   EXPECT_EQ(motion["repeats_from_frame"], 0);
 }
 
@@ -51,7 +49,7 @@ TEST(BodyInspection, SaysInWhichFrameABodyCrossesItself) {
   EXPECT_EQ(crossings["frames_looked_at"], 20U);
   ASSERT_FALSE(crossings["frames"].empty());
   EXPECT_GT(crossings["frames"][0]["frame"], 0U) << "it begins straight";
-  EXPECT_CONTAINS(describe_body(body), "it crosses itself in ");
+  EXPECT_CONTAINS(describe(body), "crossings                 frames_looked_at 20, frames [frame ");
 }
 
 }  // namespace

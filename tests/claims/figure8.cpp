@@ -1,7 +1,7 @@
 #include "app/base/errors.hpp"
 #include "app/base/words.hpp"
 #include "app/drawing/plots/plot.hpp"
-#include "app/output/csv.hpp"
+#include "tests/claims/csv_file.hpp"
 #include "tests/claims/trials.hpp"
 
 namespace taut::app {
@@ -321,7 +321,6 @@ Figure figure8_of(ClaimResults& results) {
           of(draw_figure8),
           of(figure8_csv),
           nullptr,
-          of(read_figure8),
           time};
 }
 

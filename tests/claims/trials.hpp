@@ -194,4 +194,8 @@ Figure figure8_of(ClaimResults& results);
 std::string figure8_csv(const ClaimResults& results);
 void read_figure8(ClaimResults& results, const std::filesystem::path& folder);
 
+/// Reads the tables of the figure of this name, if it has any, into the results, so that it can be drawn without its
+/// experiments. Throws InputError that names the file and the line.
+void read_figure(const std::string& name, const std::filesystem::path& folder, ClaimResults& results);
+
 }  // namespace taut::app

@@ -69,6 +69,9 @@ double friction_that_sticks(double strain);
 std::vector<Job> truth_jobs(std::vector<TruthPoint>& points);
 /// The figure "truth": a panel for each experiment.
 Figure truth_figure(std::vector<TruthPoint>& points);
+/// Reads the points from truth.csv in the folder. Throws InputError that names the file and the line.
+void read_truth(std::vector<TruthPoint>& points, const std::filesystem::path& folder);
+
 /// The table of deviations for the report, as HTML.
 std::string truth_html(std::span<const TruthPoint> points);
 

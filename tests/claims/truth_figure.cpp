@@ -1,7 +1,7 @@
 #include <cmath>
 
 #include "app/drawing/plots/plot.hpp"
-#include "app/output/csv.hpp"
+#include "tests/claims/csv_file.hpp"
 #include "tests/claims/truth.hpp"
 
 namespace taut::app {
@@ -113,6 +113,8 @@ std::string truth_csv(const std::vector<TruthPoint>& points) {
   return table.text();
 }
 
+}  // namespace
+
 void read_truth(std::vector<TruthPoint>& points, const std::filesystem::path& folder) {
   const CsvFile table(folder / "truth.csv", truth_columns);
   for (std::size_t row = 0; row < table.rows(); ++row) {
@@ -123,8 +125,6 @@ void read_truth(std::vector<TruthPoint>& points, const std::filesystem::path& fo
                       table.number(row, 4), published(5), published(6)});
   }
 }
-
-}  // namespace
 
 Deviation deviation_of(const TruthExperiment& experiment, std::span<const TruthPoint> points) {
   Deviation deviation;
@@ -158,10 +158,11 @@ std::vector<Job> truth_jobs(std::vector<TruthPoint>& points) {
 
 Figure truth_figure(std::vector<TruthPoint>& points) {
   const auto of = [&points](auto function) { return std::bind_front(function, std::ref(points)); };
-  return {"truth",       "Experiments that others published, and closed forms, each on three meshes",
-          {"truth"},     of(draw_truth),
-          of(truth_csv), nullptr,
-          of(read_truth)};
+  return {"truth",
+          "Experiments that others published, and closed forms, each on three meshes",
+          {"truth"},
+          of(draw_truth),
+          of(truth_csv)};
 }
 
 std::string truth_html(std::span<const TruthPoint> points) {

@@ -143,12 +143,12 @@ Connections:  {
 ''' % (up_axis, centimetres, 3 * len(shape.points), numbers, sum(map(len, shape.faces)), corners)).encode()
 
 
-def x3mf(shape, path, unit='unit="millimeter"'):
+def x3mf(shape, path):
     """A zip, so it is written to the path and not returned; times are fixed to keep its bytes the same."""
-    model = ('<?xml version="1.0"?><model %s xmlns="http://schemas.microsoft.com/3dmanufacturing/core/2015/02">'
+    model = ('<?xml version="1.0"?><model unit="millimeter" xmlns="http://schemas.microsoft.com/3dmanufacturing/core/2015/02">'
              '<resources><object id="1" type="model"><mesh><vertices>%s</vertices><triangles>%s</triangles></mesh>'
              '</object></resources><build><item objectid="1"/></build></model>'
-             % (unit, ''.join('<vertex x="%.9g" y="%.9g" z="%.9g"/>' % p for p in shape.points),
+             % (''.join('<vertex x="%.9g" y="%.9g" z="%.9g"/>' % p for p in shape.points),
                 ''.join('<triangle v1="%d" v2="%d" v3="%d"/>' % t for t in triangles_of(shape))))
     types = ('<?xml version="1.0"?><Types xmlns="http://schemas.openxmlformats.org/package/2006/content-types"><Default '
              'Extension="rels" ContentType="application/vnd.openxmlformats-package.relationships+xml"/><Default '

@@ -7,8 +7,9 @@
 #include "app/drawing/drawn_scene.hpp"
 #include "app/figures/figures.hpp"
 #include "app/figures/pictures.hpp"
-#include "app/output/csv.hpp"
 #include "temporary_folder.hpp"
+#include "tests/claims/csv_file.hpp"
+#include "tests/claims/trials.hpp"
 
 namespace taut::app {
 namespace {
@@ -29,8 +30,8 @@ TEST(FigureTables, HaveTheirColumnsAndARowForEveryMeasurement) {
             "method,time_step_s,time_s,max_stretch,moved_rms_m\nprovot,0.5,0.5,0.125,0.25\n");
 }
 
-Results small_results() {
-  Results results;
+ClaimResults small_results() {
+  ClaimResults results;
   const auto nothing = [](double) {};
   for (std::size_t i = 0; i < results.pinned.size(); ++i) {
     results.pinned[i] = record_frames(find_scene(pinned_scenes[i], {}), std::array{0, 7}, nothing);
@@ -47,17 +48,17 @@ Results small_results() {
 
 TEST(FigureTables, ReadBackTheyGiveTheSameTables) {
   const TemporaryFolder folder;
-  Results results = small_results(), again;
+  ClaimResults results = small_results(), again;
   const std::vector<Figure> written = all_figures(results), read = all_figures(again);
   for (std::size_t i = 0; i < written.size(); ++i) {
-    if (!written[i].read || written[i].name == "fig5") {
+    if (!written[i].csv || written[i].name == "fig5") {
       continue;
     }
     write_text_file(folder / (written[i].name + ".csv"), written[i].csv());
     if (written[i].shapes_csv) {
       write_text_file(folder / (written[i].name + "_shapes.csv"), written[i].shapes_csv());
     }
-    read[i].read(folder / "");
+    read_figure(read[i].name, folder / "", again);
     EXPECT_TRUE(read[i].csv() == written[i].csv()) << written[i].name;
     if (written[i].shapes_csv) {
       EXPECT_TRUE(read[i].shapes_csv() == written[i].shapes_csv()) << written[i].name;
@@ -113,8 +114,8 @@ TEST(FigureTables, WhatIsWrongWithOneIsSaidWithItsLine) {
   const auto error_with = [&](const std::string& moments, const std::string& positions) {
     folder.write("fig4.csv", moments);
     folder.write("fig4_shapes.csv", positions);
-    Results results;
-    const std::string error = test::message_of<InputError>([&] { all_figures(results)[3].read(folder / ""); });
+    ClaimResults results;
+    const std::string error = test::message_of<InputError>([&] { read_figure("fig4", folder / "", results); });
     return error.substr(error.find("fig4") == std::string::npos ? 0 : error.find("fig4"));
   };
   const std::string row = "a,pinned-9x9-5,1,0.1,0,0,0,0,0,0\n";

@@ -14,6 +14,7 @@
 #include "app/output/frame_verifier.hpp"
 #include "smallest_print.hpp"
 #include "temporary_folder.hpp"
+#include "tests/claims/trials.hpp"
 
 namespace taut::app {
 namespace {
@@ -36,7 +37,7 @@ TEST(Figure1, ShowsTheSpringsTheMappingMade) {
 }
 
 TEST(Figures, TextsAreLargeEnoughInPrint) {
-  Results results;
+  ClaimResults results;
   experiments(results).front().work([](double) {});
   for (const double rate_hz : method_rates_hz) {
     for (const sim::SolverKind kind : compared_methods) {
@@ -45,8 +46,8 @@ TEST(Figures, TextsAreLargeEnoughInPrint) {
   }
   LazyOffscreenRenderer offscreen("auto", 0.02F);
   for (const Figure& figure : all_figures(results)) {
-    if (figure.read && figure.name != "fig7") {
-      figure.read(TAUT_TESTS_FOLDER "/golden/figures");
+    if (figure.name != "fig7") {
+      read_figure(figure.name, TAUT_TESTS_FOLDER "/golden/figures", results);
     }
     EXPECT_GE(test::smallest_print_pt(figure.draw(offscreen)), test::smallest_text_pt) << figure.name;
   }

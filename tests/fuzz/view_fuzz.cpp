@@ -120,8 +120,6 @@ class RandomInput {
         return renderer::WindowEvent(renderer::Resized{1 + below(900), 1 + below(600)});
       case 7:
         return renderer::WindowEvent(renderer::ScaleChanged{between(0.5, 3.0)});
-      case 8:
-        return ContextLost{};
       default:
         return renderer::WindowEvent(renderer::TextTyped{static_cast<char32_t>('0' + below(12))});
     }

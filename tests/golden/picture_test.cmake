@@ -39,8 +39,7 @@ function(taut_add_inspect_test name)
   set_property(DIRECTORY APPEND PROPERTY TAUT_PICTURE_TESTS ${name})
 endfunction()
 
-# taut_add_figure_test(NAME FIGURE [PLOT] arguments of `taut figures`...): the same with a whole figure, fig8 of
-# `judge_claims`, or the contact sheet; PLOT: nothing in it is drawn by OpenGL.
+# taut_add_figure_test(NAME FIGURE [PLOT] arguments of `judge_claims`...): the same with a whole figure; PLOT: nothing in it is drawn by OpenGL.
 function(taut_add_figure_test name figure)
   cmake_parse_arguments(PARSE_ARGV 2 arg "PLOT" "" "")
   taut_internal_picture_test(picture.${name} ${name} BASELINE ${name}

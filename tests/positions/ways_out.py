@@ -79,22 +79,21 @@ def captions(path):
 
 
 def tabled(figure, program):
-    """The tables of a figure and its captions; and again drawn from those tables, which measures anew."""
+    """The tables of a figure and its captions."""
     program.run("figures", "--only", figure, "--scale", 0.25, "--output", "made")
-    program.run("figures", "--only", figure, "--scale", 0.25, "--data", "made", "--output", "again")
-    for folder in (program.folder / "made", program.folder / "again"):
-        points = {}
-        for row in table(folder / f"{figure}_shapes.csv"):
-            points.setdefault(row["panel"], []).append(tuple(float(row[axis]) for axis in ("x_m", "y_m", "z_m")))
-        moments = table(folder / f"{figure}.csv")
-        said = captions(folder / f"{figure}.pdf")
-        if len(said) != len(moments) or points.keys() != {moment["panel"] for moment in moments}:
-            raise RuntimeError(f"{folder}: {len(moments)} moments, {len(said)} captions, {len(points)} shapes")
-        cloths = {scene: program.cloth(scene) for scene in {moment["scene"] for moment in moments}}
-        for moment, printed in zip(moments, said):
-            cloth = cloths[moment["scene"]]
-            yield Shape(f"{folder.name}, panel {moment['panel']}", cloth, points[moment["panel"]], cloth.faces,
-                        printed + Printed.all_of(f"{figure}.csv", moment), program.promised(moment["scene"]))
+    folder = program.folder / "made"
+    points = {}
+    for row in table(folder / f"{figure}_shapes.csv"):
+        points.setdefault(row["panel"], []).append(tuple(float(row[axis]) for axis in ("x_m", "y_m", "z_m")))
+    moments = table(folder / f"{figure}.csv")
+    said = captions(folder / f"{figure}.pdf")
+    if len(said) != len(moments) or points.keys() != {moment["panel"] for moment in moments}:
+        raise RuntimeError(f"{folder}: {len(moments)} moments, {len(said)} captions, {len(points)} shapes")
+    cloths = {scene: program.cloth(scene) for scene in {moment["scene"] for moment in moments}}
+    for moment, printed in zip(moments, said):
+        cloth = cloths[moment["scene"]]
+        yield Shape(f"{folder.name}, panel {moment['panel']}", cloth, points[moment["panel"]], cloth.faces,
+                    printed + Printed.all_of(f"{figure}.csv", moment), program.promised(moment["scene"]))
 
 
 def remade(scene, frame, program):

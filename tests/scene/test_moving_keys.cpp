@@ -116,12 +116,6 @@ TEST(MovingKeys, OfOneBodyNeedABody) {
                   "unknown key 'clips'; did you mean 'clip'");
 }
 
-TEST(MovingKeys, FramesIsAnotherNameOfMotion) {
-  EXPECT_EQ(
-      read("[[bodies]]\nshape = \"mesh\"\nfile = \"a.obj\"\nframes = \"a.pc2\"\n").body_sources[0].motion,
-      "a.pc2");
-}
-
 TEST(MovingKeys, TakeDirectionsOfAnyLength) {
   for (const char* axis : {"[0, 1e-150, 0]", "[0, 5e-324, 0]", "[0, 1e6, 0]"}) {
     const DrawnScene scene = read(std::string("[[bodies]]\nshape = \"plane\"\nnormal = ") + axis +

@@ -33,7 +33,7 @@ without_sources() {
 
 bash "$sources/tests/library/installed.sh" "$cmake" "$sources" "$folder/usr" "${hiding[@]}"
 
-commands='figures render simulate view inspect fit sew bench scenes sweep help'
+commands='figures render simulate view inspect fit sew scenes sweep help'
 without_sources taut scenes | grep -q '^tshirt-wind-10 ' || fail "taut scenes does not list them"
 cp "$folder/usr/share/taut/scenes/pinned-9x9-5.toml" "$folder/usr/share/taut/scenes/installed-alone.toml"
 without_sources taut scenes | grep -q '^installed-alone ' || fail "the scenes are others than those installed"
@@ -42,7 +42,7 @@ without_sources taut figures --only fig1 >log.txt
 without_sources taut render tshirt-wind-10 --frames 0:0 --resolution 64,64 >log.txt
 without_sources taut render pinned-9x9-5 --frames 0:0 --resolution 64,64 >log.txt
 without_sources taut simulate pinned-9x9-5 --frames 2 --stats run.jsonl >log.txt
-without_sources taut inspect "$folder/usr/share/taut/garments/tshirt_1028.obj" | grep -q '1028 triangles' ||
+without_sources taut inspect "$folder/usr/share/taut/garments/tshirt_1028.obj" | grep -q 'triangles *1028' ||
   fail "taut inspect reads no garment"
 for file in figures/fig1.png figures/fig1.pdf tshirt-wind-10.png pinned-9x9-5.png run.jsonl; do
   [ -s $file ] || fail "there is no $file"

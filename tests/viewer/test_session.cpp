@@ -34,8 +34,7 @@ std::vector<SessionEvent> one_of_each() {
           WindowEvent(renderer::FileDropped{"/a folder/with spaces.obj"}),
           WindowEvent(renderer::Resized{1, 1}),
           WindowEvent(renderer::ScaleChanged{1.25}),
-          PointAt{"wind.speed", 0.25, 0.75},
-          ContextLost{}};
+          PointAt{"wind.speed", 0.25, 0.75}};
 }
 
 TEST(Session, WhatIsWrittenReadsBackTheSame) {

@@ -197,27 +197,4 @@ class ViewerPicture {
   bool has_picture_ = false;  ///< `picture` has drawn the scene that the next `draw` shows
 };
 
-/// An OpenGL context with the viewer's objects in it. It can be renewed after the driver has lost the
-/// context.
-class ViewerContext {
- public:
-  using MakeContext = std::function<std::unique_ptr<renderer::Context>()>;
-
-  /// Makes the first context. Throws renderer::ContextError.
-  explicit ViewerContext(MakeContext make_context);
-  ~ViewerContext();
-
-  renderer::Context& context() { return *context_; }
-  ViewerPicture& picture() { return *picture_; }
-
-  /// Replaces the context and makes all objects again. References to the old ones become invalid. Throws
-  /// renderer::ContextError.
-  void renew();
-
- private:
-  MakeContext make_context_;
-  std::unique_ptr<renderer::Context> context_;
-  std::unique_ptr<ViewerPicture> picture_;
-};
-
 }  // namespace taut::app

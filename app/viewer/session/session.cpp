@@ -59,7 +59,6 @@ struct EventWriter {
   Json operator()(const renderer::ScaleChanged& event) const { return Json::array({"scale", event.scale}); }
   Json operator()(const WindowEvent& event) const { return std::visit(*this, event); }
   Json operator()(const PointAt& event) const { return Json::array({"at", event.item, event.x, event.y}); }
-  Json operator()(const ContextLost&) const { return Json::array({"lose-context"}); }
 };
 
 std::string json_line(const Json& values) { return values.dump(-1, ' ', false, Json::error_handler_t::replace) + '\n'; }
@@ -132,7 +131,6 @@ std::optional<SessionEvent> read_event(Line& line) {
   if (verb == "text") return WindowEvent(renderer::TextTyped{line.number<std::uint32_t>(0, 0x10FFFF)});
   if (verb == "drop") return WindowEvent(renderer::FileDropped{line.text()});
   if (verb == "resize") return WindowEvent(read_size(line));
-  if (verb == "lose-context") return ContextLost{};
   if (verb == "scale") return WindowEvent(renderer::ScaleChanged{line.number(0.25, 8.0)});
   if (verb == "move") {
     return WindowEvent(PointerMoved{line.number(-far_px, far_px), line.number(-far_px, far_px)});

@@ -17,13 +17,8 @@ struct PointAt {
   bool operator==(const PointAt&) const = default;
 };
 
-/// Simulates that the graphics driver loses the context, for tests.
-struct ContextLost {
-  bool operator==(const ContextLost&) const = default;
-};
-
 /// One event of a session.
-using SessionEvent = std::variant<renderer::WindowEvent, PointAt, ContextLost>;
+using SessionEvent = std::variant<renderer::WindowEvent, PointAt>;
 
 /// How far the simulation was in a frame of the window. A replay needs it to give commands to the same step
 /// and to point at the same cloth.
@@ -71,7 +66,6 @@ struct SessionStart {
 ///     ["drop", "/path/of/a/file"]
 ///     ["resize", 800, 600]
 ///     ["scale", 1.5]
-///     ["lose-context"]
 ///     ["frame", 30]                        thirty frames of the window, 1/60 s each
 ///     ["paced", 0.01667, 12, 13]           one frame as it was recorded: seconds, advances, snapshot
 ///     ["state", 81985529216486895]         what the hash of the newest state has to be

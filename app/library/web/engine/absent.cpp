@@ -15,10 +15,6 @@ sim::Mesh remesh(const sim::Mesh& /*surface*/, double /*edge_m*/) {
   throw InputError("garment.mesh: no mesh of its own is made in a page; expected 'model'");
 }
 
-std::string why_unreadable(const std::filesystem::path& /*path*/) { return ""; }
-
-std::optional<double> unit_of_3mf(const std::filesystem::path& /*path*/) { return std::nullopt; }
-
 std::vector<std::string> sew_and_load_bodies(Scene& scene, std::span<const Override> overrides,
                                              const std::function<void(const std::string&)>& /*stage*/) {
   return load_bodies(scene, overrides);

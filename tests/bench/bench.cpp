@@ -1,4 +1,4 @@
-#include "app/bench/bench.hpp"
+#include "tests/bench/bench.hpp"
 
 #include <random>
 

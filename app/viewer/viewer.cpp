@@ -366,6 +366,7 @@ SnapshotPtr Viewer::within_present_bound(const SnapshotPtr& past) {
 
 void Viewer::note_speed(std::uint64_t advances_before) {
   RealTime& real_time = state_.measurements.real_time;
+  const double busy_s = std::exchange(busy_s_, 0.0);
   const int pictures = std::exchange(pictures_, 0);
   const bool goes_on = !state_.newest->paused && !has_stopped(*state_.newest);
   if (!goes_on) {
@@ -373,7 +374,7 @@ void Viewer::note_speed(std::uint64_t advances_before) {
     return;
   }
   const auto advances = static_cast<double>(state_.newest->advances - advances_before);
-  real_time.add(elapsed_s_, advances / state_.scene.simulation.frame_rate_hz, pictures);
+  real_time.add(elapsed_s_, advances / state_.scene.simulation.frame_rate_hz, busy_s, pictures);
 }
 
 // Where two are compared, each has its own label.
@@ -414,8 +415,10 @@ void Viewer::note_changes(const SessionFrame& frame) {
   still_frames_ = is_changing ? 0 : still_frames_ + 1;
 }
 
-void Viewer::note_times(double draw_ms, double panel_ms) {
+void Viewer::note_times(double draw_ms, double panel_ms, double simulate_ms, double busy_s) {
+  busy_s_ += busy_s;
   ++pictures_;
+  state_.measurements.worked_ms = simulate_ms;
   state_.measurements.draw_ms.add(static_cast<float>(draw_ms));
   state_.measurements.panel_ms.add(static_cast<float>(panel_ms));
 }

@@ -152,8 +152,10 @@ class Viewer {
   bool wants_screenshot() const { return screenshot_; }
   /// Takes a picture of the scene, with its legends.
   void take_picture(const renderer::Image& picture);
-  /// Takes measured times of this frame, for display.
-  void note_times(double draw_ms, double panel_ms);
+  /// Takes measured times, for display. `draw_ms` and `panel_ms` belong to this frame. `simulate_ms` is
+  /// processor time of the last simulated frame. `busy_s` is the processor time that this program used since
+  /// the last call, divided by the number of processors.
+  void note_times(double draw_ms, double panel_ms, double simulate_ms, double busy_s);
   void tell(const std::string& text, bool is_error) { app::tell(state_, text, is_error); }
   /// Completes the recording, where there is one. Returns what was written, which is also shown as a message.
   std::optional<std::string> finish_recording();
@@ -219,7 +221,8 @@ class Viewer {
   sim::SolverSettings past_bound_;
 
   double elapsed_s_ = 0.0;
-  int pictures_ = 0;  ///< since the last frame
+  double busy_s_ = 0.0;  ///< all processors, since the last frame
+  int pictures_ = 0;     ///< since the last frame
   int still_frames_ = 0;
   int frames_since_input_ = 0;
   bool screenshot_ = false;

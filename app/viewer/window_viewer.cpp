@@ -101,6 +101,12 @@ class WindowViewer {
     return elapsed_s;
   }
 
+  // Of all processors, by all threads of this program.
+  double next_busy_s() {
+    const double used_ms = std::exchange(used_, ProcessorStopwatch(CLOCK_PROCESS_CPUTIME_ID)).elapsed_ms();
+    return 1e-3 * used_ms / std::max(std::thread::hardware_concurrency(), 1U);
+  }
+
   void show() {
     if (!viewer_.is_still()) since_change_ = Stopwatch();
     const renderer::Resized size = window_->framebuffer_size();
@@ -122,7 +128,7 @@ class WindowViewer {
     picture_.draw(0, viewer_.state(), viewer_.layout(), level, viewer_.letters(), viewer_.overlay(), is_urgent);
     renderer::finish_drawing(*window_);
     const double draw_ms = drawing.elapsed_ms();
-    viewer_.note_times(draw_ms, panel_ms_);
+    viewer_.note_times(draw_ms, panel_ms_, simulation_.worked_ms(), next_busy_s());
     window_->present();
     if (picture_.drew_scene() && level == quality_.level()) {
       quality_.note(panel_ms_ + drawing.elapsed_ms(), simulation_.take_given_up_ms());
@@ -150,6 +156,7 @@ class WindowViewer {
   std::optional<SessionRecorder> recorder_;
   QualityControl quality_;
   Stopwatch since_frame_;
+  ProcessorStopwatch used_{CLOCK_PROCESS_CPUTIME_ID};
   Stopwatch since_change_;  ///< of anything that is drawn
   double panel_ms_ = 0.0;
 };

@@ -140,6 +140,20 @@ TEST(SimulationPair, TheSecondGoesOnWhereTheFirstIsLost) {
   EXPECT_EQ(pair.take_snapshot()->compared->record.frame, 0) << "both again from the start";
 }
 
+TEST(SimulationPair, SaysWhichHoldsBothBack) {
+  SimulationPair pair(scene_of("bounded"));
+  EXPECT_STREQ(slower_solver(*pair.take_snapshot()), "bounded");
+  pair.apply(Compare{sim::SolverKind::provot});
+  Snapshot second = *pair.take_snapshot()->compared;
+  second.record.sim_ms = 3.0;
+  Snapshot now = *pair.take_snapshot();
+  now.compared = std::make_shared<const Snapshot>(second);
+  now.record.sim_ms = 2.0;
+  EXPECT_STREQ(slower_solver(now), "provot");
+  now.record.sim_ms = 4.0;
+  EXPECT_STREQ(slower_solver(now), "bounded");
+}
+
 // The memory that the past may take is that of both.
 TEST(SimulationPair, TwoGarmentsReachHalfAsFarBack) {
   SimulationPair pair(scene_of("bounded"));

@@ -283,10 +283,12 @@ TEST(Window, AnySolverOfTheListTakesItsOwnTimeSteps) {
 TEST(Window, WorkOfAPauseSlowsNothingLater) {
   Person person("pinned-9x9-5");
   person.press(keys::space);
+  person.viewer.note_times(1.0, 1.0, 1.0, 10.0);
   person.wait(2);
   person.press(keys::space);
   person.wait(60);
   EXPECT_GT(*person.viewer.state().measurements.real_time.factor(), 0.9);
+  EXPECT_EQ(person.viewer.state().measurements.real_time.busy_share(), 0.0);
 }
 
 // As a person meets it: springs fly apart, the window says so, and another solver is chosen from the list.

@@ -164,12 +164,22 @@ TEST(Measurements, SayBothStretches) {
 TEST(RealTime, IsWhatWentByLately) {
   RealTime time;
   EXPECT_FALSE(time.factor());
-  for (int i = 0; i < 300; ++i) time.add(1.0 / 60.0, 0.5 / 60.0);
+  for (int i = 0; i < 300; ++i) time.add(1.0 / 60.0, 0.5 / 60.0, 0.004);
   EXPECT_NEAR(*time.factor(), 0.5, 1e-6);
-  for (int i = 0; i < 300; ++i) time.add(1.0 / 60.0, 1.0 / 60.0);
+  EXPECT_NEAR(time.busy_share(), 0.24, 1e-6);
+  for (int i = 0; i < 300; ++i) time.add(1.0 / 60.0, 1.0 / 60.0, 0.0);
   EXPECT_NEAR(*time.factor(), 1.0, 0.01);
   time.forget();
   EXPECT_FALSE(time.factor());
+}
+
+TEST(RealTime, TellsWhySimulatingIsSlow) {
+  const double frame_ms = 1000.0 / 60.0;
+  EXPECT_EQ(slowed_by(0.99, 1.0, 12.0, frame_ms, 0.9), SlowedBy::nothing);
+  EXPECT_EQ(slowed_by(0.1, 0.1, 60.0, 10.0 * frame_ms, 0.0), SlowedBy::nothing) << "slow as asked";
+  EXPECT_EQ(slowed_by(0.3, 1.0, 55.0, frame_ms, 0.9), SlowedBy::simulation);
+  EXPECT_EQ(slowed_by(0.6, 1.0, 10.0, frame_ms, 0.8), SlowedBy::drawing);
+  EXPECT_EQ(slowed_by(0.6, 1.0, 10.0, frame_ms, 0.2), SlowedBy::other_programs);
 }
 
 TEST(Picking, DragsInThePlaneThatFacesTheCamera) {
@@ -365,6 +375,17 @@ TEST(KeptScene, NumbersItsPinsAsTheGarmentsFile) {
   snapshot.pins = std::make_shared<const std::vector<sim::Index>>(std::vector<sim::Index>{3});
   state.shown = std::make_shared<const Snapshot>(snapshot);
   EXPECT_THROW(kept_scene(state, area), InputError) << "a vertex that subdivision made";
+}
+
+TEST(Garments, HaveACoarserOneOfTheirKind) {
+  const std::vector<Choice> garments = {{"tshirt_1028", "", ""}, {"tshirt_10600", "", ""}, {"dress_900", "", ""},
+                                        {"tshirt_5280", "", ""}, {"tshirt", "", ""},       {"_12", "", ""}};
+  EXPECT_EQ(coarser_than("tshirt_10600", garments), &garments[3]);
+  EXPECT_EQ(coarser_than("tshirt_5280", garments), &garments[0]);
+  EXPECT_EQ(coarser_than("tshirt_1028", garments), nullptr);
+  EXPECT_EQ(coarser_than("tshirt", garments), nullptr);
+  EXPECT_EQ(coarser_than("5280", garments), nullptr);
+  EXPECT_EQ(coarser_than("", garments), nullptr);
 }
 
 }  // namespace

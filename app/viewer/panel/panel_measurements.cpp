@@ -139,17 +139,49 @@ std::string size_text(const sim::Garment& garment) {
   return fmt::format("{} triangles, {} vertices", garment.mesh.triangles.size(), garment.mesh.positions.size());
 }
 
+std::string reason_text(SlowedBy reason, const Snapshot& newest) {
+  constexpr std::array texts = {"", ", slowed by the simulation", ", slowed by drawing", ", slowed by other programs"};
+  if (reason == SlowedBy::simulation && newest.compared) {
+    return std::string(", slowed by ") + slower_solver(newest);
+  }
+  return texts[static_cast<std::size_t>(reason)];
+}
+
+/// How fast the window is, and why no faster. Empty where it is not known.
+std::optional<std::pair<double, SlowedBy>> speed_of(const ViewerState& state) {
+  const Measurements& m = state.measurements;
+  const auto factor = m.real_time.factor();
+  if (!m.shows_times || !factor) return std::nullopt;
+  const double frame_ms = 1000.0 / (state.scene.simulation.frame_rate_hz * state.speed);
+  return std::pair(*factor, slowed_by(*factor, state.speed, m.worked_ms, frame_ms, m.real_time.busy_share()));
+}
+
 std::string pictures_text(const ViewerState& state) {
   const Measurements& m = state.measurements;
   return m.shows_times && m.real_time.factor() ? fmt::format("{:.0f} pictures a second", m.real_time.pictures_per_s())
                                                : "pictures a second: not known here";
 }
 
+bool stands_still(const ViewerState& state) { return state.newest->paused || has_stopped(*state.newest); }
+
 std::string speed_text(const ViewerState& state) {
-  if (state.newest->paused || has_stopped(*state.newest)) return state.newest->paused ? "paused" : "stopped";
-  const auto factor = state.measurements.real_time.factor();
-  if (!state.measurements.shows_times || !factor) return "times real time: not known here";
-  return fmt::format("{:.2f} x real time", *factor);
+  if (stands_still(state)) return state.newest->paused ? "paused" : "stopped";
+  const auto speed = speed_of(state);
+  if (!speed) return "times real time: not known here";
+  return fmt::format("{:.2f} x real time{}", speed->first, reason_text(speed->second, *state.newest));
+}
+
+/// Where the simulation falls behind, a button that takes a garment of fewer triangles; right of the last line, so that
+/// nothing below moves away from the pointer.
+void offer_coarser(ViewerState& state) {
+  const auto speed = speed_of(state);
+  const Choice* const coarser = coarser_than(state.newest->loaded->scene.garment.file.stem().string(), state.garments);
+  if (stands_still(state) || !speed || speed->second != SlowedBy::simulation || coarser == nullptr) return;
+  const std::string label = "Take " + coarser->name;
+  const ImGuiStyle& style = ImGui::GetStyle();
+  ImGui::SameLine(ImGui::GetContentRegionMax().x - ImGui::CalcTextSize(label.c_str()).x - 2.0F * style.FramePadding.x);
+  if (ImGui::SmallButton(label.c_str())) state.garment_asked = coarser->file;
+  note_place(state, "measured.coarser");
 }
 
 constexpr float background = 0.88F;
@@ -251,6 +283,7 @@ void lay_out_measurements(ViewerState& state, float scale) {
   plot_convergence(state, scale);
   plot_times(state, scale);
   reading_line(state, "measured.pictures", pictures_text(state));
+  offer_coarser(state);
   reading_line(state, "measured.size", size_text(*state.newest->loaded->garment));
   reading_line(state, "measured.speed", speed_text(state));
 }

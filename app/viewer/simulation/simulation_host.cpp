@@ -162,6 +162,11 @@ double SimulationHost::take_given_up_ms() {
   return std::chrono::duration<double, std::milli>(std::exchange(given_up_, {})).count();
 }
 
+double SimulationHost::worked_ms() {
+  const std::lock_guard lock(mutex_);
+  return worked_ms_;
+}
+
 std::uint64_t SimulationHost::state_hash() {
   std::unique_lock lock(mutex_);
   changed_.wait(lock, [this] { return !busy_ && posted_.empty(); });

@@ -85,6 +85,8 @@ class SimulationHost {
   /// Simulated time that was given up since the last call because other work had the processors; 0 where
   /// the simulation could not have kept up anyway.
   double take_given_up_ms();
+  /// Processor time of the last frame.
+  double worked_ms();
   std::uint64_t advances() const { return simulation_.advances(); }  ///< after `end`
 
  private:

@@ -55,6 +55,11 @@ unsigned sides_beyond(const sim::Vec3& position, const glm::dmat4& to_clip) {
 constexpr double memory_s = 1.0;
 // RealTime::factor says nothing before this much real time.
 constexpr double first_moments_s = 0.5;
+// Fraction of the speed asked for, or of the time a frame may take, that counts as all of it.
+constexpr double as_good_as_asked = 0.95;
+// Share of the processors' time above which this program itself is the reason.
+constexpr double most_of_it = 0.75;
+
 // How long messages are shown. Errors stay longer.
 constexpr double short_message_s = 4.0;
 constexpr double error_message_s = 12.0;
@@ -269,15 +274,37 @@ void RecentValues::add(float value) {
   values_.push_back(value);
 }
 
-void RealTime::add(double elapsed_s, double simulated_s, int pictures) {
+void RealTime::add(double elapsed_s, double simulated_s, double busy_s, int pictures) {
   const double kept = std::exp(-elapsed_s / memory_s);
   elapsed_s_ = kept * elapsed_s_ + elapsed_s;
   simulated_s_ = kept * simulated_s_ + simulated_s;
+  busy_s_ = kept * busy_s_ + busy_s;
   pictures_ = kept * pictures_ + pictures;
 }
 
 std::optional<double> RealTime::factor() const {
   return elapsed_s_ > first_moments_s ? std::optional(simulated_s_ / elapsed_s_) : std::nullopt;
+}
+
+double RealTime::busy_share() const { return elapsed_s_ > 0.0 ? busy_s_ / elapsed_s_ : 0.0; }
+
+SlowedBy slowed_by(double factor, double asked, double simulate_ms, double frame_ms, double busy_share) {
+  if (factor >= as_good_as_asked * asked) return SlowedBy::nothing;
+  if (simulate_ms >= as_good_as_asked * frame_ms) return SlowedBy::simulation;
+  return busy_share >= most_of_it ? SlowedBy::drawing : SlowedBy::other_programs;
+}
+
+const Choice* coarser_than(const std::string& name, std::span<const Choice> garments) {
+  const auto [kind, triangles] = kind_and_number(name);
+  const Choice* best = nullptr;
+  int most = 0;
+  for (const Choice& choice : garments) {
+    const auto [other, count] = kind_and_number(choice.name);
+    if (other != kind || count >= triangles || count <= most) continue;
+    best = &choice;
+    most = count;
+  }
+  return best;
 }
 
 std::string in_little_room(double value, int decimals) {
@@ -323,6 +350,11 @@ const Snapshot* compared(const ViewerState& state) {
 }
 
 const char* solver_of(const Snapshot& garment) { return sim::name_of(sim::kind_of(garment.settings.solver.method)); }
+
+const char* slower_solver(const Snapshot& newest) {
+  const bool is_second = newest.compared && newest.compared->record.sim_ms > newest.record.sim_ms;
+  return solver_of(is_second ? *newest.compared : newest);
+}
 
 const Snapshot& pointed_at(const ViewerState& state) {
   const Snapshot* second = state.at_compared ? compared(state) : nullptr;

@@ -104,18 +104,30 @@ class RecentValues {
 /// Compares simulated time with real time, averaged over about the last second.
 class RealTime {
  public:
-  /// In `elapsed_s` of real time, `simulated_s` was simulated and `pictures` were shown.
-  void add(double elapsed_s, double simulated_s, int pictures = 0);
+  /// In `elapsed_s` of real time, `simulated_s` was simulated. `busy_s` is the processor time this program
+  /// used, divided by the number of processors. `pictures` were shown.
+  void add(double elapsed_s, double simulated_s, double busy_s, int pictures = 0);
   void forget() { *this = {}; }
   /// Simulated seconds per second of real time. Empty at the beginning.
   std::optional<double> factor() const;
+  /// Fraction of all processors' time that this program used.
+  double busy_share() const;
   double pictures_per_s() const { return elapsed_s_ > 0.0 ? pictures_ / elapsed_s_ : 0.0; }
 
  private:
   double elapsed_s_ = 0.0;
   double simulated_s_ = 0.0;
+  double busy_s_ = 0.0;
   double pictures_ = 0.0;
 };
+
+/// Why a simulation is slower than it should be.
+enum class SlowedBy { nothing, simulation, drawing, other_programs };
+
+/// Finds the reason. `factor` is RealTime::factor and `asked` what it should be. `simulate_ms` is the
+/// processor time of a frame; `frame_ms` is what it may take at the speed asked for. If the simulation could
+/// keep up, something else uses the processors: drawing if `busy_share` is high, else other programs.
+SlowedBy slowed_by(double factor, double asked, double simulate_ms, double frame_ms, double busy_share);
 
 /// A number for people that is no longer than the panel is wide, whatever the simulation does.
 std::string in_little_room(double value, int decimals);
@@ -137,6 +149,7 @@ struct Measurements {
   RecentValues draw_ms;
   RecentValues panel_ms;
   RealTime real_time;
+  double worked_ms = 0.0;  ///< processor time of the last simulated frame
   bool shows_times = true;
 
   /// Appends what was measured of a simulated frame.
@@ -255,6 +268,8 @@ struct ViewerState {
 const Snapshot* compared(const ViewerState& state);
 /// The name of the solver that a garment is simulated by.
 const char* solver_of(const Snapshot& garment);
+/// The garment whose last frame took longer, which holds both back.
+const char* slower_solver(const Snapshot& newest);
 /// The garment below the pointer, as it is drawn.
 const Snapshot& pointed_at(const ViewerState& state);
 
@@ -271,6 +286,10 @@ std::vector<Choice> files_in(const std::string& folder, const std::string& endin
 
 /// The garments that come with the program.
 inline std::vector<Choice> garment_choices() { return files_in("garments", ".obj"); }
+
+/// The finest of the garments that is coarser than the one of this name, where names end in numbers of triangles:
+/// tshirt_5280 for tshirt_10600. Null if there is none.
+const Choice* coarser_than(const std::string& name, std::span<const Choice> garments);
 
 /// Motions for the first body of the scene that has joints: those that come with the program and fit
 /// it, then its own animations. None if there is no such body or it cannot be read. `known` is returned if it

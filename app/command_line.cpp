@@ -342,6 +342,16 @@ std::function<int()> add_list(CLI::App& app, const char* command, const char* na
   return [asked, list] { return list(*asked); };
 }
 
+void define_bench(CLI::App& command, BenchOptions& options) {
+  command.add_flag("--contact", options.contact);
+  command.add_flag("--quick", options.quick);
+  command.add_option("--scenes", options.scenes)->delimiter(',');
+  command.add_option("--runs", options.runs)->check(CLI::Range(1, 1000));
+  command.add_option("--frames", options.frames)->check(CLI::Range(1, 1000000));
+  command.add_flag("--csv", options.csv);
+  command.add_flag("--quiet", options.quiet);
+}
+
 // Without those that belong to no group, which are not shown.
 std::vector<std::string> command_names(const CLI::App& app) {
   std::vector<std::string> names;
@@ -475,6 +485,7 @@ int run_command_line(std::span<const char* const> arguments) {
                                                       add_command(app, "inspect", define_inspect),
                                                       add_command(app, "fit", define_fit),
                                                       add_command(app, "sew", define_sew),
+                                                      add_command(app, "bench", define_bench),
                                                       add_list(app, "scenes", "SCENE", list_scenes),
                                                       add_list(app, "fabrics", "FABRIC", list_fabrics),
                                                       add_command(app, "sweep", define_sweep),

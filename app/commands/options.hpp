@@ -7,6 +7,17 @@ namespace taut::app {
 
 // Options of each command. Functions return the exit code of the program.
 
+/// Options of `taut bench`.
+struct BenchOptions {
+  std::vector<std::string> scenes;  ///< rows of the table; empty: all
+  bool contact = false;             ///< all scenes about contact, instead of the quick ones
+  bool quick = false;               ///< those that decide about real time, whatever `contact` is
+  std::optional<int> runs;          ///< of each scene, each from a start of its own; empty: one, from the scene's
+  std::optional<int> frames;        ///< of each run; empty: as the scene has it
+  bool csv = false;
+  bool quiet = false;
+};
+
 /// Options of a run, of `taut render` and `taut simulate` alike.
 struct RunOptions {
   std::string scene;   ///< a scene or a garment file
@@ -116,6 +127,7 @@ void prepare_png(const std::filesystem::path& file);
 
 /// Each `run` does one command and returns the exit code of the program (errors.hpp). Throws InputError,
 /// UsageError, Interrupted and what the parts it uses throw.
+int run(const BenchOptions& options);
 int run(const FiguresOptions& options);
 int run(const RenderOptions& options);
 int run(const SimulateOptions& options);

@@ -194,7 +194,7 @@ def untold(said):
 def helps():
     overview = run('help').stdout
     expect(overview == run('--help').stdout and 'simulate' in overview, 'taut help is not taut --help')
-    for command in ('figures', 'render', 'simulate', 'view', 'inspect', 'scenes', 'help'):
+    for command in ('figures', 'render', 'simulate', 'view', 'inspect', 'bench', 'scenes', 'help'):
         expect(re.search('^  %s ' % command, overview, re.M), 'taut help does not list ' + command)
         expect(run('help', command).stdout == run(command, '--help').stdout,
                'taut help %s is not taut %s --help' % (command, command))

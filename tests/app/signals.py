@@ -18,6 +18,7 @@ COMMANDS = {
     'render': ['render', 'tshirt-gravity', '--frames', '0:2', '--resolution', '64,64', '--output', 'a-{frame}.png', *LONG_FRAME],
     'dress': ['simulate', 'tshirt-worn', '--frames', '2', *LONG_FRAME[:4]],
     'figures': ['figures', '--output', 'figures'],
+    'bench': ['bench', '--contact', '--scenes', 'fine-wind-10'],
     'view': ['view', '--headless', '--script', 'session.txt', *LONG_FRAME],
 }
 SESSION = '["taut-session", 2]\n["scene", "tshirt-gravity"]\n["window", 320, 240, 1]\n["frame", 10]\n'

@@ -3,11 +3,11 @@
 #include <cmath>
 #include <fstream>
 
+#include "app/bench/bench.hpp"
 #include "app/bodies/body_loading.hpp"
 #include "app/drawing/drawn_scene.hpp"
 #include "sim/solvers/bounded/kernels/kernels.hpp"
 #include "temporary_folder.hpp"
-#include "tests/bench/bench.hpp"
 
 namespace taut::app {
 namespace {

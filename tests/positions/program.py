@@ -38,7 +38,7 @@ class Program:
 
     def scenes(self):
         """The names of the built-in scenes, but for those about contact, which stand below an empty line: of these 1.5 s
-        take minutes, and what they promise is checked by `tests/bench/bench --contact`. Those of garments that are at rest as they
+        take minutes, and what they promise is checked by `taut bench --contact`. Those of garments that are at rest as they
         are cut are left out: their lengths at rest are not in the positions of their files."""
         names = [line.split()[0] for line in self.run("scenes").split("\n\n")[0].splitlines()]
         return [name for name in names if not self.is_cut(self.scene(name)["garment"].get("file"))]

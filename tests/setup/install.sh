@@ -33,7 +33,7 @@ without_sources() {
 
 bash "$sources/tests/library/installed.sh" "$cmake" "$sources" "$folder/usr" "${hiding[@]}"
 
-commands='figures render simulate view inspect fit sew scenes sweep help'
+commands='figures render simulate view inspect fit sew bench scenes sweep help'
 without_sources taut scenes | grep -q '^tshirt-wind-10 ' || fail "taut scenes does not list them"
 cp "$folder/usr/share/taut/scenes/pinned-9x9-5.toml" "$folder/usr/share/taut/scenes/installed-alone.toml"
 without_sources taut scenes | grep -q '^installed-alone ' || fail "the scenes are others than those installed"

@@ -1,4 +1,4 @@
-#include "tests/bench/bench.hpp"
+#include "app/bench/bench.hpp"
 
 #include <random>
 

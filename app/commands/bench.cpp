@@ -1,25 +1,12 @@
-#include <CLI/CLI.hpp>
+#include "app/bench/bench.hpp"
 
 #include "app/base/errors.hpp"
 #include "app/base/progress.hpp"
 #include "app/bodies/body_loading.hpp"
-#include "app/drawing/drawn_scene.hpp"
-#include "tests/bench/bench.hpp"
-
-// bench: the time of a frame, its stretch, and whether any frame breaks a promise.
+#include "app/commands/options.hpp"
 
 namespace taut::app {
 namespace {
-
-struct BenchOptions {
-  std::vector<std::string> scenes;  ///< rows of the table; empty: all
-  bool contact = false;             ///< all scenes about contact, instead of the quick ones
-  bool quick = false;               ///< those that decide about real time, whatever `contact` is
-  std::optional<int> runs;          ///< of each scene, each from a start of its own; empty: one, from the scene's
-  std::optional<int> frames;        ///< of each run; empty: as the scene has it
-  bool csv = false;
-  bool quiet = false;
-};
 
 std::vector<ContactCase> wanted_cases(const BenchOptions& options) {
   std::vector<ContactCase> cases = options.contact && !options.quick ? all_contact_cases() : quick_contact_cases();
@@ -67,6 +54,8 @@ void print(const std::string& text, Progress* progress) {
   std::fflush(stdout);
 }
 
+}  // namespace
+
 int run(const BenchOptions& options) {
   const std::vector<ContactCase> cases = wanted_cases(options);
   const bool shows_table = !options.csv && !options.quiet;
@@ -85,36 +74,4 @@ int run(const BenchOptions& options) {
   return have_all_passed ? 0 : exit_promise_broken;
 }
 
-}  // namespace
 }  // namespace taut::app
-
-int main(int argument_count, char** arguments) {
-  using namespace taut::app;
-  CLI::App app(
-      "The time of a frame, its stretch, and whether any frame breaks a promise: then it ends with exit code 3",
-      "bench");
-  BenchOptions options;
-  app.add_flag("--contact", options.contact, "all scenes about contact and being worn: takes an hour");
-  app.add_flag("--quick", options.quick,
-               "a shirt that hangs, in winds, in one that is dragged up and back, and on someone who walks, on one "
-               "thread: three minutes at most (default)");
-  app.add_option("--scenes", options.scenes, "some of the rows alone")->delimiter(',');
-  app.add_option("--runs", options.runs,
-                 "so many runs of each scene, each with its start moved at random by a twentieth of the cloth's "
-                 "thickness (default: one run of the scene as it is)")
-      ->check(CLI::Range(1, 1000));
-  app.add_option("--frames", options.frames, "frames of each run (default: as the scene has it)")
-      ->check(CLI::Range(1, 1000000));
-  app.add_flag("--csv", options.csv, "print a table (CSV) of all runs instead");
-  app.add_flag("--quiet", options.quiet, "print neither progress nor the table");
-  CLI11_PARSE(app, argument_count, arguments);
-  try {
-    watch_for_interruption();
-    return run(options);
-  } catch (const Interrupted& interrupted) {
-    end_by_signal(interrupted.signal);
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "bench: error: %s\n", error.what());
-    return exit_bad_input;
-  }
-}

@@ -186,6 +186,7 @@ sim::Mesh read_mesh(const Scene& scene, LoadedGarment& loaded, const StageReport
   const std::vector<sim::Triangle> imported = model.triangles;
   sim::Mesh soup{std::move(model.positions), std::move(model.triangles), {}};
   const std::size_t backs = leave_out_backs(model, soup);
+  loaded.strays = remove_strays(soup);
   PlacementHints hints{source.scale, source.up, model.metres_per_unit, model.up};
   loaded.placement = place(source, soup, hints);
   require_size(source, *loaded.placement);

@@ -67,6 +67,7 @@ struct LoadedGarment : GarmentInScene {
   /// With positions, without triangles; the optional members are empty for a grid.
   std::optional<ImportedModel> model;
   std::optional<sim::MeshReport> repairs;
+  Strays strays;                       ///< what was left out
   std::size_t trims_sewn_on = 0;       ///< parts that lie on others and are held by stitches
   std::size_t refused_crossings = 0;   ///< of a mesh that was fitted and crosses itself more than the model; or 0
   std::size_t turned_outside_out = 0;  ///< triangles of surfaces that faced inwards

@@ -308,6 +308,7 @@ std::vector<std::string> remarks_of(const LoadedGarment& loaded) {
     lines.push_back(fmt::format("it is {:.3g} m large, which no garment is, with the unit {} (--units)",
                                 loaded.placement->scale * loaded.placement->extent, loaded.placement->unit_text));
   }
+  if (loaded.strays.triangles > 0) lines.push_back(describe(loaded.strays, loaded.placement->scale));
   if (loaded.placement && loaded.placement->moved_m != sim::Vec3(0.0)) {
     lines.emplace_back("it is very far from the origin and was moved there");
   }

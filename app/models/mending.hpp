@@ -4,6 +4,21 @@
 
 namespace taut::app {
 
+/// Pieces that lie so far from nearly all of a model's area that they cannot belong to the garment, such as a
+/// button at the wrong end of a scene.
+struct Strays {
+  std::size_t triangles = 0;
+  double area_share = 0.0;  ///< of all the area
+  double distance = 0.0;    ///< of the farthest from the middle of the rest, in the file's unit
+};
+
+/// Removes the strays from the model's triangles and returns what they were. Of a model with
+/// positions that are not finite it removes none.
+Strays remove_strays(sim::Mesh& mesh);
+
+/// Returns a sentence for people: "8 triangles with 0.02 % of its area lie 107 m away and are left out".
+std::string describe(const Strays& strays, double metres_per_unit);
+
 /// Turns the surfaces that face inwards: those of a part with several openings or none, such as a shirt,
 /// whose normals point mostly towards the part's centre of mass. A piece with one border has no inside and is
 /// left alone. Returns how many triangles were turned. Requires the adjacency and the parts of this mesh.

@@ -362,6 +362,42 @@ TEST(Upright, IsNotTurnedByAFewOpeningsThatCarryLittle) {
   EXPECT_EQ(test::load(folder, test::both(doll, test::cape())).placement->up, ModelAxis::y);
 }
 
+TEST(Strays, AreLeftOutAndSaid) {
+  const test::TemporaryFolder folder;
+  const LoadedGarment alone = test::load(folder, test::shirt());
+  const LoadedGarment loaded = test::load(folder, test::both(test::shirt(), test::button({107.0, 0.4, 0.1}, 0.01)));
+  EXPECT_EQ(loaded.placement->scale, 1.0);
+  EXPECT_EQ(loaded.garment->mesh.positions, alone.garment->mesh.positions);
+  EXPECT_CONTAINS(test::remarks(loaded), "8 triangles with 0.031 % of its area lie 107 m away and are left out");
+  EXPECT_EQ(test::remarks(alone).find("left out"), std::string::npos);
+}
+
+TEST(Strays, AreWholePieces) {
+  const test::TemporaryFolder folder;
+  // A ribbon of 0.6 % of the area, of which most lies more than the shirt's size beside it.
+  sim::Mesh ribbon;
+  for (sim::Index k = 0; k < 40; ++k) {
+    ribbon.positions.insert(ribbon.positions.end(), {{0.3 + 0.05 * k, 0.4, 0.0}, {0.3 + 0.05 * k, 0.402, 0.0}});
+    if (k > 0) {
+      ribbon.triangles.insert(ribbon.triangles.end(),
+                              {{2 * k - 2, 2 * k, 2 * k + 1}, {2 * k - 2, 2 * k + 1, 2 * k - 1}});
+    }
+  }
+  EXPECT_EQ(test::load(folder, test::both(test::shirt(), ribbon)).strays.triangles, 0U);
+  EXPECT_EQ(test::load(folder, test::both(test::shirt(), test::moved(ribbon, {2, 0, 0}))).strays.triangles, 78U);
+}
+
+TEST(Strays, AreNeitherNearNorLarge) {
+  const test::TemporaryFolder folder;
+  const auto left_out = [&](const sim::Mesh& more) {
+    return test::load(folder, test::both(test::shirt(), more)).strays.triangles;
+  };
+  EXPECT_EQ(left_out(test::button({0.6, 0.4, 0.0}, 0.01)), 0U) << "0.17 of the shirt's size beside it";
+  EXPECT_EQ(left_out(test::button({0.75, 0.4, 0.0}, 0.01)), 8U) << "0.33";
+  EXPECT_EQ(left_out(test::button({1.6, 0.4, 0.0}, 0.044)), 0U) << "0.6 % of the area";
+  EXPECT_EQ(left_out(test::button({1.6, 0.4, 0.0}, 0.035)), 8U) << "0.3 % of the area";
+}
+
 TEST(Seams, JoinPanelsWhoseBordersLieTogether) {
   const test::TemporaryFolder folder;
   const LoadedGarment loaded = test::load(folder, test::panels(20, 0.0009));

@@ -177,6 +177,15 @@ bool is_hung(const Scene& scene) {
   return !scene.garment.is_grid() && !scene.garment.given && !scene.pins && scene.dressing_frames() == 0;
 }
 
+/// Looks for the axis that is up in openings, and else hangs the model both ways if that is what becomes of it.
+void find_up(const Scene& scene, const sim::Mesh& model_m, const StageReport& begin, PlacementHints& hints) {
+  hints.up_by_openings = up_by_openings(model_m, sim::make_adjacency(model_m));
+  if (!hints.up_by_openings && is_hung(scene) && scene.surroundings.bodies.empty()) {
+    tell(begin, "hanging it both ways to see which is up");
+    hints.up_by_hanging = up_by_hanging(model_m);
+  }
+}
+
 sim::Mesh read_mesh(const Scene& scene, LoadedGarment& loaded, const StageReport& begin) {
   const GarmentSource& source = scene.garment;
   const std::string name = source.given ? "the garment that was given" : "the garment '" + source.file.string() + '\'';
@@ -213,8 +222,7 @@ sim::Mesh read_mesh(const Scene& scene, LoadedGarment& loaded, const StageReport
     loaded.colours = kept_colours(std::move(model.colours), imported, kept, valid.mesh.triangles);
     loaded.file_vertices = vertices_of_file(model, kept);
     if (!source.up && !model.up) {
-      const sim::Mesh model_m = fitted ? fitted->mesh : scaled(valid.mesh, scale);
-      hints.up_by_openings = up_by_openings(model_m, sim::make_adjacency(model_m));
+      find_up(scene, fitted ? fitted->mesh : scaled(valid.mesh, scale), begin, hints);
       loaded.placement = place_model(soup, hints);
     }
     model.positions = std::move(soup.positions);

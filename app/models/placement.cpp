@@ -142,7 +142,9 @@ void choose_up(const sim::Vec3& size, const PlacementHints& hints, Placement& pl
   };
   if (hints.up_by_openings && *hints.up_by_openings != ModelAxis::y) {
     guess(*hints.up_by_openings, " from where its openings are");
-  } else if (!hints.up_by_openings && size.z > clearly_longer * size.y) {
+  } else if (hints.up_by_hanging && *hints.up_by_hanging != ModelAxis::y) {
+    guess(*hints.up_by_hanging, ": hung that way it is higher and its cloth moves less");
+  } else if (!hints.up_by_openings && !hints.up_by_hanging && size.z > clearly_longer * size.y) {
     guess(ModelAxis::z, fmt::format(": it measures {:.3g} along z, {:.3g} along y", size.z * placement.scale,
                                     size.y * placement.scale));
   }

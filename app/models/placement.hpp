@@ -27,15 +27,16 @@ struct PlacementHints {
   std::optional<double> metres_per_unit;         ///< from the file
   std::optional<ModelAxis> up;                   ///< from the file
   std::optional<ModelAxis> up_by_openings = {};  ///< from up_by_openings(), for want of anything better
+  std::optional<ModelAxis> up_by_hanging = {};   ///< from up_by_hanging(), where openings do not say
 };
 
 /// Chooses the unit, in this order: the one asked for; the file's own, if the model is then larger than a
 /// glove and smaller than a tent; the first of m, cm, mm and dm that gives a garment of 0.2 to 2.5 m. If none
 /// does, the model is scaled to 1 m.
 ///
-/// The up axis is the one asked for or the file's own; else what its openings say; else z if the model is far longer
-/// along z, else y. A model very far from the origin is moved there, because single precision could not tell its
-/// vertices apart.
+/// The up axis is the one asked for or the file's own; else what its openings say; else with which it moves less when
+/// it is hung; else z if the model is far longer along z, else y. A model very far from the origin is moved there,
+/// because single precision could not tell its vertices apart.
 Placement place_model(const sim::Mesh& mesh, const PlacementHints& hints);
 
 /// Returns the model with this axis up: as y.

@@ -300,7 +300,7 @@ sim::Mesh cloth(double width_m, double height_m, const std::function<sim::Vec3(d
   return mesh;
 }
 
-TEST(Upright, IsWhereAClothWithoutOpeningsIsHigh) {
+TEST(Upright, IsWhereAClothWithoutOpeningsIsHighAndHardlyMoves) {
   const test::TemporaryFolder folder;
   const auto up = [&](const sim::Mesh& mesh) { return test::load(folder, mesh).placement->up; };
   const sim::Mesh curtain =
@@ -313,6 +313,13 @@ TEST(Upright, IsWhereAClothWithoutOpeningsIsHigh) {
   EXPECT_EQ(up(test::with_z_up(curtain)), ModelAxis::z);
   EXPECT_EQ(up(scarf), ModelAxis::y) << "across its waves it goes around nothing";
   EXPECT_EQ(up(blanket), ModelAxis::z);
+  // A piece of a pattern that is cut from cloth on a table, its narrow end away from whoever cuts.
+  const auto piece = [](double away) {
+    return cloth(1.0, 1.0,
+                 [away](double x, double y) { return sim::Vec3((x - 0.5) * (1.0 - 0.5 * y), 0.0, away * y); });
+  };
+  EXPECT_EQ(up(piece(-1.0)), ModelAxis::minus_z);
+  EXPECT_EQ(up(piece(1.0)), ModelAxis::z);
 }
 
 TEST(Upright, HasLegsBelowAndLeavesABagAsItStands) {

@@ -32,7 +32,7 @@ constexpr int most_substeps = 250;
 constexpr double resting_drag_per_s = 6.0;
 constexpr double thicker = 1.5;
 constexpr double thickest_per_s = 60.0;
-constexpr int frames_to_thicker = 15;
+constexpr int frames_to_thicker = 10;
 /// At rest it moves no faster, on average: in the thickest air its weight is then held but for a hundredth.
 constexpr double resting_m_per_s = 1.5e-3;
 /// Over all of it, until it rests. Cloth that is nearly too small takes as many in each frame as others in all.

@@ -85,13 +85,16 @@ template <class S> void apply_overrides(const SceneFormat<S>& format, std::span<
   set_values<S>(format, values, scene);
 }
 
-/// Sets the keys of the fabric that the file beside the garment names, fabric = "denim", where no override names one.
+/// Sets the keys of the fabric that the file beside the garment names, fabric = "denim", where no override names one,
+/// and the bound that it names, max_stretch = 0.6.
 template <class S> void apply_own_fabric(const SceneFormat<S>& format, std::span<const Override> overrides, S& scene) {
   const auto sets_fabric = [](const Override& changed) { return changed.key == "cloth.fabric"; };
-  if (std::ranges::any_of(overrides, sets_fabric)) return;
   const toml::table beside = read_landmarks_file(scene.garment.file);
   const Source source{landmarks_path(scene.garment.file).string(), false};
-  if (const toml::node* fabric = beside.get("fabric")) apply_fabric(format, *fabric, source, scene);
+  const toml::node* fabric = beside.get("fabric");
+  if (fabric != nullptr && std::ranges::none_of(overrides, sets_fabric)) apply_fabric(format, *fabric, source, scene);
+  const toml::node* bound = beside.get("max_stretch");
+  if (bound != nullptr) KeyReader(format.keys, source, scene).read_value("solver.max_stretch", *bound);
 }
 
 /// Reads a scene from text. `name` is its file; relative garment files are looked for beside it. Throws

@@ -173,12 +173,12 @@ void verify(const Scene& scene, SewnGarment& garment) {
     }
   }
   garment.max_stretch = largest_stretch(mesh, mesh.positions).surface;
-  const double bound = scene.simulation.solver.bounded.max_stretch;
-  if (garment.max_stretch > bound + bound_rounding) {
+  garment.bound = scene.simulation.solver.bounded.max_stretch;
+  if (garment.max_stretch > garment.bound + bound_rounding) {
     throw SewingFailed(
         fmt::format("its seams are closed, but worn for {} frames it is stretched by {:.3f} %; expected at "
                     "most solver.max_stretch = {:g}",
-                    garment.frames, 100.0 * garment.max_stretch, bound),
+                    garment.frames, 100.0 * garment.max_stretch, garment.bound),
         std::move(garment));
   }
 }
@@ -315,6 +315,9 @@ std::string landmarks_of(const SewnGarment& garment) {
   std::string text = "# As it is cut: lengths at rest are those of the texture coordinates, which are cm.\n" +
                      fmt::format("metres_per_uv = {}\nis_cut = true\n", metres_per_uv_of_cut);
   if (!garment.fabric.empty()) text += "fabric = " + toml_text(garment.fabric) + "\n";
+  if (garment.max_stretch > sim::BoundedSettings().max_stretch) {
+    text += fmt::format("# It is worn within this bound.\nmax_stretch = {:g}\n", garment.bound);
+  }
   if (!garment.over_names.empty()) {
     text += fmt::format("\n# Garments that are worn over each other.\nlayers = {}\n", garment.over_names.size() + 1);
   }

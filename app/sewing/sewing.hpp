@@ -37,6 +37,7 @@ struct SewnGarment {
   bool is_at_rest = false;
   double rms_speed_m_per_s = 0.0;  ///< in the last frame
   double max_stretch = 0.0;        ///< of any triangle in any direction, measured by code of its own, a fraction
+  double bound = 0.0;              ///< of that, while it was sewn and worn
   double time_s = 0.0;             ///< of the bodies
 };
 

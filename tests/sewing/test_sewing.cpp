@@ -239,6 +239,17 @@ TEST_F(Sewing, FactsOfAGarmentThatWasSewnAreNotThoseOfItsPattern) {
   EXPECT_EQ(garments_worn(pattern), 1);
 }
 
+TEST_F(Sewing, WhatWasSewnTightIsSimulatedWithinTheBoundItWasSewnWithin) {
+  const std::filesystem::path garment = folder.write("skirt.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  folder.write("skirt.landmarks.toml", "fabric = \"jersey\"\nmax_stretch = 0.6\n");
+  const auto bound_of = [&](std::span<const Override> overrides) {
+    return find_scene(undrawn_format(), garment.string(), overrides).simulation.solver.bounded.max_stretch;
+  };
+  EXPECT_EQ(bound_of({}), 0.6);
+  EXPECT_EQ(bound_of(std::vector<Override>{{"cloth.fabric", "cotton", "--fabric"}}), 0.6);
+  EXPECT_EQ(bound_of(std::vector<Override>{{"solver.max_stretch", "0.02", "--set"}}), 0.02);
+}
+
 TEST_F(Sewing, ASleeveIsTurnedToTheArmWithItsCuff) {
   const Scene scene = scene_with(folder.write("skirt.json", skirt(40.0, 60.0)));
   // A sleeve that hangs by 45 degrees, as wide as an arm, and a cuff at its end, 30 cm below the shoulder.

@@ -15,7 +15,7 @@ LONG_FRAME = ['--set', 'solver.substeps=10000', '--set', 'solver.max_substeps=10
               '--set', 'garment.file="tshirt_10600"', '--set', 'garment.subdivisions=1']
 COMMANDS = {
     'simulate': ['simulate', 'tshirt-gravity', *LONG_FRAME],
-    'render': ['render', 'tshirt-gravity', '--frames', '0:2', '--resolution', '64,64', '--output', 'a-{frame}.png', *LONG_FRAME],
+    'render': ['render', 'tshirt-gravity', '--frames', '0:60', '--resolution', '64,64', '--output', 'a-{frame}.png', *LONG_FRAME],
     'dress': ['simulate', 'tshirt-worn', '--frames', '2', *LONG_FRAME[:4]],
     'figures': ['figures', '--output', 'figures'],
     'bench': ['bench', '--contact', '--scenes', 'fine-wind-10'],

@@ -9,7 +9,7 @@ MOST = 48
 LAWS = {"rest_part", "flag_drag", "gravity_m_per_s2", "cylinder_factor", "grid_factor", "rings"}
 GEOMETRY = {"largest_cluster", "flat", "thin", "least_squared_sine", "distance_weight", "most_turns", "most_held"}
 ROUNDING = {"rounding", "rounding_s", "told_apart_part", "smallest_told_apart_m",
-            "smallest_kept_part", "least_apart_m", "least_at_rest_m", "furthest_findable_m", "far_enough", "power_iterations",
+            "smallest_kept_part", "least_apart_m", "least_at_rest_m", "least_begun_with", "furthest_findable_m", "far_enough", "power_iterations",
             "most_updates_per_frame", "least_mobility", "least_radius", "smallest_divisor",
             "smallest_doubled_area_m2", "never_reached", "numbers_across", "smallest_size_m", "highest_number"}
 MACHINE = {"least_blocks", "least_pairs", "most_at_once", "most_looks", "chunks_per_thread", "one_loop", "closed",

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <numeric>
 
 #include "sim/measures.hpp"
 #include "sim/mesh/grid.hpp"
@@ -123,6 +124,29 @@ TEST(Elasticity, ClothUnderLoadComesToRest) {
   for (const double rate_hz : {24.0, 60.0, 240.0}) {
     EXPECT_LT(pulled({}, 5.0, rate_hz).speed_m_per_s, 2e-4) << rate_hz;
   }
+}
+
+// Else time steps take it back to its length at rest at once, at metres a second.
+TEST(Elasticity, ClothThatBeginsStretchedBeginsUnderTension) {
+  const Strip strip;
+  const std::shared_ptr<const Garment> garment = share(made(strip));
+  SimulationSettings settings;
+  settings.solver.method = BoundedSettings{.max_stretch = 0.2, .contact = false};
+  Surroundings surroundings;
+  surroundings.forces.gravity_m_per_s2 = Vec3(0.0);
+  std::vector<Index> pins(strip.columns);
+  std::iota(pins.begin(), pins.end(), Index{0});
+  const double top_m = garment->mesh.positions.front().y;
+  std::vector<Vec3> start = garment->mesh.positions;
+  constexpr double strain = 0.1;
+  for (Vec3& position : start) position.y = top_m + (1.0 + strain) * (position.y - top_m);
+  Simulation simulation(garment, pins, settings, surroundings, start);
+  const double stretched_m = strain * (top_m - garment->mesh.positions.back().y);
+  const auto contracted = [&] { return (simulation.state().current.back().y - start.back().y) / stretched_m; };
+  simulation.advance_frame();
+  EXPECT_LT(contracted(), 0.3);
+  for (int frame = 1; frame < 60; ++frame) simulation.advance_frame();
+  EXPECT_GT(contracted(), 0.5) << "nothing holds it";
 }
 
 TEST(Elasticity, GoesOnFromACheckpointWithTheSameBits) {

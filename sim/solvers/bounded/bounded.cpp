@@ -450,6 +450,8 @@ BoundedSolver::Attempt BoundedSolver::attempt(const Frame& frame, const State& s
   const int substeps = substeps_in(frame.duration_s, memory.control);
   begin_frame(state);
   if (cloth.elasticity.has_law()) {
+    const bool is_first_frame = memory.median_work == 0.0;
+    if (is_first_frame) memory.elastic = cloth.elasticity.at_start(cloth.layout);
     cloth.elasticity.begin_attempt(cloth.layout, cloth.motion.start, memory.elastic,
                                    aimed_stretch(settings_.max_stretch), frame.duration_s / substeps, *kernels_);
   }

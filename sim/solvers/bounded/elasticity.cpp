@@ -12,6 +12,9 @@ constexpr double held_s = 2.0 * tuning::remembered_s;
 /// correct twice the error of shapes that are a third shorter.
 constexpr float most_held = 0.25F;
 
+/// Cloth that is stretched by less than this when it begins goes back within a few time steps.
+constexpr float least_begun_with = 0.01F;
+
 struct Law {
   float give_warp, give_weft, half_give_shear;  ///< m/N
   float warp_limit, weft_limit, most;
@@ -140,6 +143,24 @@ Elasticity::Elasticity(const Garment& garment, const Layout& layout) : materials
     warps_[lane / block_size].sine[k] = static_cast<float>(warp.y);
     for (const auto& at : block.at) areas_at_rows_m2_[at[k] / 4].x += areas_m2_[lane];
   }
+}
+
+ElasticMemory Elasticity::at_start(const Layout& layout) const {
+  ElasticMemory memory{std::vector<SurfaceSums>(lanes_.block_count()), std::vector<SurfaceSums>(lanes_.block_count())};
+  const std::vector<Law> laws = laws_of(materials_, std::numeric_limits<double>::max());
+  const Float4Array unmoved(areas_at_rows_m2_.size());
+  for (std::size_t lane = 0; lane < lanes_.lane_count(); ++lane) {
+    const std::size_t b = lane / block_size;
+    const std::size_t k = lane % block_size;
+    if (areas_m2_[lane] == 0.0F) continue;
+    const Law& law = laws[material_of_[lane]];
+    const InPlane in_triangle = strain_of(layout.surface.blocks[b], k, unmoved);
+    const InPlane strain = limited(turned(in_triangle, warps_[b].cosine[k], warps_[b].sine[k]), law.most);
+    if (std::max(strain.first, strain.second) < least_begun_with) continue;
+    set(memory.tension_n_per_m[b], k,
+        {strain.first / law.give_warp, strain.second / law.give_weft, strain.mixed / law.half_give_shear});
+  }
+  return memory;
 }
 
 void Elasticity::begin_attempt(const Layout& layout, const StartRows& start, const ElasticMemory& memory, double most,

@@ -451,9 +451,10 @@ BoundedSolver::Attempt BoundedSolver::attempt(const Frame& frame, const State& s
   begin_frame(state);
   if (cloth.elasticity.has_law()) {
     const bool is_first_frame = memory.median_work == 0.0;
-    if (is_first_frame) memory.elastic = cloth.elasticity.at_start(cloth.layout);
-    cloth.elasticity.begin_attempt(cloth.layout, cloth.motion.start, memory.elastic,
-                                   aimed_stretch(settings_.max_stretch), frame.duration_s / substeps, *kernels_);
+    const double most = aimed_stretch(settings_.max_stretch);
+    if (is_first_frame) memory.elastic = cloth.elasticity.at_start(cloth.layout, most);
+    cloth.elasticity.begin_attempt(cloth.layout, cloth.motion.start, memory.elastic, most, frame.duration_s / substeps,
+                                   *kernels_);
   }
   cloth.forces.begin_attempt(memory.blown_m_per_s);
   cloth.contacts.begin_attempt(frame, cloth.layout, cloth.motion, memory.contact, {state.time_s, end_s}, how.caution,

@@ -145,9 +145,9 @@ Elasticity::Elasticity(const Garment& garment, const Layout& layout) : materials
   }
 }
 
-ElasticMemory Elasticity::at_start(const Layout& layout) const {
+ElasticMemory Elasticity::at_start(const Layout& layout, double most) const {
   ElasticMemory memory{std::vector<SurfaceSums>(lanes_.block_count()), std::vector<SurfaceSums>(lanes_.block_count())};
-  const std::vector<Law> laws = laws_of(materials_, std::numeric_limits<double>::max());
+  const std::vector<Law> laws = laws_of(materials_, most);
   const Float4Array unmoved(areas_at_rows_m2_.size());
   for (std::size_t lane = 0; lane < lanes_.lane_count(); ++lane) {
     const std::size_t b = lane / block_size;

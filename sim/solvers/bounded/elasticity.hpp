@@ -28,9 +28,9 @@ class Elasticity {
 
   bool has_law() const { return lanes_.block_count() > 0; }
 
-  /// Returns the memory of cloth that begins stretched: under the tension of that strain. It requires a law, and
-  /// triangles that have started.
-  ElasticMemory at_start(const Layout& layout) const;
+  /// Returns the memory of cloth that begins stretched: under the tension of that strain, or of `most`. It requires a
+  /// law, and triangles that have started.
+  ElasticMemory at_start(const Layout& layout, double most) const;
   /// Goes on from a memory, which requires a law.
   void begin_attempt(const Layout& layout, const StartRows& start, const ElasticMemory& memory, double most,
                      double time_step_s, ParallelKernels& kernels);

@@ -11,10 +11,6 @@ using EdgeKey = std::pair<sim::Index, sim::Index>;
 /// Per edge that is cut, the next ones along the curves.
 using Links = std::map<EdgeKey, std::vector<EdgeKey>>;
 
-double turn(const Vec2& a, const Vec2& b, const Vec2& c) {
-  return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
-}
-
 /// The first axis of curves in a plane.
 Vec3 across(const CuttingPlane& plane) {
   return glm::normalize(
@@ -195,9 +191,8 @@ struct Finder {
       marks.is_worn_at_waist = above == 1 && (part.openings.size() == 2 || !marks.hem_height_m);
     }
     if (!vertices.empty()) {
-      marks.top.emplace();
+      marks.top = sim::extent_of(positions_m, vertices);
       marks.top_m = top == nullptr ? 0.0 : top->length_m;
-      for (const sim::Index v : vertices) marks.top->add(positions_m[v]);
       marks.top_height_m = mean_of(vertices, positions_m).y;
       marks.neck_base_m = vertices == hooded ? marks.top->lower.y : marks.top->upper.y;
       find_front(vertices, marks);
@@ -336,7 +331,8 @@ std::vector<Vec2> convex_hull(std::vector<Vec2> points_m) {
   for (int side = 0; side < 2; ++side) {
     const std::size_t first = hull.size();
     for (const Vec2& p : points_m) {
-      while (hull.size() > first + 1 && turn(hull[hull.size() - 2], hull.back(), p) <= 0.0) hull.pop_back();
+      while (hull.size() > first + 1 && sim::doubled_area(hull[hull.size() - 2], hull.back(), p) <= 0.0)
+        hull.pop_back();
       hull.push_back(p);
     }
     // Where a chain ends the other one begins.
@@ -353,7 +349,7 @@ double tight_tape_m(std::vector<Vec2> points_m) {
 
 bool is_in_hull(const std::vector<Vec2>& hull, const Vec2& point) {
   for (std::size_t i = 0; i < hull.size(); ++i) {
-    if (turn(hull[i], hull[(i + 1) % hull.size()], point) < 0.0) return false;
+    if (sim::doubled_area(hull[i], hull[(i + 1) % hull.size()], point) < 0.0) return false;
   }
   return !hull.empty();
 }

@@ -9,16 +9,16 @@ namespace {
 
 // A hanger for grown-ups. Of a garment that is narrower it is smaller.
 constexpr double half_length_m = 0.2;
-constexpr double widest = 0.45;      ///< half its length, of the width of the garment
-constexpr double radius = 0.04;      ///< of its bars, of half its length
-constexpr double clearance = 0.02;   ///< between bars and cloth at the start, of half its length
-constexpr double steepest = 0.5;     ///< by how much shoulders fall, by how far they reach
-constexpr double neck_reach = 0.4;   ///< of half its length; there may be a neckline and no shoulder
-constexpr double shortening = 0.93;  ///< by which it is shortened until it fits
-constexpr double shortest = 0.5;     ///< by the longest
-constexpr double most_lowered = 0.5;       ///< below the shoulders, of half its length; there is no room above it
-constexpr double lowering = 0.02;    ///< by which it is moved down until it is clear, of half its length
-constexpr double friction = 0.5;     ///< of wood
+constexpr double widest = 0.45;       ///< half its length, of the width of the garment
+constexpr double radius = 0.04;       ///< of its bars, of half its length
+constexpr double clearance = 0.02;    ///< between bars and cloth at the start, of half its length
+constexpr double steepest = 0.5;      ///< by how much shoulders fall, by how far they reach
+constexpr double neck_reach = 0.4;    ///< of half its length; there may be a neckline and no shoulder
+constexpr double shortening = 0.93;   ///< by which it is shortened until it fits
+constexpr double shortest = 0.5;      ///< by the longest
+constexpr double most_lowered = 0.5;  ///< below the shoulders, of half its length; there is no room above it
+constexpr double lowering = 0.02;     ///< by which it is moved down until it is clear, of half its length
+constexpr double friction = 0.5;      ///< of wood
 
 constexpr const char* right_bar = "hanger, right";
 
@@ -218,9 +218,7 @@ bool has_face(const sim::Mesh& mesh, const GarmentPart& part, double neck_m) {
 /// The band around the neck has to hold the part on both sides, and more than a vertex or two.
 bool holds(const GarmentPart& part, const std::vector<sim::Index>& neck, const sim::Mesh& mesh) {
   constexpr std::size_t fewest = 6;
-  sim::Extent range;
-  for (const sim::Index v : neck) range.add(mesh.positions[v]);
-  return neck.size() >= fewest && carries(part, range);
+  return neck.size() >= fewest && carries(part, sim::extent_of(mesh.positions, neck));
 }
 
 }  // namespace

@@ -32,12 +32,6 @@ std::vector<sim::Index> vertices_from(const sim::Mesh& mesh, const GarmentPart& 
   return vertices;
 }
 
-sim::Extent range_of(const sim::Mesh& mesh, const std::vector<sim::Index>& vertices) {
-  sim::Extent range;
-  for (const sim::Index v : vertices) range.add(mesh.positions[v]);
-  return range;
-}
-
 /// The highest of the vertices on either side of the centre of mass, no farther out than this. Empty if there
 /// are none on one side.
 std::vector<sim::Index> tops_of(const sim::Mesh& mesh, const GarmentPart& part, const std::vector<sim::Index>& vertices,
@@ -112,7 +106,7 @@ std::vector<sim::Index> held_of_upright(const sim::Mesh& mesh, const GarmentPart
   }
   std::vector<sim::Index> band = vertices_from(mesh, part, 1, 1.0);
   // Sleeves that are stretched out are as high as shoulders, but nobody hangs a garment by them.
-  if (carries(part, range_of(mesh, band)) && !has_sleeves(part)) return band;
+  if (carries(part, sim::extent_of(mesh.positions, band)) && !has_sleeves(part)) return band;
   if (std::vector<sim::Index> pair = pair_of_openings(part); !pair.empty()) {
     hung.by = HungBy::straps;
     return tops_of(mesh, part, pair, part.width_m());

@@ -151,16 +151,16 @@ class Triangulation {
   FilledOutline take() { return {std::move(points_), std::move(triangles_)}; }
 
  private:
-  double area(const Triangle& t) const { return doubled_area(points_[t[0]], points_[t[1]], points_[t[2]]); }
+  double area(const Triangle& t) const { return sim::doubled_area(points_[t[0]], points_[t[1]], points_[t[2]]); }
   double before_area(Index t, Index moved, const Vec2& before) const {
     const auto at = [&](std::size_t k) { return triangles_[t][k] == moved ? before : points_[triangles_[t][k]]; };
-    return doubled_area(at(0), at(1), at(2));
+    return sim::doubled_area(at(0), at(1), at(2));
   }
 
   void require_simple() const {
     double sum = 0.0, outline = 0.0;
     for (const Triangle& t : triangles_) sum += std::abs(area(t));
-    for (std::size_t i = 1; i + 1 < outline_; ++i) outline += doubled_area(points_[0], points_[i], points_[i + 1]);
+    for (std::size_t i = 1; i + 1 < outline_; ++i) outline += sim::doubled_area(points_[0], points_[i], points_[i + 1]);
     // Along straight borders some have no area until they are flipped.
     const bool is_turned = std::ranges::any_of(triangles_, [&](const Triangle& t) { return area(t) < -1e-9 * sum; });
     if (is_turned || triangles_.size() + 2 != outline_ || std::abs(sum - outline) > 1e-6 * sum) {
@@ -208,7 +208,7 @@ class Triangulation {
   bool is_within_circle(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) const {
     // The angles at c and d over the edge from a to b are more than half a turn together.
     const double at_c = glm::dot(a - c, b - c), at_d = glm::dot(a - d, b - d);
-    const double sine_c = doubled_area(c, a, b), sine_d = doubled_area(d, b, a);
+    const double sine_c = sim::doubled_area(c, a, b), sine_d = sim::doubled_area(d, b, a);
     const double size = (std::abs(at_c) + sine_c) * (std::abs(at_d) + std::abs(sine_d));
     return at_c * sine_d + at_d * sine_c < -1e-10 * size;
   }
@@ -278,7 +278,7 @@ class Triangulation {
 double area_of(const std::vector<Vec2>& outline) {
   double area = 0.0;
   for (std::size_t k = 1; k + 1 < outline.size(); ++k) {
-    area += 0.5 * doubled_area(outline[0], outline[k], outline[k + 1]);
+    area += 0.5 * sim::doubled_area(outline[0], outline[k], outline[k + 1]);
   }
   return area;
 }

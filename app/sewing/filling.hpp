@@ -1,6 +1,6 @@
 #pragma once
 
-#include "sim/mesh/types.hpp"
+#include "sim/mesh/mesh.hpp"
 
 namespace taut::app {
 
@@ -22,11 +22,6 @@ struct Filling {
 /// has an end within. Throws std::invalid_argument on an outline that crosses or touches itself or goes
 /// clockwise.
 FilledOutline fill_outline(std::vector<sim::Vec2> outline_m, double edge_m, const Filling& filling = {});
-
-/// Twice the area of a triangle, above 0 if it is counter-clockwise.
-inline double doubled_area(const sim::Vec2& a, const sim::Vec2& b, const sim::Vec2& c) {
-  return (b.x - a.x) * (c.y - a.y) - (c.x - a.x) * (b.y - a.y);
-}
 
 /// The area of a closed outline, above 0 if it is counter-clockwise.
 double area_of(const std::vector<sim::Vec2>& outline);

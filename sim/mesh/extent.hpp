@@ -27,6 +27,13 @@ inline Extent extent_of(std::span<const Vec3> points) {
   return extent;
 }
 
+/// Returns the extent of those points that are listed by their numbers.
+inline Extent extent_of(std::span<const Vec3> points, std::span<const Index> listed) {
+  Extent extent;
+  for (const Index k : listed) extent.add(points[k]);
+  return extent;
+}
+
 /// Returns whether the two have a point in common.
 inline bool overlap(const Extent& a, const Extent& b) {
   return glm::all(glm::lessThanEqual(a.lower, b.upper)) && glm::all(glm::lessThanEqual(b.lower, a.upper));

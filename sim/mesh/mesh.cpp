@@ -2,6 +2,7 @@
 
 #include <unordered_set>
 
+#include "sim/mesh/point_cells.hpp"
 #include "sim/mesh/topology.hpp"
 #include "sim/mesh/welding.hpp"
 
@@ -28,14 +29,6 @@ void require_well_formed(const Mesh& mesh) {
   }
 }
 
-bool is_degenerate(const std::vector<Vec3>& positions, const Triangle& t) {
-  if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0]) {
-    return true;
-  }
-  const Vec3 area = doubled_area_vector(positions, t);
-  return !(glm::dot(area, area) > 0.0);
-}
-
 Triangle sorted(Triangle t) {
   std::sort(t.begin(), t.end());
   return t;
@@ -44,10 +37,7 @@ Triangle sorted(Triangle t) {
 struct TriangleHash {
   std::size_t operator()(const Triangle& t) const {
     std::size_t hash = 0;
-    for (const Index v : t) {
-      hash = (hash ^ v) * 0x9E3779B97F4A7C15ULL;
-      hash ^= hash >> 32;
-    }
+    for (const Index v : t) hash = mixed(hash, v);
     return hash;
   }
 };
@@ -60,7 +50,7 @@ void drop_unsound(const std::vector<Index>& vertices, Mesh& mesh, MeshReport& re
   std::size_t kept = 0;
   for (const Triangle& raw : mesh.triangles) {
     const Triangle t = {vertices[raw[0]], vertices[raw[1]], vertices[raw[2]]};
-    if (is_degenerate(mesh.positions, t)) {
+    if (!has_area(mesh.positions, t)) {
       ++report.degenerate_triangles;
     } else if (!seen.insert(sorted(t)).second) {
       ++report.duplicate_triangles;
@@ -102,8 +92,14 @@ std::vector<Index> compact_vertices(Mesh& mesh) {
 
 }  // namespace
 
-Vec3 doubled_area_vector(const std::vector<Vec3>& positions, const Triangle& t) {
+Vec3 doubled_area_vector(std::span<const Vec3> positions, const Triangle& t) {
   return glm::cross(positions[t[1]] - positions[t[0]], positions[t[2]] - positions[t[0]]);
+}
+
+// Of two equal corners the product is exactly 0.
+bool has_area(std::span<const Vec3> positions, const Triangle& t) {
+  const Vec3 area = doubled_area_vector(positions, t);
+  return glm::dot(area, area) > 0.0;
 }
 
 std::array<Vec3, 3> corners_at_rest(const Mesh& mesh, std::size_t triangle) {

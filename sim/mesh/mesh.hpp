@@ -56,7 +56,21 @@ struct ValidatedMesh {
 ValidatedMesh weld_and_validate(const Mesh& input, const RepairSettings& settings = {});
 
 /// Returns twice the triangle's area times its unit normal, in m^2.
-Vec3 doubled_area_vector(const std::vector<Vec3>& positions, const Triangle& triangle);
+Vec3 doubled_area_vector(std::span<const Vec3> positions, const Triangle& triangle);
+
+/// Twice the area of a triangle in a plane, above 0 if it is counter-clockwise.
+inline double doubled_area(const Vec2& a, const Vec2& b, const Vec2& c) {
+  return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+}
+
+/// Returns whether the triangle is neither a point nor a line.
+bool has_area(std::span<const Vec3> positions, const Triangle& triangle);
+
+/// Returns the vector with length 1; 0 stays 0.
+inline Vec3 unit_or_zero(const Vec3& v) {
+  const double length = glm::length(v);
+  return length > 0.0 ? v / length : Vec3(0.0);
+}
 
 /// Returns the sum of the areas of all triangles, in m^2.
 double surface_area(const Mesh& mesh);

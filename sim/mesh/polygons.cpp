@@ -1,9 +1,9 @@
 #include "sim/mesh/polygons.hpp"
 
+#include "sim/mesh/mesh.hpp"
+
 namespace taut::sim {
 namespace {
-
-using Vec2 = glm::dvec2;
 
 /// The most ratings of ears per corner of a face. It limits the work on outlines that cross themselves; a
 /// smaller value cuts these worse.
@@ -12,15 +12,10 @@ constexpr std::size_t ratings_per_corner = 50;
 /// second's. A larger value cuts fewer quads of one cloth the same way.
 constexpr double least_relative_fullness = 0.5;
 
-double cross(const Vec2& a, const Vec2& b) { return a.x * b.y - a.y * b.x; }
-
-/// Positive where a, b, c turn left; twice the triangle's area.
-double turn(const Vec2& a, const Vec2& b, const Vec2& c) { return cross(b - a, c - a); }
-
 /// Area over squared edge lengths: largest for an equilateral triangle, 0 for a line, negative if clockwise.
 double fullness(const Vec2& a, const Vec2& b, const Vec2& c) {
   const double squares = glm::dot(b - a, b - a) + glm::dot(c - b, c - b) + glm::dot(a - c, a - c);
-  return squares > 0.0 ? turn(a, b, c) / squares : 0.0;
+  return squares > 0.0 ? doubled_area(a, b, c) / squares : 0.0;
 }
 
 /// The corners in the plane of the face, scaled to about 1 so that no product can overflow.
@@ -91,7 +86,8 @@ class Ring {
     const Vec2 &a = corners_[before_[k]], &b = corners_[k], &c = corners_[after_[k]];
     for (std::size_t n = 3, m = after_[after_[k]]; n < left_; ++n, m = after_[m]) {
       const Vec2& p = corners_[m];
-      if (p != a && p != b && p != c && turn(a, b, p) >= 0.0 && turn(b, c, p) >= 0.0 && turn(c, a, p) >= 0.0) {
+      if (p != a && p != b && p != c && doubled_area(a, b, p) >= 0.0 && doubled_area(b, c, p) >= 0.0 &&
+          doubled_area(c, a, p) >= 0.0) {
         return m;
       }
     }

@@ -29,7 +29,7 @@ std::vector<Vec2> sampled(const std::vector<Vec2>& corners, double edge) {
 double area_of(const std::vector<Vec2>& outline) {
   double doubled = 0.0;
   for (std::size_t k = 1; k + 1 < outline.size(); ++k) {
-    doubled += doubled_area(outline[0], outline[k], outline[k + 1]);
+    doubled += sim::doubled_area(outline[0], outline[k], outline[k + 1]);
   }
   return 0.5 * doubled;
 }
@@ -51,7 +51,7 @@ void expect_filled(const std::vector<Vec2>& outline, const FilledOutline& filled
   double area = 0.0;
   std::map<std::pair<sim::Index, sim::Index>, int> sides;
   for (const sim::Triangle& t : filled.triangles) {
-    const double doubled = doubled_area(filled.points_m[t[0]], filled.points_m[t[1]], filled.points_m[t[2]]);
+    const double doubled = sim::doubled_area(filled.points_m[t[0]], filled.points_m[t[1]], filled.points_m[t[2]]);
     EXPECT_GT(doubled, 0.0);
     area += 0.5 * doubled;
     for (std::size_t k = 0; k < 3; ++k) {

@@ -55,7 +55,7 @@ Index straightest_neighbour(const Neighbour& a, std::span<const Neighbour> neigh
 }
 
 std::vector<Edge> angular_pairs(const Mesh& mesh, const std::vector<Edge>& structural, double smallest_angle_rad) {
-  const CompressedRows edges_at = edges_of_vertices(mesh.positions.size(), structural);
+  const CompressedRows edges_at = at_vertices(mesh.positions.size(), structural);
   const double largest_cosine = sine_of_turns(0.25 - smallest_angle_rad * turns_per_radian);
   std::vector<Edge> pairs;
   std::vector<Neighbour> neighbours;

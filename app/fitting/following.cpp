@@ -66,11 +66,6 @@ constexpr double preferred = 2.0;
 constexpr double own_share = 0.1;
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-Vec3 unit(const Vec3& v) {
-  const double length = glm::length(v);
-  return length > 0.0 ? v / length : Vec3(0.0);
-}
-
 /// The weights of the corners at the point of the triangle that is nearest to p.
 std::array<double, 3> nearest_weights(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
   const Vec3 ab = b - a, ac = c - a;
@@ -107,8 +102,7 @@ std::vector<sim::Triangle> wall_of(const sim::Mesh& model, std::span<const std::
 
 struct Neighbours {
   explicit Neighbours(const sim::Mesh& mesh)
-      : adjacency(sim::make_adjacency(mesh)),
-        triangles_at(sim::triangles_of_vertices(mesh.positions.size(), mesh.triangles)) {}
+      : adjacency(sim::make_adjacency(mesh)), triangles_at(sim::at_vertices(mesh.positions.size(), mesh.triangles)) {}
 
   sim::Adjacency adjacency;
   sim::CompressedRows triangles_at;  ///< by vertex
@@ -256,9 +250,9 @@ Frame frame_of(const Bond& bond, std::span<const Vec3> positions_m, std::span<co
   frame.place_m = u * positions_m[a] + v * positions_m[b] + w * positions_m[c];
   const Vec3 edge = positions_m[b] - positions_m[a];
   // Normals of vertices may cancel out where the cloth is folded over. The triangle's own differs from its neighbour's.
-  const Vec3 own = unit(glm::cross(edge, positions_m[c] - positions_m[a]));
-  frame.normal = unit(own_share * own + u * normals[a] + v * normals[b] + w * normals[c]);
-  frame.along = unit(edge - glm::dot(edge, frame.normal) * frame.normal);
+  const Vec3 own = sim::unit_or_zero(glm::cross(edge, positions_m[c] - positions_m[a]));
+  frame.normal = sim::unit_or_zero(own_share * own + u * normals[a] + v * normals[b] + w * normals[c]);
+  frame.along = sim::unit_or_zero(edge - glm::dot(edge, frame.normal) * frame.normal);
   frame.across = glm::cross(frame.normal, frame.along);
   return frame;
 }
@@ -381,10 +375,10 @@ std::optional<SurfacePoint> SurfaceTree::first_hit(const sim::Vec3& from_m, cons
 std::vector<Vec3> vertex_normals(std::span<const Vec3> positions_m, std::span<const sim::Triangle> triangles) {
   std::vector<Vec3> normals(positions_m.size(), Vec3(0.0));
   for (const sim::Triangle& t : triangles) {
-    const Vec3 area = glm::cross(positions_m[t[1]] - positions_m[t[0]], positions_m[t[2]] - positions_m[t[0]]);
+    const Vec3 area = sim::doubled_area_vector(positions_m, t);
     for (const Index v : t) normals[v] += area;
   }
-  std::transform(normals.begin(), normals.end(), normals.begin(), unit);
+  std::transform(normals.begin(), normals.end(), normals.begin(), sim::unit_or_zero);
   return normals;
 }
 

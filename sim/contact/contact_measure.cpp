@@ -121,7 +121,7 @@ ContactMeasure::ContactMeasure(std::span<const Triangle> triangles, std::span<co
 }
 
 void ContactMeasure::make_fans(std::size_t vertices) {
-  triangles_of_ = triangles_of_vertices(vertices, triangles_);
+  triangles_of_ = at_vertices(vertices, triangles_);
   around_.offsets = {0};
   for (Index v = 0; v < vertices; ++v) {
     const std::span<Index> fan =

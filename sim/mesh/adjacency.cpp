@@ -42,8 +42,14 @@ Adjacency make_adjacency(const Mesh& mesh) {
     adjacency.edge_triangles.items.push_back(side / 3);
     ++adjacency.edge_triangles.offsets.back();
   }
-  adjacency.vertex_edges = edges_of_vertices(mesh.positions.size(), adjacency.edges);
+  adjacency.vertex_edges = at_vertices(mesh.positions.size(), adjacency.edges);
   return adjacency;
+}
+
+Index edge_between(const Adjacency& adjacency, Index a, Index b) {
+  const auto& edges = adjacency.edges;
+  const auto found = std::lower_bound(edges.begin(), edges.end(), Edge{std::min(a, b), std::max(a, b)});
+  return static_cast<Index>(found - edges.begin());
 }
 
 }  // namespace taut::sim

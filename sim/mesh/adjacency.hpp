@@ -29,9 +29,9 @@ template <typename ForAll> CompressedRows grouped(std::size_t row_count, const F
   return rows;
 }
 
-/// Row v lists the edges or triangles that have vertex v, ascending. Requires vertices below `vertex_count`.
-template <std::size_t corners>
-CompressedRows at_vertices(std::size_t vertex_count, std::span<const std::array<Index, corners>> simplices) {
+/// Row v lists the edges or triangles that have vertex v, ascending. They may be in any order. Requires vertices below
+/// `vertex_count`.
+template <class Simplices> CompressedRows at_vertices(std::size_t vertex_count, const Simplices& simplices) {
   return grouped(vertex_count, [&](const auto& visit) {
     for (std::size_t i = 0; i < simplices.size(); ++i) {
       for (const Index v : simplices[i]) visit(v, static_cast<Index>(i));
@@ -50,16 +50,8 @@ struct Adjacency {
 /// Requires that all indices of the mesh are in range.
 Adjacency make_adjacency(const Mesh& mesh);
 
-/// Row v lists the edges that end at vertex v, ascending. `edges` may be in any order. Requires ends below
-/// `vertex_count`.
-inline CompressedRows edges_of_vertices(std::size_t vertex_count, std::span<const Edge> edges) {
-  return at_vertices(vertex_count, edges);
-}
-
-/// The same of triangles.
-inline CompressedRows triangles_of_vertices(std::size_t vertex_count, std::span<const Triangle> triangles) {
-  return at_vertices(vertex_count, triangles);
-}
+/// Returns the edge between two vertices. Requires that there is one.
+Index edge_between(const Adjacency& adjacency, Index a, Index b);
 
 /// Returns the end of `edge` that is not `vertex`. Requires that `edge` ends at `vertex`.
 inline Index other_end(const Edge& edge, Index vertex) { return edge[0] == vertex ? edge[1] : edge[0]; }

@@ -5,12 +5,6 @@
 namespace taut::sim {
 namespace {
 
-Index midpoint_of(const Adjacency& adjacency, std::size_t vertex_count, Index a, Index b) {
-  const Edge edge = {std::min(a, b), std::max(a, b)};
-  const auto found = std::lower_bound(adjacency.edges.begin(), adjacency.edges.end(), edge);
-  return static_cast<Index>(vertex_count) + static_cast<Index>(found - adjacency.edges.begin());
-}
-
 std::vector<Index> pins_with_midpoints(const PinnedMesh& coarse, const Adjacency& adjacency) {
   std::vector<bool> is_pinned(coarse.mesh.positions.size(), false);
   for (const Index pin : coarse.pins) is_pinned.at(pin) = true;
@@ -38,10 +32,10 @@ PinnedMesh subdivide(const PinnedMesh& coarse) {
     fine.mesh.positions.push_back(0.5 * (mesh.positions[a] + mesh.positions[b]));
   }
   for (const auto& [a, b, c] : mesh.triangles) {
-    const std::size_t corners = mesh.positions.size();
-    const Index ab = midpoint_of(adjacency, corners, a, b);
-    const Index bc = midpoint_of(adjacency, corners, b, c);
-    const Index ca = midpoint_of(adjacency, corners, c, a);
+    const auto corners = static_cast<Index>(mesh.positions.size());
+    const Index ab = corners + edge_between(adjacency, a, b);
+    const Index bc = corners + edge_between(adjacency, b, c);
+    const Index ca = corners + edge_between(adjacency, c, a);
     fine.mesh.triangles.insert(fine.mesh.triangles.end(), {{a, ab, ca}, {ab, b, bc}, {ca, bc, c}, {ab, bc, ca}});
   }
   fine.pins = pins_with_midpoints(coarse, adjacency);

@@ -16,12 +16,6 @@ constexpr double agreement = 0.5;
 
 bool has_corner(const Triangle& t, Index v) { return t[0] == v || t[1] == v || t[2] == v; }
 
-Index edge_between(const Adjacency& adjacency, Index a, Index b) {
-  const Edge edge = {std::min(a, b), std::max(a, b)};
-  return static_cast<Index>(std::lower_bound(adjacency.edges.begin(), adjacency.edges.end(), edge) -
-                            adjacency.edges.begin());
-}
-
 Vec3 normal_of(const std::array<Vec3, 3>& t) { return glm::cross(t[1] - t[0], t[2] - t[0]); }
 
 /// Where the segment goes through the triangle; empty: nowhere.
@@ -178,15 +172,11 @@ void join_contours(std::size_t pairs, std::vector<Piercing>& all) {
 
 using namespace bounded;
 
-bool are_joined(const Adjacency& adjacency, Index v, Index w) {
-  const std::span<const Index> edges = adjacency.vertex_edges[v];
-  return std::any_of(edges.begin(), edges.end(), [&](Index e) { return other_end(adjacency.edges[e], v) == w; });
-}
-
 bool are_joined(const Adjacency& adjacency, const NearPair& pair) {
   for (std::size_t i = 0; i < pair.first_count; ++i) {
     for (std::size_t j = pair.first_count; j < 4; ++j) {
-      if (are_joined(adjacency, pair.rows[i], pair.rows[j])) return true;
+      const auto [low, high] = std::minmax(pair.rows[i], pair.rows[j]);
+      if (std::binary_search(adjacency.edges.begin(), adjacency.edges.end(), Edge{low, high})) return true;
     }
   }
   return false;
@@ -203,7 +193,7 @@ Gap gap_of(const NearPair& pair, const Vec3& middle, std::span<const Vec3> posit
     gap.apart += gap.weights[k] * (positions_m[pair.rows[k]] - middle);
   }
   gap.width_m = glm::length(gap.apart);
-  gap.apart = gap.width_m > 0.0 ? gap.apart / gap.width_m : gap.apart;
+  gap.apart = unit_or_zero(gap.apart);
   return gap;
 }
 
@@ -465,11 +455,7 @@ class Attempt {
     asked.add(t, -half_m, Vec3(1.0));
   }
 
-  Vec3 front(const Triangle& t) const {
-    const Vec3 area = doubled_area_vector(positions_m_, t);
-    const double size = glm::length(area);
-    return size > 0.0 ? area / size : area;
-  }
+  Vec3 front(const Triangle& t) const { return unit_or_zero(doubled_area_vector(positions_m_, t)); }
 
   void apply(const std::vector<Vec3>& moves_m) {
     const double most_m = settings_.largest_move_edges * edge_m_;

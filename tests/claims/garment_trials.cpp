@@ -27,7 +27,7 @@ constexpr std::array samples = {
 };
 
 Mapping mapping_of(const sim::Garment& garment) {
-  const auto springs_of = sim::edges_of_vertices(garment.mesh.positions.size(), garment.springs.ends);
+  const auto springs_of = sim::at_vertices(garment.mesh.positions.size(), garment.springs.ends);
   Mapping mapping;
   mapping.vertices = garment.mesh.positions.size();
   mapping.triangles = garment.mesh.triangles.size();

@@ -13,7 +13,7 @@ using Matrix = Eigen::SparseMatrix<double>;
 
 /// The lower triangle; entries of a column are in the order of their rows.
 Matrix pattern_of(std::span<const Edge> edges, std::size_t vertex_count) {
-  const CompressedRows at_vertex = edges_of_vertices(vertex_count, edges);
+  const CompressedRows at_vertex = at_vertices(vertex_count, edges);
   std::vector<Eigen::Triplet<double>> entries;
   for (std::size_t column = 0; column < edges.size(); ++column) {
     entries.emplace_back(static_cast<int>(column), static_cast<int>(column), 1.0);

@@ -14,7 +14,7 @@ constexpr double least_apart_m = 0.5 * least_at_rest_m;
 CompressedRows triangles_of_rows(std::span<const Triangle> triangles) {
   Index rows = 0;
   for (const Triangle& t : triangles) rows = std::max({rows, t[0] + 1, t[1] + 1, t[2] + 1});
-  return triangles_of_vertices(rows, triangles);
+  return at_vertices(rows, triangles);
 }
 
 bool has_row(const Triangle& t, Index row) { return t[0] == row || t[1] == row || t[2] == row; }

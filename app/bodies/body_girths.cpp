@@ -123,11 +123,7 @@ Followed follow_trunk(const Surface& body, const sim::Extent& box) {
 
 /// The surface that is nearly as high as all of it, without others such as hair, shoes and eyes; all if none is.
 std::vector<sim::Triangle> skin_of(const Surface& body, double height_m) {
-  sim::Groups shells(body.positions_m.size());
-  for (const auto& [a, b, c] : body.triangles) {
-    shells.join(a, b);
-    shells.join(b, c);
-  }
+  sim::Groups shells = sim::connected(body.positions_m.size(), body.triangles);
   std::map<sim::Index, sim::Extent> boxes;
   for (const sim::Triangle& t : body.triangles) {
     for (const sim::Index v : t) boxes[shells.find(v)].add(body.positions_m[v]);

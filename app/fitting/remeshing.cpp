@@ -64,11 +64,7 @@ struct OnLine {
 struct Model {
   explicit Model(const sim::Mesh& mesh)
       : tree(mesh.positions, mesh.triangles), normals(unit_normals(mesh)), loops(border_loops(mesh)) {
-    sim::Groups parts(mesh.positions.size());
-    for (const sim::Triangle& t : mesh.triangles) {
-      parts.join(t[0], t[1]);
-      parts.join(t[0], t[2]);
-    }
+    sim::Groups parts = sim::connected(mesh.positions.size(), mesh.triangles);
     for (sim::Index v = 0; v < mesh.positions.size(); ++v) part_of_vertex.push_back(parts.find(v));
     for (const sim::Triangle& t : mesh.triangles) part_of.push_back(parts.find(t[0]));
     for (const auto& loop : loops) lines.emplace_back(mesh, loop);
@@ -322,8 +318,7 @@ class Remesher {
                             at(net_.to_vertex_handle(net_.next_halfedge_handle(*h))));
       }
     }
-    const double size = glm::length(sum);
-    return size > 0.0 ? sum / size : sum;
+    return sim::unit_or_zero(sum);
   }
 
   /// The nearest place of the model that is of the same part and faces the same way.

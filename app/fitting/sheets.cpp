@@ -1,19 +1,11 @@
 #include "app/fitting/sheets.hpp"
 
 #include "app/fitting/following.hpp"
-#include "sim/mesh/groups.hpp"
 #include "sim/mesh/topology.hpp"
 #include "sim/mesh/welding.hpp"
 
 namespace taut::app {
 namespace {
-
-/// Two triangles that stay together at an edge.
-struct Joint {
-  sim::Edge edge;
-  sim::Index a, b;
-  bool run_alike;  ///< both run along the edge the same way: they face different sides
-};
 
 /// How smoothly the surface goes on from one triangle to another: the negative cosine between the ways from
 /// the edge into both.
@@ -51,9 +43,9 @@ std::array<sim::Index, 2> smoothest(const sim::Mesh& mesh, const sim::Edge& edge
 
 /// At an edge of more than two triangles the two between which the surface goes on most smoothly stay
 /// together, and so on with the rest: layers that were welded to each other are many.
-std::vector<Joint> choose_joints(const sim::Mesh& mesh) {
+std::vector<sim::Joint> choose_joints(const sim::Mesh& mesh) {
   const sim::Adjacency adjacency = sim::make_adjacency(mesh);
-  std::vector<Joint> joints;
+  std::vector<sim::Joint> joints;
   for (std::size_t e = 0; e < adjacency.edges.size(); ++e) {
     const sim::Edge& edge = adjacency.edges[e];
     const std::span<const sim::Index> triangles = adjacency.edge_triangles[e];
@@ -71,60 +63,32 @@ std::vector<Joint> choose_joints(const sim::Mesh& mesh) {
 
 /// Turns triangles so that neighbours face the same side, as most of their sheet did; drops joints where that
 /// cannot be.
-void orient(sim::Mesh& mesh, std::vector<Joint>& joints) {
-  std::vector<std::vector<std::size_t>> joints_of(mesh.triangles.size());
-  for (std::size_t j = 0; j < joints.size(); ++j) {
-    joints_of[joints[j].a].push_back(j);
-    joints_of[joints[j].b].push_back(j);
-  }
-  std::vector<char> turned(mesh.triangles.size(), 2);
-  for (sim::Index first = 0; first < turned.size(); ++first) {
-    std::vector<sim::Index> sheet;
-    if (turned[first] == 2) {
-      turned[first] = 0;
-      sheet.push_back(first);
-    }
-    std::size_t turned_count = 0;
-    for (std::size_t i = 0; i < sheet.size(); ++i) {
-      turned_count += static_cast<std::size_t>(turned[sheet[i]]);
-      for (const std::size_t j : joints_of[sheet[i]]) {
-        const sim::Index other = joints[j].a == sheet[i] ? joints[j].b : joints[j].a;
-        if (turned[other] == 2) {
-          turned[other] = static_cast<char>(turned[sheet[i]] ^ static_cast<int>(joints[j].run_alike));
-          sheet.push_back(other);
-        }
-      }
-    }
-    for (const sim::Index t : sheet) {
-      turned[t] = static_cast<char>(turned[t] ^ static_cast<int>(2 * turned_count > sheet.size()));
-    }
-  }
-  std::erase_if(joints, [&](const Joint& joint) { return (turned[joint.a] != turned[joint.b]) != joint.run_alike; });
+void orient(sim::Mesh& mesh, std::vector<sim::Joint>& joints) {
+  const std::vector<char> turned = sim::turns_to_agree(mesh.triangles.size(), joints);
+  std::erase_if(joints,
+                [&](const sim::Joint& joint) { return (turned[joint.a] != turned[joint.b]) != joint.run_alike; });
   for (std::size_t t = 0; t < turned.size(); ++t) {
-    if (turned[t] == 1) std::swap(mesh.triangles[t][1], mesh.triangles[t][2]);
+    if (turned[t] != 0) std::swap(mesh.triangles[t][1], mesh.triangles[t][2]);
   }
 }
-
-sim::Index corner_at(const sim::Triangle& t, sim::Index vertex) { return t[0] == vertex ? 0 : t[1] == vertex ? 1 : 2; }
 
 /// The corner from which the triangle's side along this edge begins.
 sim::Index side_at(const std::vector<sim::Triangle>& triangles, sim::Index t, const sim::Edge& edge) {
-  return 3 * t + corner_at(triangles[t], edge[sim::runs_along(triangles[t], edge) ? 0 : 1]);
+  return 3 * t + sim::corner_at(triangles[t], edge[sim::runs_along(triangles[t], edge) ? 0 : 1]);
 }
 
 /// Splits every vertex into one for each fan of triangles that stay together.
-Sheets cut_between(const sim::Mesh& mesh, const std::vector<Joint>& joints) {
+Sheets cut_between(const sim::Mesh& mesh, const std::vector<sim::Joint>& joints) {
   Sheets sheets{{{}, mesh.triangles, {}}, std::vector<sim::Index>(mesh.triangles.size()), 0, {}};
   std::vector<sim::Triangle>& triangles = sheets.mesh.triangles;
   sim::Groups fans(3 * triangles.size()), parts(triangles.size());
   sheets.beyond.assign(3 * triangles.size(), sim::no_vertex);
-  for (const Joint& joint : joints) {
+  const auto corner_of = [&](sim::Index t, sim::Index v) { return 3 * t + sim::corner_at(triangles[t], v); };
+  for (const sim::Joint& joint : joints) {
     parts.join(joint.a, joint.b);
     sheets.beyond[side_at(triangles, joint.a, joint.edge)] = joint.b;
     sheets.beyond[side_at(triangles, joint.b, joint.edge)] = joint.a;
-    for (const sim::Index v : joint.edge) {
-      fans.join(3 * joint.a + corner_at(triangles[joint.a], v), 3 * joint.b + corner_at(triangles[joint.b], v));
-    }
+    for (const sim::Index v : joint.edge) fans.join(corner_of(joint.a, v), corner_of(joint.b, v));
   }
   std::vector<sim::Index> vertex_of_fan(3 * triangles.size(), sim::no_vertex);
   std::vector<sim::Index> number(triangles.size(), sim::no_vertex);
@@ -372,12 +336,12 @@ bool is_covered(const View& view, const OtherWalls& other, const std::vector<cha
 
 Sheets cut_into_sheets(const sim::Mesh& mesh) {
   sim::Mesh oriented{mesh.positions, mesh.triangles, {}};
-  std::vector<Joint> joints = choose_joints(mesh);
+  std::vector<sim::Joint> joints = choose_joints(mesh);
   orient(oriented, joints);
   Sheets sheets = cut_between(oriented, joints);
   // A sheet can come back to an edge on a long way around.
   for (std::vector<char> apart = too_many_at_edges(sheets); !apart.empty(); apart = too_many_at_edges(sheets)) {
-    std::erase_if(joints, [&](const Joint& joint) { return apart[joint.a] != 0 || apart[joint.b] != 0; });
+    std::erase_if(joints, [&](const sim::Joint& joint) { return apart[joint.a] != 0 || apart[joint.b] != 0; });
     sheets = cut_between(oriented, joints);
   }
   return sheets;
@@ -386,9 +350,7 @@ Sheets cut_into_sheets(const sim::Mesh& mesh) {
 std::vector<sim::Vec3> unit_normals(const sim::Mesh& mesh) {
   std::vector<sim::Vec3> normals;
   for (const sim::Triangle& t : mesh.triangles) {
-    const sim::Vec3 normal = sim::doubled_area_vector(mesh.positions, t);
-    const double length = glm::length(normal);
-    normals.push_back(length > 0.0 ? normal / length : sim::Vec3(0.0));
+    normals.push_back(sim::unit_or_zero(sim::doubled_area_vector(mesh.positions, t)));
   }
   return normals;
 }

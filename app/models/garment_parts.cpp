@@ -163,8 +163,7 @@ bool are_a_pair(const GarmentPart& part, const Opening& a, const Opening& b) {
 }  // namespace
 
 std::vector<GarmentPart> parts_of(const sim::Mesh& mesh, const sim::Adjacency& adjacency) {
-  sim::Groups groups(mesh.positions.size());
-  for (const sim::Edge& edge : adjacency.edges) groups.join(edge[0], edge[1]);
+  sim::Groups groups = sim::connected(mesh.positions.size(), mesh.triangles);
   // A group's name is its first vertex, so that parts come in the order of their first vertices.
   std::vector<std::size_t> part_of(mesh.positions.size(), 0);
   std::vector<GarmentPart> parts;

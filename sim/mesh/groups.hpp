@@ -26,4 +26,13 @@ class Groups {
   std::vector<Index> parent_;
 };
 
+/// Returns groups of vertices that these edges or triangles connect.
+template <class Simplices> Groups connected(std::size_t vertex_count, const Simplices& simplices) {
+  Groups groups(vertex_count);
+  for (const auto& simplex : simplices) {
+    for (const Index v : simplex) groups.join(simplex[0], v);
+  }
+  return groups;
+}
+
 }  // namespace taut::sim

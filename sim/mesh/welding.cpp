@@ -1,8 +1,7 @@
 #include "sim/mesh/welding.hpp"
 
-#include "sim/mesh/adjacency.hpp"
-#include "sim/mesh/groups.hpp"
 #include "sim/mesh/point_cells.hpp"
+#include "sim/mesh/topology.hpp"
 
 namespace taut::sim {
 namespace {
@@ -48,20 +47,12 @@ std::vector<Index> join_open_vertices(const Mesh& mesh, const std::vector<Index>
 /// The corners of a mesh, joined into the fans they form around their vertices. Corner 3t + k is corner k of
 /// triangle t.
 struct Fans {
-  Fans(const Mesh& source, const Mesh& joined)
-      : groups(3 * source.triangles.size()), is_open(3 * source.triangles.size(), 0) {
-    const Adjacency adjacency = make_adjacency(joined);
-    const auto corner = [&](Index t, Index v) {
-      const Triangle& tri = joined.triangles[t];
-      return static_cast<Index>(3 * t + (tri[1] == v ? 1 : tri[2] == v ? 2 : 0));
-    };
+  Fans(const Mesh& source, const Mesh& joined, const Adjacency& adjacency)
+      : groups(fans_of(joined.triangles, adjacency)), is_open(3 * source.triangles.size(), 0) {
     for (std::size_t e = 0; e < adjacency.edges.size(); ++e) {
-      const auto triangles = adjacency.edge_triangles[e];
+      const Index t = adjacency.edge_triangles[e][0];
       for (const Index v : adjacency.edges[e]) {
-        for (const Index t : triangles) {
-          groups.join(corner(triangles[0], v), corner(t, v));
-          if (triangles.size() == 1) is_open[corner(t, v)] = 1;
-        }
+        if (adjacency.edge_triangles[e].size() == 1) is_open[3 * t + corner_at(joined.triangles[t], v)] = 1;
       }
     }
     join_corners_of_one_vertex(source);
@@ -99,9 +90,10 @@ struct Nearest {
 /// Borders of a mesh and the parts they belong to.
 struct Borders {
   Borders(const Mesh& source, double distance_m)
-      : mesh(source), part_of(source.positions.size()), inwards(source.positions.size(), Vec3(0.0)) {
+      : mesh(source),
+        part_of(connected(source.positions.size(), source.triangles)),
+        inwards(source.positions.size(), Vec3(0.0)) {
     const Adjacency adjacency = make_adjacency(mesh);
-    for (const Edge& edge : adjacency.edges) part_of.join(edge[0], edge[1]);
     for (std::size_t e = 0; e < adjacency.edges.size(); ++e) {
       if (adjacency.edge_triangles[e].size() == 1) {
         add_inwards(adjacency.edges[e], mesh.triangles[adjacency.edge_triangles[e][0]]);
@@ -200,7 +192,7 @@ std::vector<Index> first_at_same_position(const std::vector<Vec3>& positions) {
 std::vector<Index> weld_at_places(const Mesh& mesh, const std::vector<Index>& places) {
   std::vector<Index> joined = join_open_vertices(mesh, places);
   const Mesh guess = renumbered(mesh, joined);
-  Fans fans(mesh, guess);
+  Fans fans(mesh, guess, make_adjacency(guess));
   // Closed fans of different vertices at one place become vertices of their own, the open ones stay together.
   Groups together(mesh.positions.size());
   std::vector<Index> open_at(mesh.positions.size(), none);
@@ -241,8 +233,7 @@ std::size_t weld_near_borders(double distance_m, const Mesh& mesh, std::vector<I
 }
 
 std::size_t sew_parts(double distance_m, const Mesh& mesh, std::vector<Index>& welded) {
-  Mesh joined{mesh.positions, mesh.triangles, {}};
-  renumber(welded, joined);
+  const Mesh joined = renumbered(mesh, welded);
   Borders borders(joined, distance_m);
   Groups places(mesh.positions.size());
   for (const Index v : borders.vertices) {

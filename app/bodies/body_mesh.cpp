@@ -2,9 +2,9 @@
 
 #include "app/base/errors.hpp"
 #include "app/base/words.hpp"
+#include "app/fitting/fitted_mesh.hpp"
 #include "app/verify/crossing_pairs.hpp"
 #include "sim/mesh/extent.hpp"
-#include "sim/mesh/groups.hpp"
 #include "sim/mesh/topology.hpp"
 #include "sim/mesh/welding.hpp"
 
@@ -18,36 +18,6 @@ struct ClosedHole {
 };
 
 using Loop = std::vector<sim::Index>;
-
-/// Per vertex of a border the one that follows along it; no_vertex where borders touch.
-std::map<sim::Index, sim::Index> border_successors(const sim::Mesh& mesh, const sim::Adjacency& adjacency) {
-  std::map<sim::Index, sim::Index> next;
-  for (std::size_t e = 0; e < adjacency.edges.size(); ++e) {
-    if (adjacency.edge_triangles[e].size() != 1) continue;
-    const sim::Edge& edge = adjacency.edges[e];
-    const bool along = sim::runs_along(mesh.triangles[adjacency.edge_triangles[e][0]], edge);
-    const auto [place, is_first] = next.emplace(edge[along ? 0 : 1], edge[along ? 1 : 0]);
-    if (!is_first) place->second = sim::no_vertex;
-  }
-  return next;
-}
-
-/// Takes the loop that begins at the first vertex out of `next`; empty if it does not close.
-Loop take_loop(std::map<sim::Index, sim::Index>& next) {
-  const sim::Index begin = next.begin()->first;
-  Loop loop;
-  for (sim::Index at = begin;;) {
-    const auto found = next.find(at);
-    if (found == next.end() || found->second == sim::no_vertex) {
-      next.erase(begin);
-      return {};
-    }
-    loop.push_back(at);
-    at = found->second;
-    next.erase(found);
-    if (at == begin) return loop;
-  }
-}
 
 double length_around(const sim::Mesh& mesh, const Loop& loop) {
   double length = 0.0;
@@ -112,10 +82,8 @@ bool is_lone_triangle(const Loop& loop, const sim::Adjacency& adjacency) {
 /// triangles are turned to the side of their neighbours.
 std::vector<ClosedHole> close_small_holes(double longest, sim::Mesh& mesh) {
   const sim::Adjacency adjacency = sim::make_adjacency(mesh);
-  std::map<sim::Index, sim::Index> next = border_successors(mesh, adjacency);
   std::vector<ClosedHole> closed;
-  while (!next.empty()) {
-    const Loop loop = take_loop(next);
+  for (const Loop& loop : border_loops(mesh)) {
     const double around = length_around(mesh, loop);
     if (loop.size() < 3 || !(around <= longest) || is_lone_triangle(loop, adjacency)) continue;
     const std::vector<sim::Triangle> fan = best_fan(mesh, adjacency, loop);
@@ -138,11 +106,6 @@ using Places = std::vector<sim::Index>;
 
 /// Several in a row need several rounds.
 constexpr int most_rounds = 8;
-
-bool is_flat(const sim::Mesh& soup, const sim::Triangle& t) {
-  const sim::Vec3 area = sim::doubled_area_vector(soup.positions, t);
-  return !(glm::dot(area, area) > 0.0);
-}
 
 /// The triangle with the corner first that its longest edge does not touch.
 sim::Triangle from_middle(const sim::Mesh& soup, const sim::Triangle& t) {
@@ -182,7 +145,7 @@ std::size_t left_out(const Places& places, sim::Mesh& soup) {
 std::size_t turn_once(const Places& places, sim::Mesh& soup) {
   std::vector<std::size_t> flat;
   for (std::size_t t = 0; t < soup.triangles.size(); ++t) {
-    if (is_flat(soup, soup.triangles[t])) flat.push_back(t);
+    if (!sim::has_area(soup.positions, soup.triangles[t])) flat.push_back(t);
   }
   if (flat.empty()) return 0;
   const auto triangles = triangles_of_edges(soup, places);
@@ -201,7 +164,7 @@ std::size_t turn_once(const Places& places, sim::Mesh& soup) {
     if (far == other.end()) continue;
     const sim::Triangle first = {from, *far, middle};
     const sim::Triangle second = {*far, to, middle};
-    if (is_flat(soup, first) && is_flat(soup, second)) continue;
+    if (!sim::has_area(soup.positions, first) && !sim::has_area(soup.positions, second)) continue;
     soup.triangles[t] = first;
     soup.triangles[across] = second;
     is_changed[t] = is_changed[across] = 1;
@@ -243,15 +206,15 @@ void require_area(const sim::Mesh& soup) {
         throw InputError("found a vertex at " + describe_point(p) + ", expected numbers");
       }
     }
-    const sim::Vec3 area = sim::doubled_area_vector(soup.positions, t);
-    if (!(glm::dot(area, area) > 0.0)) {
+    if (!sim::has_area(soup.positions, t)) {
       throw InputError("found a face without area at " + describe_point(soup.positions[t[0]]) +
                        ", expected faces that are neither points nor lines");
     }
   }
 }
 
-void require_closed(const sim::Mesh& mesh, const sim::Adjacency& adjacency) {
+void require_closed(const sim::Mesh& mesh) {
+  const sim::Adjacency adjacency = sim::make_adjacency(mesh);
   for (std::size_t e = 0; e < adjacency.edges.size(); ++e) {
     const auto [a, b] = adjacency.edges[e];
     const auto triangles = adjacency.edge_triangles[e];
@@ -269,9 +232,8 @@ void require_closed(const sim::Mesh& mesh, const sim::Adjacency& adjacency) {
 }
 
 /// Turns each part that encloses a negative volume inside out.
-void face_outwards(const sim::Adjacency& adjacency, sim::Mesh& mesh) {
-  sim::Groups parts(mesh.positions.size());
-  for (const auto& [a, b] : adjacency.edges) parts.join(a, b);
+void face_outwards(sim::Mesh& mesh) {
+  sim::Groups parts = sim::connected(mesh.positions.size(), mesh.triangles);
   std::vector<double> volumes(mesh.positions.size(), 0.0);
   for (const auto& [a, b, c] : mesh.triangles) {
     const sim::Index part = parts.find(a);
@@ -324,9 +286,8 @@ sim::Mesh closed_mesh(const sim::Mesh& soup, const Placement& placement, std::ve
                     closed.size() == 1 ? "it is" : "the largest is", closed.front().around * placement.scale,
                     describe_place(placement(valid.mesh.positions[closed.front().vertex]))));
   }
-  const sim::Adjacency adjacency = sim::make_adjacency(valid.mesh);
-  require_closed(valid.mesh, adjacency);
-  face_outwards(adjacency, valid.mesh);
+  require_closed(valid.mesh);
+  face_outwards(valid.mesh);
   return std::move(valid.mesh);
 }
 

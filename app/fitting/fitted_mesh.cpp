@@ -5,7 +5,6 @@
 #include "app/fitting/following.hpp"
 #include "app/fitting/sheets.hpp"
 #include "app/verify/crossing_pairs.hpp"
-#include "sim/mesh/groups.hpp"
 #include "sim/mesh/topology.hpp"
 #include "sim/mesh/welding.hpp"
 
@@ -56,11 +55,10 @@ class Seams {
 
  public:
   Seams(double distance_m, sim::Mesh& mesh)
-      : distance_m_(distance_m), mesh_(mesh), edges_(border_edges(mesh)), part_of_(mesh.positions.size()) {
-    for (const sim::Triangle& t : mesh.triangles) {
-      part_of_.join(t[0], t[1]);
-      part_of_.join(t[0], t[2]);
-    }
+      : distance_m_(distance_m),
+        mesh_(mesh),
+        edges_(border_edges(mesh)),
+        part_of_(sim::connected(mesh.positions.size(), mesh.triangles)) {
     for (const BorderEdge& edge : edges_) {
       for (const sim::Index v : {edge.from, edge.to}) {
         Border& border = borders_[v];
@@ -227,9 +225,8 @@ constexpr double closed_hole_edges = 5.0;  ///< round a hole that is closed
 std::vector<double> areas_of_sheets(const Sheets& sheets) {
   std::vector<double> areas(sheets.count, 0.0);
   for (std::size_t t = 0; t < sheets.sheet_of.size(); ++t) {
-    const auto& [a, b, c] = sheets.mesh.triangles[t];
-    const auto& at = sheets.mesh.positions;
-    areas[sheets.sheet_of[t]] += 0.5 * glm::length(glm::cross(at[b] - at[a], at[c] - at[a]));
+    const sim::Vec3 area = sim::doubled_area_vector(sheets.mesh.positions, sheets.mesh.triangles[t]);
+    areas[sheets.sheet_of[t]] += 0.5 * glm::length(area);
   }
   return areas;
 }
@@ -330,16 +327,20 @@ std::size_t join_parts(double gap_m, double spacing_m, sim::Mesh& mesh) {
 
 std::vector<std::vector<sim::Index>> border_loops(const sim::Mesh& mesh) {
   std::map<sim::Index, sim::Index> next;
-  for (const BorderEdge& edge : border_edges(mesh)) next[edge.from] = edge.to;
+  for (const BorderEdge& edge : border_edges(mesh)) {
+    const auto [place, is_first] = next.emplace(edge.from, edge.to);
+    if (!is_first) place->second = sim::no_vertex;
+  }
   std::vector<std::vector<sim::Index>> loops;
   while (!next.empty()) {
-    std::vector<sim::Index>& loop = loops.emplace_back();
-    for (auto at = next.begin(); at != next.end();) {
+    std::vector<sim::Index> loop;
+    sim::Index to = next.begin()->first;
+    for (auto at = next.begin(); at != next.end(); at = next.find(to)) {
       loop.push_back(at->first);
-      const sim::Index to = at->second;
+      to = at->second;
       next.erase(at);
-      at = next.find(to);
     }
+    if (to == loop.front()) loops.push_back(std::move(loop));
   }
   return loops;
 }

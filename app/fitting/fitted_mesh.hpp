@@ -18,7 +18,8 @@ std::size_t join_parts(double gap_m, double spacing_m, sim::Mesh& mesh);
 /// Closes holes whose border is shorter than this. Returns how many.
 std::size_t fill_small_holes(double longest_m, sim::Mesh& mesh);
 
-/// Closed border lines: vertices in order, the cloth on the left of the way as seen from outside.
+/// Closed border lines: vertices in order, the cloth on the left of the way as seen from outside. Lines in which
+/// borders touch are left out.
 std::vector<std::vector<sim::Index>> border_loops(const sim::Mesh& mesh);
 
 /// How a simulation mesh is made of a model.

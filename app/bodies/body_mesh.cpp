@@ -116,19 +116,6 @@ sim::Triangle from_middle(const sim::Mesh& soup, const sim::Triangle& t) {
   return {t[k], t[(k + 1) % 3], t[(k + 2) % 3]};
 }
 
-/// The triangles at each edge, by the places of its ends.
-std::map<sim::Edge, std::vector<std::size_t>> triangles_of_edges(const sim::Mesh& soup, const Places& places) {
-  std::map<sim::Edge, std::vector<std::size_t>> triangles;
-  for (std::size_t t = 0; t < soup.triangles.size(); ++t) {
-    const auto& [a, b, c] = soup.triangles[t];
-    for (const auto& [from, to] : {std::pair(a, b), std::pair(b, c), std::pair(c, a)}) {
-      const auto [low, high] = std::minmax(places[from], places[to]);
-      triangles[{low, high}].push_back(t);
-    }
-  }
-  return triangles;
-}
-
 /// Makes one vertex of the ends of each edge without length, and leaves out the triangles at it.
 std::size_t left_out(const Places& places, sim::Mesh& soup) {
   sim::Groups same(soup.positions.size());
@@ -148,15 +135,14 @@ std::size_t turn_once(const Places& places, sim::Mesh& soup) {
     if (!sim::has_area(soup.positions, soup.triangles[t])) flat.push_back(t);
   }
   if (flat.empty()) return 0;
-  const auto triangles = triangles_of_edges(soup, places);
+  const sim::Adjacency adjacency = sim::make_adjacency(sim::renumbered(soup, places));
   std::vector<char> is_changed(soup.triangles.size(), 0);
   std::size_t turned = 0;
   for (const std::size_t t : flat) {
     const auto [middle, from, to] = from_middle(soup, soup.triangles[t]);
-    const auto [low, high] = std::minmax(places[from], places[to]);
-    const std::vector<std::size_t>& both = triangles.at({low, high});
+    const auto both = adjacency.edge_triangles[sim::edge_between(adjacency, places[from], places[to])];
     if (both.size() != 2 || is_changed[both[0]] || is_changed[both[1]]) continue;
-    const std::size_t across = both[0] == t ? both[1] : both[0];
+    const sim::Index across = both[0] == t ? both[1] : both[0];
     const sim::Triangle& other = soup.triangles[across];
     const auto far = std::ranges::find_if(other, [&, from = from, to = to](sim::Index v) {
       return places[v] != places[from] && places[v] != places[to];
@@ -273,9 +259,8 @@ Placement placement_of(const BodySource& source, const ImportedModel& model, con
   return placement;
 }
 
-sim::Mesh closed_mesh(const sim::Mesh& soup, const Placement& placement, std::vector<sim::Index>& kept,
-                      std::vector<std::string>& remarks) {
-  sim::ValidatedMesh valid = sim::weld_and_validate(soup, {}, kept);
+sim::ValidatedMesh closed_mesh(const sim::Mesh& soup, const Placement& placement, std::vector<std::string>& remarks) {
+  sim::ValidatedMesh valid = sim::weld_and_validate(soup);
   if (valid.report.duplicate_triangles > 0) {
     throw InputError("found a triangle that is there twice, expected each once");
   }
@@ -288,7 +273,7 @@ sim::Mesh closed_mesh(const sim::Mesh& soup, const Placement& placement, std::ve
   }
   require_closed(valid.mesh);
   face_outwards(valid.mesh);
-  return std::move(valid.mesh);
+  return valid;
 }
 
 }  // namespace
@@ -303,12 +288,12 @@ LoadedMesh make_body_mesh(const BodySource& source, const ImportedModel& model) 
   }
   require_area(soup);
   loaded.places.placement = placement_of(source, model, soup, loaded.remarks);
-  std::vector<sim::Index> kept;
-  loaded.mesh = closed_mesh(soup, loaded.places.placement, kept, loaded.remarks);
+  sim::ValidatedMesh valid = closed_mesh(soup, loaded.places.placement, loaded.remarks);
+  loaded.mesh = std::move(valid.mesh);
   loaded.places.file_vertex.resize(loaded.mesh.positions.size());
-  loaded.file_vertices = model.position_of_vertex.empty() ? kept.size() : model.position_of_vertex.size();
+  loaded.file_vertices = model.position_of_vertex.empty() ? valid.kept.size() : model.position_of_vertex.size();
   for (std::size_t v = loaded.file_vertices; v-- > 0;) {
-    const sim::Index vertex = kept[model.position_of_vertex.empty() ? v : model.position_of_vertex[v]];
+    const sim::Index vertex = valid.kept[model.position_of_vertex.empty() ? v : model.position_of_vertex[v]];
     if (vertex != sim::no_vertex) loaded.places.file_vertex[vertex] = v;
   }
   for (sim::Vec3& position : loaded.mesh.positions) position = loaded.places.placement(position);

@@ -1,6 +1,7 @@
 #include "app/models/garment_loading.hpp"
 
 #include "app/base/errors.hpp"
+#include "app/base/progress.hpp"
 #include "app/base/words.hpp"
 #include "app/models/hanger.hpp"
 #include "app/models/model_fitting.hpp"
@@ -30,14 +31,13 @@ void require_one_size(const sim::Mesh& mesh) {
   for (const sim::Triangle& t : mesh.triangles) {
     lengths.push_back(glm::distance(mesh.positions[t[0]], mesh.positions[t[1]]));
   }
-  const auto middle = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2);
-  std::nth_element(lengths.begin(), middle, lengths.end());
+  const double middle = ranked(std::move(lengths), 0.5);
   const double size = glm::length(sim::extent_of(mesh.positions).size());
-  if (*middle < shortest_half_of_edges * size) {
+  if (middle < shortest_half_of_edges * size) {
     throw std::invalid_argument(
         fmt::format("it reaches over {:.3g} of its units, but half of its edges are shorter than {:.3g}; "
                     "expected all vertices in one place, so one of them may be damaged",
-                    size, *middle));
+                    size, middle));
   }
 }
 
@@ -66,10 +66,10 @@ void tell(const StageReport& begin, const std::string& stage) {
   if (begin) begin(stage);
 }
 
-FileVertices vertices_of_file(const ImportedModel& model, std::vector<sim::Index>& kept) {
+FileVertices vertices_of_file(const ImportedModel& model, const std::vector<sim::Index>& kept) {
   FileVertices vertices{model.position_of_vertex, !model.shares_vertices && model.position_of_vertex.empty()};
   for (sim::Index& vertex : vertices.mesh_vertex) vertex = kept[vertex];
-  if (vertices.mesh_vertex.empty()) vertices.mesh_vertex = std::move(kept);
+  if (vertices.mesh_vertex.empty()) vertices.mesh_vertex = kept;
   return vertices;
 }
 
@@ -201,10 +201,9 @@ sim::Mesh read_mesh(const Scene& scene, LoadedGarment& loaded, const StageReport
   require_size(source, *loaded.placement);
   tell(begin, "joining its vertices");
   try {
-    std::vector<sim::Index> kept;
     const double scale = loaded.placement->scale;
     // Two walls of one cloth are not to be sewn together.
-    sim::ValidatedMesh valid = sim::weld_and_validate(soup, {source.weld_m.value_or(0.0) / scale, 0.0}, kept);
+    sim::ValidatedMesh valid = sim::weld_and_validate(soup, {source.weld_m.value_or(0.0) / scale, 0.0});
     require_one_size(valid.mesh);
     require_thin(scene.material.thickness_m, scale * glm::length(sim::extent_of(valid.mesh.positions).size()));
     tell(begin, "looking whether it is fit to be simulated");
@@ -215,12 +214,12 @@ sim::Mesh read_mesh(const Scene& scene, LoadedGarment& loaded, const StageReport
       loaded.refused_crossings = fitted->crossings;
       fitted.reset();
     }
-    if (!fitted && !is_cut) valid = sim::weld_and_validate(soup, repair_settings(source, scale), kept);
+    if (!fitted && !is_cut) valid = sim::weld_and_validate(soup, repair_settings(source, scale));
     loaded.repairs = valid.report;
     loaded.repairs->duplicate_triangles += backs;
     turn_and_sew(source, fitted.has_value() || is_cut, valid.mesh, loaded);
-    loaded.colours = kept_colours(std::move(model.colours), imported, kept, valid.mesh.triangles);
-    loaded.file_vertices = vertices_of_file(model, kept);
+    loaded.colours = kept_colours(std::move(model.colours), imported, valid.kept, valid.mesh.triangles);
+    loaded.file_vertices = vertices_of_file(model, valid.kept);
     if (!source.up && !model.up) {
       find_up(scene, fitted ? fitted->mesh : scaled(valid.mesh, scale), begin, hints);
       loaded.placement = place_model(soup, hints);

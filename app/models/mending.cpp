@@ -2,7 +2,6 @@
 
 #include "app/base/words.hpp"
 #include "app/fitting/following.hpp"
-#include "sim/mesh/groups.hpp"
 #include "sim/mesh/welding.hpp"
 
 namespace taut::app {
@@ -49,18 +48,6 @@ sim::Extent bulk_of(const std::vector<Patch>& patches, double area) {
     std::tie(bulk.lower[axis], bulk.upper[axis]) = bulk_along(axis, patches, area);
   }
   return bulk;
-}
-
-/// Vertices that triangles connect, of whatever shares a place.
-sim::Groups pieces_of(const sim::Mesh& mesh) {
-  sim::Groups pieces(mesh.positions.size());
-  const std::vector<sim::Index> places = sim::first_at_same_position(mesh.positions);
-  for (const auto& [a, b, c] : mesh.triangles) {
-    pieces.join(places[a], places[b]);
-    pieces.join(places[b], places[c]);
-    pieces.join(places[a], a);
-  }
-  return pieces;
 }
 
 // The sum of an open surface's normals along the way from its middle, as a share of that sum if all pointed
@@ -152,7 +139,7 @@ Strays remove_strays(sim::Mesh& mesh) {
   const double reach = stray_distance * std::max({size.x, size.y, size.z});
   const sim::Extent near{bulk.lower - reach, bulk.upper + reach};
   std::vector<char> is_near(mesh.positions.size(), 0);
-  sim::Groups pieces = pieces_of(mesh);
+  sim::Groups pieces = sim::pieces_of(mesh);
   for (std::size_t t = 0; t < patches.size(); ++t) {
     if (sim::overlap({patches[t].middle, patches[t].middle}, near)) {
       is_near[pieces.find(mesh.triangles[t][0])] = 1;

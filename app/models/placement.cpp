@@ -4,7 +4,6 @@
 
 #include "app/models/garment_measures.hpp"
 #include "app/models/hanging.hpp"
-#include "sim/mesh/groups.hpp"
 #include "sim/mesh/welding.hpp"
 
 namespace taut::app {
@@ -66,15 +65,10 @@ std::string unit_name(double metres) {
 
 /// The size of the largest part whose triangles share places.
 double size_of_largest_part(const sim::Mesh& mesh) {
-  sim::Groups parts(mesh.positions.size());
-  const std::vector<sim::Index> places = sim::first_at_same_position(mesh.positions);
-  for (const auto& [a, b, c] : mesh.triangles) {
-    parts.join(places[a], places[b]);
-    parts.join(places[b], places[c]);
-  }
+  sim::Groups parts = sim::pieces_of(mesh);
   std::map<sim::Index, sim::Extent> boxes;
   for (const sim::Triangle& t : mesh.triangles) {
-    for (const sim::Index v : t) boxes[parts.find(places[v])].add(mesh.positions[v]);
+    for (const sim::Index v : t) boxes[parts.find(v)].add(mesh.positions[v]);
   }
   double largest = 0.0;
   for (const auto& [first, box] : boxes) {

@@ -77,17 +77,17 @@ std::size_t count_parted(const Mesh& mesh, const std::vector<Index>& places, con
 /// `no_vertex` for a dropped one.
 std::vector<Index> compact_vertices(Mesh& mesh) {
   const std::vector<char> used = used_vertices(mesh);
-  std::vector<Index> renumbered(mesh.positions.size(), no_vertex);
+  std::vector<Index> number(mesh.positions.size(), no_vertex);
   Index kept = 0;
   for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
     if (used[v]) {
-      renumbered[v] = kept;
+      number[v] = kept;
       mesh.positions[kept++] = mesh.positions[v];
     }
   }
   mesh.positions.resize(kept);
-  renumber(renumbered, mesh);
-  return renumbered;
+  mesh = renumbered(mesh, number);
+  return number;
 }
 
 }  // namespace
@@ -120,13 +120,8 @@ double surface_area(const Mesh& mesh) {
 }
 
 ValidatedMesh weld_and_validate(const Mesh& input, const RepairSettings& settings) {
-  std::vector<Index> kept;
-  return weld_and_validate(input, settings, kept);
-}
-
-ValidatedMesh weld_and_validate(const Mesh& input, const RepairSettings& settings, std::vector<Index>& kept) {
   require_well_formed(input);
-  ValidatedMesh out{{input.positions, input.triangles, {}}, {}};
+  ValidatedMesh out{{input.positions, input.triangles, {}}, {}, {}};
   Mesh& mesh = out.mesh;
   MeshReport& report = out.report;
   report.input_vertices = input.positions.size();
@@ -151,16 +146,15 @@ ValidatedMesh weld_and_validate(const Mesh& input, const RepairSettings& setting
     throw std::invalid_argument("no triangle with an area remains of " + std::to_string(input.triangles.size()) +
                                 " triangles");
   }
-  renumber(welded, mesh);
+  mesh = renumbered(mesh, welded);
   report.turned_triangles = orient_consistently(mesh);
-  const std::vector<Index> renumbered = compact_vertices(mesh);
+  const std::vector<Index> number = compact_vertices(mesh);
   const std::size_t dropped = input.positions.size() - mesh.positions.size();
   report.unused_vertices = dropped - report.welded_vertices - report.near_vertices - report.sewn_vertices;
   const std::vector<char> used = used_vertices(input);
-  kept.assign(used.size(), no_vertex);
   for (std::size_t v = 0; v < used.size(); ++v) {
     // An unused vertex is not part of the mesh, even if another vertex at its place is.
-    kept[v] = used[v] ? renumbered[welded[v]] : no_vertex;
+    out.kept.push_back(used[v] ? number[welded[v]] : no_vertex);
   }
   return out;
 }

@@ -45,6 +45,9 @@ struct MeshReport {
 struct ValidatedMesh {
   Mesh mesh;
   MeshReport report;
+  /// Per vertex of the input the vertex of the result that stands for it; `no_vertex` (sim/mesh/welding.hpp) if no
+  /// triangle uses the vertex, or only triangles that were dropped.
+  std::vector<Index> kept;
 };
 
 /// Makes any triangle soup fit to be mapped to springs. It welds vertices at equal positions, drops

@@ -12,12 +12,6 @@ struct PositionHash {
   std::size_t operator()(const Vec3& p) const { return hash_of(p.x, p.y, p.z); }
 };
 
-Mesh renumbered(const Mesh& mesh, const std::vector<Index>& vertices) {
-  Mesh result{mesh.positions, mesh.triangles, {}};
-  renumber(vertices, result);
-  return result;
-}
-
 /// Returns, per vertex, 1 if an edge with only one triangle ends there.
 std::vector<char> border_vertices(const Mesh& mesh, const Adjacency& adjacency) {
   std::vector<char> at_border(mesh.positions.size(), 0);
@@ -165,10 +159,19 @@ bool are_unambiguous(Borders& borders, const std::vector<Index>& vertices) {
 
 }  // namespace
 
-void renumber(const std::vector<Index>& vertices, Mesh& mesh) {
-  for (Triangle& t : mesh.triangles) {
-    for (Index& v : t) v = vertices[v];
+Mesh renumbered(const Mesh& mesh, const std::vector<Index>& vertices) {
+  Mesh result{mesh.positions, mesh.triangles, {}};
+  for (Triangle& t : result.triangles) t = {vertices[t[0]], vertices[t[1]], vertices[t[2]]};
+  return result;
+}
+
+Groups pieces_of(const Mesh& mesh) {
+  const std::vector<Index> places = first_at_same_position(mesh.positions);
+  Groups pieces = connected(mesh.positions.size(), mesh.triangles);
+  for (const Triangle& t : mesh.triangles) {
+    for (const Index v : t) pieces.join(places[v], v);
   }
+  return pieces;
 }
 
 std::vector<char> used_vertices(const Mesh& mesh) {

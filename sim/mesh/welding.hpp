@@ -1,5 +1,6 @@
 #pragma once
 
+#include "sim/mesh/groups.hpp"
 #include "sim/mesh/mesh.hpp"
 
 namespace taut::sim {
@@ -7,13 +8,12 @@ namespace taut::sim {
 /// Stands for "no vertex".
 inline constexpr Index no_vertex = std::numeric_limits<Index>::max();
 
-/// The same as weld_and_validate of sim/mesh/mesh.hpp. Also fills `kept`: for each vertex of `input` the
-/// vertex of the result that stands for it. That is `no_vertex` if no triangle uses the vertex, or only
-/// triangles that were dropped.
-ValidatedMesh weld_and_validate(const Mesh& input, const RepairSettings& settings, std::vector<Index>& kept);
+/// Returns the mesh with every corner of its triangles replaced by what `vertices` holds for it.
+Mesh renumbered(const Mesh& mesh, const std::vector<Index>& vertices);
 
-/// Replaces every corner of the triangles by what `vertices` holds for it.
-void renumber(const std::vector<Index>& vertices, Mesh& mesh);
+/// Returns groups of vertices that triangles connect, of whatever shares a place. Vertices without triangles belong to
+/// none.
+Groups pieces_of(const Mesh& mesh);
 
 /// Returns, per vertex, 1 if a triangle uses it and 0 if none does.
 std::vector<char> used_vertices(const Mesh& mesh);

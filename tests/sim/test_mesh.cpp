@@ -62,20 +62,17 @@ TEST(WeldAndValidate, TellsWhatBecameOfEachVertex) {
   // 0 is used by nothing, 4 is welded to 1, 6 is only of a triangle without area, 7 lies at 1 and is unused.
   const Mesh input = {
       {{9, 9, 9}, right, up, origin, right, diagonal, aside, right}, {{3, 1, 2}, {2, 4, 5}, {3, 1, 6}}, {}};
-  std::vector<Index> kept;
-  const ValidatedMesh out = weld_and_validate(input, {}, kept);
-  EXPECT_EQ(kept, (std::vector<Index>{no_vertex, 0, 1, 2, 0, 3, no_vertex, no_vertex}));
+  const ValidatedMesh out = weld_and_validate(input);
+  EXPECT_EQ(out.kept, (std::vector<Index>{no_vertex, 0, 1, 2, 0, 3, no_vertex, no_vertex}));
   for (const Index v : {1U, 2U, 3U, 4U, 5U}) {
-    EXPECT_EQ(out.mesh.positions[kept[v]], input.positions[v]);
+    EXPECT_EQ(out.mesh.positions[out.kept[v]], input.positions[v]);
   }
 }
 
 TEST(WeldAndValidate, TellsWhatBecameOfNearVertices) {
   const Mesh input = {
       {origin, right, up, {1.0001, 0, 0}, diagonal, {0, 1.0001, 0}}, {{0, 1, 2}, {5, 3, 4}}, {}};
-  std::vector<Index> kept;
-  weld_and_validate(input, {.weld_distance_m = 0.01}, kept);
-  EXPECT_EQ(kept, (std::vector<Index>{0, 1, 2, 1, 3, 2}));
+  EXPECT_EQ(weld_and_validate(input, {.weld_distance_m = 0.01}).kept, (std::vector<Index>{0, 1, 2, 1, 3, 2}));
 }
 
 TEST(WeldAndValidate, KeepsTinyTriangles) {

@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include "app/fitting/following.hpp"
 #include "app/models/garment_measures.hpp"
 #include "app/models/hanging.hpp"
 #include "sim/mesh/welding.hpp"
@@ -266,39 +267,19 @@ int legs_below(const sim::Mesh& mesh) {
 double openness_below(const sim::Mesh& mesh) {
   constexpr int across = 24;
   const sim::Extent box = sim::extent_of(mesh.positions);
-  std::vector<double> lowest(across * across, box.upper.y), highest(across * across, box.lower.y);
   sim::Vec3 seen = 0.5 * box.size();
   seen[box.size().z > box.size().x ? 0 : 2] *= 0.4;
   const sim::Vec3 step = seen / static_cast<double>(across);
-  const sim::Vec3 corner = box.middle() - 0.5 * seen + 0.5 * step;
-  for (const sim::Triangle& t : mesh.triangles) {
-    const sim::Vec3 &a = mesh.positions[t[0]], &b = mesh.positions[t[1]], &c = mesh.positions[t[2]];
-    const double area = (b.x - a.x) * (c.z - a.z) - (c.x - a.x) * (b.z - a.z);
-    const auto first = [&](int axis) {
-      const double at = (std::min({a[axis], b[axis], c[axis]}) - corner[axis]) / step[axis];
-      return static_cast<int>(std::clamp(std::ceil(at), 0.0, across + 0.0));
-    };
-    const auto end = [&](int axis) {
-      const double at = (std::max({a[axis], b[axis], c[axis]}) - corner[axis]) / step[axis];
-      return static_cast<int>(std::clamp(std::floor(at) + 1.0, 0.0, across + 0.0));
-    };
-    for (int i = first(0); area != 0.0 && i < end(0); ++i) {
-      for (int k = first(2); k < end(2); ++k) {
-        const double x = corner.x + i * step.x, z = corner.z + k * step.z;
-        const double of_b = ((x - a.x) * (c.z - a.z) - (c.x - a.x) * (z - a.z)) / area;
-        const double of_c = ((b.x - a.x) * (z - a.z) - (x - a.x) * (b.z - a.z)) / area;
-        if (of_b >= 0.0 && of_c >= 0.0 && of_b + of_c <= 1.0) {
-          const double height = a.y + of_b * (b.y - a.y) + of_c * (c.y - a.y);
-          double &low = lowest[i * across + k], &high = highest[i * across + k];
-          low = std::min(low, height);
-          high = std::max(high, height);
-        }
-      }
-    }
-  }
+  const SurfaceTree tree(mesh.positions, mesh.triangles);
   double sum = 0.0;
-  for (std::size_t k = 0; k < lowest.size(); ++k) {
-    sum += (lowest[k] - box.lower.y) - (box.upper.y - highest[k]);
+  for (int k = 0; k < across * across; ++k) {
+    const sim::Vec3 at = box.middle() - 0.5 * seen + step * sim::Vec3(k / across + 0.5, 0.0, k % across + 0.5);
+    for (const double up : {1.0, -1.0}) {
+      const sim::Vec3 from(at.x, up > 0.0 ? box.lower.y : box.upper.y, at.z);
+      const auto hit = tree.first_hit(from, {0.0, up, 0.0}, -box.size().y, 2.0 * box.size().y,
+                                      [](const SurfacePoint&) { return true; });
+      sum += up * (hit ? hit->distance_m : box.size().y);
+    }
   }
   return sum / (across * across * std::max(box.size().y, std::numeric_limits<double>::min()));
 }

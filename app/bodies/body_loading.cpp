@@ -350,7 +350,7 @@ ReadBody body_of(const BodySource& source, ImportedModel model, const ShownTime&
 std::vector<std::string> load_bodies(Scene& scene, int garments) {
   const double frame_rate_hz = scene.simulation.frame_rate_hz;
   const ShownTime shown = {scene.frames / frame_rate_hz, frame_rate_hz,
-                           std::max(garments, garments_worn(scene.garment.model()))};
+                           std::max(garments, read_garment_facts(scene.garment.model()).layers)};
   std::vector<std::string> all;
   scene.wearers.resize(scene.surroundings.bodies.size());
   for (std::size_t k = 0; k < scene.surroundings.bodies.size(); ++k) {

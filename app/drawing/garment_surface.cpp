@@ -151,7 +151,7 @@ PictureStyle look_of(const std::string& fabric) {
 DrawnColours of_layers(const DrawnScene& scene, const GarmentInScene& loaded) {
   DrawnColours drawn{
       loaded.colours.corner_uv, {{scene.picture.cloth.outside_colour, inside_of(scene.picture.cloth), {}}}, {}};
-  for (const auto& [group, fabric] : fabrics_of_layers(scene.garment.model())) {
+  for (const auto& [group, fabric] : read_garment_facts(scene.garment.model()).fabrics) {
     const renderer::SurfaceStyle cloth = look_of(fabric).cloth;
     drawn.base_colours.push_back({cloth.outside_colour, inside_of(cloth), {}});
   }

@@ -126,11 +126,6 @@ Placement place(const GarmentSource& source, const sim::Mesh& soup, const Placem
   return source.given ? Placement{} : place_model(soup, hints);
 }
 
-double metres_per_uv_of(const GarmentSource& source, const sim::Mesh& mesh, const SurfaceColours& colours) {
-  const std::optional<double> known = source.given ? std::nullopt : known_metres_per_uv(source.model());
-  return known.value_or(metres_per_uv(mesh, colours.corner_uv));
-}
-
 /// The triangles as their texture coordinates have them, in m. Throws std::invalid_argument without any.
 std::vector<std::array<sim::Vec2, 3>> cut_by_uv(const sim::Mesh& mesh, const SurfaceColours& colours, double metres) {
   if (colours.corner_uv.size() != 3 * mesh.triangles.size()) {
@@ -207,7 +202,8 @@ sim::Mesh read_mesh(const Scene& scene, LoadedGarment& loaded, const StageReport
     require_one_size(valid.mesh);
     require_thin(scene.material.thickness_m, scale * glm::length(sim::extent_of(valid.mesh.positions).size()));
     tell(begin, "looking whether it is fit to be simulated");
-    const bool is_cut = !source.given && is_at_rest_as_cut(source.model());
+    const GarmentFacts facts = source.given ? GarmentFacts() : read_garment_facts(source.model());
+    const bool is_cut = facts.is_cut;
     std::optional<FittedModel> fitted =
         is_cut ? std::nullopt : fitted_model(source, scene.material.thickness_m, scaled(valid.mesh, scale));
     if (fitted && crosses_more_than_model(*fitted, valid.mesh)) {
@@ -231,7 +227,7 @@ sim::Mesh read_mesh(const Scene& scene, LoadedGarment& loaded, const StageReport
       for (sim::Vec3& position : loaded.file_rest_m) position = (*loaded.placement)(position);
     }
     for (sim::Vec3& position : valid.mesh.positions) position = (*loaded.placement)(position);
-    loaded.metres_per_uv = metres_per_uv_of(source, valid.mesh, loaded.colours);
+    loaded.metres_per_uv = facts.metres_per_uv.value_or(metres_per_uv(valid.mesh, loaded.colours.corner_uv));
     if (is_cut) valid.mesh.cut_m = cut_by_uv(valid.mesh, loaded.colours, loaded.metres_per_uv);
     if (!fitted) return std::move(valid.mesh);
     for (sim::Vec3& position : fitted->mesh.positions) {
@@ -410,8 +406,7 @@ void untangle(const Scene& scene, LoadedGarment& loaded, const StageReport& begi
 /// Makes layers of fabrics of their own, as the file beside the garment says: groups whose names begin so.
 sim::Garment of_fabrics(sim::Garment garment, const Scene& scene, const LoadedGarment& loaded) {
   const std::filesystem::path& model = scene.garment.model();
-  const auto fabrics =
-      scene.garment.is_grid() || model.empty() ? decltype(fabrics_of_layers(model)){} : fabrics_of_layers(model);
+  const auto fabrics = read_garment_facts(model).fabrics;
   if (fabrics.empty()) return garment;
   const std::string where = "'" + landmarks_path(model).string() + "': fabrics";
   if (loaded.file_faces.empty()) throw InputError("{}: expected a garment that is simulated as it was read", where);

@@ -13,7 +13,26 @@ namespace {
 // one. A larger value could take a neighbouring vertex, which is millimetres away.
 constexpr double same_point_m = 1e-5;
 
-constexpr int most_layers = 8;
+/// Keys of the file beside a garment.
+std::vector<Key<GarmentFacts>> keys_of_facts(bool has_scale) {
+  using F = GarmentFacts;
+  const auto read_cut = [has_scale](const toml::node& value, const Source&, F& facts) {
+    return has_scale && store(value.value_exact<bool>(), facts.is_cut);
+  };
+  const auto read_fabrics = [](const toml::node& value, const Source& source, F& facts) {
+    if (!value.is_table()) return false;
+    for (const auto& [group, name] : entries_of(*value.as_table())) {
+      const std::optional<std::string> text = text_in(*name);
+      if (!text) fail(source, line_of(*name), "fabrics." + group + ": found " + to_text(*name) + ", expected a text");
+      facts.fabrics.emplace_back(group, *text);
+    }
+    return true;
+  };
+  return {number_key<F>("metres_per_uv", "", positive, MEMBER(metres_per_uv)),
+          {"is_cut", "", "true or false, and metres_per_uv beside it", read_cut, {}},
+          whole_key<F>("layers", {1, 8}, MEMBER(layers)),
+          {"fabrics", "", "a table of groups = fabric", read_fabrics, {}}};
+}
 
 // Everything one landmark needs to be found.
 struct Search {
@@ -72,12 +91,7 @@ void collect(const toml::table& table, const Search& search, Landmarks& landmark
 // Height of "top-band" as a fraction of the garment's height.
 constexpr double top_band_fraction = 0.03;
 
-struct NamedVertices {
-  const char* name;
-  std::vector<sim::Index> vertices;
-};
-
-std::vector<NamedVertices> grid_parts(const sim::GridSettings& grid) {
+Landmarks grid_parts(const sim::GridSettings& grid) {
   const sim::Index columns = grid.columns;
   const sim::Index last_row = (grid.rows - 1) * columns;
   std::vector<sim::Index> top, bottom;
@@ -101,32 +115,27 @@ std::vector<sim::Index> top_band(const sim::Mesh& mesh) {
   return band;
 }
 
-/// The names that a scene can pin: landmarks, corners and edges of a grid, "top-band" (the upper 3 % of
-/// the height) and, alone and for a model, "hanger" (hanger.hpp).
-std::vector<std::string> pin_names(const PinTargets& targets) {
-  std::vector<std::string> names;
-  for (const auto& [landmark, vertices] : targets.landmarks) names.push_back(landmark);
-  if (targets.grid != nullptr) {
-    for (const NamedVertices& part : grid_parts(*targets.grid)) names.emplace_back(part.name);
-  }
-  names.emplace_back("top-band");
-  if (targets.grid == nullptr) names.emplace_back("hanger");
-  return names;
+/// What a scene can pin by its name: landmarks, corners and edges of a grid, and "top-band" (the upper 3 % of the
+/// height).
+Landmarks named_parts(const PinTargets& targets) {
+  Landmarks parts = targets.landmarks;
+  const Landmarks of_grid = targets.grid != nullptr ? grid_parts(*targets.grid) : Landmarks{};
+  parts.insert(parts.end(), of_grid.begin(), of_grid.end());
+  parts.emplace_back("top-band", top_band(targets.mesh));
+  return parts;
 }
 
 struct Selection {
   const PinTargets& targets;
 
   std::vector<sim::Index> operator()(const std::string& name) const {
-    for (const auto& [landmark, vertices] : targets.landmarks) {
-      if (landmark == name) return vertices;
+    std::vector<std::string> names;
+    for (const auto& [known, vertices] : named_parts(targets)) {
+      if (known == name) return vertices;
+      names.push_back(known);
     }
-    for (const NamedVertices& part :
-         targets.grid != nullptr ? grid_parts(*targets.grid) : std::vector<NamedVertices>{}) {
-      if (part.name == name) return part.vertices;
-    }
-    if (name == "top-band") return top_band(targets.mesh);
-    const std::vector<std::string> names = pin_names(targets);
+    // Alone and for a model (hanger.hpp).
+    if (targets.grid == nullptr) names.emplace_back("hanger");
     throw InputError(std::string(targets.key) + ": the garment has no part named '" + name + '\'' +
                      did_you_mean(name, names) + " (it has: " + joined(names) + ')');
   }
@@ -154,56 +163,16 @@ Landmarks read_landmarks(const std::filesystem::path& garment, const Placement& 
   return landmarks;
 }
 
-std::optional<double> known_metres_per_uv(const std::filesystem::path& garment) {
-  const std::filesystem::path path = landmarks_path(garment);
-  const toml::table file = read_landmarks_file(garment);
-  const toml::node* value = file.get("metres_per_uv");
-  if (value == nullptr) return std::nullopt;
-  const std::optional<double> metres = finite_number(*value);
-  if (!metres || !(*metres > 0.0)) {
-    fail({path.string(), false}, line_of(*value),
-         "metres_per_uv: found " + to_text(*value) + ", expected a number above 0");
-  }
-  return metres;
-}
-
-bool is_at_rest_as_cut(const std::filesystem::path& garment) {
-  const std::filesystem::path path = landmarks_path(garment);
-  const toml::table file = read_landmarks_file(garment);
-  const toml::node* value = file.get("is_cut");
-  if (value != nullptr && (!value->is_boolean() || !file.contains("metres_per_uv"))) {
-    fail({path.string(), false}, line_of(*value),
-         "is_cut: found " + to_text(*value) + ", expected true or false, and metres_per_uv beside it");
-  }
-  return value != nullptr && value->value_or(false);
-}
-
-int garments_worn(const std::filesystem::path& garment) {
-  const std::filesystem::path path = landmarks_path(garment);
+GarmentFacts read_garment_facts(const std::filesystem::path& garment) {
+  GarmentFacts facts;
   const toml::table file = garment.empty() ? toml::table() : read_landmarks_file(garment);
-  const toml::node* value = file.get("layers");
-  const std::optional<std::int64_t> layers = value == nullptr ? std::optional<std::int64_t>(1) : whole_number(*value);
-  if (!layers || *layers < 1 || *layers > most_layers) {
-    fail({path.string(), false}, line_of(*value),
-         fmt::format("layers: found {}, expected a whole number from 1 to {}", to_text(*value), most_layers));
+  const Source source{landmarks_path(garment).string(), false};
+  const std::vector<Key<GarmentFacts>> keys = keys_of_facts(file.contains("metres_per_uv"));
+  KeyReader reader(keys, source, facts);
+  for (const Key<GarmentFacts>& key : keys) {
+    if (const toml::node* value = file.get(key.name)) reader.read_value(key.name, *value);
   }
-  return static_cast<int>(*layers);
-}
-
-std::vector<std::pair<std::string, std::string>> fabrics_of_layers(const std::filesystem::path& garment) {
-  const std::filesystem::path path = landmarks_path(garment);
-  const toml::table file = read_landmarks_file(garment);
-  const toml::node* value = file.get("fabrics");
-  std::vector<std::pair<std::string, std::string>> fabrics;
-  if (value == nullptr) return fabrics;
-  const Source source = {path.string(), false};
-  if (!value->is_table()) fail(source, line_of(*value), "fabrics: expected a table of groups = fabric");
-  for (const auto& [group, name] : entries_of(*value->as_table())) {
-    const std::optional<std::string> text = text_in(*name);
-    if (!text) fail(source, line_of(*name), "fabrics." + group + ": found " + to_text(*name) + ", expected a text");
-    fabrics.emplace_back(group, *text);
-  }
-  return fabrics;
+  return facts;
 }
 
 NearestVertex nearest_vertex(std::span<const sim::Vec3> positions, const sim::Vec3& point_m) {

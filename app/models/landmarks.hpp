@@ -15,21 +15,17 @@ using Landmarks = std::vector<std::pair<std::string, std::vector<sim::Index>>>;
 Landmarks read_landmarks(const std::filesystem::path& garment, const Placement& placement, const sim::Mesh& mesh,
                          const FileVertices& file_vertices);
 
-/// The scale of the garment's texture coordinates in the same file: metres_per_uv = 1.5. Empty if it says
-/// nothing. Throws InputError that names the file and the line if it is not a number above 0.
-std::optional<double> known_metres_per_uv(const std::filesystem::path& garment);
+/// What the same file says of the garment itself.
+struct GarmentFacts {
+  std::optional<double> metres_per_uv = {};  ///< the scale of its texture coordinates; empty: it says nothing
+  bool is_cut = false;  ///< it is at rest as it was cut: with the lengths of its texture coordinates, in that scale
+  int layers = 1;       ///< garments over each other
+  /// Of its layers: for groups whose names begin so, that of a name or a file (find_fabric()).
+  std::vector<std::pair<std::string, std::string>> fabrics = {};
+};
 
-/// Whether the same file says that the garment is at rest as it was cut, is_cut = true: with the lengths of its texture
-/// coordinates, in the same scale. Throws InputError likewise.
-bool is_at_rest_as_cut(const std::filesystem::path& garment);
-
-/// How many garments over each other the same file says that it is, layers = 2; 1 if it says nothing. Throws
-/// InputError likewise.
-int garments_worn(const std::filesystem::path& garment);
-
-/// The fabrics of its layers in the same file: for groups of the garment whose names begin so, that of a name or a
-/// file (find_fabric()). Throws InputError likewise.
-std::vector<std::pair<std::string, std::string>> fabrics_of_layers(const std::filesystem::path& garment);
+/// Reads them; those of no garment are as they are here. Throws InputError that names the file and the line.
+GarmentFacts read_garment_facts(const std::filesystem::path& garment);
 
 /// The vertex nearest to a point, and its distance.
 struct NearestVertex {

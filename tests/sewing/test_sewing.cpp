@@ -195,7 +195,7 @@ TEST_F(Sewing, APatternIsWornOverAnother) {
   again.material = scene.material;
   again.garment.file = folder.write("sewn.obj", obj_of(garment));
   folder.write("sewn.landmarks.toml", landmarks_of(garment));
-  EXPECT_EQ(garments_worn(again.garment.file), 2);
+  EXPECT_EQ(read_garment_facts(again.garment.file).layers, 2);
   EXPECT_EQ(find_scene(undrawn_format(), again.garment.file.string(), {}).material, scene.material);
   const std::vector<Override> silk = {{"cloth.fabric", "silk", "--fabric"}};
   EXPECT_EQ(find_scene(undrawn_format(), again.garment.file.string(), silk).material, material_of("silk", ""));
@@ -236,7 +236,7 @@ TEST_F(Sewing, FactsOfAGarmentThatWasSewnAreNotThoseOfItsPattern) {
   const std::filesystem::path pattern = folder.write("skirt.json", skirt(40.0, 60.0));
   folder.write("skirt.landmarks.toml", "fabric = \"denim\"\nlayers = 2\n");
   EXPECT_EQ(find_scene(undrawn_format(), pattern.string(), {}).fabric, "");
-  EXPECT_EQ(garments_worn(pattern), 1);
+  EXPECT_EQ(read_garment_facts(pattern).layers, 1);
 }
 
 TEST_F(Sewing, WhatWasSewnTightIsSimulatedWithinTheBoundItWasSewnWithin) {

@@ -162,8 +162,8 @@ std::shared_ptr<const sim::BodyFrames> frames_of(const BodySource& source, const
   const double rate_hz = rate_of(source, *motion.frames, remarks);
   const std::size_t first = first_frame(source, motion.file, *motion.frames, rate_hz);
   pose = motion.frames->pose(first);
-  std::shared_ptr<const sim::BodyFrames> frames = std::make_shared<const PlacedFrames>(
-      motion.file, std::move(motion.frames), loaded.places, rate_hz, source.loop ? 0 : first);
+  std::shared_ptr<const sim::BodyFrames> frames =
+      placed_frames(motion.file, std::move(motion.frames), loaded.places, rate_hz, source.loop ? 0 : first);
   if (source.loop) {
     const LoopBegin begin = find_loop_begin(*frames, loaded.mesh.positions.size());
     if (!begin.meets) remarks.push_back(describe(begin));

@@ -10,7 +10,7 @@ namespace taut::app {
 /// names the body, the file and the place:
 /// - as make_body_mesh() does for a mesh that is not closed (body_mesh.hpp);
 /// - on a motion of another number of vertices, or in which a vertex jumps by more than a metre in a frame
-/// that the run shows; of later frames PlacedFrames throws it when they are asked for;
+/// that the run shows; of later frames placed_frames() throws it when they are asked for;
 /// - on a body that is to be dressed and whose vertices follow no joints.
 /// It leaves room for so many garments over each other, or as many as the scene's is (GarmentFacts).
 std::vector<std::string> load_bodies(Scene& scene, int garments = 1);

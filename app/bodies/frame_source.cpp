@@ -1,5 +1,7 @@
 #include "app/bodies/frame_source.hpp"
 
+#include <mutex>
+
 #include "app/base/errors.hpp"
 #include "app/base/words.hpp"
 #include "app/verify/crossing_pairs.hpp"
@@ -18,15 +20,6 @@ std::uint32_t number_at(const char* bytes) {
   std::uint32_t value = 0;
   for (std::size_t k = number_bytes; k-- > 0;) value = value << 8U | static_cast<std::uint8_t>(bytes[k]);
   return value;
-}
-
-void put_number(std::uint32_t value, std::string& bytes) {
-  const auto little = sim::little_endian(value);
-  bytes.append(little.begin(), little.end());
-}
-
-void put_real(double value, std::string& bytes) {
-  put_number(std::bit_cast<std::uint32_t>(static_cast<float>(value)), bytes);
 }
 
 [[noreturn]] void refuse(const SeekableFile& file, const std::string& reason) {
@@ -189,6 +182,88 @@ class LoopedFrames final : public sim::BodyFrames {
   std::size_t first_;
 };
 
+class PlacedFrames final : public sim::BodyFrames {
+ public:
+  PlacedFrames(std::filesystem::path motion, std::unique_ptr<const FrameSource> source, FileVertexPlaces places,
+               double rate_hz, std::size_t first)
+      : motion_(std::move(motion)),
+        source_(std::move(source)),
+        places_(std::move(places)),
+        rate_hz_(rate_hz),
+        first_(first) {}
+
+  std::size_t count() const override { return source_->frames() - first_; }
+  double rate_hz() const override { return rate_hz_; }
+  void positions_in(std::size_t frame, std::span<sim::Vec3> positions_m) const override {
+    const Positions placed_m = placed(frame);
+    std::copy(placed_m->begin(), placed_m->end(), positions_m.begin());
+  }
+
+ private:
+  using Positions = std::shared_ptr<const std::vector<sim::Vec3>>;
+  struct Remembered {
+    std::size_t frame = 0;
+    Positions positions_m = {};
+  };
+
+  // Reading is left unlocked: two threads may read the same frame, and both get the same.
+  Positions placed(std::size_t frame) const {
+    if (Positions known = remembered(frame)) return known;
+    Positions positions_m = read(frame);
+    if (const Positions before_m = frame > 0 ? remembered(frame - 1) : nullptr) {
+      require_near(frame, before_m, positions_m);
+    }
+    if (const Positions after_m = remembered(frame + 1)) require_near(frame + 1, positions_m, after_m);
+    const std::lock_guard lock(mutex_);
+    if (remembered_.size() == most_remembered) remembered_.erase(remembered_.begin());
+    remembered_.push_back({frame, positions_m});
+    return positions_m;
+  }
+
+  Positions remembered(std::size_t frame) const {
+    const std::lock_guard lock(mutex_);
+    const auto found = std::ranges::find(remembered_, frame, &Remembered::frame);
+    return found == remembered_.end() ? nullptr : found->positions_m;
+  }
+
+  Positions read(std::size_t frame) const {
+    std::vector<sim::Vec3> in_file(source_->vertices());
+    source_->read(first_ + frame, in_file);
+    std::vector<sim::Vec3> positions_m;
+    positions_m.reserve(places_.file_vertex.size());
+    for (const std::size_t v : places_.file_vertex) {
+      const sim::Vec3& position_m = positions_m.emplace_back(places_.placement(in_file[v]));
+      if (!std::isfinite(position_m.x + position_m.y + position_m.z)) {
+        refuse(frame, v, fmt::format("found at {}, expected numbers", describe_point(in_file[v])));
+      }
+    }
+    return std::make_shared<const std::vector<sim::Vec3>>(std::move(positions_m));
+  }
+
+  void require_near(std::size_t frame, const Positions& before_m, const Positions& after_m) const {
+    for (std::size_t v = 0; v < after_m->size(); ++v) {
+      const double moved_m = glm::distance((*before_m)[v], (*after_m)[v]);
+      if (!(moved_m <= furthest_in_frame_m)) {
+        refuse(frame, places_.file_vertex[v],
+               fmt::format("found at {} m, {:.3g} m from where it is in the frame before, expected at most {:g} m",
+                           describe_point((*after_m)[v]), moved_m, furthest_in_frame_m));
+      }
+    }
+  }
+
+  [[noreturn]] void refuse(std::size_t frame, std::size_t vertex, const std::string& reason) const {
+    throw InputError("'{}': frame {}, vertex {}: {}", motion_.string(), first_ + frame, vertex, reason);
+  }
+
+  std::filesystem::path motion_;
+  std::unique_ptr<const FrameSource> source_;
+  FileVertexPlaces places_;
+  double rate_hz_;
+  std::size_t first_;
+  mutable std::mutex mutex_;
+  mutable std::vector<Remembered> remembered_;  ///< the newest last
+};
+
 OpenedMotion open_clip(const BodySource& source, const std::shared_ptr<const Rig>& own) try {
   OpenedMotion opened{source.file};
   const bool plays_all = source.clip == "all" && !own->clips.empty();
@@ -207,66 +282,10 @@ OpenedMotion open_clip(const BodySource& source, const std::shared_ptr<const Rig
 
 }  // namespace
 
-PlacedFrames::PlacedFrames(std::filesystem::path motion, std::unique_ptr<const FrameSource> source,
-                           FileVertexPlaces places, double rate_hz, std::size_t first)
-    : motion_(std::move(motion)),
-      source_(std::move(source)),
-      places_(std::move(places)),
-      rate_hz_(rate_hz),
-      first_(first) {}
-
-void PlacedFrames::positions_in(std::size_t frame, std::span<sim::Vec3> positions_m) const {
-  const Positions placed_m = placed(frame);
-  std::copy(placed_m->begin(), placed_m->end(), positions_m.begin());
-}
-
-// Reading is left unlocked: two threads may read the same frame, and both get the same.
-PlacedFrames::Positions PlacedFrames::placed(std::size_t frame) const {
-  if (Positions known = remembered(frame)) return known;
-  Positions positions_m = read(frame);
-  if (const Positions before_m = frame > 0 ? remembered(frame - 1) : nullptr) {
-    require_near(frame, before_m, positions_m);
-  }
-  if (const Positions after_m = remembered(frame + 1)) require_near(frame + 1, positions_m, after_m);
-  const std::lock_guard lock(mutex_);
-  if (remembered_.size() == most_remembered) remembered_.erase(remembered_.begin());
-  remembered_.push_back({frame, positions_m});
-  return positions_m;
-}
-
-PlacedFrames::Positions PlacedFrames::remembered(std::size_t frame) const {
-  const std::lock_guard lock(mutex_);
-  const auto found = std::ranges::find(remembered_, frame, &Remembered::frame);
-  return found == remembered_.end() ? nullptr : found->positions_m;
-}
-
-PlacedFrames::Positions PlacedFrames::read(std::size_t frame) const {
-  std::vector<sim::Vec3> in_file(source_->vertices());
-  source_->read(first_ + frame, in_file);
-  std::vector<sim::Vec3> positions_m;
-  positions_m.reserve(places_.file_vertex.size());
-  for (const std::size_t v : places_.file_vertex) {
-    const sim::Vec3& position_m = positions_m.emplace_back(places_.placement(in_file[v]));
-    if (!std::isfinite(position_m.x + position_m.y + position_m.z)) {
-      refuse(frame, v, fmt::format("found at {}, expected numbers", describe_point(in_file[v])));
-    }
-  }
-  return std::make_shared<const std::vector<sim::Vec3>>(std::move(positions_m));
-}
-
-void PlacedFrames::require_near(std::size_t frame, const Positions& before_m, const Positions& after_m) const {
-  for (std::size_t v = 0; v < after_m->size(); ++v) {
-    const double moved_m = glm::distance((*before_m)[v], (*after_m)[v]);
-    if (!(moved_m <= furthest_in_frame_m)) {
-      refuse(frame, places_.file_vertex[v],
-             fmt::format("found at {} m, {:.3g} m from where it is in the frame before, expected at most {:g} m",
-                         describe_point((*after_m)[v]), moved_m, furthest_in_frame_m));
-    }
-  }
-}
-
-void PlacedFrames::refuse(std::size_t frame, std::size_t vertex, const std::string& reason) const {
-  throw InputError("'{}': frame {}, vertex {}: {}", motion_.string(), first_ + frame, vertex, reason);
+std::shared_ptr<const sim::BodyFrames> placed_frames(std::filesystem::path motion,
+                                                     std::unique_ptr<const FrameSource> source, FileVertexPlaces places,
+                                                     double rate_hz, std::size_t first) {
+  return std::make_shared<const PlacedFrames>(std::move(motion), std::move(source), std::move(places), rate_hz, first);
 }
 
 std::unique_ptr<const FrameSource> open_pc2(const std::filesystem::path& path) {
@@ -290,22 +309,21 @@ std::unique_ptr<const FrameSource> open_pc2(const std::filesystem::path& path) {
 }
 
 std::string pc2_header(const PointCacheContent& content) {
-  std::string bytes(pc2_signature);
-  put_number(1, bytes);
-  put_number(static_cast<std::uint32_t>(content.vertices), bytes);
-  put_real(content.first_frame, bytes);
-  put_real(1.0, bytes);  // one for each frame
-  put_number(static_cast<std::uint32_t>(content.frames), bytes);
-  return bytes;
+  sim::ByteWriter out;
+  out.put<std::int32_t>(1);
+  out.put(static_cast<std::uint32_t>(content.vertices));
+  out.put(static_cast<float>(content.first_frame));
+  out.put(1.0F);  // one for each frame
+  out.put(static_cast<std::uint32_t>(content.frames));
+  return std::string(pc2_signature) + out.bytes();
 }
 
 std::string pc2_frame(std::span<const sim::Vec3> positions) {
-  std::string bytes;
-  bytes.reserve(positions.size() * position_bytes);
+  sim::ByteWriter out;
   for (const sim::Vec3& position : positions) {
-    for (int axis = 0; axis < 3; ++axis) put_real(position[axis], bytes);
+    for (int axis = 0; axis < 3; ++axis) out.put(static_cast<float>(position[axis]));
   }
-  return bytes;
+  return out.bytes();
 }
 
 std::optional<std::size_t> pc2_frames(const SeekableFile& file) {

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <filesystem>
-#include <mutex>
 
 #include "app/base/files.hpp"
 #include "app/bodies/rig_pose.hpp"
@@ -38,43 +37,17 @@ struct FileVertexPlaces {
   Placement placement;
 };
 
-/// The frames of a motion as those of a body in the scene, in m. The last few are remembered, as a simulation
+/// Returns the frames of a motion as those of a body in the scene, in m. The last few are remembered, as a simulation
 /// asks for the same two again and again. A frame that is remembered beside the one before it or after it was
-/// compared with it, so that no two frames in a row are handed out between which a vertex jumps.
-class PlacedFrames final : public sim::BodyFrames {
- public:
-  /// `motion` is the file's name, for messages. Frames before `first` are left out: requires one that the
-  /// source has, and a rate above 0.
-  PlacedFrames(std::filesystem::path motion, std::unique_ptr<const FrameSource> source, FileVertexPlaces places,
-               double rate_hz, std::size_t first);
-
-  std::size_t count() const override { return source_->frames() - first_; }
-  double rate_hz() const override { return rate_hz_; }
-  /// Throws InputError that names the file, the frame of the file and the vertex of the file if a position is
-  /// not a number or a vertex goes further than a metre from one frame to the next.
-  void positions_in(std::size_t frame, std::span<sim::Vec3> positions_m) const override;
-
- private:
-  using Positions = std::shared_ptr<const std::vector<sim::Vec3>>;
-  struct Remembered {
-    std::size_t frame = 0;
-    Positions positions_m = {};
-  };
-
-  Positions placed(std::size_t frame) const;
-  Positions remembered(std::size_t frame) const;
-  Positions read(std::size_t frame) const;
-  void require_near(std::size_t frame, const Positions& before_m, const Positions& after_m) const;
-  [[noreturn]] void refuse(std::size_t frame, std::size_t vertex, const std::string& reason) const;
-
-  std::filesystem::path motion_;
-  std::unique_ptr<const FrameSource> source_;
-  FileVertexPlaces places_;
-  double rate_hz_;
-  std::size_t first_;
-  mutable std::mutex mutex_;
-  mutable std::vector<Remembered> remembered_;  ///< the newest last
-};
+/// compared with it, so that no two frames in a row are handed out between which a vertex jumps: for a frame in
+/// which a position is not a number, or a vertex goes further than a metre from the one before, they throw
+/// InputError that names the file, the frame of the file and the vertex of the file.
+///
+/// `motion` is the file's name, for messages. Frames before `first` are left out: requires one that the
+/// source has, and a rate above 0.
+std::shared_ptr<const sim::BodyFrames> placed_frames(std::filesystem::path motion,
+                                                     std::unique_ptr<const FrameSource> source, FileVertexPlaces places,
+                                                     double rate_hz, std::size_t first);
 
 /// Opens a point cache (PC2, version 1; Autodesk's "Point Oven" layout). It holds 32-bit numbers, lowest byte
 /// first. How fast it is played is not in it. Throws InputError that names the file, where, what was found
@@ -133,7 +106,7 @@ LoopBegin find_loop_begin(const sim::BodyFrames& motion, std::size_t vertices);
 std::string describe(const LoopBegin& begin);
 
 /// Returns the motion from the frame `first` on, and again from `begin` on without end. Throws InputError if
-/// a vertex goes further from the last frame to the begin than it may in a frame (PlacedFrames).
+/// a vertex goes further from the last frame to the begin than it may in a frame (placed_frames()).
 std::shared_ptr<const sim::BodyFrames> looped(std::shared_ptr<const sim::BodyFrames> motion, const LoopBegin& begin,
                                               std::size_t first);
 

@@ -86,9 +86,9 @@ TEST_F(PointCaches, MemoryDoesNotGrowWithTheLengthOfAMotion) {
     cache->read(frame, positions);
   }
   EXPECT_EQ(positions.back(), sim::Vec3(0.0));
-  const PlacedFrames placed(source.motion, open_pc2(source.motion), {{0, 1, 2, 3}, {}}, 60.0, 0);
-  for (std::size_t frame = 0; frame < placed.count(); ++frame) {
-    placed.positions_in(frame, positions);
+  const auto placed = placed_frames(source.motion, open_pc2(source.motion), {{0, 1, 2, 3}, {}}, 60.0, 0);
+  for (std::size_t frame = 0; frame < placed->count(); ++frame) {
+    placed->positions_in(frame, positions);
   }
   // All frames at once take 12 MB and more. Sanitizers keep what was given back.
   if (memory_is_limited) {

@@ -58,9 +58,43 @@ class BvhReader {
   }
 
  private:
-  void read_joint(std::string name, std::size_t parent, std::size_t depth);
-  void read_channels(std::size_t joint);
-  void read_frames();
+  void read_joint(std::string name, std::size_t parent, std::size_t depth) {
+    if (depth > deepest) reject(fmt::format("at most {} joints below each other", deepest));
+    const std::size_t joint = motion_.joints.size();
+    motion_.joints.push_back({std::move(name), parent, sim::Vec3(0.0), {}, motion_.numbers});
+    for (std::string_view word = next(); word != "}"; word = next()) {
+      if (word == "OFFSET") {
+        for (int axis = 0; axis < 3; ++axis) motion_.joints[joint].offset[axis] = number("three coordinates");
+      } else if (word == "CHANNELS") {
+        read_channels(joint);
+      } else if (word == "JOINT") {
+        read_joint(name_until_brace(), joint, depth + 1);
+      } else if (word == "End") {
+        require("Site");
+        require("{");
+        read_joint("", joint, depth + 1);
+      } else {
+        reject("OFFSET, CHANNELS, JOINT, End Site or }");
+      }
+    }
+  }
+
+  void read_channels(std::size_t joint) {
+    const std::size_t count = whole_number("the number of channels", 0, channel_names.size());
+    for (std::size_t k = 0; k < count; ++k) {
+      const auto* const found = std::ranges::find(channel_names, next());
+      if (found == channel_names.end()) reject("a channel, such as Xposition or Zrotation");
+      motion_.joints[joint].channels.push_back(static_cast<int>(found - channel_names.begin()));
+    }
+    motion_.joints[joint].first_number = motion_.numbers;
+    motion_.numbers += count;
+  }
+
+  void read_frames() {
+    const std::string what = counted(motion_.frames, "frame") + " of " + counted(motion_.numbers, "number");
+    while (motion_.values.size() < motion_.frames * motion_.numbers) motion_.values.push_back(number(what));
+    if (!next().empty()) reject("the end of the file after " + what);
+  }
 
   std::string_view next() {
     while (at_ < text_.size() && is_blank(text_[at_])) {
@@ -113,44 +147,6 @@ class BvhReader {
   int line_ = 1;
   BvhMotion motion_;
 };
-
-void BvhReader::read_joint(std::string name, std::size_t parent, std::size_t depth) {
-  if (depth > deepest) reject(fmt::format("at most {} joints below each other", deepest));
-  const std::size_t joint = motion_.joints.size();
-  motion_.joints.push_back({std::move(name), parent, sim::Vec3(0.0), {}, motion_.numbers});
-  for (std::string_view word = next(); word != "}"; word = next()) {
-    if (word == "OFFSET") {
-      for (int axis = 0; axis < 3; ++axis) motion_.joints[joint].offset[axis] = number("three coordinates");
-    } else if (word == "CHANNELS") {
-      read_channels(joint);
-    } else if (word == "JOINT") {
-      read_joint(name_until_brace(), joint, depth + 1);
-    } else if (word == "End") {
-      require("Site");
-      require("{");
-      read_joint("", joint, depth + 1);
-    } else {
-      reject("OFFSET, CHANNELS, JOINT, End Site or }");
-    }
-  }
-}
-
-void BvhReader::read_channels(std::size_t joint) {
-  const std::size_t count = whole_number("the number of channels", 0, channel_names.size());
-  for (std::size_t k = 0; k < count; ++k) {
-    const auto* const found = std::ranges::find(channel_names, next());
-    if (found == channel_names.end()) reject("a channel, such as Xposition or Zrotation");
-    motion_.joints[joint].channels.push_back(static_cast<int>(found - channel_names.begin()));
-  }
-  motion_.joints[joint].first_number = motion_.numbers;
-  motion_.numbers += count;
-}
-
-void BvhReader::read_frames() {
-  const std::string what = counted(motion_.frames, "frame") + " of " + counted(motion_.numbers, "number");
-  while (motion_.values.size() < motion_.frames * motion_.numbers) motion_.values.push_back(number(what));
-  if (!next().empty()) reject("the end of the file after " + what);
-}
 
 glm::dmat3 turned_about(int axis, double degrees) {
   const double turns = degrees / 360.0;

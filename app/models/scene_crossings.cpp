@@ -2,7 +2,6 @@
 
 #include "app/base/errors.hpp"
 #include "app/base/words.hpp"
-#include "sim/untangle/untangle.hpp"
 
 namespace taut::app {
 namespace {
@@ -93,7 +92,7 @@ std::optional<Untangling> untangle_start(const Scene& scene, const sim::Garment&
   });
   if (untangled.pairs_before == 0 && untangled.largest_move_m == 0.0) return std::nullopt;
   start_m = std::move(untangled.positions_m);
-  return Untangling{untangled.pairs_before, untangled.pairs_left, untangled.largest_move_m};
+  return untangled;
 }
 
 std::string describe(const Untangling& u) {

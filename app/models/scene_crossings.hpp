@@ -2,6 +2,7 @@
 
 #include "app/scene/scene.hpp"
 #include "app/verify/crossing_pairs.hpp"
+#include "sim/untangle/untangle.hpp"
 
 namespace taut::app {
 
@@ -28,12 +29,7 @@ std::string describe_body(std::span<const sim::Body> bodies, std::size_t body);
 /// Returns where the vertices of a body that is a mesh are at this time, in m.
 std::vector<sim::Vec3> mesh_positions_m(const sim::Body& body, double time_s);
 
-/// The outcome of parting a start in which the cloth crossed itself.
-struct Untangling {
-  std::size_t pairs_before = 0;  ///< of triangles that crossed
-  std::size_t pairs_left = 0;
-  double largest_move_m = 0.0;
-};
+using sim::Untangling;
 
 /// Moves the garment, which begins in `start_m`, to a near shape in which it does not cross itself, or less
 /// (sim/untangle), with the bound of the scene's solver, if it is not cut anew. Tells how many pairs cross,

@@ -533,7 +533,8 @@ std::vector<Gap> find_gaps(const Garment& garment, double width_m, double joined
 Untangled untangle(const Garment& garment, std::vector<Vec3> start_m, const UntangleSettings& settings,
                    const FindCrossings& find_crossings) {
   const std::vector<TrianglePair> pairs = find_crossings(start_m);
-  Untangled best = {start_m, pairs.size(), pairs.size()};
+  const Untangled as_it_was = {{pairs.size(), pairs.size()}, start_m};
+  Untangled best = as_it_was;
   if (pairs.empty() && !settings.is_cut_anew) return best;
   const bool walls = are_walls(find_contours(garment, pairs, start_m).piercings);
   Attempt(garment, settings, start_m).run(find_crossings, walls, best);
@@ -543,7 +544,7 @@ Untangled untangle(const Garment& garment, std::vector<Vec3> start_m, const Unta
     best.positions_m = within_bound(garment, settings.bounded, best.positions_m);
     best.pairs_left = find_crossings(best.positions_m).size();
   }
-  if (best.pairs_left > 0 && best.pairs_left >= pairs.size()) return {start_m, pairs.size(), pairs.size()};
+  if (best.pairs_left > 0 && best.pairs_left >= pairs.size()) return as_it_was;
   for (std::size_t v = 0; v < start_m.size(); ++v) {
     best.largest_move_m = std::max(best.largest_move_m, glm::distance(best.positions_m[v], start_m[v]));
   }

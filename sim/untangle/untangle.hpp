@@ -76,12 +76,16 @@ struct UntangleSettings {
 /// Returns the pairs of triangles of the cloth that cross where its vertices are, in m.
 using FindCrossings = std::function<std::vector<TrianglePair>(std::span<const Vec3> positions_m)>;
 
-/// Where cloth was moved to.
-struct Untangled {
-  std::vector<Vec3> positions_m;  ///< per vertex
-  std::size_t pairs_before = 0;   ///< of triangles that crossed
+/// The outcome of parting cloth that crossed itself.
+struct Untangling {
+  std::size_t pairs_before = 0;  ///< of triangles that crossed
   std::size_t pairs_left = 0;
   double largest_move_m = 0.0;
+};
+
+/// The same, and where cloth was moved to.
+struct Untangled : Untangling {
+  std::vector<Vec3> positions_m;  ///< per vertex
 };
 
 /// Moves cloth, with or without pins, from a start in which it crosses itself to a near shape in which it

@@ -313,34 +313,39 @@ void SurfaceTree::build(sim::Index begin, sim::Index end, std::span<const sim::V
   build(half, end, middles_m);
 }
 
-std::optional<SurfacePoint> SurfaceTree::nearest(const sim::Vec3& from_m, double reach_m,
-                                                 const AcceptPoint& accept) const {
-  std::optional<SurfacePoint> best;
-  double best_square = reach_m * reach_m;
+template <class DistanceTo, class Look>
+void SurfaceTree::search(const DistanceTo& distance_to, const double& reach, const Look& look) const {
   std::array<sim::Index, 64> stack{};
   std::size_t waiting = nodes_.empty() ? 0 : 1;
   while (waiting > 0) {
     const sim::Index at = stack[--waiting];
     const Node& node = nodes_[at];
-    if (square_distance(from_m, node.extent) > best_square) continue;
+    if (distance_to(node.extent) > reach) continue;
     if (node.second != 0) {
-      const bool first_is_nearer =
-          square_distance(from_m, nodes_[at + 1].extent) <= square_distance(from_m, nodes_[node.second].extent);
+      const bool first_is_nearer = distance_to(nodes_[at + 1].extent) <= distance_to(nodes_[node.second].extent);
       stack[waiting++] = first_is_nearer ? node.second : at + 1;
       stack[waiting++] = first_is_nearer ? at + 1 : node.second;
       continue;
     }
-    for (sim::Index i = node.begin; i < node.end; ++i) {
-      const sim::Vec3 place = nearest_of_triangle(from_m, corners_[order_[i]]);
-      const double square = glm::dot(place - from_m, place - from_m);
-      const SurfacePoint found{std::sqrt(square), order_[i], place};
-      const bool is_nearer = square < best_square || (best && square == best_square && order_[i] < best->triangle);
-      if (is_nearer && accept(found)) {
-        best = found;
-        best_square = square;
-      }
-    }
+    for (sim::Index i = node.begin; i < node.end; ++i) look(order_[i]);
   }
+}
+
+std::optional<SurfacePoint> SurfaceTree::nearest(const sim::Vec3& from_m, double reach_m,
+                                                 const AcceptPoint& accept) const {
+  std::optional<SurfacePoint> best;
+  double best_square = reach_m * reach_m;
+  const auto distance_to = [&](const sim::Extent& box) { return square_distance(from_m, box); };
+  search(distance_to, best_square, [&](sim::Index t) {
+    const sim::Vec3 place = nearest_of_triangle(from_m, corners_[t]);
+    const double square = glm::dot(place - from_m, place - from_m);
+    const SurfacePoint found{std::sqrt(square), t, place};
+    const bool is_nearer = square < best_square || (best && square == best_square && t < best->triangle);
+    if (is_nearer && accept(found)) {
+      best = found;
+      best_square = square;
+    }
+  });
   return best;
 }
 
@@ -348,27 +353,16 @@ std::optional<SurfacePoint> SurfaceTree::first_hit(const sim::Vec3& from_m, cons
                                                    double end_m, const AcceptPoint& accept) const {
   std::optional<SurfacePoint> best;
   const sim::Vec3 inverse = 1.0 / direction;
-  std::array<sim::Index, 64> stack{};
-  std::size_t waiting = nodes_.empty() ? 0 : 1;
-  while (waiting > 0) {
-    const sim::Index at = stack[--waiting];
-    const Node& node = nodes_[at];
-    if (!(entry(from_m, inverse, begin_m, end_m, node.extent) <= end_m)) continue;
-    if (node.second != 0) {
-      stack[waiting++] = node.second;
-      stack[waiting++] = at + 1;
-      continue;
+  const auto distance_to = [&](const sim::Extent& box) { return entry(from_m, inverse, begin_m, end_m, box); };
+  search(distance_to, end_m, [&](sim::Index t) {
+    const double distance = hit(from_m, direction, corners_[t]);
+    const SurfacePoint found{distance, t, from_m + distance * direction};
+    const bool is_nearer = distance < end_m || (best && distance == end_m && t < best->triangle);
+    if (distance >= begin_m && is_nearer && accept(found)) {
+      best = found;
+      end_m = distance;
     }
-    for (sim::Index i = node.begin; i < node.end; ++i) {
-      const double distance = hit(from_m, direction, corners_[order_[i]]);
-      const SurfacePoint found{distance, order_[i], from_m + distance * direction};
-      const bool is_nearer = distance < end_m || (best && distance == end_m && order_[i] < best->triangle);
-      if (distance >= begin_m && is_nearer && accept(found)) {
-        best = found;
-        end_m = distance;
-      }
-    }
-  }
+  });
   return best;
 }
 

@@ -40,6 +40,9 @@ class SurfaceTree {
   using Corners = std::array<sim::Vec3, 3>;
 
   void build(sim::Index begin, sim::Index end, std::span<const sim::Vec3> middles_m);
+  /// Calls `look` with each triangle whose boxes are in reach, which may shrink meanwhile, nearer boxes first.
+  template <class DistanceTo, class Look>
+  void search(const DistanceTo& distance_to, const double& reach, const Look& look) const;
 
   std::vector<Corners> corners_;   ///< of triangles, in their order
   std::vector<sim::Index> order_;  ///< of triangles, by nodes

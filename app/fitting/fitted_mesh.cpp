@@ -297,17 +297,6 @@ constexpr double needle_share = 0.003;        ///< of the triangles
 constexpr double short_share = 0.002;         ///< of the edges: contact tears cloth thicker than they are long
 constexpr double needle_sine = 0.0871557427;  ///< of 5 degrees
 
-/// The sine of the smallest angle, which lies between the two longest sides.
-double sine_of_smallest_angle(const sim::Mesh& mesh, const sim::Triangle& t) {
-  std::array<double, 3> sides{};
-  for (std::size_t k = 0; k < 3; ++k) {
-    sides[k] = glm::distance(mesh.positions[t[k]], mesh.positions[t[(k + 1) % 3]]);
-  }
-  std::ranges::sort(sides);
-  const double area = glm::length(sim::doubled_area_vector(mesh.positions, t));
-  return sides[1] > 0.0 ? area / (sides[1] * sides[2]) : 0.0;
-}
-
 std::size_t needles_of(const sim::Mesh& mesh) {
   return static_cast<std::size_t>(std::ranges::count_if(
       mesh.triangles, [&](const sim::Triangle& t) { return sine_of_smallest_angle(mesh, t) < needle_sine; }));
@@ -389,6 +378,16 @@ FittedMesh fit_mesh(const sim::Mesh& model_m, const FittingSettings& settings) {
     fitted = std::move(again);
   }
   return fitted;
+}
+
+double sine_of_smallest_angle(const sim::Mesh& mesh, const sim::Triangle& t) {
+  std::array<double, 3> sides{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    sides[k] = glm::distance(mesh.positions[t[k]], mesh.positions[t[(k + 1) % 3]]);
+  }
+  std::ranges::sort(sides);
+  const double area = glm::length(sim::doubled_area_vector(mesh.positions, t));
+  return sides[1] > 0.0 ? area / (sides[1] * sides[2]) : 0.0;
 }
 
 bool is_coarse(const sim::Mesh& model) {

@@ -56,6 +56,9 @@ FittedMesh fit_mesh(const sim::Mesh& model_m, const FittingSettings& settings = 
 /// A piece of fewer triangles is no garment.
 inline constexpr std::size_t fewest_of_garment = 24;
 
+/// Returns the sine of the smallest angle of a triangle, which lies between its two longest sides.
+double sine_of_smallest_angle(const sim::Mesh& mesh, const sim::Triangle& triangle);
+
 /// Returns whether a garment has too few triangles for its folds.
 bool is_coarse(const sim::Mesh& model);
 

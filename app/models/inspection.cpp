@@ -7,20 +7,10 @@
 namespace taut::app {
 namespace {
 
-double angle_at(const sim::Vec3& corner, const sim::Vec3& a, const sim::Vec3& b) {
-  const sim::Vec3 u = a - corner, v = b - corner;
-  return std::atan2(glm::length(glm::cross(u, v)), glm::dot(u, v));
-}
-
 double smallest_angle(const sim::Mesh& mesh) {
-  double smallest = std::numbers::pi;
-  for (const sim::Triangle& t : mesh.triangles) {
-    for (std::size_t corner = 0; corner < 3; ++corner) {
-      smallest = std::min(smallest, angle_at(mesh.positions[t[corner]], mesh.positions[t[(corner + 1) % 3]],
-                                             mesh.positions[t[(corner + 2) % 3]]));
-    }
-  }
-  return smallest;
+  double sine = 1.0;
+  for (const sim::Triangle& t : mesh.triangles) sine = std::min(sine, sine_of_smallest_angle(mesh, t));
+  return std::asin(sine);
 }
 
 Json point_json(const sim::Vec3& p) { return {p.x, p.y, p.z}; }

@@ -332,9 +332,9 @@ class Maker {
       double nearest_m = std::numeric_limits<double>::infinity();
       sim::Index joint = 0;
       for (const Bone& bone : bones_) {
-        const sim::Vec3 along = places_m_[bone.end] - places_m_[bone.begin];
-        const double share = std::clamp(glm::dot(p - places_m_[bone.begin], along) / glm::dot(along, along), 0.0, 1.0);
-        const double distance_m = glm::distance(p, places_m_[bone.begin] + share * along);
+        const sim::Vec3 &begin_m = places_m_[bone.begin], &end_m = places_m_[bone.end];
+        const double share = share_along(p, begin_m, end_m);
+        const double distance_m = glm::distance(p, begin_m + share * (end_m - begin_m));
         if (may_follow(p, bone.limb) && distance_m < nearest_m) {
           nearest_m = distance_m;
           joint = share > end_of_bone ? bone.end : bone.begin;
@@ -394,6 +394,16 @@ std::shared_ptr<const sim::BodyFrames> growing(const Wearer& wearer, std::span<c
   }
   shapes.push_back({placed_m(wearer.places, thin_shape(*wearer.rig, wearer.pose)), wearer.full_m});
   return std::make_shared<const GrowingFrames>(std::move(shapes), wearer);
+}
+
+std::vector<sim::Index> joints_of_limb(const Rig& rig, const std::string& side,
+                                       const std::array<const char*, 3>& parts) {
+  const std::map<std::string, sim::Index> nodes = joint_nodes(rig);
+  std::vector<sim::Index> joints;
+  for (const char* const part : parts) {
+    if (const auto node = nodes.find(side + part); node != nodes.end()) joints.push_back(node->second);
+  }
+  return joints.size() < 2 ? std::vector<sim::Index>{} : joints;
 }
 
 sim::Vec3 in_file_axes(const Placement& placement, const sim::Vec3& direction) {

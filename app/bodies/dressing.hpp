@@ -41,6 +41,11 @@ struct TurnedBone {
   sim::Vec3 direction = {0, 0, 0};  ///< where it shall point, of any length, in the file's axes
 };
 
+/// Returns the joints of a limb, by the parts that they move, without the side: "left " or "right "; none if the body
+/// has fewer than two.
+std::vector<sim::Index> joints_of_limb(const Rig& rig, const std::string& side,
+                                       const std::array<const char*, 3>& parts);
+
 /// Returns a direction of the scene in the axes of the file that was placed so, of another length.
 sim::Vec3 in_file_axes(const Placement& placement, const sim::Vec3& direction);
 

@@ -101,15 +101,10 @@ bool crosses(const LoadedGarment& loaded, const sim::Body& body) {
 /// turns nothing.
 void add_limbs(const Wearer& wearer, const sim::Body& body, const std::array<const char*, 3>& joints,
                const std::vector<LimbOpening>& openings, std::vector<TurnedBone>& bones) {
-  const std::map<std::string, sim::Index> nodes = joint_nodes(*wearer.rig);
   const sim::Pose pose = sim::pose_at(body.motion, 0.0);
-  for (const std::string side : {"left ", "right "}) {
-    std::vector<sim::Index> chain;
-    for (const char* const joint : joints) {
-      const auto node = nodes.find(side + joint);
-      if (node != nodes.end()) chain.push_back(node->second);
-    }
-    if (openings.empty() || chain.size() < 2) continue;
+  for (const char* const side : {"left ", "right "}) {
+    const std::vector<sim::Index> chain = joints_of_limb(*wearer.rig, side, joints);
+    if (openings.empty() || chain.empty()) continue;
     const sim::Vec3 begin_m = pose(wearer.places.placement(sim::Vec3(wearer.pose.to_model[chain[0]][3])));
     const sim::Vec3 way_m = nearest_of(openings, begin_m).middle_m - begin_m;
     const sim::Vec3 direction = in_file_axes(wearer.places.placement, glm::transpose(pose.rotation) * way_m);

@@ -76,13 +76,7 @@ Vec3 along_arm(double side) { return {side, -arms_down, 0.0}; }
 
 /// The bones of a limb, of which there are at least two joints, or none.
 std::vector<Index> chain_of(const Wearer& wearer, double side, const std::array<const char*, 3>& joints) {
-  const std::map<std::string, Index> nodes = joint_nodes(*wearer.rig);
-  std::vector<Index> chain;
-  for (const char* const joint : joints) {
-    const auto node = nodes.find((side > 0.0 ? "left " : "right ") + std::string(joint));
-    if (node != nodes.end()) chain.push_back(node->second);
-  }
-  return chain.size() < 2 ? std::vector<Index>{} : chain;
+  return joints_of_limb(*wearer.rig, side > 0.0 ? "left " : "right ", joints);
 }
 
 Vec3 begin_m(const Wearer& wearer, const std::vector<Index>& chain) {

@@ -1,7 +1,7 @@
 #include "app/sewing/cutting.hpp"
 
 #include "app/sewing/filling.hpp"
-#include "sim/mesh/groups.hpp"
+#include "sim/mesh/topology.hpp"
 
 namespace taut::app {
 namespace {
@@ -226,51 +226,38 @@ std::vector<Seam> find_seams(const SewingPattern& pattern, const Borders& border
 /// Returns whether the border of its panel goes from this vertex of a triangle to the other,
 /// counter-clockwise.
 bool goes_along(const CutPieces& pieces, Index from, Index to) {
-  return std::ranges::any_of(pieces.triangles, [&](const Triangle& t) {
-    return (t[0] == from && t[1] == to) || (t[1] == from && t[2] == to) || (t[2] == from && t[0] == to);
-  });
+  return std::ranges::any_of(pieces.triangles, [&](const Triangle& t) { return sim::runs_along(t, {from, to}); });
 }
 
 /// Turns panels so that all that are sewn together face the same side, and that outwards, away from the
 /// middle of all.
 void turn_outwards(const SewingPattern& pattern, CutPieces& pieces) {
-  std::vector<int> side(pieces.panel_count(), 0);
-  std::vector<bool> face_alike;  // per stitch, whether its panels face the same side as they are
-  for (const Seam& seam : pieces.seams) {
-    face_alike.push_back(goes_along(pieces, seam[0].first, seam[1].first) !=
-                         goes_along(pieces, seam[0].second, seam[1].second));
+  const std::size_t count = pieces.panel_count();
+  Facing facing(count);
+  for (std::size_t s = 0; s < pieces.seams.size(); ++s) {
+    const auto& [begin, next] = std::pair(pieces.seams[s][0], pieces.seams[s][1]);
+    facing.join(pattern.stitches[s].first.panel, pattern.stitches[s].second.panel,
+                goes_along(pieces, begin.first, next.first) == goes_along(pieces, begin.second, next.second));
   }
   const Vec3 middle = std::accumulate(pieces.placed_m.begin(), pieces.placed_m.end(), Vec3(0.0)) /
                       static_cast<double>(pieces.placed_m.size());
-  std::vector<double> outwards(side.size(), 0.0);
-  for (std::size_t p = 0; p < side.size(); ++p) {
+  // Of the first panel of those that are sewn together, for all of them.
+  std::vector<double> outwards(count, 0.0);
+  std::vector<std::size_t> first(count);
+  for (std::size_t p = 0; p < count; ++p) {
+    while (!facing.opposite(first[p], p)) ++first[p];
+    const double side = *facing.opposite(first[p], p) ? -1.0 : 1.0;
     for (Index t = pieces.panel_triangles[p]; t < pieces.panel_triangles[p + 1]; ++t) {
       const auto& [a, b, c] = pieces.triangles[t];
       const Vec3 &at = pieces.placed_m[a], out = at - middle;
-      outwards[p] += glm::dot(glm::cross(pieces.placed_m[b] - at, pieces.placed_m[c] - at), Vec3(out.x, 0.0, out.z));
+      outwards[first[p]] +=
+          side * glm::dot(glm::cross(pieces.placed_m[b] - at, pieces.placed_m[c] - at), Vec3(out.x, 0.0, out.z));
     }
   }
-  for (std::size_t begin = 0; begin < side.size(); ++begin) {
-    if (side[begin] != 0) continue;
-    side[begin] = 1;
-    std::vector<std::size_t> found = {begin};
-    for (std::size_t k = 0; k < found.size(); ++k) {
-      for (std::size_t s = 0; s < face_alike.size(); ++s) {
-        const std::size_t a = pattern.stitches[s].first.panel, b = pattern.stitches[s].second.panel;
-        const std::size_t other = found[k] == a ? b : a;
-        if ((found[k] == a || found[k] == b) && side[other] == 0) {
-          side[other] = face_alike[s] ? side[found[k]] : -side[found[k]];
-          found.push_back(other);
-        }
-      }
-    }
-    double sum = 0.0;
-    for (const std::size_t p : found) sum += side[p] * outwards[p];
-    for (const std::size_t p : found) side[p] = sum < 0.0 ? -side[p] : side[p];
-  }
-  for (std::size_t p = 0; p < side.size(); ++p) {
-    pieces.is_turned.push_back(side[p] < 0 ? 1 : 0);
-    for (Index t = pieces.panel_triangles[p]; side[p] < 0 && t < pieces.panel_triangles[p + 1]; ++t) {
+  for (std::size_t p = 0; p < count; ++p) {
+    const bool is_turned = *facing.opposite(first[p], p) != (outwards[first[p]] < 0.0);
+    pieces.is_turned.push_back(static_cast<char>(is_turned));
+    for (Index t = pieces.panel_triangles[p]; is_turned && t < pieces.panel_triangles[p + 1]; ++t) {
       std::swap(pieces.triangles[t][1], pieces.triangles[t][2]);
     }
   }
@@ -278,21 +265,15 @@ void turn_outwards(const SewingPattern& pattern, CutPieces& pieces) {
 
 /// Lays panels side by side, in numbers that single precision holds in cm: files hold these.
 void lay_side_by_side(CutPieces& pieces) {
-  std::vector<double> low_m(pieces.panel_count(), std::numeric_limits<double>::infinity()),
-      high_m(pieces.panel_count(), -low_m[0]);
-  for (std::size_t v = 0; v < pieces.flat_m.size(); ++v) {
-    const Index p = pieces.panel_of[v];
-    const double x = pieces.flat_m[v].x;
-    low_m[p] = std::min(low_m[p], x);
-    high_m[p] = std::max(high_m[p], x);
-  }
+  std::vector<sim::Extent> boxes(pieces.panel_count());
+  for (std::size_t v = 0; v < pieces.flat_m.size(); ++v) boxes[pieces.panel_of[v]].add({pieces.flat_m[v], 0.0});
   std::vector<double> begin_m = {0.0};
-  for (std::size_t p = 0; p < low_m.size(); ++p) {
-    begin_m.push_back(begin_m.back() + high_m[p] - low_m[p] + between_panels_m);
+  for (const sim::Extent& box : boxes) {
+    begin_m.push_back(begin_m.back() + box.upper.x - box.lower.x + between_panels_m);
   }
   for (std::size_t v = 0; v < pieces.flat_m.size(); ++v) {
     const Index p = pieces.panel_of[v];
-    const Vec2 moved = pieces.flat_m[v] + Vec2(begin_m[p] - low_m[p], 0.0);
+    const Vec2 moved = pieces.flat_m[v] + Vec2(begin_m[p] - boxes[p].lower.x, 0.0);
     pieces.flat_m[v] = Vec2(glm::vec2(moved / metres_per_uv_of_cut)) * metres_per_uv_of_cut;
   }
 }
@@ -310,12 +291,10 @@ void make_as_even_as(std::size_t wanted, const SewingPattern& pattern, std::vect
   std::size_t all = wanted;
   std::size_t* longest = nullptr;
   for (std::size_t p = 0; p < steps.size(); ++p) {
+    const std::vector<char> is_sewn = pattern.is_stitched(p);
     for (std::size_t e = 0; e < steps[p].size(); ++e) {
       all += steps[p][e];
-      const bool is_sewn = std::ranges::any_of(pattern.stitches, [&](const Stitch& stitch) {
-        return stitch.first == PanelEdge{p, e} || stitch.second == PanelEdge{p, e};
-      });
-      if (!is_sewn && (longest == nullptr || steps[p][e] > *longest)) longest = &steps[p][e];
+      if (is_sewn[e] == 0 && (longest == nullptr || steps[p][e] > *longest)) longest = &steps[p][e];
     }
   }
   if (all % 2 == 1 && longest != nullptr) ++*longest;

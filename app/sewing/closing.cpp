@@ -103,19 +103,15 @@ SewnPieces join_pieces(const CutPieces& pieces, const std::vector<Index>& set_of
   return sewn;
 }
 
-SurfaceTree tree_of(const sim::Body& body, double time_s) {
-  return {mesh_positions_m(body, time_s), std::get<sim::BodyMesh>(body.shape).data->triangles};
-}
-
 bool accept_all(const SurfacePoint&) { return true; }
 
 class Closing {
  public:
-  Closing(const CutPieces& pieces, const Scene& scene, double time_s)
+  Closing(const CutPieces& pieces, const Scene& scene, const sim::Body& dressed, double time_s)
       : pieces_(pieces),
         scene_(scene),
         time_s_(time_s),
-        body_tree_(tree_of(scene.surroundings.bodies[dressed_body(scene).body], time_s)),
+        body_tree_(mesh_positions_m(dressed, time_s), std::get<sim::BodyMesh>(dressed.shape).data->triangles),
         joined_(pieces.flat_m.size()) {
     scene_.material.thickness_m = std::min(scene_.material.thickness_m, thickest_m);
     // Laws of threads matter when cloth carries something.
@@ -215,24 +211,19 @@ class Closing {
     return true;
   }
 
-  bool is_closed(std::size_t seam) {
-    return std::ranges::all_of(pieces_.seams[seam],
-                               [&](const auto& pair) { return joined_.find(pair.first) == joined_.find(pair.second); });
+  bool is_joined(const std::pair<Index, Index>& pair) { return joined_.find(pair.first) == joined_.find(pair.second); }
+  bool is_closed(const Seam& seam) {
+    return std::ranges::all_of(seam, [&](const auto& pair) { return is_joined(pair); });
   }
   bool is_closed() {
-    for (std::size_t s = 0; s < pieces_.seams.size(); ++s) {
-      if (!is_closed(s)) return false;
-    }
-    return true;
+    return std::ranges::all_of(pieces_.seams, [&](const Seam& seam) { return is_closed(seam); });
   }
 
   double share_joined() {
     std::size_t all = 0, joined = 0;
     for (const Seam& seam : pieces_.seams) {
-      for (const auto& [a, b] : seam) {
-        ++all;
-        joined += joined_.find(a) == joined_.find(b) ? 1 : 0;
-      }
+      all += seam.size();
+      for (const auto& pair : seam) joined += is_joined(pair) ? 1 : 0;
     }
     return static_cast<double>(joined) / static_cast<double>(std::max<std::size_t>(all, 1));
   }
@@ -258,7 +249,8 @@ class Closing {
 
   /// Returns whether all of these seams are closed that belong to the layer that is sewn.
   bool is_layer_closed(const std::vector<std::size_t>& seams) {
-    return std::ranges::all_of(seams, [&](std::size_t s) { return layer_of(s) != layer_ || is_closed(s); });
+    return std::ranges::all_of(seams,
+                               [&](std::size_t s) { return layer_of(s) != layer_ || is_closed(pieces_.seams[s]); });
   }
 
   /// The seams that are pulled: those of the innermost layer that is open, at first those that carry it.
@@ -482,7 +474,8 @@ class Closing {
 }  // namespace
 
 SewnPieces close_seams(const CutPieces& pieces, const Scene& scene, double time_s, const SewingReport& report) {
-  return Closing(pieces, scene, time_s).run(report);
+  const sim::Body& dressed = scene.surroundings.bodies[dressed_body(scene).body];
+  return Closing(pieces, scene, dressed, time_s).run(report);
 }
 
 }  // namespace taut::app

@@ -53,7 +53,9 @@ class BvhReader {
     require("Time:");
     motion_.frame_time_s = number("the time of a frame in seconds");
     if (!(motion_.frame_time_s > 0.0)) reject("a time of a frame above 0");
-    read_frames();
+    const std::string what = counted(motion_.frames, "frame") + " of " + counted(motion_.numbers, "number");
+    while (motion_.values.size() < motion_.frames * motion_.numbers) motion_.values.push_back(number(what));
+    if (!next().empty()) reject("the end of the file after " + what);
     return std::move(motion_);
   }
 
@@ -90,12 +92,6 @@ class BvhReader {
     motion_.numbers += count;
   }
 
-  void read_frames() {
-    const std::string what = counted(motion_.frames, "frame") + " of " + counted(motion_.numbers, "number");
-    while (motion_.values.size() < motion_.frames * motion_.numbers) motion_.values.push_back(number(what));
-    if (!next().empty()) reject("the end of the file after " + what);
-  }
-
   std::string_view next() {
     while (at_ < text_.size() && is_blank(text_[at_])) {
       line_ += text_[at_] == '\n' ? 1 : 0;
@@ -127,11 +123,9 @@ class BvhReader {
   }
   double number(const std::string& what) {
     next();
-    double value = 0.0;
-    const char* const end = word_.data() + word_.size();
-    const auto [stopped, error] = std::from_chars(word_.data(), end, value);
-    if (error != std::errc() || stopped != end || !std::isfinite(value)) reject(what);
-    return value;
+    const std::optional<double> value = number_in<double>(word_);
+    if (!value || !std::isfinite(*value)) reject(what);
+    return *value;
   }
   std::size_t whole_number(const char* what, double least, double most) {
     const double value = number(what);
@@ -161,15 +155,15 @@ glm::dmat3 turned_about(int axis, double degrees) {
   return rotation;
 }
 
-/// Returns the joints in a frame. Requires one that there is.
-BvhPose pose_in(const BvhMotion& motion, std::size_t frame) {
+/// Returns the joints in a frame, or with nothing rotated and the root at its offset. Requires a frame that there is.
+BvhPose pose_in(const BvhMotion& motion, std::optional<std::size_t> frame) {
   BvhPose pose;
   for (std::size_t j = 0; j < motion.joints.size(); ++j) {
     const BvhJoint& joint = motion.joints[j];
-    const double* numbers = motion.values.data() + frame * motion.numbers + joint.first_number;
+    const double* numbers = motion.values.data() + frame.value_or(0) * motion.numbers + joint.first_number;
     glm::dmat3 rotation(1.0);
     sim::Vec3 place = joint.offset;
-    for (std::size_t k = 0; k < joint.channels.size(); ++k) {
+    for (std::size_t k = 0; frame && k < joint.channels.size(); ++k) {
       const int kind = joint.channels[k];
       if (kind < 3) {
         place[kind] = numbers[k];
@@ -180,17 +174,6 @@ BvhPose pose_in(const BvhMotion& motion, std::size_t frame) {
     const bool is_root = j == 0;
     pose.positions.push_back(is_root ? place : pose.positions[joint.parent] + pose.rotations[joint.parent] * place);
     pose.rotations.push_back(is_root ? rotation : pose.rotations[joint.parent] * rotation);
-  }
-  return pose;
-}
-
-/// Returns the joints with nothing rotated and the root at its offset.
-BvhPose zero_pose(const BvhMotion& motion) {
-  BvhPose pose;
-  for (const BvhJoint& joint : motion.joints) {
-    const bool is_root = pose.positions.empty();
-    pose.positions.push_back(is_root ? joint.offset : pose.positions[joint.parent] + joint.offset);
-    pose.rotations.emplace_back(1.0);
   }
   return pose;
 }
@@ -314,7 +297,7 @@ class BvhFrames final : public FrameSource {
 
 /// Which way is up in the motion: from its hips to its head.
 ModelAxis up_of(const BvhMotion& motion, const Skeletons& skeletons) {
-  const BvhPose zero = zero_pose(motion);
+  const BvhPose zero = pose_in(motion, std::nullopt);
   const auto place_of = [&](const char* part) {
     const auto found = std::ranges::find(skeletons.joint_parts, part);
     return found == skeletons.joint_parts.end()
@@ -340,7 +323,7 @@ HipsMotion hips_motion(const Rig& rig, ModelAxis up, const BvhMotion& motion, co
   if (found == skeletons.node_parts.end() || joint_of[node] == unmatched) return {};
   HipsMotion hips{static_cast<sim::Index>(node), joint_of[node]};
   const RigPose stored = stored_pose(rig);
-  const BvhPose zero = zero_pose(motion);
+  const BvhPose zero = pose_in(motion, std::nullopt);
   const glm::dmat3 body_into_scene = into_scene(up);
   const auto body_height = [&](std::size_t n) { return (body_into_scene * sim::Vec3(stored.to_model[n][3])).y; };
   const auto height = [&](std::size_t j) { return (motion_into_scene * zero.positions[j]).y; };

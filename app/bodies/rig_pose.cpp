@@ -163,16 +163,12 @@ glm::dmat4 transform_at(const RigNode& node, const RigChannel& channel, double t
   return transform_of(motion);
 }
 
-std::vector<glm::dmat4> stored_transforms(const Rig& rig) {
-  std::vector<glm::dmat4> transforms;
-  for (const RigNode& node : rig.nodes) transforms.push_back(node.to_parent);
-  return transforms;
-}
-
-std::vector<double> stored_weights(const Rig& rig) {
-  std::vector<double> weights;
-  for (const RigTarget& target : rig.targets) weights.push_back(target.weight);
-  return weights;
+/// The pose in which the model was stored, with each node in the frame of the one above it.
+RigPose stored_in_parents(const Rig& rig) {
+  RigPose pose;
+  for (const RigNode& node : rig.nodes) pose.to_model.push_back(node.to_parent);
+  for (const RigTarget& target : rig.targets) pose.target_weights.push_back(target.weight);
+  return pose;
 }
 
 // Nodes come after those above them.
@@ -243,13 +239,13 @@ glm::dvec4 rotation_between(const glm::dvec4& from, glm::dvec4 to, double share)
 }
 
 RigPose stored_pose(const Rig& rig) {
-  RigPose pose{stored_transforms(rig), stored_weights(rig)};
+  RigPose pose = stored_in_parents(rig);
   multiply_down(rig, pose.to_model);
   return pose;
 }
 
 RigPose pose_at(const Rig& rig, const RigClip& clip, double time_s) {
-  RigPose pose{stored_transforms(rig), stored_weights(rig)};
+  RigPose pose = stored_in_parents(rig);
   for (const RigChannel& channel : clip.channels) {
     pose.to_model[channel.node] = transform_at(rig.nodes[channel.node], channel, time_s);
   }

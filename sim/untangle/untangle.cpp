@@ -68,10 +68,7 @@ void add_piercings(const Garment& garment, const Triangle& edges_of, Index trian
 class Parts {
  public:
   explicit Parts(const Garment& garment)
-      : garment_(garment),
-        part_of_(garment.mesh.positions.size(), 0),
-        blocked_by_(garment.adjacency.edges.size(), 0),
-        sizes_(1, part_of_.size()) {}
+      : garment_(garment), part_of_(garment.mesh.positions.size(), 0), blocked_by_(garment.adjacency.edges.size(), 0) {}
 
   void begin(std::span<const Piercing> contour) {
     ++contour_;
@@ -79,42 +76,34 @@ class Parts {
     for (const Piercing& p : contour) blocked_by_[p.edge] = contour_;
   }
 
-  /// The part that the vertex belongs to; parts of more than half of all vertices are one, the first of all.
+  /// The part that the vertex belongs to.
   Index part_with(Index vertex) {
     if (part_of_[vertex] < first_part_) fill(vertex);
-    return is_large(part_of_[vertex]) ? 0 : part_of_[vertex];
+    return part_of_[vertex];
   }
   /// The number of vertices of a part.
   std::size_t size(Index part) const { return sizes_[part]; }
 
  private:
-  bool is_large(Index part) const { return 2 * sizes_[part] > part_of_.size(); }
-
-  // Ends as soon as it is known to be large, and where it meets one that is.
   void fill(Index vertex) {
     const auto part = static_cast<Index>(sizes_.size());
-    sizes_.push_back(1);
     part_of_[vertex] = part;
     queue_.assign(1, vertex);
-    for (std::size_t next = 0; next < queue_.size() && !is_large(part); ++next) {
+    for (std::size_t next = 0; next < queue_.size(); ++next) {
       for (const Index e : garment_.adjacency.vertex_edges[queue_[next]]) {
         const Index other = other_end(garment_.adjacency.edges[e], queue_[next]);
         if (blocked_by_[e] == contour_ || part_of_[other] == part) continue;
-        if (part_of_[other] >= first_part_) {
-          sizes_[part] = sizes_[part_of_[other]];
-          break;
-        }
         part_of_[other] = part;
-        ++sizes_[part];
         queue_.push_back(other);
       }
     }
+    sizes_.push_back(queue_.size());
   }
 
   const Garment& garment_;
   std::vector<Index> part_of_;
   std::vector<Index> blocked_by_;
-  std::vector<std::size_t> sizes_;  ///< of parts, by their numbers
+  std::vector<std::size_t> sizes_ = {0};  ///< of parts, by their numbers, from 1
   std::vector<Index> queue_;
   Index contour_ = 0;
   Index first_part_ = 1;

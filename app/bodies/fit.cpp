@@ -1,6 +1,7 @@
 #include "app/bodies/fit.hpp"
 
 #include "app/base/errors.hpp"
+#include "app/base/words.hpp"
 #include "app/bodies/wearing.hpp"
 
 namespace taut::app {
@@ -183,19 +184,18 @@ void require_wearable(const Scene& scene, std::span<const FitRow> rows) {
   const SolverChoice& solver = scene.simulation.solver;
   if (solver.kind != sim::SolverKind::bounded || solver.bounded.allow_exceeding) return;
   const double most = 1.0 + solver.bounded.max_stretch;
-  std::string found;
+  std::vector<std::string> found;
   for (const FitRow& row : rows) {
     if (row.held_m > 0.0 && row.garment_m * most < surely * row.held_m) {
-      found += fmt::format("{}{} {:.1f} cm in a garment of {:.1f} cm, which stretches to {:.1f} cm",
-                           found.empty() ? "" : ", ", row.name, 100.0 * row.held_m, 100.0 * row.garment_m,
-                           100.0 * most * row.garment_m);
+      found.push_back(fmt::format("{} {:.1f} cm in a garment of {:.1f} cm, which stretches to {:.1f} cm", row.name,
+                                  100.0 * row.held_m, 100.0 * row.garment_m, 100.0 * most * row.garment_m));
     }
   }
   if (!found.empty()) {
     throw InputError(
         "the garment cannot be put on: found {}; expected one that goes around the body, stretched by at "
         "most solver.max_stretch = {:g}",
-        found, solver.bounded.max_stretch);
+        joined(found), solver.bounded.max_stretch);
   }
 }
 
@@ -236,9 +236,9 @@ std::string describe_tightness(const Scene& scene, const sim::Garment& garment, 
   look("lower end", -std::numeric_limits<double>::infinity(), measured.lower.y - around_row_m);
   std::ranges::stable_sort(places, [](const auto& a, const auto& b) { return a.first > b.first; });
   places.resize(std::min(places.size(), most_places));
-  std::string text;
-  for (const auto& [how_much, place] : places) text += (text.empty() ? "stretched most: " : ", ") + place;
-  return text;
+  std::vector<std::string> tightest;
+  for (const auto& [how_much, place] : places) tightest.push_back(place);
+  return tightest.empty() ? "" : "stretched most: " + joined(tightest);
 }
 
 // Where arms are lifted, sleeves begin lower than at the start.
@@ -252,25 +252,23 @@ void measure_worn(const sim::Garment& garment, std::span<const sim::Vec3> worn_m
 }
 
 std::string describe_worn(std::span<const FitRow> rows) {
-  std::string text;
+  std::vector<std::string> found;
   for (const FitRow& row : rows) {
-    if (row.worn_m) {
-      text += fmt::format("{}{} {:.1f} cm ({:+.1f} %)", text.empty() ? "worn, it measures: " : ", ", row.name,
-                          100.0 * *row.worn_m, 100.0 * (*row.worn_m / row.garment_m - 1.0));
-    }
+    if (!row.worn_m) continue;
+    found.push_back(fmt::format("{} {:.1f} cm ({:+.1f} %)", row.name, 100.0 * *row.worn_m,
+                                100.0 * (*row.worn_m / row.garment_m - 1.0)));
   }
-  return text.empty() ? text : text + '\n';
+  return found.empty() ? "" : "worn, it measures: " + joined(found) + '\n';
 }
 
 std::string describe_misfit(std::span<const FitRow> rows) {
-  std::string text;
+  std::vector<std::string> found;
   for (const FitRow& row : rows) {
-    if (is_too_small(row)) {
-      text += fmt::format("{}{} {:.1f} cm in a garment of {:.1f} cm", text.empty() ? "; it does not fit: " : ", ",
-                          row.name, 100.0 * row.body_m, 100.0 * row.garment_m);
-    }
+    if (!is_too_small(row)) continue;
+    found.push_back(
+        fmt::format("{} {:.1f} cm in a garment of {:.1f} cm", row.name, 100.0 * row.body_m, 100.0 * row.garment_m));
   }
-  return text;
+  return found.empty() ? "" : "; it does not fit: " + joined(found);
 }
 
 std::string describe(std::span<const FitRow> rows) {

@@ -100,14 +100,6 @@ std::vector<sim::Triangle> wall_of(const sim::Mesh& model, std::span<const std::
   return wall;
 }
 
-struct Neighbours {
-  explicit Neighbours(const sim::Mesh& mesh)
-      : adjacency(sim::make_adjacency(mesh)), triangles_at(sim::at_vertices(mesh.positions.size(), mesh.triangles)) {}
-
-  sim::Adjacency adjacency;
-  sim::CompressedRows triangles_at;  ///< by vertex
-};
-
 /// A vertex of the model, bound or to be bound next: nearer ones first.
 struct Candidate {
   double distance_m;
@@ -125,15 +117,14 @@ class Binder {
       : model_(model),
         mesh_(mesh),
         tree_(mesh.positions, mesh.triangles),
-        of_model_(model),
-        of_mesh_(mesh),
+        of_model_(sim::make_adjacency(model)),
+        triangles_at_(sim::at_vertices(mesh.positions.size(), mesh.triangles)),
         normals_(vertex_normals(model.positions, wall_of(model, is_wall))),
         facing_(model.positions.size()),
         found_(model.positions.size()) {
-    for (const sim::Edge& edge : of_mesh_.adjacency.edges) {
-      edge_m_ += glm::distance(mesh.positions[edge[0]], mesh.positions[edge[1]]);
-    }
-    edge_m_ /= static_cast<double>(of_mesh_.adjacency.edges.size());
+    const std::vector<sim::Edge> edges = sim::make_adjacency(mesh).edges;
+    for (const auto& [a, b] : edges) edge_m_ += glm::distance(mesh.positions[a], mesh.positions[b]);
+    edge_m_ /= static_cast<double>(edges.size());
   }
 
   std::vector<SurfacePoint> all() {
@@ -187,8 +178,8 @@ class Binder {
       queue.pop();
       if (found_[next.vertex]) continue;
       found_[next.vertex] = next.found;
-      for (const Index e : of_model_.adjacency.vertex_edges[next.vertex]) {
-        const Index other = sim::other_end(of_model_.adjacency.edges[e], next.vertex);
+      for (const Index e : of_model_.vertex_edges[next.vertex]) {
+        const Index other = sim::other_end(of_model_.edges[e], next.vertex);
         if (!found_[other]) {
           const SurfacePoint found = near_to(next.found.triangle, other);
           queue.push({found.distance_m, other, found});
@@ -204,7 +195,7 @@ class Binder {
       is_nearer = false;
       const sim::Triangle from = mesh_.triangles[best.triangle];
       for (const Index corner : from) {
-        for (const Index t : of_mesh_.triangles_at[corner]) {
+        for (const Index t : triangles_at_[corner]) {
           is_nearer = try_nearer(t, vertex, best) || is_nearer;
         }
       }
@@ -229,8 +220,8 @@ class Binder {
   const sim::Mesh& model_;
   const sim::Mesh& mesh_;
   SurfaceTree tree_;
-  Neighbours of_model_;
-  Neighbours of_mesh_;
+  sim::Adjacency of_model_;
+  sim::CompressedRows triangles_at_;                 ///< of the mesh, by vertex
   std::vector<Vec3> normals_;                        ///< of vertices of the wall; 0 at others
   std::vector<std::optional<SurfacePoint>> facing_;  ///< as asked for
   std::vector<std::optional<SurfacePoint>> found_;

@@ -29,11 +29,6 @@ void require_well_formed(const Mesh& mesh) {
   }
 }
 
-Triangle sorted(Triangle t) {
-  std::sort(t.begin(), t.end());
-  return t;
-}
-
 struct TriangleHash {
   std::size_t operator()(const Triangle& t) const {
     std::size_t hash = 0;
@@ -49,10 +44,12 @@ void drop_unsound(const std::vector<Index>& vertices, Mesh& mesh, MeshReport& re
   seen.reserve(mesh.triangles.size());
   std::size_t kept = 0;
   for (const Triangle& raw : mesh.triangles) {
-    const Triangle t = {vertices[raw[0]], vertices[raw[1]], vertices[raw[2]]};
-    if (!has_area(mesh.positions, t)) {
+    Triangle t = {vertices[raw[0]], vertices[raw[1]], vertices[raw[2]]};
+    const bool is_sound = has_area(mesh.positions, t);
+    std::sort(t.begin(), t.end());
+    if (!is_sound) {
       ++report.degenerate_triangles;
-    } else if (!seen.insert(sorted(t)).second) {
+    } else if (!seen.insert(t).second) {
       ++report.duplicate_triangles;
     } else {
       mesh.triangles[kept++] = raw;
@@ -63,14 +60,11 @@ void drop_unsound(const std::vector<Index>& vertices, Mesh& mesh, MeshReport& re
 
 /// Returns by how many the vertices that triangles use exceed the places that they use.
 std::size_t count_parted(const Mesh& mesh, const std::vector<Index>& places, const std::vector<Index>& welded) {
-  std::vector<char> used_place(places.size(), 0), used_vertex(places.size(), 0);
-  for (const Triangle& t : mesh.triangles) {
-    for (const Index v : t) {
-      used_place[places[v]] = used_vertex[welded[v]] = 1;
-    }
-  }
-  return static_cast<std::size_t>(std::count(used_vertex.begin(), used_vertex.end(), 1) -
-                                  std::count(used_place.begin(), used_place.end(), 1));
+  const auto count_used = [&](const std::vector<Index>& named) {
+    const std::vector<char> used = used_vertices(renumbered(mesh, named));
+    return std::count(used.begin(), used.end(), 1);
+  };
+  return static_cast<std::size_t>(count_used(welded) - count_used(places));
 }
 
 /// Drops the vertices that no triangle uses and renumbers the others. Returns the new index per old vertex,

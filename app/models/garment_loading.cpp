@@ -62,10 +62,6 @@ void require_thin(double thickness_m, double size_m) {
   }
 }
 
-void tell(const StageReport& begin, const std::string& stage) {
-  if (begin) begin(stage);
-}
-
 FileVertices vertices_of_file(const ImportedModel& model, const std::vector<sim::Index>& kept) {
   FileVertices vertices{model.position_of_vertex, !model.shares_vertices && model.position_of_vertex.empty()};
   for (sim::Index& vertex : vertices.mesh_vertex) vertex = kept[vertex];
@@ -121,11 +117,6 @@ void turn_and_sew(const GarmentSource& source, bool is_fitted, sim::Mesh& mesh, 
   loaded.trims_sewn_on = source.weld_m || is_fitted ? 0 : sew_on_trims(parts, loaded.placement->scale, mesh);
 }
 
-/// A mesh that was given stays where it is.
-Placement place(const GarmentSource& source, const sim::Mesh& soup, const PlacementHints& hints) {
-  return source.given ? Placement{} : place_model(soup, hints);
-}
-
 /// The triangles as their texture coordinates have them, in m. Throws std::invalid_argument without any.
 std::vector<std::array<sim::Vec2, 3>> cut_by_uv(const sim::Mesh& mesh, const SurfaceColours& colours, double metres) {
   if (colours.corner_uv.size() != 3 * mesh.triangles.size()) {
@@ -176,7 +167,7 @@ bool is_hung(const Scene& scene) {
 void find_up(const Scene& scene, const sim::Mesh& model_m, const StageReport& begin, PlacementHints& hints) {
   hints.up_by_openings = up_by_openings(model_m, sim::make_adjacency(model_m));
   if (!hints.up_by_openings && is_hung(scene) && scene.surroundings.bodies.empty()) {
-    tell(begin, "hanging it both ways to see which is up");
+    begin("hanging it both ways to see which is up");
     hints.up_by_hanging = up_by_hanging(model_m);
   }
 }
@@ -184,7 +175,7 @@ void find_up(const Scene& scene, const sim::Mesh& model_m, const StageReport& be
 sim::Mesh read_mesh(const Scene& scene, LoadedGarment& loaded, const StageReport& begin) {
   const GarmentSource& source = scene.garment;
   const std::string name = source.given ? "the garment that was given" : "the garment '" + source.file.string() + '\'';
-  tell(begin, "reading " + source.file.filename().string());
+  begin("reading " + source.file.filename().string());
   ImportedModel& model = loaded.model.emplace(
       source.given ? *source.given : import_garment(source.model(), {.program = source.importer}, ReadParts::model));
   const std::vector<sim::Triangle> imported = model.triangles;
@@ -192,16 +183,17 @@ sim::Mesh read_mesh(const Scene& scene, LoadedGarment& loaded, const StageReport
   const std::size_t backs = leave_out_backs(model, soup);
   loaded.strays = remove_strays(soup);
   PlacementHints hints{source.scale, source.up, model.metres_per_unit, model.up};
-  loaded.placement = place(source, soup, hints);
+  // A mesh that was given stays where it is.
+  loaded.placement = source.given ? Placement{} : place_model(soup, hints);
   require_size(source, *loaded.placement);
-  tell(begin, "joining its vertices");
+  begin("joining its vertices");
   try {
     const double scale = loaded.placement->scale;
     // Two walls of one cloth are not to be sewn together.
     sim::ValidatedMesh valid = sim::weld_and_validate(soup, {source.weld_m.value_or(0.0) / scale, 0.0});
     require_one_size(valid.mesh);
     require_thin(scene.material.thickness_m, scale * glm::length(sim::extent_of(valid.mesh.positions).size()));
-    tell(begin, "looking whether it is fit to be simulated");
+    begin("looking whether it is fit to be simulated");
     const GarmentFacts facts = source.given ? GarmentFacts() : read_garment_facts(source.model());
     const bool is_cut = facts.is_cut;
     std::optional<FittedModel> fitted =
@@ -285,7 +277,7 @@ std::vector<sim::Index> choose_pins(const Scene& scene, const sim::Mesh& mesh, L
     return {};  // it is worn, or held by whoever gave it
   }
   if (is_hung(scene)) {
-    tell(begin, "hanging it");
+    begin("hanging it");
     const sim::Adjacency adjacency = sim::make_adjacency(mesh);
     // Whoever brings a body has the garment worn.
     loaded.hanging = scene.surroundings.bodies.empty() ? hang_as_in_a_shop(mesh, adjacency) : hang(mesh, adjacency);
@@ -384,14 +376,13 @@ bool cut_as_parted(const Scene& scene, const std::vector<sim::Vec3>& parted_m, L
 }
 
 void untangle(const Scene& scene, LoadedGarment& loaded, const StageReport& begin) {
-  const auto tell_stage = [&](const std::string& stage) { tell(begin, stage); };
   const bool may_cut = loaded.following && !loaded.start_m;
   const sim::Mesh& rest = loaded.garment->mesh;
   std::vector<sim::Vec3> start_m;
   // Parted without regard to its bound it can become too flat to be cut, but hardly so within it.
   for (const bool is_cut_anew : {may_cut, false}) {
     start_m = loaded.start_m.value_or(rest.positions);
-    loaded.untangling = untangle_start(scene, *loaded.garment, is_cut_anew, start_m, tell_stage);
+    loaded.untangling = untangle_start(scene, *loaded.garment, is_cut_anew, start_m, begin);
     if (!loaded.untangling || (may_cut && cut_as_parted(scene, start_m, loaded))) return;
     if (!is_cut_anew) break;
   }
@@ -439,14 +430,15 @@ sim::Garment of_fabrics(sim::Garment garment, const Scene& scene, const LoadedGa
 
 }  // namespace
 
-LoadedGarment load_garment(const Scene& scene, const StageReport& begin) {
+LoadedGarment load_garment(const Scene& scene, const StageReport& report) {
+  const StageReport begin = report ? report : [](const std::string&) {};
   LoadedGarment loaded;
   const bool is_grid = scene.garment.is_grid();
   if (is_grid) {
     require_count("garment.grid", 2.0 * (scene.garment.grid.columns - 1.0) * (scene.garment.grid.rows - 1.0));
   }
   sim::Mesh mesh = make_mesh(scene, loaded, begin);
-  tell(begin, "mapping it to springs");
+  begin("mapping it to springs");
   if (!scene.garment.file.empty()) {
     loaded.landmarks = read_landmarks(scene.garment.model(), *loaded.placement, mesh, loaded.file_vertices);
   }

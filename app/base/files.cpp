@@ -148,9 +148,7 @@ std::vector<std::filesystem::path> folders_above(const std::filesystem::path& fi
 SeekableFile::SeekableFile(std::filesystem::path path) : path_(std::move(path)) {
   require_file(path_);
   file_ = Descriptor(::open(path_.c_str(), O_RDONLY | O_CLOEXEC));
-  if (file_.number() < 0) {
-    throw InputError("cannot read '" + path_.string() + "': " + std::generic_category().message(errno));
-  }
+  if (file_.number() < 0) throw InputError("cannot read '" + path_.string() + "': " + reason_of(errno));
   size_ = std::filesystem::file_size(path_);
 }
 

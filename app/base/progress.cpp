@@ -36,9 +36,8 @@ void Progress::begin(std::string stage) {
 }
 
 void Progress::show(std::string stage) {
+  begin(std::move(stage));
   const std::lock_guard lock(mutex_);
-  stage_ = std::move(stage);
-  began_ = Clock::now();
   if (on_terminal_) draw();
 }
 

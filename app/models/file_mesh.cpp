@@ -1,6 +1,5 @@
 #include "app/models/file_mesh.hpp"
 
-#include <fmt/core.h>
 #include <fmt/format.h>
 
 #include "sim/mesh/welding.hpp"

@@ -78,8 +78,6 @@ void name_files(const Files& files, const Models& models, GarmentNaming naming, 
   }
 }
 
-namespace fs = std::filesystem;
-
 constexpr const char* ending = ".toml";
 
 constexpr std::array settable = {

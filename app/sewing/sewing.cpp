@@ -10,7 +10,6 @@
 #include "app/bodies/fit.hpp"
 #include "app/bodies/wearing.hpp"
 #include "app/models/file_mesh.hpp"
-#include "app/models/landmarks.hpp"
 #include "app/models/scene_crossings.hpp"
 #include "app/output/run_checkpoint.hpp"
 #include "app/scene/scene_format.hpp"

@@ -11,13 +11,6 @@
 namespace taut::app {
 namespace {
 
-std::vector<char*> pointers_to(std::vector<std::string>& texts) {
-  std::vector<char*> pointers;
-  for (std::string& text : texts) pointers.push_back(text.data());
-  pointers.push_back(nullptr);
-  return pointers;
-}
-
 void redirect(posix_spawn_file_actions_t& files, int from, int to) {
   if (from >= 0) {
     posix_spawn_file_actions_adddup2(&files, from, to);
@@ -33,8 +26,9 @@ Descriptor::~Descriptor() {
 }
 
 ChildProcess::ChildProcess(ChildCommand command) {
-  const std::vector<char*> arguments = pointers_to(command.arguments);
-  std::vector<char*> environment;
+  std::vector<char*> arguments, environment;
+  for (std::string& argument : command.arguments) arguments.push_back(argument.data());
+  arguments.push_back(nullptr);
   for (char** variable = environ; *variable != nullptr; ++variable) environment.push_back(*variable);
   environment.push_back(command.variable.empty() ? nullptr : command.variable.data());
   environment.push_back(nullptr);

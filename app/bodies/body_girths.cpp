@@ -242,12 +242,8 @@ void measure_thigh(const Levels& levels, const BodyLandmarks& at, BodyMeasures& 
 }
 
 sim::Vec3 lowest_of(const SectionCurve& curve, const CuttingPlane& plane) {
-  sim::Vec3 lowest_m = place_in(plane, curve.points_m.front());
-  for (const sim::Vec2& p : curve.points_m) {
-    const sim::Vec3 place_m = place_in(plane, p);
-    lowest_m = place_m.y < lowest_m.y ? place_m : lowest_m;
-  }
-  return lowest_m;
+  const auto height_m = [&](const sim::Vec2& p) { return place_in(plane, p).y; };
+  return place_in(plane, *std::ranges::min_element(curve.points_m, {}, height_m));
 }
 
 /// Across the middle of the upper arm.

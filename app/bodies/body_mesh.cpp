@@ -45,23 +45,18 @@ bool has_edge_from(sim::Index vertex, const Loop& loop, const sim::Adjacency& ad
   return shared > 2;  // besides the two of the border
 }
 
-double smallest_area(const sim::Mesh& mesh, std::span<const sim::Triangle> fan) {
-  double smallest = std::numeric_limits<double>::infinity();
-  for (const sim::Triangle& t : fan) {
-    smallest = std::min(smallest, glm::length(sim::doubled_area_vector(mesh.positions, t)));
-  }
-  return smallest;
-}
-
 std::vector<sim::Triangle> best_fan(const sim::Mesh& mesh, const sim::Adjacency& adjacency, const Loop& loop) {
   std::vector<sim::Triangle> best;
   double best_area = 0.0;
   for (std::size_t apex = 0; apex < loop.size(); ++apex) {
     if (!has_edge_from(loop[apex], loop, adjacency)) {
       std::vector<sim::Triangle> fan = fan_from(apex, loop);
-      const double area = smallest_area(mesh, fan);
-      if (area > best_area) {
-        best_area = area;
+      double smallest = std::numeric_limits<double>::infinity();
+      for (const sim::Triangle& t : fan) {
+        smallest = std::min(smallest, glm::length(sim::doubled_area_vector(mesh.positions, t)));
+      }
+      if (smallest > best_area) {
+        best_area = smallest;
         best = std::move(fan);
       }
     }

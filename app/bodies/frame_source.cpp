@@ -152,14 +152,6 @@ constexpr double longest_lead_in_s = 2.0;
 /// More frames than any run shows, which a number of 32 bits still counts.
 constexpr std::size_t endless = std::size_t{1} << 31U;
 
-double furthest_m(const std::vector<sim::Vec3>& from_m, const std::vector<sim::Vec3>& to_m) {
-  double furthest = 0.0;
-  for (std::size_t v = 0; v < from_m.size(); ++v) {
-    furthest = std::max(furthest, glm::distance(from_m[v], to_m[v]));
-  }
-  return furthest;
-}
-
 class LoopedFrames final : public sim::BodyFrames {
  public:
   LoopedFrames(std::shared_ptr<const sim::BodyFrames> motion, const LoopBegin& begin, std::size_t first)
@@ -358,7 +350,8 @@ LoopBegin find_loop_begin(const sim::BodyFrames& motion, std::size_t vertices) {
   for (std::size_t frame = 0; frame <= latest; ++frame) {
     throw_if_interrupted();
     motion.positions_in(frame, frame_m);
-    const double apart_m = furthest_m(frame_m, last_m);
+    double apart_m = 0.0;
+    for (std::size_t v = 0; v < vertices; ++v) apart_m = std::max(apart_m, glm::distance(frame_m[v], last_m[v]));
     if (apart_m <= meets_within_m) return {frame, apart_m, motion.count() > 1};
     first = frame == 0 ? LoopBegin{0, apart_m, false} : first;
   }

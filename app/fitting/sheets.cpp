@@ -237,18 +237,13 @@ class Pieces {
   const std::vector<sim::Index>& piece_of() const { return piece_of_; }
 
  private:
-  bool goes_on_to(sim::Index t, int side, double least_cosine) const {
-    const sim::Index next = view_.sheets.beyond[3 * t + side];
-    return next != sim::no_vertex && glm::dot(view_.normals[t], view_.normals[next]) > least_cosine;
-  }
-
   void flood(std::vector<sim::Index> front, bool all_kinds, double least_cosine) {
     for (std::size_t i = 0; i < front.size(); ++i) {
       const sim::Index t = front[i];
       for (int side = 0; side < 3; ++side) {
         const sim::Index next = view_.sheets.beyond[3 * t + side];
-        if (goes_on_to(t, side, least_cosine) && piece_of_[next] == sim::no_vertex &&
-            (all_kinds || other_[next] != sim::no_vertex)) {
+        if (next != sim::no_vertex && glm::dot(view_.normals[t], view_.normals[next]) > least_cosine &&
+            piece_of_[next] == sim::no_vertex && (all_kinds || other_[next] != sim::no_vertex)) {
           piece_of_[next] = piece_of_[t];
           front.push_back(next);
         }

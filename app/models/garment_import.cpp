@@ -8,12 +8,6 @@
 namespace taut::app {
 namespace {
 
-void count_faces(ImportedModel& model) {
-  for (const std::uint32_t corners : model.faces.corner_counts) {
-    ++(corners == 3 ? model.file_triangles : corners == 4 ? model.file_quads : model.file_polygons);
-  }
-}
-
 bool is_counting_up(const std::vector<sim::Index>& corners) {
   for (std::size_t i = 0; i < corners.size(); ++i) {
     if (corners[i] != i) return false;
@@ -54,9 +48,11 @@ std::string expectation(const std::string& reason, const std::filesystem::path& 
 
 ImportedModel model_of(ModelArrays arrays) {
   ImportedModel model{std::move(arrays), {}};
-  count_faces(model);
   const std::vector<std::uint32_t>& corner_counts = model.faces.corner_counts;
   const std::vector<sim::Index>& corners = model.faces.corners;
+  for (const std::uint32_t count : corner_counts) {
+    ++(count == 3 ? model.file_triangles : count == 4 ? model.file_quads : model.file_polygons);
+  }
   model.triangles = sim::cut_into_triangles({model.positions, corner_counts, corners});
   model.faces.corner_uv = model.colours.corner_uv;
   model.colours = cut_colours(std::move(model.colours), corner_counts, corners, model.triangles);

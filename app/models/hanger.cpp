@@ -119,14 +119,6 @@ std::optional<std::array<sim::Capsule, 2>> clear_bars(const Wearer& wearer) {
   return std::nullopt;
 }
 
-double ceiling_m(const sim::Mesh& mesh, const GarmentPart& part) {
-  double highest_m = -std::numeric_limits<double>::infinity();
-  for (const sim::Index v : neck_below_hood(mesh, part, part.across())) {
-    highest_m = std::max(highest_m, mesh.positions[v].y);
-  }
-  return std::isfinite(highest_m) ? highest_m : part.range.upper.y;
-}
-
 constexpr int levels = 50;          ///< at which the width of a part is measured
 constexpr int shoulder_levels = 4;  ///< over which shoulders slope
 constexpr double widening = 1.5;    ///< width below this slope by width above it, at least
@@ -224,7 +216,8 @@ bool holds(const GarmentPart& part, const std::vector<sim::Index>& neck, const s
 }  // namespace
 
 std::vector<sim::Body> hanger_for(const sim::Mesh& mesh, const GarmentPart& part) {
-  const double highest_m = ceiling_m(mesh, part);
+  const std::vector<sim::Index> neck = neck_below_hood(mesh, part, part.across());
+  const double highest_m = neck.empty() ? part.range.upper.y : sim::extent_of(mesh.positions, neck).upper.y;
   const double longest_m = std::min(half_length_m, widest * part.width_m());
   for (double half_m = longest_m; half_m >= shortest * longest_m; half_m *= shortening) {
     if (const auto bars = clear_bars({mesh, part, half_m, highest_m})) {

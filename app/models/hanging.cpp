@@ -3,7 +3,6 @@
 #include "app/base/words.hpp"
 #include "app/models/hanger.hpp"
 #include "app/models/placement.hpp"
-#include "sim/mesh/topology.hpp"
 
 namespace taut::app {
 namespace {
@@ -53,11 +52,6 @@ std::vector<sim::Index> tops_of(const sim::Mesh& mesh, const GarmentPart& part, 
     }
   }
   return held;
-}
-
-/// The highest vertices as far out as shoulders are.
-std::vector<sim::Index> shoulders(const sim::Mesh& mesh, const GarmentPart& part) {
-  return tops_of(mesh, part, part.vertices, shoulders_reach * part.width_m());
 }
 
 /// Whether these openings reach up to straps on both sides, as armholes do and cuffs do not.
@@ -111,7 +105,8 @@ std::vector<sim::Index> held_of_upright(const sim::Mesh& mesh, const GarmentPart
     hung.by = HungBy::straps;
     return tops_of(mesh, part, pair, part.width_m());
   }
-  if (std::vector<sim::Index> both = shoulders(mesh, part); !both.empty()) {
+  const double shoulders_m = shoulders_reach * part.width_m();
+  if (std::vector<sim::Index> both = tops_of(mesh, part, part.vertices, shoulders_m); !both.empty()) {
     hung.by = HungBy::shoulders;
     return both;
   }

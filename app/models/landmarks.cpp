@@ -71,19 +71,14 @@ sim::Index find_vertex(const std::string& name, const toml::node& value, const S
   return *vertex;
 }
 
-std::vector<sim::Index> find_vertices(const std::string& name, const toml::array& list, const Search& search) {
-  std::vector<sim::Index> found;
-  for (const toml::node& value : list) found.push_back(find_vertex(name, value, search));
-  return found;
-}
-
 // Landmarks may stand in tables, whose names do not matter.
 void collect(const toml::table& table, const Search& search, Landmarks& landmarks) {
   for (const auto& [name, value] : entries_of(table)) {
     if (value->is_table()) {
       collect(*value->as_table(), search, landmarks);
     } else if (value->is_array()) {
-      landmarks.emplace_back(name, find_vertices(name, *value->as_array(), search));
+      std::vector<sim::Index>& found = landmarks.emplace_back(name, std::vector<sim::Index>{}).second;
+      for (const toml::node& item : *value->as_array()) found.push_back(find_vertex(name, item, search));
     }
   }
 }
@@ -157,9 +152,9 @@ struct Selection {
 
 Landmarks read_landmarks(const std::filesystem::path& garment, const Placement& placement, const sim::Mesh& mesh,
                          const FileVertices& file_vertices) {
-  const std::filesystem::path path = landmarks_path(garment);
   Landmarks landmarks;
-  collect(read_landmarks_file(garment), {{path.string(), false}, mesh.positions, file_vertices, placement}, landmarks);
+  collect(read_landmarks_file(garment),
+          {{landmarks_path(garment).string(), false}, mesh.positions, file_vertices, placement}, landmarks);
   return landmarks;
 }
 

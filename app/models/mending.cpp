@@ -42,14 +42,6 @@ std::pair<double, double> bulk_along(int axis, const std::vector<Patch>& patches
   return {beyond(places.begin(), places.end()), beyond(places.rbegin(), places.rend())};
 }
 
-sim::Extent bulk_of(const std::vector<Patch>& patches, double area) {
-  sim::Extent bulk;
-  for (int axis = 0; axis < 3; ++axis) {
-    std::tie(bulk.lower[axis], bulk.upper[axis]) = bulk_along(axis, patches, area);
-  }
-  return bulk;
-}
-
 // The sum of an open surface's normals along the way from its middle, as a share of that sum if all pointed
 // away. Collars and cuffs that are turned down point inwards, so it is far from -1.
 constexpr double faces_inwards = -0.5;
@@ -134,7 +126,10 @@ Strays remove_strays(sim::Mesh& mesh) {
   }
   Strays strays;
   if (!are_finite || !std::isfinite(area) || !(area > 0.0)) return strays;
-  const sim::Extent bulk = bulk_of(patches, area);
+  sim::Extent bulk;
+  for (int axis = 0; axis < 3; ++axis) {
+    std::tie(bulk.lower[axis], bulk.upper[axis]) = bulk_along(axis, patches, area);
+  }
   const sim::Vec3 size = bulk.size();
   const double reach = stray_distance * std::max({size.x, size.y, size.z});
   const sim::Extent near{bulk.lower - reach, bulk.upper + reach};
@@ -145,17 +140,13 @@ Strays remove_strays(sim::Mesh& mesh) {
       is_near[pieces.find(mesh.triangles[t][0])] = 1;
     }
   }
-  std::vector<sim::Triangle> kept;
+  const auto is_stray = [&](const sim::Triangle& t) { return is_near[pieces.find(t[0])] == 0; };
   for (std::size_t t = 0; t < patches.size(); ++t) {
-    if (is_near[pieces.find(mesh.triangles[t][0])]) {
-      kept.push_back(mesh.triangles[t]);
-      continue;
-    }
-    ++strays.triangles;
+    if (!is_stray(mesh.triangles[t])) continue;
     strays.area_share += patches[t].area / area;
     strays.distance = std::max(strays.distance, glm::distance(patches[t].middle, bulk.middle()));
   }
-  mesh.triangles = std::move(kept);
+  strays.triangles = std::erase_if(mesh.triangles, is_stray);
   return strays;
 }
 

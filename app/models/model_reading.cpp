@@ -145,6 +145,8 @@ std::string map_name(std::istringstream& line) {
   return name;
 }
 
+/// Those of glTF are linear, and multiply their images; those of other formats are taken as what programs show, and
+/// their images replace them.
 SurfaceMaterial material_of(const aiMaterial& from, bool is_gltf) {
   SurfaceMaterial material{.name = from.GetName().C_Str()};
   aiColor4D colour(1.0F, 1.0F, 1.0F, 1.0F);
@@ -163,29 +165,17 @@ SurfaceMaterial material_of(const aiMaterial& from, bool is_gltf) {
   return material;
 }
 
-/// Returns the same of all materials of a scene, in their order. glTF's are linear, and multiply their
-/// images; those of other formats are taken as what programs show, and their images replace them.
-std::vector<SurfaceMaterial> materials_of(const aiScene& scene, bool is_gltf) {
-  std::vector<SurfaceMaterial> materials;
-  for (unsigned m = 0; m < scene.mNumMaterials; ++m) {
-    materials.push_back(material_of(*scene.mMaterials[m], is_gltf));
-  }
-  return materials;
-}
-
 void read_colours(const aiScene& scene, const std::filesystem::path& folder, ModelArrays& model) {
   SurfaceColours& colours = model.colours;
   if (std::none_of(scene.mMeshes, scene.mMeshes + scene.mNumMeshes,
                    [](const aiMesh* mesh) { return mesh->HasTextureCoords(0); })) {
     colours.corner_uv.clear();
   }
-  colours.materials = materials_of(scene, contains(model.format, "glTF"));
-  for (const sim::Index material : colours.material_of_face) {
-    if (material >= colours.materials.size()) {
-      colours.material_of_face.clear();
-      break;
-    }
+  for (const aiMaterial* material : std::span(scene.mMaterials, scene.mNumMaterials)) {
+    colours.materials.push_back(material_of(*material, contains(model.format, "glTF")));
   }
+  const auto is_unknown = [&](sim::Index material) { return material >= colours.materials.size(); };
+  if (std::ranges::any_of(colours.material_of_face, is_unknown)) colours.material_of_face.clear();
   read_maps(
       folder, [&](const std::string& name) { return embedded_image(scene, name); }, colours);
 }

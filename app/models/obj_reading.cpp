@@ -47,7 +47,11 @@ class ObjReader {
     text_.remove_prefix(text_.starts_with(byte_order_mark) ? byte_order_mark.size() : 0);
     while (!text_.empty()) read_line(take_line());
     if (model_.positions.empty()) return std::nullopt;
-    require_vertices();
+    // Only now: a face may come before its vertices.
+    if (!model_.faces.corners.empty() && highest_ >= model_.positions.size()) {
+      throw InputError("line {}: a face uses vertex {} of a model that has {}", line_of_highest_,
+                       std::size_t{highest_} + 1, model_.positions.size());
+    }
     place_texture();
     number_by_first_use(model_);
     model_.format = "Wavefront OBJ";
@@ -190,14 +194,6 @@ class ObjReader {
     if (colours.materials.size() == 1 && colours.materials.front().name.empty()) {
       colours.materials.clear();
       colours.material_of_face.clear();
-    }
-  }
-
-  // Only at the end: a face may come before its vertices.
-  void require_vertices() const {
-    if (!model_.faces.corners.empty() && highest_ >= model_.positions.size()) {
-      throw InputError("line {}: a face uses vertex {} of a model that has {}", line_of_highest_,
-                       std::size_t{highest_} + 1, model_.positions.size());
     }
   }
 

@@ -158,9 +158,6 @@ class Surrounded {
   std::vector<double> out_m_;  ///< per panel, how far out its middle is
 };
 
-using sim::Index;
-using sim::Vec3;
-
 constexpr double gathered = 1.05;  ///< times as long as what it is sewn to
 
 /// Pushes panels together that are longer than what they are sewn to, along that seam: the bound allows for
@@ -228,12 +225,6 @@ class FramesBetween final : public sim::BodyFrames {
   double rate_hz_;
 };
 
-/// Where the vertices of a body are that leaves no room for cloth.
-std::vector<Vec3> own_shape_m(BodySource source, const ShownTime& shown) {
-  source.dress = 0;
-  return read_body(source, shown).mesh.data->positions_m;
-}
-
 const Wearer& wearer_of(const Scene& scene) {
   const Dressed dressed = dressed_body(scene);
   if (dressed.wearer == nullptr) {
@@ -271,8 +262,11 @@ std::vector<std::string> place_pieces(CutPieces& pieces, Scene& scene) {
   const std::size_t b = dressed_body(scene).body;
   sim::Body& body = scene.surroundings.bodies[b];
   const double frame_rate_hz = scene.simulation.frame_rate_hz;
+  // Undressed it leaves no room for cloth.
+  BodySource undressed = scene.body_sources[b];
+  undressed.dress = 0;
   wearer.motion = std::make_shared<const FramesBetween>(
-      wearer.full_m, own_shape_m(scene.body_sources[b], {1.0, frame_rate_hz}), frame_rate_hz);
+      wearer.full_m, read_body(undressed, {1.0, frame_rate_hz}).mesh.data->positions_m, frame_rate_hz);
   wearer.rate_hz = frame_rate_hz;
   std::size_t moved = 0;
   // Pieces that were moved take the limbs with them that belong into them.

@@ -201,18 +201,14 @@ float angle_between(const glm::vec3& a, const glm::vec3& b) {
 }
 
 void add_triangle(const std::array<std::uint32_t, 3>& corners, std::span<const glm::vec3> positions,
-                  std::span<glm::vec3> normals, NormalWeight weight) {
+                  std::span<glm::vec3> normals) {
   const std::array p{positions[corners[0]], positions[corners[1]], positions[corners[2]]};
   const glm::vec3 twice_area = glm::cross(p[1] - p[0], p[2] - p[0]);
   const float length = glm::length(twice_area);
   if (!(length > 0.0F && std::isfinite(length))) return;
   for (std::size_t i = 0; i < 3; ++i) {
-    if (weight == NormalWeight::area) {
-      normals[corners[i]] += twice_area;
-    } else {
-      const float angle = angle_between(p[(i + 1) % 3] - p[i], p[(i + 2) % 3] - p[i]);
-      normals[corners[i]] += twice_area * (angle / length);
-    }
+    const float angle = angle_between(p[(i + 1) % 3] - p[i], p[(i + 2) % 3] - p[i]);
+    normals[corners[i]] += twice_area * (angle / length);
   }
 }
 
@@ -345,13 +341,13 @@ TriangleMesh make_capsule(const glm::vec3& a, const glm::vec3& b, float radius_m
 }
 
 void vertex_normals(std::span<const glm::vec3> positions, std::span<const std::uint32_t> triangles,
-                    std::span<glm::vec3> normals, NormalWeight weight) {
+                    std::span<glm::vec3> normals) {
   assert(normals.size() == positions.size());
   assert(triangles.size() % 3 == 0);
   std::ranges::fill(normals, glm::vec3{0.0F});
   for (std::size_t i = 0; i + 2 < triangles.size(); i += 3) {
     assert(std::max({triangles[i], triangles[i + 1], triangles[i + 2]}) < positions.size());
-    add_triangle({triangles[i], triangles[i + 1], triangles[i + 2]}, positions, normals, weight);
+    add_triangle({triangles[i], triangles[i + 1], triangles[i + 2]}, positions, normals);
   }
   for (glm::vec3& normal : normals) {
     const float length = glm::length(normal);

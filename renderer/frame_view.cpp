@@ -158,7 +158,8 @@ bool is_sound(const SurfaceView& surface) {
          std::ranges::all_of(
              surface.trims,
              [&](const TrimmedTriangle& trim) { return trim.triangle < surface.triangles.size() / 3; }) &&
-         (!surface.wireframe || are_indices(surface.wireframe->edges, 2, count)) &&
+         (!surface.wireframe || std::ranges::all_of(surface.wireframe->edges,
+                                                    [&](const auto& edge) { return are_indices(edge, 2, count); })) &&
          (!surface.scalars ||
           (surface.scalars->values.size() == count && surface.scalars->maximum > surface.scalars->minimum));
 }

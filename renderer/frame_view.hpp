@@ -118,7 +118,7 @@ struct ScalarColours {
 
 /// Edges drawn over a surface, on both sides.
 struct Wireframe {
-  std::span<const std::uint32_t> edges;  ///< two vertex indices per edge, each below n
+  std::span<const std::array<std::uint32_t, 2>> edges;  ///< vertex indices, each below n
   Colour colour = rgb(0x1A1A1A);
   float width_px = 1.0F;  ///< pixels of the finished picture; may be a fraction
   float opacity = 0.6F;   ///< 0 to 1

@@ -64,14 +64,6 @@ PictureStyle drawn_style(PictureStyle style) {
   return style;
 }
 
-std::vector<std::uint32_t> structural_edges(const sim::Springs& springs) {
-  std::vector<std::uint32_t> indices;
-  for (std::size_t s = 0; s < springs.structural_count; ++s) {
-    indices.insert(indices.end(), springs.ends[s].begin(), springs.ends[s].end());
-  }
-  return indices;
-}
-
 std::vector<glm::vec3> borders(const sim::Garment& garment) {
   std::vector<glm::vec3> points;
   for (std::size_t e = 0; e < garment.adjacency.edges.size(); ++e) {
@@ -167,7 +159,8 @@ GarmentPainter::GarmentPainter(renderer::SceneRenderer& renderer, const DrawnSce
       model_(followed_model(colours_, garment)),
       surface_(model_ ? *model_ : garment, colours_.corner_coordinates, colours_.base_colour_of_triangle),
       rooms_(scene, model_ ? *model_ : garment, surface_.edge_m()),
-      structural_edges_(structural_edges(garment.springs)),
+      structural_edges_(garment.springs.ends.begin(),
+                        garment.springs.ends.begin() + static_cast<std::ptrdiff_t>(garment.springs.structural_count)),
       line_width_px_(line_width_px(style_.settings)),
       spring_lines_(garment, style_.springs, spring_width * line_width_px_),
       bodies_(scene.surroundings.bodies) {

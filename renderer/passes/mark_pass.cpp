@@ -81,9 +81,8 @@ MarkPass::MarkPass(const GladGLContext& context)
 
 void MarkPass::draw_wireframe(std::span<const glm::vec3> positions, const Wireframe& wireframe) {
   segments_.clear();
-  for (std::size_t i = 0; i + 1 < wireframe.edges.size(); i += 2) {
-    segments_.push_back(
-        {positions[wireframe.edges[i]], positions[wireframe.edges[i + 1]], wireframe.colour, wireframe.colour});
+  for (const auto& [a, b] : wireframe.edges) {
+    segments_.push_back({positions[a], positions[b], wireframe.colour, wireframe.colour});
   }
   set_depth_test(*gl_, true);
   draw_segments(wireframe.width_px, wireframe.opacity);

@@ -185,7 +185,7 @@ TEST_F(LostPicturesTest, AreDrawnOrRefused) {
     frame.backdrop.plain = false;
     frame.ground_height_m = -1.2F;
     frame.surfaces.push_back(cloth.view());
-    constexpr std::array<std::uint32_t, 4> edges{0, 1, 2, 3};
+    constexpr std::array<std::array<std::uint32_t, 2>, 2> edges{{{0, 1}, {2, 3}}};
     frame.surfaces.back().wireframe = Wireframe{.edges = edges};
     frame.spheres.push_back({.centres = cloth.positions});
     const std::array colour{rgb(0x1A1A1A)};

@@ -28,8 +28,6 @@ const Colour& pick(std::span<const Colour> colours, std::size_t i) {
   return colours.size() == 1 ? colours.front() : colours[i];
 }
 
-constexpr std::array<std::string_view, 1> multisampled{"MULTISAMPLED"};
-
 }  // namespace
 
 TriangleMesh merged_spheres(const SphereView& spheres) {
@@ -121,7 +119,7 @@ void MarkPass::draw_points(const PointView& points) {
 ResolvePass::ResolvePass(const GladGLContext& context)
     : gl_(&context),
       one_(context, "fullscreen.vert", "resolve.frag"),
-      many_(context, "fullscreen.vert", "resolve.frag", multisampled),
+      many_(context, "fullscreen.vert", "resolve.frag", {"MULTISAMPLED"}),
       no_arrays_(context) {}
 
 void ResolvePass::draw(const Texture& drawn, int samples, int supersampling, const glm::ivec2& corner_px) {

@@ -291,7 +291,7 @@ SceneRenderer::SceneRenderer(Context& context) {
   parts_ = std::make_unique<Parts>(context);
 }
 
-SceneRenderer::~SceneRenderer() { delete_in_context(parts_); }
+SceneRenderer::~SceneRenderer() { delete_in_context(parts_->context, parts_); }
 
 // A ball above a larger one and a floor: their picture needs every shader that pictures of cloth need.
 void SceneRenderer::prepare(const PictureSettings& settings, bool scalars) {
@@ -317,7 +317,7 @@ void SceneRenderer::prepare(const PictureSettings& settings, bool scalars) {
 
 Image SceneRenderer::draw(const FrameView& frame, const PictureSettings& settings) {
   draw_kept(frame, settings);
-  return frame.backdrop.transparent ? parts_->picture.read_with_alpha() : parts_->picture.read();
+  return parts_->picture.read(frame.backdrop.transparent);
 }
 
 bool SceneRenderer::draw_to(unsigned framebuffer, const FrameView& frame, const PictureSettings& settings) {

@@ -60,9 +60,9 @@ void set_sampling(const GladGLContext& gl, GLenum target, GLint filter, GLint wr
 
 /// Makes the context of some objects current, in which they then can be deleted. Names without their context
 /// stay: to delete them is undefined, and they go when the process does.
-template <class Parts> void delete_in_context(std::unique_ptr<Parts>& parts) {
+template <class Parts> void delete_in_context(Context& context, std::unique_ptr<Parts>& parts) {
   try {
-    parts->context.make_current();
+    context.make_current();
   } catch (const ContextError&) {
     static_cast<void>(parts.release());
   }

@@ -62,7 +62,7 @@ OverlayPass::OverlayPass(Context& context) {
   parts_ = std::make_unique<Parts>(context);
 }
 
-OverlayPass::~OverlayPass() { delete_in_context(parts_); }
+OverlayPass::~OverlayPass() { delete_in_context(parts_->context, parts_); }
 
 void OverlayPass::set_sheet(int width_px, int height_px, std::span<const std::uint8_t> rgba) {
   const GladGLContext& gl = parts_->gl;

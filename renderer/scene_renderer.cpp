@@ -66,11 +66,10 @@ struct SceneRenderer::Parts {
   std::vector<SurfaceView> casters;   // the same, coarser: nothing finer shows in a shadow
 
   explicit Parts(Context& made);
-  void draw(const FrameView& frame, const PictureSettings& settings);
-  void draw_straight_to(GLuint framebuffer, const FrameView& frame, const PictureSettings& settings);
+  // To `picture` where no framebuffer is given; only what is not blended and not supersampled goes straight to one.
+  void draw(std::optional<GLuint> framebuffer, const FrameView& frame, const PictureSettings& settings);
   std::future<void> begin(FrameBlock& block, const FrameView& frame, const PictureSettings& settings);
   void await(std::future<void>& light_gathered);
-  void end();
   void reset_state() const;
   void collect_surfaces(const FrameView& frame);
   void set_tile_of(FrameBlock& block, const FrameView& frame, const PictureSettings& settings, const Tile& tile) const;
@@ -256,29 +255,20 @@ void SceneRenderer::Parts::await(std::future<void>& light_gathered) {
   light.bind();
 }
 
-void SceneRenderer::Parts::draw(const FrameView& frame, const PictureSettings& settings) {
+void SceneRenderer::Parts::draw(std::optional<GLuint> framebuffer, const FrameView& frame,
+                                const PictureSettings& settings) {
+  check(frame, settings);
+  context.make_current();
   FrameBlock block;
   std::future<void> light_gathered = begin(block, frame, settings);
-  picture.begin(settings.width_px, settings.height_px);
+  if (!framebuffer) picture.begin(settings.width_px, settings.height_px);
   if (settings.supersampling > 1) {
     picture.clear();
     await(light_gathered);
     draw_supersampled(block, frame, settings);
   } else {
-    draw_whole(picture.framebuffer(), block, frame, settings, light_gathered);
+    draw_whole(framebuffer.value_or(picture.framebuffer()), block, frame, settings, light_gathered);
   }
-  end();
-}
-
-void SceneRenderer::Parts::draw_straight_to(GLuint framebuffer, const FrameView& frame,
-                                            const PictureSettings& settings) {
-  FrameBlock block;
-  std::future<void> light_gathered = begin(block, frame, settings);
-  draw_whole(framebuffer, block, frame, settings, light_gathered);
-  end();
-}
-
-void SceneRenderer::Parts::end() {
   light.unbind();
   gl.Disable(GL_DEPTH_TEST);
   gl.BindVertexArray(0);
@@ -326,16 +316,12 @@ bool SceneRenderer::draw_to(unsigned framebuffer, const FrameView& frame, const 
     show_kept(framebuffer, settings.width_px, settings.height_px);
     return true;
   }
-  check(frame, settings);
-  parts_->context.make_current();
-  parts_->draw_straight_to(framebuffer, frame, settings);
+  parts_->draw(framebuffer, frame, settings);
   return false;
 }
 
 void SceneRenderer::draw_kept(const FrameView& frame, const PictureSettings& settings) {
-  check(frame, settings);
-  parts_->context.make_current();
-  parts_->draw(frame, settings);
+  parts_->draw(std::nullopt, frame, settings);
 }
 
 void SceneRenderer::show_kept(unsigned framebuffer, int width_px, int height_px, int left_px) const {

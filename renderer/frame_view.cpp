@@ -31,15 +31,6 @@ Axes axes_of(const Framing& framing) {
   return {right, glm::cross(back, right), back};
 }
 
-std::array<glm::vec3, 8> corners_of(const Box& box) {
-  std::array<glm::vec3, 8> corners;
-  for (unsigned i = 0; i < 8; ++i) {
-    corners[i] = {(i & 1U) != 0 ? box.upper.x : box.lower.x, (i & 2U) != 0 ? box.upper.y : box.lower.y,
-                  (i & 4U) != 0 ? box.upper.z : box.lower.z};
-  }
-  return corners;
-}
-
 struct Fit {
   float centre;    // across, where the two limits balance
   float distance;  // along the view, from the origin of the axes
@@ -238,6 +229,15 @@ bool is_near(const Box& box) {
 }
 
 Box united(const Box& a, const Box& b) { return {glm::min(a.lower, b.lower), glm::max(a.upper, b.upper)}; }
+
+std::array<glm::vec3, 8> corners_of(const Box& box) {
+  std::array<glm::vec3, 8> corners;
+  for (unsigned i = 0; i < 8; ++i) {
+    corners[i] = {(i & 1U) != 0 ? box.upper.x : box.lower.x, (i & 2U) != 0 ? box.upper.y : box.lower.y,
+                  (i & 4U) != 0 ? box.upper.z : box.lower.z};
+  }
+  return corners;
+}
 
 Camera fit_camera_to_box(const Box& box, const Framing& framing, float aspect) {
   check(box, framing, aspect);

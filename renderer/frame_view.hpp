@@ -33,6 +33,8 @@ struct Box {
 Box bounding_box(std::span<const glm::vec3> points);
 /// Returns whether lower <= upper in every axis and all coordinates are within +-farthest_m.
 bool is_near(const Box& box);
+/// Returns the corners of a box.
+std::array<glm::vec3, 8> corners_of(const Box& box);
 /// Returns the smallest box around both boxes.
 Box united(const Box& a, const Box& b);
 
@@ -264,6 +266,9 @@ struct PictureSettings {
   int shadow_taps = 16;
   /// Directions in which each vertex is tested for ambient occlusion, 0 to 64. 0: no occlusion. Odd numbers
   /// count as the next even one. Fewer give blotchy folds.
+
+  /// Width over height.
+  float aspect() const { return static_cast<float>(width_px) / static_cast<float>(height_px); }
   int sky_directions = 24;
 };
 

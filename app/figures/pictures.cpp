@@ -43,7 +43,7 @@ renderer::Camera camera_for(std::span<const PrintedMoment> moments, const Pictur
   scene.camera.framing.margin = print_margin;
   const renderer::Box reach =
       expected_reach(scene, *moments.front().recording->garment, moments.front().recording->pins);
-  const float aspect = aspect_of(scene.picture.settings);
+  const float aspect = scene.picture.settings.aspect();
   const glm::vec3 towards_light = renderer::studio_lighting(scene_camera(scene, reach, aspect)).towards_key;
   std::vector<glm::vec3> points;
   for (const PrintedMoment& moment : moments) {

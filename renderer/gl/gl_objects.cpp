@@ -153,10 +153,6 @@ glm::mat4 tile_of_clip(const PictureSettings& settings, const Tile& tile) {
   return glm::translate(scaled, glm::vec3{-centre, 0.0F});
 }
 
-float aspect_of(const PictureSettings& settings) {
-  return static_cast<float>(settings.width_px) / static_cast<float>(settings.height_px);
-}
-
 // Directions through a plane at distance 1 in front of the eye.
 void set_rays(FrameBlock& block, const Camera& camera, const PictureSettings& settings, const Tile& tile) {
   const glm::mat3 axes = glm::transpose(glm::mat3{camera.view()});
@@ -333,7 +329,7 @@ void set_shadow_bounds(FrameBlock& block, std::span<const SurfaceView* const> ca
 }
 
 void set_tile(FrameBlock& block, const Camera& camera, const PictureSettings& settings, const Tile& tile) {
-  block.world_to_clip = tile_of_clip(settings, tile) * camera.projection(aspect_of(settings)) * camera.view();
+  block.world_to_clip = tile_of_clip(settings, tile) * camera.projection(settings.aspect()) * camera.view();
   const auto scale = static_cast<float>(settings.supersampling);
   block.viewport = {static_cast<float>(tile.width_px) * scale, static_cast<float>(tile.height_px) * scale, scale,
                     static_cast<float>(settings.height_px) * scale};

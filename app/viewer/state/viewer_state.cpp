@@ -3,6 +3,7 @@
 #include "app/base/errors.hpp"
 #include "app/base/words.hpp"
 #include "app/bodies/body_loading.hpp"
+#include "app/drawing/framing.hpp"
 #include "renderer/context/window.hpp"
 
 namespace taut::app {
@@ -195,15 +196,8 @@ void OrbitCamera::fit(const renderer::Box& box, const ViewArea& area) {
 renderer::Camera OrbitCamera::camera() const {
   const float flat = std::cos(elevation_rad_);
   const glm::vec3 back{flat * std::sin(azimuth_rad_), std::sin(elevation_rad_), flat * std::cos(azimuth_rad_)};
-  renderer::Camera camera;
-  camera.target = target_;
-  camera.eye = target_ + distance_m_ * back;
-  camera.vertical_fov_rad = vertical_fov_rad_;
   // As of a scene that names its camera's eye, so that a saved scene gives the same picture.
-  const float distance_m = glm::distance(camera.eye, camera.target);
-  camera.near_m = 0.02F * distance_m;
-  camera.far_m = 20.0F * distance_m;
-  return camera;
+  return camera_at(target_ + distance_m_ * back, target_, vertical_fov_rad_);
 }
 
 Ray OrbitCamera::ray_through(const glm::vec2& point_px, const ViewArea& area) const {

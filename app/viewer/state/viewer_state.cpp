@@ -410,20 +410,17 @@ bool is_chosen(const Choice& motion, const BodySource& source) {
                              : source.motion.lexically_normal() == motion.file.lexically_normal();
 }
 
-DrawnScene with_motion(const DrawnScene& scene, std::size_t body, const Choice& motion,
-                       std::vector<std::string>& remarks) {
-  DrawnScene moved = scene;
-  moved.checkpoint.clear();
-  BodySource& source = moved.body_sources.at(body);
+std::vector<std::string> set_motion(DrawnScene& scene, std::size_t body, const Choice& motion) {
+  scene.checkpoint.clear();
+  BodySource& source = scene.body_sources.at(body);
   source = moved_by(source, motion);
-  std::get<sim::BodyMesh>(moved.surroundings.bodies.at(body).shape) = {};
+  std::get<sim::BodyMesh>(scene.surroundings.bodies.at(body).shape) = {};
   try {
-    remarks = load_bodies(moved);
+    return load_bodies(scene);
   } catch (const InputError&) {
     source.loop = false;
-    remarks = load_bodies(moved);
+    return load_bodies(scene);
   }
-  return moved;
 }
 
 std::span<const KeyBinding> key_bindings() { return bindings; }

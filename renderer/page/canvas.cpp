@@ -97,18 +97,9 @@ float horizontal_shift(HorizontalAlign align, const TextSize& size) {
 }
 
 float vertical_shift(VerticalAlign align, const TextSize& size) {
-  switch (align) {
-    case VerticalAlign::top:
-      return size.ascent_px;
-    case VerticalAlign::middle:
-      // The middle of lower-case letters with ascenders is what the eye takes for the middle of a line.
-      return 0.36F * (size.ascent_px + size.descent_px) * 0.86F;
-    case VerticalAlign::baseline:
-      return 0.0F;
-    case VerticalAlign::bottom:
-      return -size.descent_px;
-  }
-  return 0.0F;
+  // The middle of lower-case letters with ascenders is what the eye takes for the middle of a line.
+  if (align == VerticalAlign::middle) return 0.36F * (size.ascent_px + size.descent_px) * 0.86F;
+  return align == VerticalAlign::top ? size.ascent_px : align == VerticalAlign::bottom ? -size.descent_px : 0.0F;
 }
 
 void draw_bar(Canvas& canvas, const Legend& legend, const LegendPlace& place) {

@@ -17,15 +17,9 @@ constexpr float floor_offset_units = 8.0F;
 // Drawn pixels for a cell of the grid: larger blurs the floor's light where it is seen at a slant, smaller
 // costs time.
 int cell_px(int tile_height_px, BackdropGrid fineness) {
-  switch (fineness) {
-    case BackdropGrid::fine:
-      return std::clamp(tile_height_px / 60, 4, 12);
-    case BackdropGrid::coarse:
-      return std::clamp(tile_height_px / 20, 4, 36);
-    case BackdropGrid::coarsest:
-      return std::clamp(tile_height_px / 11 / 16 * 16, 16, 64);
-  }
-  throw std::invalid_argument("not a grid of the backdrop");
+  if (fineness == BackdropGrid::coarsest) return std::clamp(tile_height_px / 11 / 16 * 16, 16, 64);
+  return fineness == BackdropGrid::fine ? std::clamp(tile_height_px / 60, 4, 12)
+                                        : std::clamp(tile_height_px / 20, 4, 36);
 }
 
 // Drawn pixels for a texel of the floor's shadow. More is faster and blurs the shadow's edge.

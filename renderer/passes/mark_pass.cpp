@@ -16,13 +16,7 @@ constexpr float lift = 0.0008F;
 // Points are wider than lines, so a slanted surface needs more.
 constexpr float point_lift = 0.004F;
 
-void set_depth_test(const GladGLContext& gl, bool hidden) {
-  if (hidden) {
-    gl.Enable(GL_DEPTH_TEST);
-  } else {
-    gl.Disable(GL_DEPTH_TEST);
-  }
-}
+void set_depth_test(const GladGLContext& gl, bool hidden) { (hidden ? gl.Enable : gl.Disable)(GL_DEPTH_TEST); }
 
 const Colour& pick(std::span<const Colour> colours, std::size_t i) {
   return colours.size() == 1 ? colours.front() : colours[i];
@@ -47,8 +41,7 @@ SurfaceView view_of(const TriangleMesh& mesh, const SphereView& spheres) {
   view.positions = mesh.positions;
   view.normals = mesh.normals;
   view.triangles = mesh.triangles;
-  view.style.outside_colour = spheres.colour;
-  view.style.inside_colour = spheres.colour;
+  view.style.inside_colour = view.style.outside_colour = spheres.colour;
   view.style.roughness = 0.45F;
   view.style.sheen = 0.0F;
   view.style.translucency = 0.0F;

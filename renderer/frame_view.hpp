@@ -218,7 +218,6 @@ struct Lighting {
   float fill = 0.18F;     ///< strength
   float rim = 0.30F;      ///< strength
   float ambient = 0.34F;  ///< strength of the light from all around: strong from above, weak from below
-  float penumbra = 1.0F;  ///< softness of the shadow's edge, relative to a large softbox; 0: hard
 };
 
 /// Returns the default lighting turned around +y to the camera: key from the upper left of the picture, fill
@@ -266,10 +265,10 @@ struct PictureSettings {
   int shadow_taps = 16;
   /// Directions in which each vertex is tested for ambient occlusion, 0 to 64. 0: no occlusion. Odd numbers
   /// count as the next even one. Fewer give blotchy folds.
+  int sky_directions = 24;
 
   /// Width over height.
   float aspect() const { return static_cast<float>(width_px) / static_cast<float>(height_px); }
-  int sky_directions = 24;
 };
 
 /// Whether the frame keeps what frame_view.hpp requires: lengths of spans, indices below n, finite positions

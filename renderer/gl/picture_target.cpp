@@ -48,11 +48,9 @@ VisibilityBuffer::VisibilityBuffer(const GladGLContext& context)
   }
 }
 
-// Four is what shaders/surface.frag counts with.
-int VisibilityBuffer::usable_samples(int wanted) const { return wanted > 1 && most_samples_ >= 4 ? 4 : 1; }
-
 void VisibilityBuffer::begin(int width_px, int height_px, int wanted_samples) {
-  const int usable = usable_samples(wanted_samples);
+  // Four is what shaders/surface.frag counts with.
+  const int usable = wanted_samples > 1 && most_samples_ >= 4 ? 4 : 1;
   if (width_px != width_px_ || height_px != height_px_ || usable != samples_) {
     allocate(width_px, height_px, usable);
   }
@@ -98,19 +96,13 @@ void VisibilityBuffer::allocate(int width_px, int height_px, int samples) {
                                       height_px);
   gl_->BindFramebuffer(GL_FRAMEBUFFER, triangle_framebuffer_.name());
   attach(*triangle_ids_, "visibility buffer");
-  if (samples > 1) ask_sample_places();
-}
-
-void VisibilityBuffer::ask_sample_places() {
-  for (int i = 0; i < samples_; ++i) {
+  for (int i = 0; i < samples && samples > 1; ++i) {
     std::array<GLfloat, 2> place{};
     gl_->GetMultisamplefv(GL_SAMPLE_POSITION, static_cast<GLuint>(i), place.data());
     sample_places_x_[i] = place[0];
     sample_places_y_[i] = place[1];
   }
 }
-
-void VisibilityBuffer::bind() const { bind_texture(*gl_, visibility_unit, target(), *triangle_ids_); }
 
 void VisibilityBuffer::begin_marks() {
   gl_->BindFramebuffer(GL_FRAMEBUFFER, marks_framebuffer_.name());

@@ -22,7 +22,7 @@ class VisibilityBuffer {
   const glm::vec4& samples_x() const { return sample_places_x_; }
   const glm::vec4& samples_y() const { return sample_places_y_; }
   /// Binds the texture of triangle numbers to visibility_unit.
-  void bind() const;
+  void bind() const { bind_texture(*gl_, visibility_unit, target(), *triangle_ids_); }
 
   /// Binds an empty colour buffer for marks, with the surfaces' depth. Its colours are sRGB-encoded and were
   /// premultiplied in linear light. Throws ContextError.
@@ -34,9 +34,7 @@ class VisibilityBuffer {
   static constexpr int max_side_px = 2048;
 
  private:
-  int usable_samples(int wanted) const;
   void allocate(int width_px, int height_px, int samples);
-  void ask_sample_places();
   void allocate_texture(const Texture& texture, GLenum format) const;
   void attach(const Texture& texture, const char* name) const;
   GLenum target() const { return samples_ > 1 ? GL_TEXTURE_2D_MULTISAMPLE : GL_TEXTURE_2D; }

@@ -145,10 +145,6 @@ void RunSummary::add(const FrameRecord& record) {
   total_encode_ms += record.encode_ms;
 }
 
-double RunSummary::mean_substeps() const { return total_substeps / std::max(simulated_frames, 1); }
-
-double RunSummary::mean_sim_ms() const { return total_sim_ms / std::max(simulated_frames, 1); }
-
 std::string describe_crossings(const RunSummary& summary) {
   if (summary.crossings_at_start == 0 && summary.final_crossings == 0 && !(summary.most_left_out_share > 0.0)) {
     return "";

@@ -172,10 +172,6 @@ StatisticsFile::StatisticsFile(const fs::path& file, const RunDescription& run, 
   if (!last_kept) write(statistics_header(format_, run));
 }
 
-void StatisticsFile::add(const FrameRecord& record) { write(statistics_line(format_, record)); }
-
-void StatisticsFile::finish(const RunSummary& summary) { write(statistics_end(format_, summary)); }
-
 void StatisticsFile::write(const std::string& lines) {
   std::error_code ignored;
   const std::uintmax_t whole = is_plain_ ? fs::file_size(path_, ignored) : 0;

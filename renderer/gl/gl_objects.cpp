@@ -245,8 +245,6 @@ Program::~Program() {
 
 Program::Program(Program&& other) noexcept : gl_(other.gl_), program_(std::exchange(other.program_, 0)) {}
 
-void Program::use() const { gl_->UseProgram(program_); }
-
 void Program::set(const char* uniform, int value) const {
   gl_->Uniform1i(gl_->GetUniformLocation(program_, uniform), value);
 }

@@ -105,7 +105,7 @@ class Program {
   Program& operator=(const Program&) = delete;
 
   /// Makes this the program in use.
-  void use() const;
+  void use() const { gl_->UseProgram(program_); }
   /// Set a uniform. The program must be in use. A name that the program does not have is ignored.
   void set(const char* uniform, int value) const;
   void set(const char* uniform, const glm::vec4& value) const;

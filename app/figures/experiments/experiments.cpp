@@ -354,10 +354,6 @@ PowerLaw fit_power_law(std::span<const std::array<double, 2>> points) {
 
 double FrameTimes::median_ms() const { return median(frame_ms); }
 
-double FrameTimes::shortest_ms() const { return *std::ranges::min_element(frame_ms); }
-
-double FrameTimes::longest_ms() const { return *std::ranges::max_element(frame_ms); }
-
 void measure_frame_times(int repeats, const ProgressCallback& report_progress, Results& results) {
   std::vector<TimedRun> runs = make_timed_runs();
   for (TimedRun& run : runs) {

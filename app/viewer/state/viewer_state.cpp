@@ -280,8 +280,6 @@ std::optional<double> RealTime::factor() const {
   return elapsed_s_ > first_moments_s ? std::optional(simulated_s_ / elapsed_s_) : std::nullopt;
 }
 
-double RealTime::busy_share() const { return elapsed_s_ > 0.0 ? busy_s_ / elapsed_s_ : 0.0; }
-
 SlowedBy slowed_by(double factor, double asked, double simulate_ms, double frame_ms, double busy_share) {
   if (factor >= as_good_as_asked * asked) return SlowedBy::nothing;
   if (simulate_ms >= as_good_as_asked * frame_ms) return SlowedBy::simulation;

@@ -111,7 +111,7 @@ class RealTime {
   /// Simulated seconds per second of real time. Empty at the beginning.
   std::optional<double> factor() const;
   /// Fraction of all processors' time that this program used.
-  double busy_share() const;
+  double busy_share() const { return elapsed_s_ > 0.0 ? busy_s_ / elapsed_s_ : 0.0; }
   double pictures_per_s() const { return elapsed_s_ > 0.0 ? pictures_ / elapsed_s_ : 0.0; }
 
  private:

@@ -29,10 +29,11 @@ constexpr std::array<NamedSize, 6> named_sizes = {{{"720p", {1280, 720}},
                                                    {"4K", {3840, 2160}},
                                                    {"8K", {7680, 4320}}}};
 
-template <class Names> std::string names_of(const Names& entries) {
+// Of each the name, which is a member or what a function makes of it.
+template <class Entries, class Name> std::vector<std::string> names_of(const Entries& entries, Name name) {
   std::vector<std::string> names;
-  for (const auto& entry : entries) names.emplace_back(entry.name);
-  return joined(names, ", ");
+  for (const auto& entry : entries) names.emplace_back(std::invoke(name, entry));
+  return names;
 }
 
 // The entry with this name, in small or capital letters; null: none.
@@ -60,7 +61,7 @@ renderer::Resized parse_size(const std::string& text, const std::string& option)
   const auto is_side = [](std::optional<int> side) { return side && *side >= 1 && *side <= largest_side_px; };
   if (!is_side(width) || !is_side(height)) {
     throw UsageError("{} {}: expected WIDTHxHEIGHT in pixels, such as 1280x720, or a name: {}", option, text,
-                     names_of(named_sizes));
+                     joined(names_of(named_sizes, &NamedSize::name)));
   }
   return {*width, *height};
 }
@@ -70,31 +71,31 @@ renderer::Resized parse_size(const std::string& text, const std::string& option)
 
 /// `--resolution SIZE`, as parse_size reads it.
 void add_resolution(CLI::App& command, std::vector<Override>& overrides) {
-  const auto set = [&overrides](const std::string& text) {
+  command.add_option_function<std::string>("--resolution", [&overrides](const std::string& text) {
     const renderer::Resized size = parse_size(text, "--resolution");
     overrides.push_back({"picture.width", std::to_string(size.width_px), "--resolution " + text});
     overrides.push_back({"picture.height", std::to_string(size.height_px), "--resolution " + text});
-  };
-  command.add_option_function<std::string>("--resolution", set);
+  });
 }
+
+std::string side_names() { return joined(names_of(sides, &Side::name)); }
 
 /// `--view NAME`: from where.
 void add_side(CLI::App& command, std::vector<Override>& overrides) {
-  const auto set = [&overrides](const std::string& text) {
+  command.add_option_function<std::string>("--view", [&overrides](const std::string& text) {
     const Side* const side = find_named(sides, text);
-    if (side == nullptr) throw UsageError("--view " + text + ": expected one of " + names_of(sides));
+    if (side == nullptr) throw UsageError("--view " + text + ": expected one of " + side_names());
     for (const char* key : {"camera.box", "camera.eye", "camera.target"}) {
       overrides.push_back({key, "auto", "--view " + text});
     }
     overrides.push_back({"camera.azimuth", fmt::format("{}", side->azimuth_deg), "--view " + text});
     overrides.push_back({"camera.elevation", fmt::format("{}", side->elevation_deg), "--view " + text});
-  };
-  command.add_option_function<std::string>("--view", set);
+  });
 }
 
 /// `--wind SPEED[@ANGLE]`.
 void add_wind(CLI::App& command, std::vector<Override>& overrides) {
-  const auto set = [&overrides](const std::string& text) {
+  command.add_option_function<std::string>("--wind", [&overrides](const std::string& text) {
     const std::string option = "--wind " + text;
     const std::size_t at = text.find('@');
     const auto angle_deg =
@@ -104,8 +105,7 @@ void add_wind(CLI::App& command, std::vector<Override>& overrides) {
     }
     overrides.push_back({"wind.speed", text.substr(0, at), option});
     if (angle_deg) overrides.push_back({"wind.direction", direction_from(*angle_deg), option});
-  };
-  command.add_option_function<std::string>("--wind", set);
+  });
 }
 
 void define_sweep(CLI::App& sweep, SweepOptions& options) {
@@ -125,12 +125,6 @@ void define_sweep(CLI::App& sweep, SweepOptions& options) {
   run_some->add_option("--jobs", options.jobs)->needs(all)->check(CLI::Range(1, 1024));
   add("status", SweepAction::status)->add_flag("--missing", options.missing);
   add("merge", SweepAction::merge);
-}
-
-std::string unit_symbols() {
-  std::string text;
-  for (const Unit& unit : units) text += std::string(text.empty() ? "" : ", ") + unit.symbol;
-  return text;
 }
 
 /// The value of a key that is the unit of a model, in m: that of a symbol, or else the text itself.
@@ -250,17 +244,14 @@ void define_simulate(CLI::App& command, SimulateOptions& options) {
 }
 
 std::vector<std::string> solvers() {
-  std::vector<std::string> names;
-  for (const sim::SolverKind kind : sim::all_solver_kinds) names.emplace_back(sim::name_of(kind));
-  return names;
+  return names_of(sim::all_solver_kinds, [](sim::SolverKind kind) { return sim::name_of(kind); });
 }
 
 void add_compare(CLI::App& command, std::optional<sim::SolverKind>& compared_with) {
-  const auto set = [&compared_with](const std::string& text) {
+  command.add_option_function<std::string>("--compare", [&compared_with](const std::string& text) {
     compared_with = solver_named(text);
     if (!compared_with) throw UsageError("--compare " + text + ": expected one of " + joined(solvers()));
-  };
-  command.add_option_function<std::string>("--compare", set);
+  });
 }
 
 void define_view(CLI::App& command, ViewOptions& options) {
@@ -336,7 +327,8 @@ std::function<int()> add_command(CLI::App& app, const char* name, void (*define)
 }
 
 /// A command that lists what comes with the program, or prints the one that is named.
-std::function<int()> add_list(CLI::App& app, const char* command, const char* name, int (*list)(const std::string&)) {
+std::function<int()> add_list(CLI::App& app, const char* command, const char* name,
+                              const std::function<int(const std::string&)>& list) {
   auto asked = std::make_shared<std::string>();
   app.add_subcommand(command)->add_option(name, *asked);
   return [asked, list] { return list(*asked); };
@@ -354,11 +346,8 @@ void define_bench(CLI::App& command, BenchOptions& options) {
 
 // Without those that belong to no group, which are not shown.
 std::vector<std::string> command_names(const CLI::App& app) {
-  std::vector<std::string> names;
-  for (const CLI::App* command : app.get_subcommands([](const CLI::App* c) { return !c->get_group().empty(); })) {
-    names.push_back(command->get_name());
-  }
-  return names;
+  const auto is_shown = [](const CLI::App* command) { return !command->get_group().empty(); };
+  return names_of(app.get_subcommands(is_shown), &CLI::App::get_name);
 }
 
 std::string help_about(CLI::App& app, const std::string& topic) {
@@ -374,15 +363,6 @@ std::string help_about(CLI::App& app, const std::string& topic) {
                      " (topics: " + joined(topics) + ')');
   }
   return app.get_subcommand(topic)->help(app.get_name());
-}
-
-std::function<int()> add_help(CLI::App& app) {
-  auto topic = std::make_shared<std::string>();
-  app.add_subcommand("help")->add_option("TOPIC", *topic);
-  return [&app, topic] {
-    fmt::print("{}", help_about(app, *topic));
-    return 0;
-  };
 }
 
 /// Throws UsageError, with a list of the commands, if the arguments begin neither with a command nor with an
@@ -431,12 +411,13 @@ std::string what_is_wrong(const CLI::App& app, const CLI::ParseError& error, std
 
 /// The text with the names of what there is in the place of their kinds in braces.
 std::string filled_in(std::string text) {
-  const std::array<std::pair<const char*, std::string>, 6> lists = {{{"{figures}", joined(figure_names(), ",")},
-                                                                     {"{solvers}", joined(solvers())},
-                                                                     {"{sides}", names_of(sides)},
-                                                                     {"{backends}", joined(backends(), " or ")},
-                                                                     {"{units}", unit_symbols()},
-                                                                     {"{thresholds}", fit_thresholds()}}};
+  const std::array<std::pair<const char*, std::string>, 6> lists = {
+      {{"{figures}", joined(figure_names(), ",")},
+       {"{solvers}", joined(solvers())},
+       {"{sides}", side_names()},
+       {"{backends}", joined(backends(), " or ")},
+       {"{units}", joined(names_of(units, &Unit::symbol))},
+       {"{thresholds}", fit_thresholds()}}};
   for (const auto& [kind, names] : lists) {
     const std::size_t at = text.find(kind);
     if (at != std::string::npos) text.replace(at, std::strlen(kind), names);
@@ -490,7 +471,10 @@ int run_command_line(std::span<const char* const> arguments) {
                                                       add_list(app, "fabrics", "FABRIC", list_fabrics),
                                                       add_command(app, "sweep", define_sweep),
                                                       add_command(app, "import-model", define_import_model),
-                                                      add_help(app)};
+                                                      add_list(app, "help", "TOPIC", [&app](const auto& topic) {
+                                                        fmt::print("{}", help_about(app, topic));
+                                                        return 0;
+                                                      })};
   describe(app, "taut", toml::parse(help_texts));
   show_help_first(app);
   require_command(app, arguments);

@@ -31,15 +31,6 @@ Axes axes_of(const Framing& framing) {
   return {right, glm::cross(back, right), back};
 }
 
-std::array<glm::vec3, 8> corners_of(const Box& box) {
-  std::array<glm::vec3, 8> corners;
-  for (unsigned i = 0; i < 8; ++i) {
-    corners[i] = {(i & 1U) != 0 ? box.upper.x : box.lower.x, (i & 2U) != 0 ? box.upper.y : box.lower.y,
-                  (i & 4U) != 0 ? box.upper.z : box.lower.z};
-  }
-  return corners;
-}
-
 struct Fit {
   float centre;    // across, where the two limits balance
   float distance;  // along the view, from the origin of the axes
@@ -158,7 +149,8 @@ bool is_sound(const SurfaceView& surface) {
          std::ranges::all_of(
              surface.trims,
              [&](const TrimmedTriangle& trim) { return trim.triangle < surface.triangles.size() / 3; }) &&
-         (!surface.wireframe || are_indices(surface.wireframe->edges, 2, count)) &&
+         (!surface.wireframe || std::ranges::all_of(surface.wireframe->edges,
+                                                    [&](const auto& edge) { return are_indices(edge, 2, count); })) &&
          (!surface.scalars ||
           (surface.scalars->values.size() == count && surface.scalars->maximum > surface.scalars->minimum));
 }
@@ -201,18 +193,14 @@ float angle_between(const glm::vec3& a, const glm::vec3& b) {
 }
 
 void add_triangle(const std::array<std::uint32_t, 3>& corners, std::span<const glm::vec3> positions,
-                  std::span<glm::vec3> normals, NormalWeight weight) {
+                  std::span<glm::vec3> normals) {
   const std::array p{positions[corners[0]], positions[corners[1]], positions[corners[2]]};
   const glm::vec3 twice_area = glm::cross(p[1] - p[0], p[2] - p[0]);
   const float length = glm::length(twice_area);
   if (!(length > 0.0F && std::isfinite(length))) return;
   for (std::size_t i = 0; i < 3; ++i) {
-    if (weight == NormalWeight::area) {
-      normals[corners[i]] += twice_area;
-    } else {
-      const float angle = angle_between(p[(i + 1) % 3] - p[i], p[(i + 2) % 3] - p[i]);
-      normals[corners[i]] += twice_area * (angle / length);
-    }
+    const float angle = angle_between(p[(i + 1) % 3] - p[i], p[(i + 2) % 3] - p[i]);
+    normals[corners[i]] += twice_area * (angle / length);
   }
 }
 
@@ -241,6 +229,15 @@ bool is_near(const Box& box) {
 }
 
 Box united(const Box& a, const Box& b) { return {glm::min(a.lower, b.lower), glm::max(a.upper, b.upper)}; }
+
+std::array<glm::vec3, 8> corners_of(const Box& box) {
+  std::array<glm::vec3, 8> corners;
+  for (unsigned i = 0; i < 8; ++i) {
+    corners[i] = {(i & 1U) != 0 ? box.upper.x : box.lower.x, (i & 2U) != 0 ? box.upper.y : box.lower.y,
+                  (i & 4U) != 0 ? box.upper.z : box.lower.z};
+  }
+  return corners;
+}
 
 Camera fit_camera_to_box(const Box& box, const Framing& framing, float aspect) {
   check(box, framing, aspect);
@@ -345,13 +342,13 @@ TriangleMesh make_capsule(const glm::vec3& a, const glm::vec3& b, float radius_m
 }
 
 void vertex_normals(std::span<const glm::vec3> positions, std::span<const std::uint32_t> triangles,
-                    std::span<glm::vec3> normals, NormalWeight weight) {
+                    std::span<glm::vec3> normals) {
   assert(normals.size() == positions.size());
   assert(triangles.size() % 3 == 0);
   std::ranges::fill(normals, glm::vec3{0.0F});
   for (std::size_t i = 0; i + 2 < triangles.size(); i += 3) {
     assert(std::max({triangles[i], triangles[i + 1], triangles[i + 2]}) < positions.size());
-    add_triangle({triangles[i], triangles[i + 1], triangles[i + 2]}, positions, normals, weight);
+    add_triangle({triangles[i], triangles[i + 1], triangles[i + 2]}, positions, normals);
   }
   for (glm::vec3& normal : normals) {
     const float length = glm::length(normal);

@@ -33,6 +33,8 @@ struct Box {
 Box bounding_box(std::span<const glm::vec3> points);
 /// Returns whether lower <= upper in every axis and all coordinates are within +-farthest_m.
 bool is_near(const Box& box);
+/// Returns the corners of a box.
+std::array<glm::vec3, 8> corners_of(const Box& box);
 /// Returns the smallest box around both boxes.
 Box united(const Box& a, const Box& b);
 
@@ -118,7 +120,7 @@ struct ScalarColours {
 
 /// Edges drawn over a surface, on both sides.
 struct Wireframe {
-  std::span<const std::uint32_t> edges;  ///< two vertex indices per edge, each below n
+  std::span<const std::array<std::uint32_t, 2>> edges;  ///< vertex indices, each below n
   Colour colour = rgb(0x1A1A1A);
   float width_px = 1.0F;  ///< pixels of the finished picture; may be a fraction
   float opacity = 0.6F;   ///< 0 to 1
@@ -216,7 +218,6 @@ struct Lighting {
   float fill = 0.18F;     ///< strength
   float rim = 0.30F;      ///< strength
   float ambient = 0.34F;  ///< strength of the light from all around: strong from above, weak from below
-  float penumbra = 1.0F;  ///< softness of the shadow's edge, relative to a large softbox; 0: hard
 };
 
 /// Returns the default lighting turned around +y to the camera: key from the upper left of the picture, fill
@@ -265,6 +266,9 @@ struct PictureSettings {
   /// Directions in which each vertex is tested for ambient occlusion, 0 to 64. 0: no occlusion. Odd numbers
   /// count as the next even one. Fewer give blotchy folds.
   int sky_directions = 24;
+
+  /// Width over height.
+  float aspect() const { return static_cast<float>(width_px) / static_cast<float>(height_px); }
 };
 
 /// Whether the frame keeps what frame_view.hpp requires: lengths of spans, indices below n, finite positions
@@ -292,18 +296,12 @@ TriangleMesh make_sphere(const glm::vec3& centre, float radius_m, int segments =
 /// `segments` as in make_sphere.
 TriangleMesh make_capsule(const glm::vec3& a, const glm::vec3& b, float radius_m, int segments = 48);
 
-/// The weight of each triangle's normal in the normal of a vertex.
-enum class NormalWeight {
-  area,   ///< the triangle's area; cheapest, good where triangles have like sizes
-  angle,  ///< the triangle's angle at the vertex (Thuermer and Wuethrich 1998), which does not depend on how
-          ///< a face is triangulated
-};
-
-/// Fills `normals` with one unit normal per vertex. n = number of vertices = positions.size(). `triangles`
-/// holds three vertex indices per triangle, counter-clockwise seen from outside. Triangles without area are
+/// Fills `normals` with one unit normal per vertex, in which each triangle counts by its angle there (Thuermer and
+/// Wuethrich 1998): how a face is cut into triangles does not matter. n = number of vertices = positions.size().
+/// `triangles` holds three vertex indices per triangle, counter-clockwise seen from outside. Triangles without area are
 /// ignored. A vertex without any other triangle gets +y. Requires normals.size() == n and indices below n
 /// (asserted).
 void vertex_normals(std::span<const glm::vec3> positions, std::span<const std::uint32_t> triangles,
-                    std::span<glm::vec3> normals, NormalWeight weight = NormalWeight::angle);
+                    std::span<glm::vec3> normals);
 
 }  // namespace taut::renderer

@@ -65,233 +65,197 @@ struct SceneRenderer::Parts {
   std::vector<SurfaceView> surfaces;  // those of the frame and the sphere meshes
   std::vector<SurfaceView> casters;   // the same, coarser: nothing finer shows in a shadow
 
-  explicit Parts(Context& made);
-  void draw(const FrameView& frame, const PictureSettings& settings);
-  void draw_straight_to(GLuint framebuffer, const FrameView& frame, const PictureSettings& settings);
-  std::future<void> begin(FrameBlock& block, const FrameView& frame, const PictureSettings& settings);
-  void await(std::future<void>& light_gathered);
-  void end();
-  void reset_state() const;
-  void collect_surfaces(const FrameView& frame);
-  void set_tile_of(FrameBlock& block, const FrameView& frame, const PictureSettings& settings, const Tile& tile) const;
+  explicit Parts(Context& made)
+      : context(made),
+        gl(made.gl()),
+        surface_pass(gl),
+        light(gl),
+        backdrop_pass(gl),
+        mark_pass(gl),
+        picture(gl),
+        visibility(gl),
+        resolve_pass(gl),
+        large(gl),
+        block_buffer(gl) {
+    check_errors(gl, "starting the renderer");
+  }
+
+  // To `picture` where no framebuffer is given; only what is not blended and not supersampled goes straight to one.
+  void draw(std::optional<GLuint> framebuffer, const FrameView& frame, const PictureSettings& settings) {
+    check(frame, settings);
+    context.make_current();
+    FrameBlock block;
+    std::future<void> light_gathered = begin(block, frame, settings);
+    if (!framebuffer) picture.begin(settings.width_px, settings.height_px);
+    if (settings.supersampling > 1) {
+      picture.clear();
+      await(light_gathered);
+      draw_supersampled(block, frame, settings);
+    } else {
+      draw_whole(framebuffer.value_or(picture.framebuffer()), block, frame, settings, light_gathered);
+    }
+    light.unbind();
+    gl.Disable(GL_DEPTH_TEST);
+    gl.BindVertexArray(0);
+    gl.UseProgram(0);
+    check_errors(gl, "drawing a frame");
+  }
+
+  // The future that is returned gathers the light meanwhile; it has to end before the frame's spans do.
+  std::future<void> begin(FrameBlock& block, const FrameView& frame, const PictureSettings& settings) {
+    reset_state();
+    sphere_meshes.clear();
+    surfaces = frame.surfaces;
+    sphere_meshes.reserve(frame.spheres.size());
+    for (const SphereView& spheres : frame.spheres) {
+      sphere_meshes.push_back(merged_spheres(spheres));
+      surfaces.push_back(view_of(sphere_meshes.back(), spheres));
+    }
+    casters.clear();
+    std::ranges::transform(surfaces, std::back_inserter(casters), coarse_of);
+    light.begin(block, frame, casters, settings);
+    std::future<void> light_gathered = std::async(std::launch::async, [this, own = block] {
+      light.draw_maps(own);
+      surface_pass.gather(surfaces, light);
+    });
+    surface_pass.upload_positions(surfaces);
+    gl.BindBufferBase(GL_UNIFORM_BUFFER, frame_block_binding, block_buffer.name());
+    return light_gathered;
+  }
+
+  void await(std::future<void>& light_gathered) {
+    light_gathered.get();
+    light.upload();
+    surface_pass.upload_surfaces();
+    light.bind();
+  }
+
+  // The context may be shared with a user interface that leaves its own settings behind.
+  void reset_state() const {
+    for (const GLenum off : {GL_BLEND, GL_CULL_FACE, GL_SCISSOR_TEST, GL_STENCIL_TEST, GL_POLYGON_OFFSET_FILL,
+                             GL_FRAMEBUFFER_SRGB, GL_RASTERIZER_DISCARD, GL_PRIMITIVE_RESTART}) {
+      gl.Disable(off);
+    }
+    gl.Enable(GL_MULTISAMPLE);
+    gl.Enable(GL_DEPTH_TEST);
+    gl.DepthFunc(GL_LEQUAL);
+    gl.DepthMask(GL_TRUE);
+    gl.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    gl.ClearDepth(1.0);
+    gl.PolygonMode(GL_FRONT_AND_BACK, GL_FILL);
+    gl.BlendEquation(GL_FUNC_ADD);
+    light.unbind();
+  }
+
+  void set_tile_of(FrameBlock& block, const FrameView& frame, const PictureSettings& settings, const Tile& tile) const {
+    set_tile(block, frame.camera, settings, tile);
+    upload(gl, GL_UNIFORM_BUFFER, block_buffer, std::span<const FrameBlock>(&block, 1));
+  }
+
+  // The background has no edges that more samples would smooth, and things seldom fill the picture: only the
+  // part that they can touch is drawn with many samples, and blended over.
+  // The first tile is looked at while the light is still being gathered.
   void draw_whole(GLuint framebuffer, FrameBlock& block, const FrameView& frame, const PictureSettings& settings,
-                  std::future<void>& light_gathered);
-  void draw_supersampled(FrameBlock& block, const FrameView& frame, const PictureSettings& settings);
-  void draw_behind(GLuint framebuffer, const FrameBlock& block, const FrameView& frame,
-                   const PictureSettings& settings);
-  void draw_visibility(const PixelRect& place, const FrameView& frame, const PictureSettings& settings);
-  void shade_surfaces_and_marks(GLuint framebuffer, const PixelRect& place, const FrameBlock& block,
-                                const FrameView& frame, const PictureSettings& settings);
-  void draw_marks(const FrameView& frame);
-};
-
-SceneRenderer::Parts::Parts(Context& made)
-    : context(made),
-      gl(made.gl()),
-      surface_pass(gl),
-      light(gl),
-      backdrop_pass(gl),
-      mark_pass(gl),
-      picture(gl),
-      visibility(gl),
-      resolve_pass(gl),
-      large(gl),
-      block_buffer(gl) {
-  check_errors(gl, "starting the renderer");
-}
-
-// The context may be shared with a user interface that leaves its own settings behind.
-void SceneRenderer::Parts::reset_state() const {
-  for (const GLenum off : {GL_BLEND, GL_CULL_FACE, GL_SCISSOR_TEST, GL_STENCIL_TEST, GL_POLYGON_OFFSET_FILL,
-                           GL_FRAMEBUFFER_SRGB, GL_RASTERIZER_DISCARD, GL_PRIMITIVE_RESTART}) {
-    gl.Disable(off);
-  }
-  gl.Enable(GL_MULTISAMPLE);
-  gl.Enable(GL_DEPTH_TEST);
-  gl.DepthFunc(GL_LEQUAL);
-  gl.DepthMask(GL_TRUE);
-  gl.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-  gl.ClearDepth(1.0);
-  gl.PolygonMode(GL_FRONT_AND_BACK, GL_FILL);
-  gl.BlendEquation(GL_FUNC_ADD);
-  light.unbind();
-}
-
-void SceneRenderer::Parts::collect_surfaces(const FrameView& frame) {
-  surfaces = frame.surfaces;
-  sphere_meshes.reserve(frame.spheres.size());
-  for (const SphereView& spheres : frame.spheres) {
-    sphere_meshes.push_back(merged_spheres(spheres));
-    surfaces.push_back(view_of(sphere_meshes.back(), spheres));
-  }
-}
-
-// Blending has to happen in linear light, so marks are encoded by the framebuffer. Everything opaque encodes
-// in its shader: once for each pixel instead of once for each sample.
-void SceneRenderer::Parts::draw_marks(const FrameView& frame) {
-  gl.BlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-  gl.Enable(GL_FRAMEBUFFER_SRGB);
-  gl.DepthMask(GL_FALSE);
-  gl.Enable(GL_BLEND);
-  for (const SurfaceView& view : frame.surfaces) {
-    if (view.wireframe) mark_pass.draw_wireframe(view.positions, *view.wireframe);
-  }
-  for (const LineView& lines : frame.lines) mark_pass.draw_lines(lines);
-  for (const PointView& points : frame.points) mark_pass.draw_points(points);
-  gl.Disable(GL_BLEND);
-  gl.Disable(GL_FRAMEBUFFER_SRGB);
-  gl.DepthMask(GL_TRUE);
-}
-
-// `place` is the tile's in the framebuffer.
-void SceneRenderer::Parts::draw_visibility(const PixelRect& place, const FrameView& frame,
-                                           const PictureSettings& settings) {
-  visibility.begin(place.width_px, place.height_px, settings.samples);
-  if (sees_floor(frame) && reaches_below(*frame.ground_height_m, frame, surfaces)) {
-    backdrop_pass.draw_floor_depth();
-  }
-  surface_pass.draw_visibility(has_marks(frame));
-}
-
-// Shades the surfaces that draw_visibility() saw last. Marks have edges of their own between pixels: they are
-// drawn apart and blended over.
-void SceneRenderer::Parts::shade_surfaces_and_marks(GLuint framebuffer, const PixelRect& place, const FrameBlock& block,
-                                                    const FrameView& frame, const PictureSettings& settings) {
-  surface_pass.shade(visibility, framebuffer, block, place, settings.shading_px > 1);
-  if (!has_marks(frame)) return;
-  visibility.begin_marks();
-  draw_marks(frame);
-  gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer);
-  gl.Viewport(place.x_px, place.y_px, place.width_px, place.height_px);
-  resolve_pass.draw(visibility.marks(), visibility.samples(), 1, {place.x_px, place.y_px});
-}
-
-void SceneRenderer::Parts::set_tile_of(FrameBlock& block, const FrameView& frame, const PictureSettings& settings,
-                                       const Tile& tile) const {
-  set_tile(block, frame.camera, settings, tile);
-  upload(gl, GL_UNIFORM_BUFFER, block_buffer, std::span<const FrameBlock>(&block, 1));
-}
-
-void SceneRenderer::Parts::draw_behind(GLuint framebuffer, const FrameBlock& block, const FrameView& frame,
-                                       const PictureSettings& settings) {
-  if (frame.backdrop.plain) {
-    const Colour& colour = frame.backdrop.lower_colour;
-    gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer);
-    gl.Enable(GL_SCISSOR_TEST);
-    gl.Scissor(0, 0, static_cast<GLint>(block.viewport.x), static_cast<GLint>(block.viewport.y));
-    const float alpha = frame.backdrop.transparent ? 0.0F : 1.0F;
-    gl.ClearColor(alpha * colour[0], alpha * colour[1], alpha * colour[2], alpha);
-    gl.Clear(GL_COLOR_BUFFER_BIT);
-    gl.Disable(GL_SCISSOR_TEST);
-    return;
-  }
-  backdrop_pass.draw(framebuffer, block, sees_floor(frame), grid_of(settings));
-}
-
-// The background has no edges that more samples would smooth, and things seldom fill the picture: only the
-// part that they can touch is drawn with many samples, and blended over.
-// The first tile is looked at while the light is still being gathered.
-void SceneRenderer::Parts::draw_whole(GLuint framebuffer, FrameBlock& block, const FrameView& frame,
-                                      const PictureSettings& settings, std::future<void>& light_gathered) {
-  const Tile whole{0, 0, settings.width_px, settings.height_px};
-  set_tile(block, frame.camera, settings, whole);
-  const std::vector<Tile> tiles = tiles_of(screen_bounds(frame, surfaces, block.world_to_clip, settings), 1);
-  if (!tiles.empty()) {
-    set_tile_of(block, frame, settings, tiles.front());
-    draw_visibility(place_of(tiles.front(), settings), frame, settings);
-    gl.Flush();
-  }
-  await(light_gathered);
-  set_tile_of(block, frame, settings, whole);
-  draw_behind(framebuffer, block, frame, settings);
-  for (std::size_t i = 0; i < tiles.size(); ++i) {
-    const PixelRect place = place_of(tiles[i], settings);
-    set_tile_of(block, frame, settings, tiles[i]);
-    if (i > 0) draw_visibility(place, frame, settings);
-    shade_surfaces_and_marks(framebuffer, place, block, frame, settings);
-  }
-}
-
-// The floor's shadow is noise at the size of a drawn pixel, so it is averaged like everything else.
-void SceneRenderer::Parts::draw_supersampled(FrameBlock& block, const FrameView& frame,
-                                             const PictureSettings& settings) {
-  const int factor = settings.supersampling;
-  for (const Tile& tile : tiles_of({0, 0, settings.width_px, settings.height_px}, factor)) {
-    const glm::ivec2 large_px = factor * glm::ivec2{tile.width_px, tile.height_px};
-    set_tile_of(block, frame, settings, tile);
-    large.begin(large_px.x, large_px.y);
-    draw_behind(large.framebuffer(), block, frame, settings);
-    const PixelRect all{0, 0, large_px.x, large_px.y};
-    draw_visibility(all, frame, settings);
-    shade_surfaces_and_marks(large.framebuffer(), all, block, frame, settings);
-    const PixelRect place = place_of(tile, settings);
-    gl.BindFramebuffer(GL_FRAMEBUFFER, picture.framebuffer());
-    gl.Viewport(place.x_px, place.y_px, place.width_px, place.height_px);
-    resolve_pass.draw(large.texture(), 1, factor, {place.x_px, place.y_px});
-  }
-}
-
-// The future that is returned gathers the light meanwhile; it has to end before the frame's spans do.
-std::future<void> SceneRenderer::Parts::begin(FrameBlock& block, const FrameView& frame,
-                                              const PictureSettings& settings) {
-  reset_state();
-  sphere_meshes.clear();
-  collect_surfaces(frame);
-  casters.clear();
-  std::ranges::transform(surfaces, std::back_inserter(casters), coarse_of);
-  light.begin(block, frame, casters, settings);
-  std::future<void> light_gathered = std::async(std::launch::async, [this, own = block] {
-    light.draw_maps(own);
-    surface_pass.gather(surfaces, light);
-  });
-  surface_pass.upload_positions(surfaces);
-  gl.BindBufferBase(GL_UNIFORM_BUFFER, frame_block_binding, block_buffer.name());
-  return light_gathered;
-}
-
-void SceneRenderer::Parts::await(std::future<void>& light_gathered) {
-  light_gathered.get();
-  light.upload();
-  surface_pass.upload_surfaces();
-  light.bind();
-}
-
-void SceneRenderer::Parts::draw(const FrameView& frame, const PictureSettings& settings) {
-  FrameBlock block;
-  std::future<void> light_gathered = begin(block, frame, settings);
-  picture.begin(settings.width_px, settings.height_px);
-  if (settings.supersampling > 1) {
-    picture.clear();
+                  std::future<void>& light_gathered) {
+    const Tile whole{0, 0, settings.width_px, settings.height_px};
+    set_tile(block, frame.camera, settings, whole);
+    const std::vector<Tile> tiles = tiles_of(screen_bounds(frame, surfaces, block.world_to_clip, settings), 1);
+    if (!tiles.empty()) {
+      set_tile_of(block, frame, settings, tiles.front());
+      draw_visibility(place_of(tiles.front(), settings), frame, settings);
+      gl.Flush();
+    }
     await(light_gathered);
-    draw_supersampled(block, frame, settings);
-  } else {
-    draw_whole(picture.framebuffer(), block, frame, settings, light_gathered);
+    set_tile_of(block, frame, settings, whole);
+    draw_behind(framebuffer, block, frame, settings);
+    for (std::size_t i = 0; i < tiles.size(); ++i) {
+      const PixelRect place = place_of(tiles[i], settings);
+      set_tile_of(block, frame, settings, tiles[i]);
+      if (i > 0) draw_visibility(place, frame, settings);
+      shade_surfaces_and_marks(framebuffer, place, block, frame, settings);
+    }
   }
-  end();
-}
 
-void SceneRenderer::Parts::draw_straight_to(GLuint framebuffer, const FrameView& frame,
-                                            const PictureSettings& settings) {
-  FrameBlock block;
-  std::future<void> light_gathered = begin(block, frame, settings);
-  draw_whole(framebuffer, block, frame, settings, light_gathered);
-  end();
-}
+  // The floor's shadow is noise at the size of a drawn pixel, so it is averaged like everything else.
+  void draw_supersampled(FrameBlock& block, const FrameView& frame, const PictureSettings& settings) {
+    const int factor = settings.supersampling;
+    for (const Tile& tile : tiles_of({0, 0, settings.width_px, settings.height_px}, factor)) {
+      const glm::ivec2 large_px = factor * glm::ivec2{tile.width_px, tile.height_px};
+      set_tile_of(block, frame, settings, tile);
+      large.begin(large_px.x, large_px.y);
+      draw_behind(large.framebuffer(), block, frame, settings);
+      const PixelRect all{0, 0, large_px.x, large_px.y};
+      draw_visibility(all, frame, settings);
+      shade_surfaces_and_marks(large.framebuffer(), all, block, frame, settings);
+      const PixelRect place = place_of(tile, settings);
+      gl.BindFramebuffer(GL_FRAMEBUFFER, picture.framebuffer());
+      gl.Viewport(place.x_px, place.y_px, place.width_px, place.height_px);
+      resolve_pass.draw(large.texture(), 1, factor, {place.x_px, place.y_px});
+    }
+  }
 
-void SceneRenderer::Parts::end() {
-  light.unbind();
-  gl.Disable(GL_DEPTH_TEST);
-  gl.BindVertexArray(0);
-  gl.UseProgram(0);
-  check_errors(gl, "drawing a frame");
-}
+  void draw_behind(GLuint framebuffer, const FrameBlock& block, const FrameView& frame,
+                   const PictureSettings& settings) {
+    if (frame.backdrop.plain) {
+      const Colour& colour = frame.backdrop.lower_colour;
+      gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+      gl.Enable(GL_SCISSOR_TEST);
+      gl.Scissor(0, 0, static_cast<GLint>(block.viewport.x), static_cast<GLint>(block.viewport.y));
+      const float alpha = frame.backdrop.transparent ? 0.0F : 1.0F;
+      gl.ClearColor(alpha * colour[0], alpha * colour[1], alpha * colour[2], alpha);
+      gl.Clear(GL_COLOR_BUFFER_BIT);
+      gl.Disable(GL_SCISSOR_TEST);
+      return;
+    }
+    backdrop_pass.draw(framebuffer, block, sees_floor(frame), grid_of(settings));
+  }
+
+  // `place` is the tile's in the framebuffer.
+  void draw_visibility(const PixelRect& place, const FrameView& frame, const PictureSettings& settings) {
+    visibility.begin(place.width_px, place.height_px, settings.samples);
+    if (sees_floor(frame) && reaches_below(*frame.ground_height_m, frame, surfaces)) {
+      backdrop_pass.draw_floor_depth();
+    }
+    surface_pass.draw_visibility(has_marks(frame));
+  }
+
+  // Shades the surfaces that draw_visibility() saw last. Marks have edges of their own between pixels: they are
+  // drawn apart and blended over.
+  void shade_surfaces_and_marks(GLuint framebuffer, const PixelRect& place, const FrameBlock& block,
+                                const FrameView& frame, const PictureSettings& settings) {
+    surface_pass.shade(visibility, framebuffer, block, place, settings.shading_px > 1);
+    if (!has_marks(frame)) return;
+    visibility.begin_marks();
+    draw_marks(frame);
+    gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+    gl.Viewport(place.x_px, place.y_px, place.width_px, place.height_px);
+    resolve_pass.draw(visibility.marks(), visibility.samples(), 1, {place.x_px, place.y_px});
+  }
+
+  // Blending has to happen in linear light, so marks are encoded by the framebuffer. Everything opaque encodes
+  // in its shader: once for each pixel instead of once for each sample.
+  void draw_marks(const FrameView& frame) {
+    gl.BlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+    gl.Enable(GL_FRAMEBUFFER_SRGB);
+    gl.DepthMask(GL_FALSE);
+    gl.Enable(GL_BLEND);
+    for (const SurfaceView& view : frame.surfaces) {
+      if (view.wireframe) mark_pass.draw_wireframe(view.positions, *view.wireframe);
+    }
+    for (const LineView& lines : frame.lines) mark_pass.draw_lines(lines);
+    for (const PointView& points : frame.points) mark_pass.draw_points(points);
+    gl.Disable(GL_BLEND);
+    gl.Disable(GL_FRAMEBUFFER_SRGB);
+    gl.DepthMask(GL_TRUE);
+  }
+};
 
 SceneRenderer::SceneRenderer(Context& context) {
   context.make_current();
   parts_ = std::make_unique<Parts>(context);
 }
 
-SceneRenderer::~SceneRenderer() { delete_in_context(parts_); }
+SceneRenderer::~SceneRenderer() { delete_in_context(parts_->context, parts_); }
 
 // A ball above a larger one and a floor: their picture needs every shader that pictures of cloth need.
 void SceneRenderer::prepare(const PictureSettings& settings, bool scalars) {
@@ -317,7 +281,7 @@ void SceneRenderer::prepare(const PictureSettings& settings, bool scalars) {
 
 Image SceneRenderer::draw(const FrameView& frame, const PictureSettings& settings) {
   draw_kept(frame, settings);
-  return frame.backdrop.transparent ? parts_->picture.read_with_alpha() : parts_->picture.read();
+  return parts_->picture.read(frame.backdrop.transparent);
 }
 
 bool SceneRenderer::draw_to(unsigned framebuffer, const FrameView& frame, const PictureSettings& settings) {
@@ -326,16 +290,12 @@ bool SceneRenderer::draw_to(unsigned framebuffer, const FrameView& frame, const 
     show_kept(framebuffer, settings.width_px, settings.height_px);
     return true;
   }
-  check(frame, settings);
-  parts_->context.make_current();
-  parts_->draw_straight_to(framebuffer, frame, settings);
+  parts_->draw(framebuffer, frame, settings);
   return false;
 }
 
 void SceneRenderer::draw_kept(const FrameView& frame, const PictureSettings& settings) {
-  check(frame, settings);
-  parts_->context.make_current();
-  parts_->draw(frame, settings);
+  parts_->draw(std::nullopt, frame, settings);
 }
 
 void SceneRenderer::show_kept(unsigned framebuffer, int width_px, int height_px, int left_px) const {

@@ -18,30 +18,6 @@ double random_share(std::mt19937_64& random) {
   return 2.0 * std::ldexp(static_cast<double>(random() >> 11U), -53) - 1.0;
 }
 
-/// Judges frames and keeps what comes of it in a run.
-class Judge {
- public:
-  Judge(const Scene& scene, ContactRun& run)
-      : holds_surface_(bound_kind(scene) == sim::BoundKind::surface), run_(run) {}
-
-  ContactFrame judge(const sim::Simulation& simulation, int frame, double cpu_ms) {
-    FrameRecord record = measure_frame(simulation, frame);
-    std::string broken = verifier_.check(simulation, record);
-    if (broken.empty() && !record.bound_kept) {
-      broken = fmt::format("frame {}: the solver could not make sure of it", frame);
-    }
-    const bool is_broken = !broken.empty();
-    if (run_.first_broken.empty()) run_.first_broken = std::move(broken);
-    run_.stretch = holds_surface_ ? verifier_.largest().surface : verifier_.largest().springs;
-    return {cpu_ms, simulation.last_report().search.ms, record.contact, record.crossing_pairs.value(), is_broken};
-  }
-
- private:
-  bool holds_surface_;
-  ContactRun& run_;
-  FrameVerifier verifier_;
-};
-
 void end_early(const std::exception& reason, ContactRun& run) {
   if (run.first_broken.empty()) {
     run.first_broken = fmt::format("frame {}: {}", run.frames.size() + 1, reason.what());
@@ -60,18 +36,6 @@ std::string millimetres(double distance_m) {
   return std::isfinite(distance_m) ? fmt::format("{:.4f}", 1e3 * distance_m) : "-";
 }
 
-std::string row_of(const ContactTrial& trial) {
-  const ContactFacts facts = facts_of(trial.runs);
-  return fmt::format(
-      "{:<30}{:>6}{:>8}{:>9.1f}{:>8.0f}{:>8.0f}{:>8.0f}{:>8.0f}{:>8.1f}{:>8.1f}{:>9}{:>10}{:>10.5f}{:>7}{:>"
-      "10}{:>8}  "
-      "{}\n",
-      trial.scene, trial.triangles, facts.frames, facts.median_ms, facts.second_ms, facts.p99_ms, facts.worst_ms,
-      100.0 * facts.search_share, facts.detections, facts.partial_detections, facts.most_pairs,
-      millimetres(facts.smallest_distance_m), 100.0 * facts.stretch, fmt::format("{:g} %", 100.0 * trial.bound),
-      facts.crossing_pairs, facts.broken_frames, fmt::format("{} of {}", facts.passed, trial.runs.size()));
-}
-
 /// The mean of the slowest 60 frames in a row, or of all where there are fewer.
 double slowest_second(std::span<const double> times_ms) {
   const std::size_t length = std::min<std::size_t>(times_ms.size(), 60);
@@ -83,28 +47,7 @@ double slowest_second(std::span<const double> times_ms) {
   return slowest_ms / static_cast<double>(length);
 }
 
-std::string start_of(const ContactRun& run) { return run.seed == 0 ? "" : fmt::format(", start {}", run.seed); }
-
-std::string failures_of(const ContactTrial& trial) {
-  std::string text;
-  for (const ContactRun& run : trial.runs) {
-    if (!run.first_broken.empty()) {
-      text += fmt::format("  {}{}: {}\n", trial.scene, start_of(run), run.first_broken);
-    }
-  }
-  return text;
-}
-
 }  // namespace
-
-Scene with_settings(Scene scene, const std::vector<Setting>& settings) {
-  std::vector<Override> overrides;
-  for (const auto& [key, value] : settings) {
-    overrides.push_back({key, value, fmt::format("{}={}", key, value)});
-  }
-  apply_overrides(simulation_format(), overrides, scene);
-  return scene;
-}
 
 std::vector<sim::Vec3> jittered_start(const GarmentInScene& cloth, double thickness_m, std::uint64_t seed) {
   std::vector<sim::Vec3> start_m = cloth.start_m.value_or(cloth.garment->mesh.positions);
@@ -127,15 +70,27 @@ ContactRun run_contact(const Scene& scene, const GarmentInScene& cloth, int fram
   sim::Simulation simulation = make_simulation(awake, begun);
   ContactRun run;
   run.seed = seed;
-  Judge judge(scene, run);
+  FrameVerifier verifier;
+  const auto judge = [&](int frame, double cpu_ms) -> ContactFrame {
+    FrameRecord record = measure_frame(simulation, frame);
+    std::string broken = verifier.check(simulation, record);
+    if (broken.empty() && !record.bound_kept) {
+      broken = fmt::format("frame {}: the solver could not make sure of it", frame);
+    }
+    const bool is_broken = !broken.empty();
+    if (run.first_broken.empty()) run.first_broken = std::move(broken);
+    const bool holds_surface = bound_kind(scene) == sim::BoundKind::surface;
+    run.stretch = holds_surface ? verifier.largest().surface : verifier.largest().springs;
+    return {cpu_ms, simulation.last_report().search.ms, record.contact, record.crossing_pairs.value(), is_broken};
+  };
   try {
     dress(scene, simulation);
-    run.start = judge.judge(simulation, 0, 0.0);
+    run.start = judge(0, 0.0);
     for (int frame = 1; frame <= frames; ++frame) {
       before_frame(frame, simulation);
       const ProcessorStopwatch clock(CLOCK_PROCESS_CPUTIME_ID);
       simulation.advance_frame(throw_if_interrupted);
-      run.frames.push_back(judge.judge(simulation, frame, clock.elapsed_ms()));
+      run.frames.push_back(judge(frame, clock.elapsed_ms()));
     }
   } catch (const sim::Diverged& diverged) {
     end_early(diverged, run);
@@ -195,19 +150,19 @@ std::vector<ContactCase> all_contact_cases() {
       cases.push_back({scene.name, scene.name});
     }
   }
-  cases.push_back({"fine-wind-10", "tshirt-wind-10", {{{"garment.subdivisions", "1"}}}, 60});
+  cases.push_back({"fine-wind-10", "tshirt-wind-10", {{"garment.subdivisions=1"}}, 60});
   return cases;
 }
 
 std::vector<ContactCase> quick_contact_cases() {
-  const Setting speed = {"wind.speed", "20"};
-  const Setting front = {"wind.direction", "[0, 0, -1]"}, side = {"wind.direction", "[-1, 0, 0]"};
-  const Setting slanting = {"wind.direction", "[0.7, 0, -0.7]"}, below = {"wind.direction", "[0, 0.5, 0.9]"};
+  const std::string speed = "wind.speed=20";
+  const std::string front = "wind.direction=[0, 0, -1]", side = "wind.direction=[-1, 0, 0]";
+  const std::string slanting = "wind.direction=[0.7, 0, -0.7]", below = "wind.direction=[0, 0.5, 0.9]";
   std::vector<ContactCase> cases = {{"hanging", "tshirt-gravity"},
                                     {"wind-1", "tshirt-wind-1"},
                                     {"wind-10", "tshirt-wind-10"},
                                     {"wind-10-around", "tshirt-wind-10", {{front}, {side}, {slanting}, {below}}},
-                                    {"wind-10-upwards", "tshirt-wind-10", {{{"wind.direction", "[0, 1, 0]"}}}},
+                                    {"wind-10-upwards", "tshirt-wind-10", {{"wind.direction=[0, 1, 0]"}}},
                                     {"wind-20-front", "tshirt-wind-10", {{speed, front}}},
                                     {"wind-20-side", "tshirt-wind-10", {{speed, side}}},
                                     {"slider", "tshirt-wind-10", {{speed}}, 600, true},
@@ -215,7 +170,7 @@ std::vector<ContactCase> quick_contact_cases() {
                                     {"hang", "hang"}};
   for (ContactCase& one : cases) {
     one.frames = one.frames.value_or(60);
-    for (std::vector<Setting>& settings : one.runs) settings.push_back({"solver.threads", "1"});
+    for (std::vector<std::string>& settings : one.runs) settings.emplace_back("solver.threads=1");
   }
   return cases;
 }
@@ -243,7 +198,23 @@ std::string contact_head(const std::string& vector_unit) {
          "pairs        mm         %  bound     pairs  frames  passed\n";
 }
 
-std::string contact_row(const ContactTrial& trial) { return row_of(trial) + failures_of(trial); }
+std::string contact_row(const ContactTrial& trial) {
+  const ContactFacts facts = facts_of(trial.runs);
+  std::string text = fmt::format(
+      "{:<30}{:>6}{:>8}{:>9.1f}{:>8.0f}{:>8.0f}{:>8.0f}{:>8.0f}{:>8.1f}{:>8.1f}{:>9}{:>10}{:>10.5f}{:>7}{:>"
+      "10}{:>8}  "
+      "{}\n",
+      trial.scene, trial.triangles, facts.frames, facts.median_ms, facts.second_ms, facts.p99_ms, facts.worst_ms,
+      100.0 * facts.search_share, facts.detections, facts.partial_detections, facts.most_pairs,
+      millimetres(facts.smallest_distance_m), 100.0 * facts.stretch, fmt::format("{:g} %", 100.0 * trial.bound),
+      facts.crossing_pairs, facts.broken_frames, fmt::format("{} of {}", facts.passed, trial.runs.size()));
+  for (const ContactRun& run : trial.runs) {
+    if (run.first_broken.empty()) continue;
+    const std::string start = run.seed == 0 ? "" : fmt::format(", start {}", run.seed);
+    text += fmt::format("  {}{}: {}\n", trial.scene, start, run.first_broken);
+  }
+  return text;
+}
 
 std::string contact_csv(std::span<const ContactTrial> trials) {
   CsvTable table({"scene", "seed", "triangles", "bound", "frames", "median_ms", "second_ms", "p99_ms", "worst_ms",

@@ -4,15 +4,6 @@
 
 namespace taut::app {
 
-/// One key of a scene and its value, both written as on the command line.
-struct Setting {
-  std::string key;
-  std::string value;
-};
-
-/// Returns the scene with these settings applied. Throws UsageError for a setting that is not valid.
-Scene with_settings(Scene scene, const std::vector<Setting>& settings);
-
 /// One frame of a run of a scene about contact, judged by FrameVerifier.
 struct ContactFrame {
   double cpu_ms = 0.0;         ///< processor time of all threads; 0 of the start
@@ -35,9 +26,9 @@ struct ContactRun {
 struct ContactCase {
   std::string name;
   std::string scene;
-  std::vector<std::vector<Setting>> runs = {{}};  ///< of each the settings that are not the scene's
-  std::optional<int> frames = {};                 ///< empty: as many as the scene has
-  bool drags_wind = false;                        ///< from 0 to the scene's and back, as a slider
+  std::vector<std::vector<std::string>> runs = {{}};  ///< of each what is not as in the scene: KEY=VALUE
+  std::optional<int> frames = {};                     ///< empty: as many as the scene has
+  bool drags_wind = false;                            ///< from 0 to the scene's and back, as a slider
 };
 
 /// The built-in scenes about contact, those in which something is worn among them, and a fine shirt in wind.

@@ -103,10 +103,6 @@ WrittenCloth::WrittenCloth(const GarmentInScene& loaded) : loaded_(loaded) {
   std::iota(mesh_vertex_.begin(), mesh_vertex_.end(), 0U);
 }
 
-std::vector<sim::Vec3> WrittenCloth::positions(std::span<const sim::Vec3> mesh_m) const {
-  return written(loaded_.shown_m(mesh_m));
-}
-
 std::vector<sim::Vec3> WrittenCloth::written(std::span<const sim::Vec3> shown_m) const {
   std::vector<sim::Vec3> written_m(vertices());
   for (std::size_t v = 0; v < written_m.size(); ++v) {
@@ -115,8 +111,6 @@ std::vector<sim::Vec3> WrittenCloth::written(std::span<const sim::Vec3> shown_m)
   }
   return written_m;
 }
-
-std::string WrittenCloth::obj(std::span<const sim::Vec3> mesh_m) const { return text(loaded_.shown_m(mesh_m)); }
 
 std::string WrittenCloth::text(std::span<const sim::Vec3> shown_m) const {
   std::vector<glm::vec3> normals;

@@ -74,9 +74,9 @@ class WrittenCloth {
   const FileFaces& faces() const { return faces_; }
   /// Returns the position of every vertex, in m, from those of the mesh. A vertex that no remaining triangle
   /// uses is where the file has it.
-  std::vector<sim::Vec3> positions(std::span<const sim::Vec3> mesh_m) const;
+  std::vector<sim::Vec3> positions(std::span<const sim::Vec3> mesh_m) const { return written(loaded_.shown_m(mesh_m)); }
   /// Returns the garment as an OBJ file, with normals of this shape where the file has some.
-  std::string obj(std::span<const sim::Vec3> mesh_m) const;
+  std::string obj(std::span<const sim::Vec3> mesh_m) const { return text(loaded_.shown_m(mesh_m)); }
   /// Returns it at rest.
   std::string obj_at_rest() const { return text(loaded_.shown_mesh().positions); }
 

@@ -43,11 +43,6 @@ struct SplitVertices {
   }
 };
 
-// Positions and normals of the rest and of each frame, and of each frame the weights of all.
-double bytes_of(double frames, const SplitVertices& vertices) {
-  return 24.0 * (frames + 1.0) * static_cast<double>(vertices.uv.size()) + 4.0 * frames * frames;
-}
-
 /// The binary part with what describes it.
 class Buffer {
  public:
@@ -117,16 +112,130 @@ class Buffer {
 
 class GltfSink final : public FrameSink {
  public:
-  GltfSink(const ExportSettings& settings, const GarmentInScene& loaded);
+  GltfSink(const ExportSettings& settings, const GarmentInScene& loaded)
+      : settings_(settings), loaded_(loaded), vertices_(loaded) {
+    const double frames = settings.frames.count();
+    // Positions and normals of the rest and of each frame, and of each frame the weights of all.
+    const double bytes = 24.0 * (frames + 1.0) * static_cast<double>(vertices_.uv.size()) + 4.0 * frames * frames;
+    if (bytes > most_bytes) {
+      throw InputError(
+          "cannot write '{}': {:.0f} frames of {} vertices are {:.1f} GiB, and a .glb is held in "
+          "memory until it "
+          "is written; expected at most 1 GiB: fewer --frames, or .pc2",
+          settings.name, frames, vertices_.uv.size(), bytes / most_bytes);
+    }
+    const sim::Mesh& mesh = loaded.shown_mesh();
+    rest_positions_ = flat_numbers(to_float(mesh.positions));
+    rest_normals_ = flat_numbers(mesh_normals(mesh, mesh.positions));
+    rest_["POSITION"] = buffer_.add_bounded(rest_positions_, "VEC3", 3, vertex_data);
+    rest_["NORMAL"] = buffer_.add(rest_normals_, "VEC3", 3, vertex_data);
+    if (!loaded.colours.corner_uv.empty()) {
+      std::vector<float> uv;
+      for (const glm::vec2& at : vertices_.uv) uv.insert(uv.end(), {at.x, 1.0F - at.y});
+      rest_["TEXCOORD_0"] = buffer_.add(uv, "VEC2", 2, vertex_data);
+    }
+  }
 
-  void write(int frame, std::span<const sim::Vec3> mesh_m) override;
-  std::string finish() override;
+  void write(int frame, std::span<const sim::Vec3> mesh_m) override {
+    if (!settings_.frames.contains(frame)) return;
+    const std::vector<sim::Vec3> positions_m = loaded_.shown_m(mesh_m);
+    std::vector<float> moved = flat_numbers(to_float(positions_m));
+    std::vector<float> turned = flat_numbers(mesh_normals(loaded_.shown_mesh(), positions_m));
+    for (std::size_t k = 0; k < moved.size(); ++k) {
+      moved[k] -= rest_positions_[k];
+      turned[k] -= rest_normals_[k];
+    }
+    Json& target = targets_.emplace_back();
+    target["POSITION"] = buffer_.add_bounded(moved, "VEC3", 3, vertex_data);
+    target["NORMAL"] = buffer_.add(turned, "VEC3", 3, vertex_data);
+  }
+
+  std::string finish() override {
+    const std::size_t frames = targets_.size();
+    if (frames == 0) return "wrote nothing";
+    Json description;
+    description["asset"] = {{"version", "2.0"}, {"generator", "taut " + program_version()}};
+    description["scene"] = 0;
+    description["scenes"] = {{{"nodes", {0}}}};
+    description["nodes"] = {{{"mesh", 0}, {"name", "garment"}}};
+    put_surface(description);
+    description["animations"] = Json::array({animation()});
+    write_text_file(settings_.name, buffer_.glb(std::move(description)));
+    return fmt::format("wrote {}, {}", settings_.name, counted(frames, "frame"));
+  }
 
  private:
-  std::vector<float> flat_numbers(std::span<const glm::vec3> of_mesh) const;
-  void put_surface(Json& description);
-  Json material_of(sim::Index index, Json& description);
-  Json animation();
+  /// The mesh's vectors per vertex written.
+  std::vector<float> flat_numbers(std::span<const glm::vec3> of_mesh) const {
+    std::vector<float> numbers;
+    for (const sim::Index vertex : vertices_.mesh_vertex) {
+      const glm::vec3& v = of_mesh[vertex];
+      numbers.insert(numbers.end(), {v.x, v.y, v.z});
+    }
+    return numbers;
+  }
+
+  /// A primitive for each material that is used, of the same vertices.
+  void put_surface(Json& description) {
+    std::map<sim::Index, std::vector<sim::Index>> corners_of_material;
+    const std::vector<sim::Index>& material_of_face = loaded_.colours.material_of_face;
+    for (std::size_t c = 0; c < vertices_.corners.size(); ++c) {
+      corners_of_material[material_of_face.empty() ? no_map : material_of_face[c / 3]].push_back(vertices_.corners[c]);
+    }
+    Json primitives = Json::array();
+    for (const auto& [material, corners] : corners_of_material) {
+      primitives.push_back({{"attributes", rest_},
+                            {"indices", buffer_.add(corners, "SCALAR", 1, index_data)},
+                            {"material", primitives.size()},
+                            {"targets", targets_}});
+      description["materials"].push_back(material_of(material, description));
+    }
+    std::vector<int> first_frame(targets_.size(), 0);
+    first_frame[0] = 1;
+    description["meshes"] = {{{"name", "garment"}, {"primitives", primitives}, {"weights", first_frame}}};
+  }
+
+  Json material_of(sim::Index index, Json& description) {
+    const SurfaceMaterial material =
+        index == no_map ? SurfaceMaterial{.name = "cloth"} : loaded_.colours.materials[index];
+    Json surface = {{"metallicFactor", 0.0}, {"roughnessFactor", settings_.look.roughness}};
+    if (material.map != no_map && rest_.contains("TEXCOORD_0")) {
+      const std::size_t view = buffer_.add_png(loaded_.colours.maps[material.map]);
+      description["images"].push_back({{"bufferView", view}, {"mimeType", "image/png"}});
+      description["textures"].push_back({{"source", description["images"].size() - 1}});
+      surface["baseColorTexture"] = {{"index", description["textures"].size() - 1}};
+    } else {
+      const auto linear = [&](int k) { return srgb_to_linear(std::clamp(material.base_colour[k], 0.0F, 1.0F)); };
+      surface["baseColorFactor"] = {linear(0), linear(1), linear(2), 1.0};
+    }
+    std::array<float, 3> sheen{};
+    for (std::size_t k = 0; k < 3; ++k) {
+      sheen[k] =
+          settings_.look.sheen *
+          std::lerp(1.0F, surface.value("baseColorFactor", std::array<float, 4>{1, 1, 1, 1})[k], renderer::fringe_dyed);
+    }
+    description["extensionsUsed"] = {"KHR_materials_sheen"};
+    return {{"name", material.name},
+            {"doubleSided", true},
+            {"pbrMetallicRoughness", surface},
+            {"extensions",
+             {{"KHR_materials_sheen",
+               {{"sheenColorFactor", sheen}, {"sheenRoughnessFactor", settings_.look.sheen_roughness}}}}}};
+  }
+
+  /// At its time each frame has all the weight.
+  Json animation() {
+    const std::size_t frames = targets_.size();
+    std::vector<float> times(frames);
+    std::vector<float> weights(frames * frames, 0.0F);
+    for (std::size_t k = 0; k < frames; ++k) {
+      times[k] = static_cast<float>(static_cast<double>(k) / settings_.frame_rate_hz);
+      weights[k * frames + k] = 1.0F;
+    }
+    return {{"samplers",
+             {{{"input", buffer_.add_bounded(times, "SCALAR", 1)}, {"output", buffer_.add(weights, "SCALAR", 1)}}}},
+            {"channels", {{{"sampler", 0}, {"target", {{"node", 0}, {"path", "weights"}}}}}}};
+  }
 
   ExportSettings settings_;
   const GarmentInScene& loaded_;
@@ -137,129 +246,6 @@ class GltfSink final : public FrameSink {
   Json rest_ = Json::object();    ///< attributes of the vertices
   Json targets_ = Json::array();  ///< one for each frame
 };
-
-/// The mesh's vectors per vertex written.
-std::vector<float> GltfSink::flat_numbers(std::span<const glm::vec3> of_mesh) const {
-  std::vector<float> numbers;
-  for (const sim::Index vertex : vertices_.mesh_vertex) {
-    const glm::vec3& v = of_mesh[vertex];
-    numbers.insert(numbers.end(), {v.x, v.y, v.z});
-  }
-  return numbers;
-}
-
-GltfSink::GltfSink(const ExportSettings& settings, const GarmentInScene& loaded)
-    : settings_(settings), loaded_(loaded), vertices_(loaded) {
-  const double frames = settings.frames.count();
-  const double bytes = bytes_of(frames, vertices_);
-  if (bytes > most_bytes) {
-    throw InputError(
-        "cannot write '{}': {:.0f} frames of {} vertices are {:.1f} GiB, and a .glb is held in "
-        "memory until it "
-        "is written; expected at most 1 GiB: fewer --frames, or .pc2",
-        settings.name, frames, vertices_.uv.size(), bytes / most_bytes);
-  }
-  const sim::Mesh& mesh = loaded.shown_mesh();
-  rest_positions_ = flat_numbers(to_float(mesh.positions));
-  rest_normals_ = flat_numbers(mesh_normals(mesh, mesh.positions));
-  rest_["POSITION"] = buffer_.add_bounded(rest_positions_, "VEC3", 3, vertex_data);
-  rest_["NORMAL"] = buffer_.add(rest_normals_, "VEC3", 3, vertex_data);
-  if (!loaded.colours.corner_uv.empty()) {
-    std::vector<float> uv;
-    for (const glm::vec2& at : vertices_.uv) uv.insert(uv.end(), {at.x, 1.0F - at.y});
-    rest_["TEXCOORD_0"] = buffer_.add(uv, "VEC2", 2, vertex_data);
-  }
-}
-
-void GltfSink::write(int frame, std::span<const sim::Vec3> mesh_m) {
-  if (!settings_.frames.contains(frame)) return;
-  const std::vector<sim::Vec3> positions_m = loaded_.shown_m(mesh_m);
-  std::vector<float> moved = flat_numbers(to_float(positions_m));
-  std::vector<float> turned = flat_numbers(mesh_normals(loaded_.shown_mesh(), positions_m));
-  for (std::size_t k = 0; k < moved.size(); ++k) {
-    moved[k] -= rest_positions_[k];
-    turned[k] -= rest_normals_[k];
-  }
-  Json& target = targets_.emplace_back();
-  target["POSITION"] = buffer_.add_bounded(moved, "VEC3", 3, vertex_data);
-  target["NORMAL"] = buffer_.add(turned, "VEC3", 3, vertex_data);
-}
-
-/// A primitive for each material that is used, of the same vertices.
-void GltfSink::put_surface(Json& description) {
-  std::map<sim::Index, std::vector<sim::Index>> corners_of_material;
-  const std::vector<sim::Index>& material_of_face = loaded_.colours.material_of_face;
-  for (std::size_t c = 0; c < vertices_.corners.size(); ++c) {
-    corners_of_material[material_of_face.empty() ? no_map : material_of_face[c / 3]].push_back(vertices_.corners[c]);
-  }
-  Json primitives = Json::array();
-  for (const auto& [material, corners] : corners_of_material) {
-    primitives.push_back({{"attributes", rest_},
-                          {"indices", buffer_.add(corners, "SCALAR", 1, index_data)},
-                          {"material", primitives.size()},
-                          {"targets", targets_}});
-    description["materials"].push_back(material_of(material, description));
-  }
-  std::vector<int> first_frame(targets_.size(), 0);
-  first_frame[0] = 1;
-  description["meshes"] = {{{"name", "garment"}, {"primitives", primitives}, {"weights", first_frame}}};
-}
-
-Json GltfSink::material_of(sim::Index index, Json& description) {
-  const SurfaceMaterial material =
-      index == no_map ? SurfaceMaterial{.name = "cloth"} : loaded_.colours.materials[index];
-  Json surface = {{"metallicFactor", 0.0}, {"roughnessFactor", settings_.look.roughness}};
-  if (material.map != no_map && rest_.contains("TEXCOORD_0")) {
-    const std::size_t view = buffer_.add_png(loaded_.colours.maps[material.map]);
-    description["images"].push_back({{"bufferView", view}, {"mimeType", "image/png"}});
-    description["textures"].push_back({{"source", description["images"].size() - 1}});
-    surface["baseColorTexture"] = {{"index", description["textures"].size() - 1}};
-  } else {
-    const auto linear = [&](int k) { return srgb_to_linear(std::clamp(material.base_colour[k], 0.0F, 1.0F)); };
-    surface["baseColorFactor"] = {linear(0), linear(1), linear(2), 1.0};
-  }
-  std::array<float, 3> sheen{};
-  for (std::size_t k = 0; k < 3; ++k) {
-    sheen[k] =
-        settings_.look.sheen *
-        std::lerp(1.0F, surface.value("baseColorFactor", std::array<float, 4>{1, 1, 1, 1})[k], renderer::fringe_dyed);
-  }
-  description["extensionsUsed"] = {"KHR_materials_sheen"};
-  return {{"name", material.name},
-          {"doubleSided", true},
-          {"pbrMetallicRoughness", surface},
-          {"extensions",
-           {{"KHR_materials_sheen",
-             {{"sheenColorFactor", sheen}, {"sheenRoughnessFactor", settings_.look.sheen_roughness}}}}}};
-}
-
-/// At its time each frame has all the weight.
-Json GltfSink::animation() {
-  const std::size_t frames = targets_.size();
-  std::vector<float> times(frames);
-  std::vector<float> weights(frames * frames, 0.0F);
-  for (std::size_t k = 0; k < frames; ++k) {
-    times[k] = static_cast<float>(static_cast<double>(k) / settings_.frame_rate_hz);
-    weights[k * frames + k] = 1.0F;
-  }
-  return {{"samplers",
-           {{{"input", buffer_.add_bounded(times, "SCALAR", 1)}, {"output", buffer_.add(weights, "SCALAR", 1)}}}},
-          {"channels", {{{"sampler", 0}, {"target", {{"node", 0}, {"path", "weights"}}}}}}};
-}
-
-std::string GltfSink::finish() {
-  const std::size_t frames = targets_.size();
-  if (frames == 0) return "wrote nothing";
-  Json description;
-  description["asset"] = {{"version", "2.0"}, {"generator", "taut " + program_version()}};
-  description["scene"] = 0;
-  description["scenes"] = {{{"nodes", {0}}}};
-  description["nodes"] = {{{"mesh", 0}, {"name", "garment"}}};
-  put_surface(description);
-  description["animations"] = Json::array({animation()});
-  write_text_file(settings_.name, buffer_.glb(std::move(description)));
-  return fmt::format("wrote {}, {}", settings_.name, counted(frames, "frame"));
-}
 
 }  // namespace
 

@@ -11,21 +11,109 @@ namespace fs = std::filesystem;
 
 class PointCacheSink final : public FrameSink {
  public:
-  PointCacheSink(const ExportSettings& settings, const GarmentInScene& loaded, std::span<const sim::Vec3> start_m);
-  ~PointCacheSink() override;
+  PointCacheSink(const ExportSettings& settings, const GarmentInScene& loaded, std::span<const sim::Vec3> start_m)
+      : settings_(settings), cloth_(loaded), path_(settings.name) {
+    part_ = settings.can_be_resumed ? fs::path(settings.name + ".part") : temporary_name(path_);
+    const int kept = settings.last_kept.value_or(0) - settings.frames.first + 1;
+    if (settings.last_kept && kept > 0) {
+      go_on(static_cast<std::size_t>(kept), start_m);
+      return;
+    }
+    file_.open(part_, std::ios::binary | std::ios::trunc);
+    put(header(static_cast<std::size_t>(settings.frames.count())));
+  }
+
+  ~PointCacheSink() override {
+    std::error_code ignored;
+    if (!settings_.can_be_resumed) fs::remove(part_, ignored);
+  }
+
   PointCacheSink(const PointCacheSink&) = delete;
   PointCacheSink& operator=(const PointCacheSink&) = delete;
 
-  void write(int frame, std::span<const sim::Vec3> mesh_m) override;
-  void keep() override;
-  std::string finish() override;
+  void write(int frame, std::span<const sim::Vec3> mesh_m) override {
+    if (settings_.frames.contains(frame)) {
+      put(frame_of(mesh_m));
+      ++written_;
+    }
+  }
+
+  void keep() override {
+    file_.flush();
+    put("");
+  }
+
+  std::string finish() override {
+    const auto asked = static_cast<std::size_t>(settings_.frames.count());
+    file_.close();
+    put("");
+    std::error_code error;
+    if (written_ == 0) {
+      fs::remove(part_, error);
+      return "wrote nothing";
+    }
+    if (written_ < asked) {
+      open_at_end(written_);
+      file_.close();
+      put("");
+    }
+    write_text_file(obj_beside(path_), cloth_.obj_at_rest());
+    put_in_place(part_, path_);
+    return fmt::format("wrote {}, {} of {} vertices, and {}, the rest shape that they move", path_.string(),
+                       counted(written_, "frame"), cloth_.vertices(), obj_beside(path_).string());
+  }
 
  private:
-  std::string header(std::size_t frames) const;
-  std::string frame_of(std::span<const sim::Vec3> mesh_m) const;
-  void put(const std::string& bytes);
-  void go_on(std::size_t kept, std::span<const sim::Vec3> start_m);
-  void open_at_end(std::size_t frames);
+  std::string header(std::size_t frames) const {
+    return pc2_header({cloth_.vertices(), frames, settings_.frames.first});
+  }
+
+  std::string frame_of(std::span<const sim::Vec3> mesh_m) const { return pc2_frame(cloth_.positions(mesh_m)); }
+
+  void put(const std::string& bytes) {
+    file_.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+    if (!file_) fail_to_write(part_, std::strerror(errno));
+  }
+
+  // Goes on from the part that an earlier run left, or from its complete file.
+  void go_on(std::size_t kept, std::span<const sim::Vec3> start_m) {
+    std::error_code error;
+    const SeekableFile earlier(fs::exists(part_, error) ? part_ : path_);
+    const auto refuse = [&](const std::string& reason) {
+      throw InputError("cannot go on with '" + earlier.path().string() + "': " + reason);
+    };
+    const std::string expected = frame_of(start_m);
+    const std::optional<std::size_t> frames = pc2_frames(earlier);
+    const std::uint64_t bytes = pc2_header_bytes + kept * expected.size();
+    if (!frames || earlier.size() < bytes) {
+      refuse(fmt::format("found {} bytes, expected {} for {} of {} vertices and more", earlier.size(), bytes,
+                         counted(kept, "frame"), cloth_.vertices()));
+    }
+    std::string begins(pc2_header_bytes, '\0');
+    std::string last(expected.size(), '\0');
+    earlier.read(0, begins);
+    earlier.read(bytes - last.size(), last);
+    if (begins != header(*frames) || last != expected) {
+      refuse(fmt::format("its frame {} is not the one that the run goes on from", *settings_.last_kept));
+    }
+    if (earlier.path() != part_) {
+      const fs::path copy = temporary_name(part_);
+      fs::copy_file(path_, copy, fs::copy_options::overwrite_existing, error);
+      if (error) fail_to_write(copy, error.message());
+      put_in_place(copy, part_);
+    }
+    fs::resize_file(part_, bytes, error);
+    if (error) fail_to_write(part_, error.message());
+    open_at_end(static_cast<std::size_t>(settings_.frames.count()));
+    written_ = kept;
+  }
+
+  /// Opens the part, whose header then says so many frames.
+  void open_at_end(std::size_t frames) {
+    file_.open(part_, std::ios::binary | std::ios::in | std::ios::out);
+    put(header(frames));
+    file_.seekp(0, std::ios::end);
+  }
 
   ExportSettings settings_;
   WrittenCloth cloth_;
@@ -34,109 +122,6 @@ class PointCacheSink final : public FrameSink {
   std::ofstream file_;
   std::size_t written_ = 0;  ///< frames
 };
-
-PointCacheSink::PointCacheSink(const ExportSettings& settings, const GarmentInScene& loaded,
-                               std::span<const sim::Vec3> start_m)
-    : settings_(settings), cloth_(loaded), path_(settings.name) {
-  part_ = settings.can_be_resumed ? fs::path(settings.name + ".part") : temporary_name(path_);
-  const int kept = settings.last_kept.value_or(0) - settings.frames.first + 1;
-  if (settings.last_kept && kept > 0) {
-    go_on(static_cast<std::size_t>(kept), start_m);
-    return;
-  }
-  file_.open(part_, std::ios::binary | std::ios::trunc);
-  put(header(static_cast<std::size_t>(settings.frames.count())));
-}
-
-PointCacheSink::~PointCacheSink() {
-  std::error_code ignored;
-  if (!settings_.can_be_resumed) fs::remove(part_, ignored);
-}
-
-std::string PointCacheSink::header(std::size_t frames) const {
-  return pc2_header({cloth_.vertices(), frames, settings_.frames.first});
-}
-
-std::string PointCacheSink::frame_of(std::span<const sim::Vec3> mesh_m) const {
-  return pc2_frame(cloth_.positions(mesh_m));
-}
-
-void PointCacheSink::put(const std::string& bytes) {
-  file_.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-  if (!file_) fail_to_write(part_, std::strerror(errno));
-}
-
-// Goes on from the part that an earlier run left, or from its complete file.
-void PointCacheSink::go_on(std::size_t kept, std::span<const sim::Vec3> start_m) {
-  std::error_code error;
-  const SeekableFile earlier(fs::exists(part_, error) ? part_ : path_);
-  const auto refuse = [&](const std::string& reason) {
-    throw InputError("cannot go on with '" + earlier.path().string() + "': " + reason);
-  };
-  const std::string expected = frame_of(start_m);
-  const std::optional<std::size_t> frames = pc2_frames(earlier);
-  const std::uint64_t bytes = pc2_header_bytes + kept * expected.size();
-  if (!frames || earlier.size() < bytes) {
-    refuse(fmt::format("found {} bytes, expected {} for {} of {} vertices and more", earlier.size(), bytes,
-                       counted(kept, "frame"), cloth_.vertices()));
-  }
-  std::string begins(pc2_header_bytes, '\0');
-  std::string last(expected.size(), '\0');
-  earlier.read(0, begins);
-  earlier.read(bytes - last.size(), last);
-  if (begins != header(*frames) || last != expected) {
-    refuse(fmt::format("its frame {} is not the one that the run goes on from", *settings_.last_kept));
-  }
-  if (earlier.path() != part_) {
-    const fs::path copy = temporary_name(part_);
-    fs::copy_file(path_, copy, fs::copy_options::overwrite_existing, error);
-    if (error) fail_to_write(copy, error.message());
-    put_in_place(copy, part_);
-  }
-  fs::resize_file(part_, bytes, error);
-  if (error) fail_to_write(part_, error.message());
-  open_at_end(static_cast<std::size_t>(settings_.frames.count()));
-  written_ = kept;
-}
-
-/// Opens the part, whose header then says so many frames.
-void PointCacheSink::open_at_end(std::size_t frames) {
-  file_.open(part_, std::ios::binary | std::ios::in | std::ios::out);
-  put(header(frames));
-  file_.seekp(0, std::ios::end);
-}
-
-void PointCacheSink::write(int frame, std::span<const sim::Vec3> mesh_m) {
-  if (settings_.frames.contains(frame)) {
-    put(frame_of(mesh_m));
-    ++written_;
-  }
-}
-
-void PointCacheSink::keep() {
-  file_.flush();
-  put("");
-}
-
-std::string PointCacheSink::finish() {
-  const auto asked = static_cast<std::size_t>(settings_.frames.count());
-  file_.close();
-  put("");
-  std::error_code error;
-  if (written_ == 0) {
-    fs::remove(part_, error);
-    return "wrote nothing";
-  }
-  if (written_ < asked) {
-    open_at_end(written_);
-    file_.close();
-    put("");
-  }
-  write_text_file(obj_beside(path_), cloth_.obj_at_rest());
-  put_in_place(part_, path_);
-  return fmt::format("wrote {}, {} of {} vertices, and {}, the rest shape that they move", path_.string(),
-                     counted(written_, "frame"), cloth_.vertices(), obj_beside(path_).string());
-}
 
 }  // namespace
 

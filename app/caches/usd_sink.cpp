@@ -1,6 +1,5 @@
 #include <fstream>
 
-#include "app/base/errors.hpp"
 #include "app/base/words.hpp"
 #include "app/caches/frame_sink.hpp"
 
@@ -70,14 +69,9 @@ class UsdSink final : public FrameSink {
   void write(int frame, std::span<const sim::Vec3> mesh_m) override {
     if (!settings_.frames.contains(frame)) return;
     if (!file_.is_open()) begin();
-    const std::vector<sim::Vec3> positions_m = cloth_.positions(mesh_m);
-    glm::vec3 low(positions_m.front()), high = low;
-    for (const sim::Vec3& p : positions_m) {
-      low = glm::min(low, glm::vec3(p));
-      high = glm::max(high, glm::vec3(p));
-    }
-    file_ << fmt::format("            {}: {},\n", frame,
-                         listed(positions_m, [](const sim::Vec3& p) { return text_of(glm::vec3(p)); }));
+    const std::vector<glm::vec3> positions_m = to_float(cloth_.positions(mesh_m));
+    const auto [low, high] = renderer::bounding_box(positions_m);
+    file_ << fmt::format("            {}: {},\n", frame, listed(positions_m, text_of));
     extents_ += fmt::format("            {}: [{}, {}],\n", frame, text_of(low), text_of(high));
     last_ = frame;
     if (!file_) fail_to_write(settings_.name, std::generic_category().message(errno));

@@ -26,8 +26,10 @@ std::vector<ContactCase> wanted_cases(const BenchOptions& options) {
 
 ContactTrial run_trial(const ContactCase& one, const BenchOptions& options, Progress* progress) {
   ContactTrial trial = {one.name, 0.0, 0, {}};
-  for (const std::vector<Setting>& settings : one.runs) {
-    Scene scene = with_settings(find_scene(one.scene, {}), settings);
+  for (const std::vector<std::string>& settings : one.runs) {
+    std::vector<Override> overrides;
+    std::ranges::transform(settings, std::back_inserter(overrides), parse_override);
+    Scene scene = find_scene(one.scene, overrides);
     scene.simulation.solver.bounded.vector_unit = measured_vector_unit();
     load_bodies(scene);
     const LoadedGarment loaded = load_garment(scene);

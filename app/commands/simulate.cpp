@@ -125,16 +125,6 @@ struct Running {
   }
 };
 
-/// Opens where shapes go, once it is known where the run begins.
-void open_shapes(const SimulateOptions& options, ExportSettings settings, int begun, SceneRun& run) {
-  if (!options.shapes.empty()) {
-    const bool goes_on = !options.resume.empty();
-    settings.frames.first = std::max(settings.frames.first, goes_on ? start_frame(run.scene) : begun);
-    settings.last_kept = goes_on ? std::optional(begun) : std::nullopt;
-    run.shapes = open_sink(settings, run.loaded, run.simulation->state().current);
-  }
-}
-
 }  // namespace
 
 int run(const SimulateOptions& options) {
@@ -147,11 +137,11 @@ int run(const SimulateOptions& options) {
                                ? FrameRange{1, run.scene.frames}
                                : frame_range(options.frames, run.scene.frames,
                                              is_clip(options.shapes) ? NumberMeans::count : NumberMeans::frame);
-  const ExportSettings exported = {.name = options.shapes,
-                                   .frames = range,
-                                   .frame_rate_hz = run.scene.simulation.frame_rate_hz,
-                                   .can_be_resumed = !options.saved_to().empty(),
-                                   .look = run.scene.picture.cloth};
+  ExportSettings exported = {.name = options.shapes,
+                             .frames = range,
+                             .frame_rate_hz = run.scene.simulation.frame_rate_hz,
+                             .can_be_resumed = !options.saved_to().empty(),
+                             .look = run.scene.picture.cloth};
   run.require_outputs(exported);
   if (!options.saved_to().empty()) prepare_folder_of(options.saved_to());
   run.load();
@@ -164,7 +154,12 @@ int run(const SimulateOptions& options) {
   const bool goes_on = !options.resume.empty() && running.saved.summary.frames > 0;
   run.open_statistics(description, goes_on ? std::optional(begun) : std::nullopt);
   if (options.json) fmt::print("{}", statistics_header(StatisticsFormat::json_lines, description));
-  open_shapes(options, exported, begun, run);
+  if (!options.shapes.empty()) {
+    const bool is_resumed = !options.resume.empty();
+    exported.frames.first = std::max(range.first, is_resumed ? start_frame(run.scene) : begun);
+    exported.last_kept = is_resumed ? std::optional(begun) : std::nullopt;
+    run.shapes = open_sink(exported, run.loaded, run.simulation->state().current);
+  }
   run.outputs.start_frame = begun;
   run.outputs.with_start = options.resume.empty() && range.first <= begun;
   const bool is_read = !options.quiet || options.json || run.statistics || !options.saved_to().empty();

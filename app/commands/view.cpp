@@ -35,20 +35,16 @@ Session session_of(const ViewOptions& options) {
   return session;
 }
 
-void play(const Session& session, HeadlessViewer& viewer, std::optional<SessionRecorder>& recorder) {
-  for (std::size_t i = 0; i < session.frames.size(); ++i) {
-    SessionFrame played = viewer.play(session.frames[i]);
-    if (i + 1 == session.frames.size()) played.expected_state = viewer.state_hash();
-    if (recorder) recorder->add(played);
-  }
-}
-
 void view_headless(const ViewOptions& options, const Session& session, const DrawnScene& scene) {
   HeadlessViewer viewer(scene, session.start, options.keep_folder, options.backend);
   std::optional<SessionRecorder> recorder;
   if (!options.record.empty()) recorder.emplace(options.record, session.start);
   try {
-    play(session, viewer, recorder);
+    for (const SessionFrame& frame : session.frames) {
+      SessionFrame played = viewer.play(frame);
+      if (&frame == &session.frames.back()) played.expected_state = viewer.state_hash();
+      if (recorder) recorder->add(played);
+    }
   } catch (const Interrupted&) {
     viewer.viewer().finish_recording();
     throw;

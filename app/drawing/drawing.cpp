@@ -5,7 +5,7 @@
 namespace taut::app {
 
 renderer::Image to_image(const Drawing& drawing, float scale) {
-  renderer::Canvas canvas = renderer::Canvas::scaled(drawing.width_px, drawing.height_px, scale);
+  renderer::Canvas canvas(drawing.width_px, drawing.height_px, scale);
   drawing.draw(canvas);
   return canvas.to_image();
 }
@@ -18,11 +18,7 @@ void write_pdf(const std::filesystem::path& path, const Drawing& drawing, const 
 }
 
 renderer::TextStyle text_style(float size_px, const renderer::Colour& colour, bool bold) {
-  renderer::TextStyle style;
-  style.size_px = size_px;
-  style.colour = colour;
-  style.bold = bold;
-  return style;
+  return {size_px, colour, bold};
 }
 
 void draw_caption(renderer::Canvas& canvas, const Caption& caption, float centre_px, float top_px,

@@ -25,8 +25,7 @@ renderer::SurfaceView plain_view(std::span<const glm::vec3> positions, std::span
   view.positions = positions;
   view.normals = normals;
   view.triangles = triangles;
-  view.style.outside_colour = body_colour;
-  view.style.inside_colour = body_colour;
+  view.style.inside_colour = view.style.outside_colour = body_colour;
   view.style.translucency = 0.0F;
   return view;
 }
@@ -35,8 +34,7 @@ renderer::SurfaceView plain_view(std::span<const glm::vec3> positions, std::span
 struct RoundMaker {
   std::vector<renderer::TriangleMesh>& meshes;
 
-  void operator()(const sim::Plane&) const {}
-  void operator()(const sim::BodyMesh&) const {}
+  void operator()(const auto&) const {}
   void operator()(const sim::Sphere& ball) const {
     meshes.push_back(renderer::make_sphere(glm::vec3(ball.centre_m), static_cast<float>(ball.radius_m)));
   }
@@ -122,7 +120,7 @@ struct ShapeBox {
 
   std::optional<renderer::Box> operator()(const sim::Plane&) const { return std::nullopt; }
   std::optional<renderer::Box> operator()(const sim::BodyMesh&) const {
-    return renderer::bounding_box(mesh_positions(body, time_s));
+    return renderer::bounding_box(to_float(mesh_positions_m(body, time_s)));
   }
   std::optional<renderer::Box> operator()(const sim::Sphere& ball) const {
     const glm::vec3 centre(ball.centre_m);
@@ -135,18 +133,11 @@ struct ShapeBox {
   }
 };
 
-void add_box(const renderer::Box& box, std::vector<glm::vec3>& points) {
-  for (unsigned corner = 0; corner < 8; ++corner) {
-    points.emplace_back((corner & 1U) != 0 ? box.upper.x : box.lower.x, (corner & 2U) != 0 ? box.upper.y : box.lower.y,
-                        (corner & 4U) != 0 ? box.upper.z : box.lower.z);
-  }
-}
-
 // The legend is at the left; as much stays free at the right, which keeps the garment in the middle.
 float aspect_beside_legend(const PictureStyle& style) {
   constexpr float legend_share = 0.23F;  // of the picture's height
   constexpr float narrowest = 0.4F;
-  const float aspect = aspect_of(style.settings);
+  const float aspect = style.settings.aspect();
   const bool has_legend = style.surface == SurfaceLook::stretch && style.legend;
   return has_legend ? std::max(aspect - 2.0F * legend_share, std::min(aspect, narrowest)) : aspect;
 }
@@ -203,7 +194,7 @@ void DrawnBodies::place(double time_s, std::span<const float> rooms_m) {
   const bool stays = placed_s_ && (!move_ || *placed_s_ == time_s);
   if (stays && rooms_m.empty()) return;
   for (auto& [body, mesh] : meshes_) {
-    mesh.surface->place(mesh_positions(bodies_[body], time_s),
+    mesh.surface->place(to_float(mesh_positions_m(bodies_[body], time_s)),
                         rooms_m.empty() ? rooms_m : rooms_m.subspan(mesh.first_room, mesh.rest_positions.size()));
   }
   for (std::size_t b = 0; b < bodies_.size() && !stays; ++b) {
@@ -267,10 +258,6 @@ std::optional<renderer::Box> box_of(const sim::Body& body, double time_s) {
   return std::visit(ShapeBox{body, time_s}, sim::shape_at(body, time_s));
 }
 
-float aspect_of(const renderer::PictureSettings& settings) {
-  return static_cast<float>(settings.width_px) / static_cast<float>(settings.height_px);
-}
-
 float azimuth_of_broad_side(const glm::vec3& size) {
   return size.z > clearly_deeper * size.x ? 0.5F * std::numbers::pi_v<float> : 0.0F;
 }
@@ -295,12 +282,6 @@ std::vector<glm::vec3> to_float(const std::vector<sim::Vec3>& points) {
 glm::vec3 mean_of(std::span<const sim::Vec3> points) {
   const sim::Vec3 sum = std::accumulate(points.begin(), points.end(), sim::Vec3(0.0));
   return glm::vec3(sum / static_cast<double>(points.size()));
-}
-
-std::vector<glm::vec3> mesh_positions(const sim::Body& body, double time_s) {
-  std::vector<sim::Vec3> positions_m(std::get<sim::BodyMesh>(body.shape).data->positions_m.size());
-  sim::positions_at(body, time_s, positions_m);
-  return to_float(positions_m);
 }
 
 renderer::Box expected_reach(const DrawnScene& scene, const sim::Garment& garment, std::span<const sim::Index> pins) {
@@ -340,18 +321,19 @@ void face_front(const LoadedGarment& loaded, DrawnScene& scene) {
   }
 }
 
+renderer::Camera camera_at(const glm::vec3& eye, const glm::vec3& target, float vertical_fov_rad) {
+  const float distance_m = glm::distance(eye, target);
+  return {.eye = eye,
+          .target = target,
+          .vertical_fov_rad = vertical_fov_rad,
+          .near_m = 0.02F * distance_m,
+          .far_m = 20.0F * distance_m};
+}
+
 renderer::Camera scene_camera(const DrawnScene& scene, const renderer::Box& reach, float aspect) {
-  renderer::Camera camera =
-      renderer::fit_camera_to_box(scene.camera.box.value_or(reach), framing_of(scene, reach), aspect);
-  if (scene.camera.eye) {
-    camera.eye = *scene.camera.eye;
-    camera.target = *scene.camera.target;
-    camera.vertical_fov_rad = scene.camera.framing.vertical_fov_rad;
-    const float distance_m = glm::distance(camera.eye, camera.target);
-    camera.near_m = 0.02F * distance_m;
-    camera.far_m = 20.0F * distance_m;
-  }
-  return camera;
+  const CameraSettings& asked = scene.camera;
+  if (asked.eye) return camera_at(*asked.eye, *asked.target, asked.framing.vertical_fov_rad);
+  return renderer::fit_camera_to_box(asked.box.value_or(reach), framing_of(scene, reach), aspect);
 }
 
 std::optional<float> ground_height(const DrawnScene& scene, const renderer::Box& reach) {
@@ -375,7 +357,10 @@ FittedView::FittedView(const DrawnScene& scene, const sim::Garment& garment)
 void FittedView::add(const std::vector<sim::Vec3>& positions, const std::vector<sim::Vec3>& shown, double time_s) {
   std::vector<glm::vec3> points = to_float(shown);
   for (const sim::Body& body : scene_.surroundings.bodies) {
-    if (const std::optional<renderer::Box> box = box_of(body, time_s)) add_box(*box, points);
+    if (const std::optional<renderer::Box> box = box_of(body, time_s)) {
+      const auto corners = renderer::corners_of(*box);
+      points.insert(points.end(), corners.begin(), corners.end());
+    }
   }
   const glm::vec3 shift =
       scene_.camera.follow ? mean_of(positions) - mean_of(garment_.mesh.positions) : glm::vec3(0.0F);

@@ -58,9 +58,6 @@ std::vector<glm::vec3> to_float(const std::vector<sim::Vec3>& points);
 /// The mean of the points, in single precision. At least one point.
 glm::vec3 mean_of(std::span<const sim::Vec3> points);
 
-/// Where the vertices of a body that is a mesh are at this time, in metres.
-std::vector<glm::vec3> mesh_positions(const sim::Body& body, double time_s);
-
 /// The box in metres that the garment is expected to stay in. It holds the shape as modelled, each vertex
 /// hanging straight below its nearest pin, and bodies where they begin. It depends only on the scene, so all
 /// frames have the same camera.
@@ -76,9 +73,6 @@ float azimuth_of_broad_side(const glm::vec3& size);
 /// The box around a body at this time, in metres. Empty for a plane.
 std::optional<renderer::Box> box_of(const sim::Body& body, double time_s);
 
-/// Width over height of a picture.
-float aspect_of(const renderer::PictureSettings& settings);
-
 /// From where a scene is seen that reaches so far.
 renderer::Framing framing_of(const DrawnScene& scene, const renderer::Box& reach);
 
@@ -86,6 +80,8 @@ renderer::Framing framing_of(const DrawnScene& scene, const renderer::Box& reach
 /// where.
 void face_front(const LoadedGarment& loaded, DrawnScene& scene);
 
+/// A camera at a place of its own, which sees from near by to far behind the target.
+renderer::Camera camera_at(const glm::vec3& eye, const glm::vec3& target, float vertical_fov_rad);
 /// The camera of a scene's pictures. `aspect` is width over height. Where the scene does not say from where,
 /// a garment from a file is seen from its broad side.
 renderer::Camera scene_camera(const DrawnScene& scene, const renderer::Box& reach, float aspect);

@@ -30,11 +30,9 @@ std::vector<sim::Triangle> triangles_of(std::span<const sim::Body> bodies, std::
 
 void append_mesh_positions(std::span<const sim::Body> bodies, double time_s, std::vector<sim::Vec3>& positions_m) {
   for (const sim::Body& body : bodies) {
-    if (const auto* mesh = std::get_if<sim::BodyMesh>(&body.shape)) {
-      const std::size_t first = positions_m.size();
-      positions_m.resize(first + mesh->data->positions_m.size());
-      sim::positions_at(body, time_s, std::span(positions_m).subspan(first));
-    }
+    if (!std::holds_alternative<sim::BodyMesh>(body.shape)) continue;
+    const std::vector<sim::Vec3> own_m = mesh_positions_m(body, time_s);
+    positions_m.insert(positions_m.end(), own_m.begin(), own_m.end());
   }
 }
 
@@ -62,14 +60,6 @@ float line_width_px(const renderer::PictureSettings& settings) {
 PictureStyle drawn_style(PictureStyle style) {
   style.settings = settings_of(style);
   return style;
-}
-
-std::vector<std::uint32_t> structural_edges(const sim::Springs& springs) {
-  std::vector<std::uint32_t> indices;
-  for (std::size_t s = 0; s < springs.structural_count; ++s) {
-    indices.insert(indices.end(), springs.ends[s].begin(), springs.ends[s].end());
-  }
-  return indices;
 }
 
 std::vector<glm::vec3> borders(const sim::Garment& garment) {
@@ -167,14 +157,15 @@ GarmentPainter::GarmentPainter(renderer::SceneRenderer& renderer, const DrawnSce
       model_(followed_model(colours_, garment)),
       surface_(model_ ? *model_ : garment, colours_.corner_coordinates, colours_.base_colour_of_triangle),
       rooms_(scene, model_ ? *model_ : garment, surface_.edge_m()),
-      structural_edges_(structural_edges(garment.springs)),
+      structural_edges_(garment.springs.ends.begin(),
+                        garment.springs.ends.begin() + static_cast<std::ptrdiff_t>(garment.springs.structural_count)),
       line_width_px_(line_width_px(style_.settings)),
       spring_lines_(garment, style_.springs, spring_width * line_width_px_),
       bodies_(scene.surroundings.bodies) {
   const renderer::Box reach = expected_reach(scene, garment, pins);
   surface_.set_freedom(rooms_.freedom());
   surface_.set_wrinkled(style_.wrinkles && style_.surface == SurfaceLook::shaded);
-  camera_ = scene_camera(scene, reach, aspect_of(style_.settings));
+  camera_ = scene_camera(scene, reach, style_.settings.aspect());
   look_from(camera_, shortest_edge_px(style_));
   if (scene.camera.follow) followed_from_ = mean_of(garment.mesh.positions);
   frame_.ground_height_m = ground_height(scene, reach);
@@ -195,12 +186,10 @@ void GarmentPainter::place_bodies(double time_s, std::span<const float> rooms_m)
 
 void GarmentPainter::add_rest_outline(const sim::Garment& garment) {
   rest_outline_ = borders(garment);
-  renderer::LineView outline;
-  outline.points = rest_outline_;
-  outline.colours = std::span(&outline_colour, 1);
-  outline.width_px = 1.5F * line_width_px_;
-  outline.hidden_by_surfaces = false;
-  frame_.lines.push_back(outline);
+  frame_.lines.push_back({.points = rest_outline_,
+                          .colours = std::span(&outline_colour, 1),
+                          .width_px = 1.5F * line_width_px_,
+                          .hidden_by_surfaces = false});
 }
 
 void GarmentPainter::add_wind(const DrawnScene& scene, const sim::Garment& garment) {
@@ -288,13 +277,12 @@ renderer::Image GarmentPainter::draw(const std::vector<sim::Vec3>& positions, do
   if (style_.surface != SurfaceLook::stretch || !style_.legend) return image;
   const auto height = static_cast<float>(image.height_px);
   renderer::Canvas canvas(image);
-  renderer::LegendPlace place;
-  place.x_px = 0.04F * height;
-  place.y_px = 0.1F * height;
-  place.bar_width_px = 0.022F * height;
-  place.bar_height_px = 0.35F * height;
-  place.text.size_px = 0.025F * height;
-  renderer::draw_legend(canvas, legend_, place);
+  renderer::draw_legend(canvas, legend_,
+                        {.x_px = 0.04F * height,
+                         .y_px = 0.1F * height,
+                         .bar_width_px = 0.022F * height,
+                         .bar_height_px = 0.35F * height,
+                         .text = {.size_px = 0.025F * height}});
   return canvas.to_image();
 }
 

@@ -94,7 +94,7 @@ class GarmentPainter {
   std::optional<sim::Garment> model_;     ///< that is drawn in place of the garment
   GarmentSurface surface_;
   SurfaceRooms rooms_;
-  std::vector<std::uint32_t> structural_edges_;
+  std::vector<sim::Edge> structural_edges_;
   float line_width_px_;
   SpringLines spring_lines_;
   DrawnBodies bodies_;
@@ -107,7 +107,7 @@ class GarmentPainter {
   float pin_radius_m_ = 0.0F;
   // Arrays of the frame at hand.
   std::vector<glm::vec3> positions_;
-  std::vector<std::uint32_t> wireframe_;
+  std::vector<sim::Edge> wireframe_;
   std::vector<float> stretch_;
   std::vector<glm::vec3> pin_positions_;
 };

@@ -306,10 +306,6 @@ renderer::SurfaceView GarmentSurface::view() const {
   return view;
 }
 
-std::vector<std::uint32_t> GarmentSurface::refined_edges(std::span<const std::uint32_t> edges) const {
-  return surface_->mesh().refined_edges(edges);
-}
-
 void GarmentSurface::interpolate(std::vector<float>& values) const {
   renderer::interpolate(std::span(surface_->parents()), values);
 }

@@ -56,7 +56,9 @@ class GarmentSurface {
   /// The surface that is drawn, without a style. Valid until the next call of any other function.
   renderer::SurfaceView view() const;
   /// Returns pairs of vertices of view() for pairs of simulated ones: the edges between, along the surface.
-  std::vector<std::uint32_t> refined_edges(std::span<const std::uint32_t> edges) const;
+  std::vector<sim::Edge> refined_edges(std::span<const sim::Edge> edges) const {
+    return surface_->mesh().refined_edges(edges);
+  }
   /// Appends to values at the simulated vertices those of all others of view().
   void interpolate(std::vector<float>& values) const;
 

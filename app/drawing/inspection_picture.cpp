@@ -368,10 +368,6 @@ std::vector<LegendRow> legend_of(const std::vector<InspectionMarks>& all, std::s
   return rows;
 }
 
-float legend_height_px(std::size_t rows) {
-  return static_cast<float>((rows + legend_columns - 1) / legend_columns) * row_px + border_px;
-}
-
 void draw_legend_rows(renderer::Canvas& canvas, const std::vector<LegendRow>& rows, float top_px) {
   constexpr float sample_px = 60.0F;
   const float column_px = (page_px - 2.0F * border_px) / static_cast<float>(legend_columns);
@@ -380,22 +376,16 @@ void draw_legend_rows(renderer::Canvas& canvas, const std::vector<LegendRow>& ro
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const float x_px = border_px + column_px * static_cast<float>(i % legend_columns);
     const float y_px = top_px + row_px * (0.5F + static_cast<float>(i / legend_columns));
-    switch (rows[i].sample) {
-      case LegendRow::Sample::line:
-        canvas.line(x_px, y_px, x_px + sample_px, y_px, rows[i].colour, rows[i].width_px);
-        break;
-      case LegendRow::Sample::dot:
-        if (rows[i].outlined) {
-          canvas.circle(x_px + 0.5F * sample_px, y_px, 0.5F * rows[i].width_px + mark_outline_px, palette::ink);
-        }
-        canvas.circle(x_px + 0.5F * sample_px, y_px, 0.5F * rows[i].width_px, rows[i].colour);
-        break;
-      case LegendRow::Sample::area:
-        canvas.fill_rectangle(x_px, y_px - 0.45F * text_px, sample_px, 0.9F * text_px, rows[i].colour);
-        canvas.rectangle(x_px, y_px - 0.45F * text_px, sample_px, 0.9F * text_px, palette::hairline);
-        break;
+    const auto& [meaning, colour, sample, width_px, outlined] = rows[i];
+    const float middle_px = x_px + 0.5F * sample_px;
+    if (sample == LegendRow::Sample::line) canvas.line(x_px, y_px, x_px + sample_px, y_px, colour, width_px);
+    if (outlined) canvas.circle(middle_px, y_px, 0.5F * width_px + mark_outline_px, palette::ink);
+    if (sample == LegendRow::Sample::dot) canvas.circle(middle_px, y_px, 0.5F * width_px, colour);
+    if (sample == LegendRow::Sample::area) {
+      canvas.fill_rectangle(x_px, y_px - 0.45F * text_px, sample_px, 0.9F * text_px, colour);
+      canvas.rectangle(x_px, y_px - 0.45F * text_px, sample_px, 0.9F * text_px, palette::hairline);
     }
-    canvas.text(x_px + sample_px + 16.0F, y_px, rows[i].meaning, text);
+    canvas.text(x_px + sample_px + 16.0F, y_px, meaning, text);
   }
 }
 
@@ -562,7 +552,9 @@ renderer::Image draw_inspection(const Inspection& inspection, const LoadedGarmen
   const float caption_px = 1.6F * row_px;
   const float below_px = header_px + static_cast<float>(views.height_px);
   const float legend_top_px = below_px + caption_px;
-  renderer::Canvas canvas(static_cast<int>(page_px), static_cast<int>(legend_top_px + legend_height_px(legend.size())));
+  const auto legend_rows = static_cast<float>((legend.size() + legend_columns - 1) / legend_columns);
+  renderer::Canvas canvas(static_cast<int>(page_px),
+                          static_cast<int>(legend_top_px + legend_rows * row_px + border_px));
   draw_header(canvas, inspection.facts);
   const renderer::TextStyle caption = text_style(text_px).aligned(renderer::HorizontalAlign::centre);
   for (std::size_t k = 0; k < views.sides.size(); ++k) {

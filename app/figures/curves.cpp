@@ -5,20 +5,16 @@
 namespace taut::app {
 namespace {
 
-const std::vector<std::string> columns3 = {"iteration", "time_s", "moved_m"};
-
 Plot convergence_plot(const StepRecording& fall) {
   Curve curve;
   curve.stroke = {palette::blue, 4.0F, {}};
   for (std::size_t i = 0; i < fall.moved_m.size(); ++i) {
     curve.points.push_back({static_cast<double>(i + 1), fall.moved_m[i]});
   }
-  Plot plot;
-  plot.x = {"iteration (time step)", 0.0, static_cast<double>(fall.moved_m.size())};
-  plot.y = decades_around("|p(t) − p(t − Δt)|  in metres", fall.moved_m);
-  plot.curves = {std::move(curve)};
-  plot.legend = LegendCorner::none;
-  return plot;
+  return {.x = {"iteration (time step)", 0.0, static_cast<double>(fall.moved_m.size())},
+          .y = decades_around("|p(t) − p(t − Δt)|  in metres", fall.moved_m),
+          .curves = {std::move(curve)},
+          .legend = LegendCorner::none};
 }
 
 // The same on a linear axis, as the paper has it.
@@ -71,8 +67,6 @@ std::string rest_text(const StepRecording& fall) {
                          : "not yet at rest",
                      steps, steps * fall.time_step_s);
 }
-
-const std::vector<std::string> columns6 = {"triangles", "substeps", "sweeps", "repeat", "frame_ms"};
 
 constexpr double frame_at_60_hz_ms = 1000.0 / 60.0;
 
@@ -138,19 +132,11 @@ std::string medians_of(const std::vector<FrameTimes>& times) {
   return text + " ms";
 }
 
-const std::vector<std::string> columns7 = {"method", "time_step_s", "time_s", "max_stretch", "moved_rms_m"};
-
+// Of compared_methods.
 Stroke stroke_of(sim::SolverKind kind) {
-  switch (kind) {
-    case sim::SolverKind::ideal:
-      return {palette::orange, 4.0F, {1.2F, 1.8F}};
-    case sim::SolverKind::provot:
-      return {palette::vermilion, 4.0F, {5.0F, 2.0F}};
-    case sim::SolverKind::strong:
-      return {palette::blue, 4.5F, {}};
-    default:
-      return {};
-  }
+  const std::array<Stroke, 3> strokes = {
+      {{palette::orange, 4.0F, {1.2F, 1.8F}}, {palette::vermilion, 4.0F, {5.0F, 2.0F}}, {palette::blue, 4.5F, {}}}};
+  return strokes.at(static_cast<std::size_t>(kind));
 }
 
 std::string legend_name(const MethodRun& run) {
@@ -180,20 +166,20 @@ std::vector<MethodRun> runs_with(const Results& results, std::size_t rate) {
 }
 
 Plot stretch_plot(const std::vector<MethodRun>& runs) {
-  Plot plot;
-  plot.x = {"time in s", 0.0, 10.0};
-  plot.y = {"largest stretch", 0.0, 20.0, false, " %"};
+  Plot plot{.x = {"time in s", 0.0, 10.0},
+            .y = {"largest stretch", 0.0, 20.0, false, " %"},
+            .curves = {},
+            .levels = {{5.0, ""}}};
   for (const MethodRun& run : runs) plot.curves.push_back(curve_of(run, run.max_stretch, 100.0));
-  plot.levels = {{5.0, ""}};
   return plot;
 }
 
 Plot unrest_plot(const std::vector<MethodRun>& runs) {
-  Plot plot;
-  plot.x = {"time in s", 0.0, 10.0};
-  plot.y = {"RMS of |p(t) − p(t − Δt)|  in metres", 1e-18, 1.0, true};
+  Plot plot{.x = {"time in s", 0.0, 10.0},
+            .y = {"RMS of |p(t) − p(t − Δt)|  in metres", 1e-18, 1.0, true},
+            .curves = {},
+            .legend = LegendCorner::none};
   for (const MethodRun& run : runs) plot.curves.push_back(curve_of(run, run.moved_rms_m, 1.0));
-  plot.legend = LegendCorner::none;
   return plot;
 }
 
@@ -212,7 +198,7 @@ std::string unrest_text(const std::vector<MethodRun>& runs) {
 
 std::string figure3_csv(const Results& results) {
   const StepRecording& fall = *results.fall;
-  CsvTable table(columns3);
+  CsvTable table({"iteration", "time_s", "moved_m"});
   for (std::size_t i = 0; i < fall.moved_m.size(); ++i) {
     table.add({std::to_string(i + 1), cell(static_cast<double>(i + 1) * fall.time_step_s), cell(fall.moved_m[i])});
   }
@@ -237,7 +223,7 @@ Drawing draw_figure3(const Results& results, LazyOffscreenRenderer&) {
 }
 
 std::string figure6_csv(const Results& results) {
-  CsvTable table(columns6);
+  CsvTable table({"triangles", "substeps", "sweeps", "repeat", "frame_ms"});
   for (const FrameTimes& time : results.frame_times) {
     for (std::size_t repeat = 0; repeat < time.frame_ms.size(); ++repeat) {
       table.add({std::to_string(time.triangles), std::to_string(time.substeps), std::to_string(time.sweeps),
@@ -267,7 +253,7 @@ Drawing draw_figure6(const Results& results, LazyOffscreenRenderer&) {
 }
 
 std::string figure7_csv(const Results& results) {
-  CsvTable table(columns7);
+  CsvTable table({"method", "time_step_s", "time_s", "max_stretch", "moved_rms_m"});
   for (const MethodRun& run : results.methods) {
     for (std::size_t i = 0; i < run.max_stretch.size(); ++i) {
       table.add({name_of(run.kind), cell(run.time_step_s), cell(static_cast<double>(i + 1) * run.time_step_s),

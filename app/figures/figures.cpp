@@ -246,10 +246,6 @@ Drawing draw_figure1(const Results& results, LazyOffscreenRenderer&) {
   return drawing;
 }
 
-bool Figure::does_need(const std::string& experiment) const {
-  return std::ranges::find(needs, experiment) != needs.end();
-}
-
 DrawnFigures draw_figures(const FiguresOptions& options, std::vector<Figure> figures, std::vector<Job> experiments) {
   prepare_folder_of(options.output / "fig.png");
   std::erase_if(figures, [&](const Figure& figure) {

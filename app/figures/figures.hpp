@@ -21,7 +21,7 @@ struct Figure {
   /// measured.
   std::function<void(const ProgressCallback&)> measure = {};
 
-  bool does_need(const std::string& experiment) const;
+  bool does_need(const std::string& experiment) const { return std::ranges::find(needs, experiment) != needs.end(); }
 };
 
 /// Each draws one figure from the results of its experiments, which must have been made. Throws

@@ -1,6 +1,5 @@
 #include "app/figures/pictures.hpp"
 
-#include "app/base/errors.hpp"
 #include "app/figures/figures.hpp"
 #include "app/output/csv.hpp"
 
@@ -10,11 +9,11 @@ namespace {
 // Fraction of the picture's width and height that stays free around everything.
 constexpr float print_margin = 0.045F;
 
-DrawnScene scene_for_print(const PrintedMoment& moment, const PictureSize& size) {
+DrawnScene scene_for_print(const PrintedMoment& moment, const glm::ivec2& size) {
   DrawnScene scene = moment.recording->scene;
   renderer::PictureSettings& settings = scene.picture.settings;
-  settings.width_px = size.width_px;
-  settings.height_px = size.height_px;
+  settings.width_px = size.x;
+  settings.height_px = size.y;
   scene.picture.show_wind = true;
   scene.picture.quality = DrawingQuality::high;
   scene.picture.background = {BackgroundKind::colour, renderer::rgb(0xFFFFFF)};
@@ -38,12 +37,12 @@ void add_points(const PrintedMoment& moment, const glm::vec3& towards_light, std
   }
 }
 
-renderer::Camera camera_for(std::span<const PrintedMoment> moments, const PictureSize& size) {
+renderer::Camera camera_for(std::span<const PrintedMoment> moments, const glm::ivec2& size) {
   DrawnScene scene = scene_for_print(moments.front(), size);
   scene.camera.framing.margin = print_margin;
   const renderer::Box reach =
       expected_reach(scene, *moments.front().recording->garment, moments.front().recording->pins);
-  const float aspect = aspect_of(scene.picture.settings);
+  const float aspect = scene.picture.settings.aspect();
   const glm::vec3 towards_light = renderer::studio_lighting(scene_camera(scene, reach, aspect)).towards_key;
   std::vector<glm::vec3> points;
   for (const PrintedMoment& moment : moments) {
@@ -65,18 +64,6 @@ void draw_scale_bar(renderer::Canvas& canvas, const ScaleBar& bar, const glm::ve
   canvas.text(0.5F * (at.x + end_px), at.y - 0.5F * text_px, bar.label, text);
 }
 
-const std::vector<std::string> moment_columns = {"panel",
-                                                 "scene",
-                                                 "frame",
-                                                 "time_s",
-                                                 "at_rest",
-                                                 "max_stretch",
-                                                 "p99_stretch",
-                                                 "max_surface_stretch",
-                                                 "p99_surface_stretch",
-                                                 "mean_stretch"};
-const std::vector<std::string> shape_columns = {"panel", "vertex", "x_m", "y_m", "z_m"};
-
 // The panels of a figure go on from one recording to the next.
 template <class Visit> void for_each_panel(std::span<const Recording* const> recordings, const Visit& visit) {
   char letter = 'a';
@@ -96,7 +83,7 @@ std::vector<Panel> panels_of(Prints& prints, std::span<const PrintedMoment> mome
   return panels;
 }
 
-constexpr PictureSize pinned_size = {1180, 1120};
+constexpr glm::ivec2 pinned_size = {1180, 1120};
 
 Caption pinned_caption(const PrintedMoment& moment, char letter) {
   if (moment.shows_stretch) {
@@ -145,20 +132,18 @@ renderer::Image colour_bar(double lowest, double highest, const renderer::Colour
 }
 
 /// Upper left corner of the panel with this index, in pixels of the figure.
-glm::vec2 panel_corner(const SheetStyle& style, const PictureSize& picture, std::size_t panel) {
-  const auto column = static_cast<float>(panel % style.columns);
-  const auto row = static_cast<float>(panel / style.columns);
-  return {style.border_px + column * (static_cast<float>(picture.width_px) + style.gap_px),
-          style.border_px + row * (static_cast<float>(picture.height_px) + style.caption.height_px() + style.gap_px)};
+glm::vec2 panel_corner(const SheetStyle& style, const glm::ivec2& picture, std::size_t panel) {
+  const glm::vec2 place(panel % style.columns, panel / style.columns);
+  return style.border_px + place * (glm::vec2(picture) + glm::vec2(0.0F, style.caption.height_px()) + style.gap_px);
 }
 
 void draw_stretch_legend(renderer::Canvas& canvas, const SheetStyle& style, const renderer::Colour& shade) {
   constexpr double lowest = 0.0, highest = printed_stretch;
   constexpr float width_px = 44.0F, tick_px = 10.0F;
   const glm::vec2 corner = panel_corner(style, pinned_size, 3);
-  const float x_px = corner.x + static_cast<float>(pinned_size.width_px) + 34.0F;
-  const float y_px = corner.y + 0.12F * static_cast<float>(pinned_size.height_px);
-  const float height_px = 0.76F * static_cast<float>(pinned_size.height_px);
+  const float x_px = corner.x + static_cast<float>(pinned_size.x) + 34.0F;
+  const float y_px = corner.y + 0.12F * static_cast<float>(pinned_size.y);
+  const float height_px = 0.76F * static_cast<float>(pinned_size.y);
   canvas.image(x_px, y_px, width_px, height_px, colour_bar(lowest, highest, shade));
   canvas.rectangle(x_px, y_px, width_px, height_px, palette::ink, 2.0F);
   renderer::TextStyle text =
@@ -175,7 +160,7 @@ void draw_stretch_legend(renderer::Canvas& canvas, const SheetStyle& style, cons
 
 /// Draws the moments with one camera, from the direction of the first moment's scene. The camera is as near
 /// as all cloths and their shadows on the floor allow. Throws renderer::ContextError.
-Prints print_moments(LazyOffscreenRenderer& lazy, std::span<const PrintedMoment> moments, const PictureSize& size) {
+Prints print_moments(LazyOffscreenRenderer& lazy, std::span<const PrintedMoment> moments, const glm::ivec2& size) {
   OffscreenRenderer& offscreen = lazy.open();
   const float scale = lazy.scale();
   const auto scaled = [&](int length_px) {
@@ -183,16 +168,16 @@ Prints print_moments(LazyOffscreenRenderer& lazy, std::span<const PrintedMoment>
   };
   const renderer::Camera camera = camera_for(moments, size);
   Prints prints;
-  prints.size = size;
+  prints.size_px = size;
   for (const PrintedMoment& moment : moments) {
-    DrawnScene scene = scene_for_print(moment, {scaled(size.width_px), scaled(size.height_px)});
+    DrawnScene scene = scene_for_print(moment, {scaled(size.x), scaled(size.y)});
     scene.camera.eye = camera.eye;
     scene.camera.target = camera.target;
     GarmentPainter painter(offscreen.renderer(), scene, *moment.recording->garment, moment.recording->pins);
     prints.pictures.push_back(painter.draw(moment.moment->positions, moment.moment->record.time_s));
   }
   const float seen_m = 2.0F * glm::distance(camera.eye, camera.target) * std::tan(0.5F * camera.vertical_fov_rad);
-  prints.metre_px = static_cast<float>(size.height_px) / seen_m;
+  prints.metre_px = static_cast<float>(size.y) / seen_m;
   return prints;
 }
 
@@ -203,27 +188,26 @@ std::string largest_stretch_text(const PrintedMoment& moment) {
                      100.0 * moment.moment->record.surface_stretch.max);
 }
 
-Drawing sheet_of(std::vector<Panel> panels, const PictureSize& size, const SheetStyle& style, const ScaleBar& bar) {
+Drawing sheet_of(std::vector<Panel> panels, const glm::ivec2& size, const SheetStyle& style, const ScaleBar& bar) {
   const std::size_t columns = std::min(style.columns, panels.size());
   const glm::vec2 last_in_row = panel_corner(style, size, columns - 1);
   const glm::vec2 last = panel_corner(style, size, panels.size() - 1);
   Drawing drawing;
-  drawing.width_px = size.width_px + static_cast<int>(last_in_row.x + style.right_px + style.border_px);
-  drawing.height_px = size.height_px + static_cast<int>(last.y + style.caption.height_px() + 0.5F * style.border_px);
+  drawing.width_px = size.x + static_cast<int>(last_in_row.x + style.right_px + style.border_px);
+  drawing.height_px = size.y + static_cast<int>(last.y + style.caption.height_px() + 0.5F * style.border_px);
   const auto shared = std::make_shared<const std::vector<Panel>>(std::move(panels));
   drawing.draw = [shared, style, size, bar](renderer::Canvas& canvas) {
     for (std::size_t i = 0; i < shared->size(); ++i) {
       const Panel& panel = (*shared)[i];
       const glm::vec2 corner = panel_corner(style, size, i);
-      canvas.image(corner.x, corner.y, static_cast<float>(size.width_px), static_cast<float>(size.height_px),
-                   panel.picture);
-      draw_caption(canvas, panel.caption, corner.x + 0.5F * static_cast<float>(size.width_px),
-                   corner.y + static_cast<float>(size.height_px), style.caption);
+      canvas.image(corner.x, corner.y, static_cast<float>(size.x), static_cast<float>(size.y), panel.picture);
+      draw_caption(canvas, panel.caption, corner.x + 0.5F * static_cast<float>(size.x),
+                   corner.y + static_cast<float>(size.y), style.caption);
     }
     if (bar.length_px > 0.0F) {
-      const float inset_px = 0.045F * static_cast<float>(size.width_px);
+      const float inset_px = 0.045F * static_cast<float>(size.x);
       const glm::vec2 corner = panel_corner(style, size, 0);
-      draw_scale_bar(canvas, bar, {corner.x + inset_px, corner.y + static_cast<float>(size.height_px) - inset_px},
+      draw_scale_bar(canvas, bar, {corner.x + inset_px, corner.y + static_cast<float>(size.y) - inset_px},
                      style.caption.measured_px);
     }
   };
@@ -231,7 +215,8 @@ Drawing sheet_of(std::vector<Panel> panels, const PictureSize& size, const Sheet
 }
 
 std::string moments_csv(std::span<const Recording* const> recordings) {
-  CsvTable table(moment_columns);
+  CsvTable table({"panel", "scene", "frame", "time_s", "at_rest", "max_stretch", "p99_stretch", "max_surface_stretch",
+                  "p99_surface_stretch", "mean_stretch"});
   for_each_panel(recordings, [&](const std::string& panel, const Recording& recording, const Moment& moment) {
     const FrameRecord& record = moment.record;
     const sim::SurfaceStretch& surface = moment.record.surface_stretch;
@@ -243,7 +228,7 @@ std::string moments_csv(std::span<const Recording* const> recordings) {
 }
 
 std::string shapes_csv(std::span<const Recording* const> recordings) {
-  CsvTable table(shape_columns);
+  CsvTable table({"panel", "vertex", "x_m", "y_m", "z_m"});
   for_each_panel(recordings, [&](const std::string& panel, const Recording&, const Moment& moment) {
     for (std::size_t v = 0; v < moment.positions.size(); ++v) {
       const sim::Vec3& p = moment.positions[v];
@@ -264,7 +249,7 @@ Drawing draw_figure2(const Results& results, LazyOffscreenRenderer& offscreen) {
     return {letter, fmt::format("{:.2f} s{}", record.time_s, record.asleep ? ", at rest" : ""),
             fmt::format("largest stretch {:.4g} %", 100.0 * record.stretch.max)};
   };
-  return sheet_of(panels_of(prints, moments, caption_of), prints.size,
+  return sheet_of(panels_of(prints, moments, caption_of), prints.size_px,
                   {.columns = 4, .caption = {.text_px = 48.0F, .measured_px = 42.0F}},
                   {0.5F * prints.metre_px, "0.5 m"});
 }
@@ -285,7 +270,7 @@ Drawing draw_figure4(const Results& results, LazyOffscreenRenderer& offscreen) {
   moments.pop_back();
   const SheetStyle style = {.columns = 2, .caption = {.text_px = 42.0F, .measured_px = 37.0F}, .right_px = 190.0F};
   Drawing drawing =
-      sheet_of(panels_of(prints, moments, pinned_caption), prints.size, style, {0.25F * prints.metre_px, "25 cm"});
+      sheet_of(panels_of(prints, moments, pinned_caption), prints.size_px, style, {0.25F * prints.metre_px, "25 cm"});
   drawing.draw = [panels_drawing = drawing.draw, style, shade](renderer::Canvas& canvas) {
     panels_drawing(canvas);
     draw_stretch_legend(canvas, style, shade);
@@ -306,23 +291,22 @@ Drawing draw_figure5(const Results& results, LazyOffscreenRenderer& offscreen) {
             fmt::format("largest stretch {:.3f} %, surface {:.3f} %", 100.0 * record.stretch.max,
                         100.0 * record.surface_stretch.max)};
   };
-  return sheet_of(panels_of(prints, moments, caption_of), prints.size,
+  return sheet_of(panels_of(prints, moments, caption_of), prints.size_px,
                   {.columns = 3, .caption = {.text_px = 50.0F, .measured_px = 43.0F}},
                   {0.2F * prints.metre_px, "20 cm"});
 }
 
-Drawing sheet_of_last(std::span<const Recording> recordings, std::span<const Caption> captions, const PictureSize& size,
+Drawing sheet_of_last(std::span<const Recording> recordings, std::span<const Caption> captions, const glm::ivec2& size,
                       const SheetStyle& style, bool has_floor, LazyOffscreenRenderer& offscreen) {
   std::vector<PrintedMoment> moments;
   for (const Recording& recording : recordings) {
     moments.push_back({&recording, &recording.last(), false, has_floor});
   }
   Prints prints = print_moments(offscreen, moments, size);
-  std::vector<Panel> panels;
-  for (std::size_t i = 0; i < moments.size(); ++i) {
-    panels.push_back({std::move(prints.pictures[i]), captions[i]});
-  }
-  return sheet_of(std::move(panels), prints.size, style, {0.1F * prints.metre_px, "10 cm"});
+  const auto caption_of = [&](const PrintedMoment&, char letter) {
+    return captions[static_cast<std::size_t>(letter - 'a')];
+  };
+  return sheet_of(panels_of(prints, moments, caption_of), prints.size_px, style, {0.1F * prints.metre_px, "10 cm"});
 }
 
 DrawnScene made_of(DrawnScene scene, const std::string& fabric) {

@@ -27,12 +27,6 @@ class LazyOffscreenRenderer {
   std::unique_ptr<OffscreenRenderer> offscreen_;
 };
 
-/// Size of a picture in a figure.
-struct PictureSize {
-  int width_px = 0;
-  int height_px = 0;
-};
-
 /// One picture of a figure: a moment of a run, in the look of its scene or coloured by stretch.
 struct PrintedMoment {
   const Recording* recording = nullptr;
@@ -46,8 +40,8 @@ std::string largest_stretch_text(const PrintedMoment& moment);
 
 /// Pictures taken with one camera, and the length of a metre in them.
 struct Prints {
-  /// In the figure. The images have LazyOffscreenRenderer::scale() times as many pixels each way.
-  PictureSize size;
+  /// Width and height in the figure. The images have LazyOffscreenRenderer::scale() times as many pixels each way.
+  glm::ivec2 size_px{0};
   std::vector<renderer::Image> pictures;
   float metre_px = 0.0F;  ///< pixels of the figure per metre, at the distance of the cloth
 };
@@ -81,7 +75,7 @@ struct SheetStyle {
 
 /// Arranges the panels in rows. All pictures must have the size `size`. The scale bar is drawn into the first
 /// one.
-Drawing sheet_of(std::vector<Panel> panels, const PictureSize& size, const SheetStyle& style, const ScaleBar& bar);
+Drawing sheet_of(std::vector<Panel> panels, const glm::ivec2& size, const SheetStyle& style, const ScaleBar& bar);
 
 /// A table with one row per moment: its letter (from a), the scene and what was measured.
 std::string moments_csv(std::span<const Recording* const> recordings);
@@ -94,7 +88,7 @@ std::string shapes_csv(std::span<const Recording* const> recordings);
 DrawnScene made_of(DrawnScene scene, const std::string& fabric);
 
 /// Pictures of all last moments with the captions below.
-Drawing sheet_of_last(std::span<const Recording> recordings, std::span<const Caption> captions, const PictureSize& size,
+Drawing sheet_of_last(std::span<const Recording> recordings, std::span<const Caption> captions, const glm::ivec2& size,
                       const SheetStyle& style, bool has_floor, LazyOffscreenRenderer& offscreen);
 
 }  // namespace taut::app

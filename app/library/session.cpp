@@ -189,8 +189,6 @@ const LentBody& Session::lent_body(std::size_t body) const {
   return found->second;
 }
 
-std::size_t Session::positions_of_body(std::size_t body) const { return lent_body(body).vertices; }
-
 std::vector<sim::Vec3> Session::in_body(const LentBody& lent, const std::vector<sim::Vec3>& positions_m) const {
   std::vector<sim::Vec3> in_body_m;
   for (const std::size_t vertex : lent.places.file_vertex) {

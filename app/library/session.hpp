@@ -122,7 +122,7 @@ class Session {
   std::size_t add_body(const TautBody* body);
   std::size_t crossings_at_start() const { return crossings_at_start_; }
   /// How many positions the mesh of a body was given with.
-  std::size_t positions_of_body(std::size_t body) const;
+  std::size_t positions_of_body(std::size_t body) const { return lent_body(body).vertices; }
   void move_body(std::size_t body, const std::vector<sim::Vec3>& positions_m);
   void place_body(std::size_t body, const std::vector<sim::Vec3>& positions_m);
 

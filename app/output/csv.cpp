@@ -3,23 +3,14 @@
 #include "app/base/words.hpp"
 
 namespace taut::app {
-namespace {
 
-std::string line_of(const std::vector<std::string>& cells) {
-  std::string line;
-  for (std::size_t i = 0; i < cells.size(); ++i) line += (i == 0 ? "" : ",") + cells[i];
-  return line + "\n";
-}
-
-}  // namespace
-
-CsvTable::CsvTable(std::vector<std::string> columns) : width_(columns.size()), text_(line_of(columns)) {}
+CsvTable::CsvTable(std::vector<std::string> columns) : width_(columns.size()), text_(joined(columns, ",") + '\n') {}
 
 void CsvTable::add(std::vector<std::string> cells) {
   if (cells.size() != width_) {
     throw std::invalid_argument(fmt::format("a row of {} cells in a table of {} columns", cells.size(), width_));
   }
-  text_ += line_of(cells);
+  text_ += joined(cells, ",") + '\n';
 }
 
 std::string cell(double value) { return std::isfinite(value) ? fmt::format("{}", value) : ""; }

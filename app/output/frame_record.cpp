@@ -112,16 +112,14 @@ void RunSummary::add(const FrameRecord& record) {
   final_left_out_share = record.contact.left_out_share;
   most_left_out_share = std::max(most_left_out_share, record.contact.left_out_share);
   simulated_frames += record.frame > 0 ? 1 : 0;
-  if (record.stretch.max > max_stretch) {
-    max_stretch = record.stretch.max;
-    max_stretch_frame = record.frame;
-  }
+  const auto note_largest = [&](double stretch, double& largest, int& its_frame) {
+    its_frame = stretch > largest ? record.frame : its_frame;
+    largest = std::max(largest, stretch);
+  };
+  note_largest(record.stretch.max, max_stretch, max_stretch_frame);
   max_p99_stretch = std::max(max_p99_stretch, record.stretch.p99);
   final_max_stretch = record.stretch.max;
-  if (record.surface_stretch.max > max_surface_stretch) {
-    max_surface_stretch = record.surface_stretch.max;
-    max_surface_stretch_frame = record.frame;
-  }
+  note_largest(record.surface_stretch.max, max_surface_stretch, max_surface_stretch_frame);
   max_p99_surface_stretch = std::max(max_p99_surface_stretch, record.surface_stretch.p99);
   final_max_surface_stretch = record.surface_stretch.max;
   max_raw_stretch = std::max(max_raw_stretch, record.raw_max_stretch);
@@ -146,10 +144,6 @@ void RunSummary::add(const FrameRecord& record) {
   total_draw_ms += record.draw_ms;
   total_encode_ms += record.encode_ms;
 }
-
-double RunSummary::mean_substeps() const { return total_substeps / std::max(simulated_frames, 1); }
-
-double RunSummary::mean_sim_ms() const { return total_sim_ms / std::max(simulated_frames, 1); }
 
 std::string describe_crossings(const RunSummary& summary) {
   if (summary.crossings_at_start == 0 && summary.final_crossings == 0 && !(summary.most_left_out_share > 0.0)) {

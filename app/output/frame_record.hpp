@@ -85,8 +85,9 @@ FrameRecord measure_frame(const sim::Simulation& simulation, int frame, Measured
 struct RunSummary {
   void add(const FrameRecord& record);
 
-  double mean_substeps() const;  ///< per simulated frame
-  double mean_sim_ms() const;    ///< per simulated frame
+  // Per simulated frame.
+  double mean_substeps() const { return total_substeps / std::max(simulated_frames, 1); }
+  double mean_sim_ms() const { return total_sim_ms / std::max(simulated_frames, 1); }
 
 #define TAUT_MEMBER(type, member, first, name) type member = first;
   TAUT_SUMMARY(TAUT_MEMBER)

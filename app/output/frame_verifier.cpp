@@ -42,10 +42,6 @@ Pairs outside_patches(const Pairs& pairs, const sim::Simulation& simulation, std
   return outside;
 }
 
-std::string joined(const std::string& one, const std::string& other) {
-  return one + (one.empty() || other.empty() ? "" : "; ") + other;
-}
-
 }  // namespace
 
 std::string describe_excess(const LargestStretch& stretch, const sim::SolverSettings& solver) {
@@ -65,13 +61,13 @@ std::string FrameVerifier::begin(const sim::Simulation& simulation) {
   const Surface cloth = {simulation.state().current, simulation.garment().mesh.triangles};
   const std::vector<sim::Body>& bodies = simulation.surroundings().bodies;
   left_out_ = scene_crossings(cloth, bodies, simulation.state().time_s);
-  std::string text;
+  std::vector<std::string> texts;
   crossing_at_start_ = 0;
   for (const SceneCrossings& crossings : left_out_) {
     crossing_at_start_ += crossings.pairs.size();
-    text = joined(text, crossings.pairs.empty() ? "" : describe(crossings, cloth, bodies));
+    if (!crossings.pairs.empty()) texts.push_back(describe(crossings, cloth, bodies));
   }
-  return text;
+  return joined(texts, "; ");
 }
 
 std::string FrameVerifier::check(const sim::Simulation& simulation, FrameRecord& record) {
@@ -84,7 +80,7 @@ std::string FrameVerifier::check(const sim::Simulation& simulation, FrameRecord&
 
   record.crossing_pairs = 0;
   crossing_at_end_ = 0;
-  std::string broken;
+  std::vector<std::string> broken;
   const std::vector<sim::Body>& bodies = simulation.surroundings().bodies;
   std::vector<SceneCrossings> found = scene_crossings(cloth, bodies, record.time_s);
   left_out_.resize(found.size());
@@ -95,10 +91,12 @@ std::string FrameVerifier::check(const sim::Simulation& simulation, FrameRecord&
     left_out_[k].pairs = without(found[k].pairs, counting);
     found[k].pairs = counting;
     *record.crossing_pairs += counting.size();
-    broken = joined(broken, counting.empty() ? "" : describe(found[k], cloth, bodies));
+    if (!counting.empty()) broken.push_back(describe(found[k], cloth, bodies));
   }
-  broken = joined(broken, describe_excess(stretch, simulation.settings().solver));
-  return broken.empty() ? "" : fmt::format("frame {}, {:.4f} s: {}", record.frame, record.time_s, broken);
+  const std::string excess = describe_excess(stretch, simulation.settings().solver);
+  if (!excess.empty()) broken.push_back(excess);
+  if (broken.empty()) return "";
+  return fmt::format("frame {}, {:.4f} s: {}", record.frame, record.time_s, joined(broken, "; "));
 }
 
 std::string FrameVerifier::summary() const {

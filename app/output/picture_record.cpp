@@ -7,12 +7,9 @@ namespace taut::app {
 namespace {
 
 constexpr const char* program_keyword = "Software";
-constexpr const char* command_keyword = "Taut Command";
 constexpr const char* scene_keyword = "Taut Scene";
 constexpr const char* frame_keyword = "Taut Frame";
 constexpr const char* state_keyword = "Taut State";
-constexpr const char* stretch_keyword = "Taut Stretch";
-constexpr const char* surface_stretch_keyword = "Taut Surface Stretch";
 constexpr const char* renderer_keyword = "Taut Renderer";
 
 std::string shell_word(const std::string& word) {
@@ -100,13 +97,13 @@ std::string command_text(std::span<const std::string> arguments) {
 
 std::vector<renderer::PngText> picture_texts(const PictureOrigin& origin, const FrameRecord& record) {
   return {{program_keyword, "taut " + program_version()},
-          {command_keyword, origin.command},
+          {"Taut Command", origin.command},
           {scene_keyword, origin.scene},
           {renderer_keyword, origin.gl_renderer},
           {frame_keyword, fmt::format("{}", record.frame)},
           {state_keyword, fmt::format("{:016x}", record.state_hash)},
-          {stretch_keyword, fmt::format("{}", record.stretch.max)},
-          {surface_stretch_keyword, fmt::format("{}", record.surface_stretch.max)}};
+          {"Taut Stretch", fmt::format("{}", record.stretch.max)},
+          {"Taut Surface Stretch", fmt::format("{}", record.surface_stretch.max)}};
 }
 
 bool is_picture(const std::filesystem::path& file) { return file.extension() == ".png"; }

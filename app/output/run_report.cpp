@@ -55,19 +55,6 @@ const FrameColumn frame_columns[] = {
 
 bool is_written(const FrameColumn& column, bool is_verified) { return is_verified || !column.of_verified_runs; }
 
-Json garment_json(const sim::Garment& garment, std::size_t pins) {
-  return {{"vertices", garment.mesh.positions.size()},
-          {"triangles", garment.mesh.triangles.size()},
-          {"springs", springs_json(garment.springs)},
-          {"pins", pins}};
-}
-
-Json versions_json(const std::string& gl_renderer) {
-  Json versions = {{"program", program_version()}, {"compiler", compiler_version()}};
-  if (!gl_renderer.empty()) versions["gl_renderer"] = gl_renderer;
-  return versions;
-}
-
 Json record_json(const FrameRecord& record) {
   Json json = Json::object();
   for (const FrameColumn& column : frame_columns) {
@@ -131,10 +118,16 @@ StatisticsFormat statistics_format(const std::filesystem::path& file) {
 
 std::string statistics_header(StatisticsFormat format, const RunDescription& run) {
   if (format == StatisticsFormat::json_lines) {
+    Json versions = {{"program", program_version()}, {"compiler", compiler_version()}};
+    if (!run.gl_renderer.empty()) versions["gl_renderer"] = run.gl_renderer;
     return line_of({{"scene", run.scene.name},
-                    {"garment", garment_json(run.garment, run.pins)},
+                    {"garment",
+                     {{"vertices", run.garment.mesh.positions.size()},
+                      {"triangles", run.garment.mesh.triangles.size()},
+                      {"springs", springs_json(run.garment.springs)},
+                      {"pins", run.pins}}},
                     {"settings", scene_settings(run.scene)},
-                    {"versions", versions_json(run.gl_renderer)}});
+                    {"versions", versions}});
   }
   std::string names;
   for (const FrameColumn& column : frame_columns) {
@@ -178,10 +171,6 @@ StatisticsFile::StatisticsFile(const fs::path& file, const RunDescription& run, 
   if (!file_) fail_to_write(path_, std::generic_category().message(errno));
   if (!last_kept) write(statistics_header(format_, run));
 }
-
-void StatisticsFile::add(const FrameRecord& record) { write(statistics_line(format_, record)); }
-
-void StatisticsFile::finish(const RunSummary& summary) { write(statistics_end(format_, summary)); }
 
 void StatisticsFile::write(const std::string& lines) {
   std::error_code ignored;

@@ -43,8 +43,8 @@ class StatisticsFile {
   /// removed. Throws InputError if there is no such line, UsageError if the file name has another ending.
   StatisticsFile(const std::filesystem::path& file, const RunDescription& run, std::optional<int> last_kept);
 
-  void add(const FrameRecord& record);
-  void finish(const RunSummary& summary);
+  void add(const FrameRecord& record) { write(statistics_line(format_, record)); }
+  void finish(const RunSummary& summary) { write(statistics_end(format_, summary)); }
 
  private:
   struct Close {

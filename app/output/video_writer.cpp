@@ -15,41 +15,17 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::vector<std::string> mp4_arguments(bool is_live) {
-  return {"-c:v",
-          "libx264",
-          "-preset",
-          is_live ? "veryfast" : "medium",
-          "-crf",
-          "18",
-          "-pix_fmt",
-          "yuv420p",
-          "-colorspace",
-          "bt709",
-          "-vf",
-          "scale=out_color_matrix=bt709",
-          "-color_primaries",
-          "bt709",
-          "-color_trc",
-          "iec61966-2-1",
-          "-movflags",
-          "+faststart",
-          "-f",
-          "mp4"};
-}
-
+// Without the date and the library's version in it, the same pictures are the same file.
 std::vector<std::string> ffmpeg_arguments(const fs::path& temporary, const VideoSettings& settings) {
-  std::vector<std::string> arguments = {"ffmpeg", "-nostdin", "-hide_banner", "-loglevel", "error", "-y"};
-  const std::vector<std::string> input = {"-f",          "rawvideo",
-                                          "-pix_fmt",    "rgb24",
-                                          "-video_size", fmt::format("{}x{}", settings.width_px, settings.height_px),
-                                          "-framerate",  fmt::format("{}", settings.frame_rate_hz),
-                                          "-i",          "pipe:0"};
-  const std::vector<std::string> kind = mp4_arguments(settings.is_live);
-  // Without the date and the library's version in it, the same pictures are the same file.
-  const std::vector<std::string> output = {"-fflags", "+bitexact", "-flags:v", "+bitexact",
-                                           "file:" + temporary.string()};
-  for (const auto& part : {input, kind, output}) arguments.insert(arguments.end(), part.begin(), part.end());
+  std::istringstream words(fmt::format(
+      "ffmpeg -nostdin -hide_banner -loglevel error -y "
+      "-f rawvideo -pix_fmt rgb24 -video_size {}x{} -framerate {} -i pipe:0 "
+      "-c:v libx264 -preset {} -crf 18 -pix_fmt yuv420p -colorspace bt709 "
+      "-vf scale=out_color_matrix=bt709 -color_primaries bt709 -color_trc iec61966-2-1 "
+      "-movflags +faststart -f mp4 -fflags +bitexact -flags:v +bitexact",
+      settings.width_px, settings.height_px, settings.frame_rate_hz, settings.is_live ? "veryfast" : "medium"));
+  std::vector<std::string> arguments(std::istream_iterator<std::string>(words), {});
+  arguments.push_back("file:" + temporary.string());
   return arguments;
 }
 
@@ -120,29 +96,24 @@ void VideoWriter::send(std::span<const std::uint8_t> bytes) {
       pollfd room{input_.number(), POLLOUT, 0};
       ::poll(&room, 1, look_up_after_ms);
     } else if (errno != EINTR) {
-      fail_stopped();
+      fail("stopped", wait_for_end());
     }
   }
 }
 
 void VideoWriter::finish() {
-  input_ = Descriptor();
-  const int status = wait_for_end();
-  if (status != 0) {
-    throw InputError("cannot make '{}': ffmpeg failed with {} after {}{}", file_.string(), describe_end(status),
-                     counted(frames_, "frame"), last_words());
-  }
+  if (const int status = wait_for_end(); status != 0) fail("failed", status);
   put_in_place(temporary_, file_);
 }
 
-void VideoWriter::fail_stopped() {
-  input_ = Descriptor();
-  const int status = wait_for_end();
-  throw InputError("cannot make '{}': ffmpeg stopped with {} after {}{}", file_.string(), describe_end(status),
+void VideoWriter::fail(const char* how, int status) const {
+  throw InputError("cannot make '{}': ffmpeg {} with {} after {}{}", file_.string(), how, describe_end(status),
                    counted(frames_, "frame"), last_words());
 }
 
+// It ends when it has read all.
 int VideoWriter::wait_for_end() {
+  input_ = Descriptor();
   constexpr int look_again_after_ms = 5;
   while (!ffmpeg_->has_ended()) {
     stop_if_interrupted();

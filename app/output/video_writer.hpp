@@ -43,7 +43,7 @@ class VideoWriter {
   void finish();
 
  private:
-  [[noreturn]] void fail_stopped();
+  [[noreturn]] void fail(const char* how, int status) const;
   void stop_if_interrupted() const;
   void send(std::span<const std::uint8_t> bytes);
   int wait_for_end();

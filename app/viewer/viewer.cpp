@@ -274,7 +274,7 @@ void Viewer::take_key(const renderer::KeyChanged& event) {
   for (const KeyBinding& binding : key_bindings()) {
     const bool is_pressed = binding.key == event.key && binding.needs_control == has_control;
     if (binding.action && is_pressed && (!repeats || binding.repeats)) {
-      key_actions_.push_back(*binding.action);
+      state_.asked.push_back(*binding.action);
     }
   }
 }
@@ -299,7 +299,7 @@ void Viewer::adopt_scene() {
   state_.scene = state_.newest->loaded->scene;
   state_.motions = motion_choices(state_.scene, state_.motions);
   told_ = ChangeSettings(state_.scene);
-  if (!own_cloth_) own_cloth_ = {state_.scene.fabric, state_.scene.material, state_.scene.picture.cloth};
+  if (!opened_) opened_ = state_.scene;
   state_.past_frame.reset();
   hands_.drop();
   noted_frame_.reset();
@@ -368,22 +368,15 @@ void Viewer::note_speed(std::uint64_t advances_before) {
   RealTime& real_time = state_.measurements.real_time;
   const double busy_s = std::exchange(busy_s_, 0.0);
   const int pictures = std::exchange(pictures_, 0);
-  const bool goes_on = !state_.newest->paused && !has_stopped(*state_.newest);
-  if (!goes_on) {
-    real_time.forget();
-    return;
-  }
+  if (state_.newest->paused || has_stopped(*state_.newest)) return real_time.forget();
   const auto advances = static_cast<double>(state_.newest->advances - advances_before);
   real_time.add(elapsed_s_, advances / state_.scene.simulation.frame_rate_hz, busy_s, pictures);
 }
 
 // Where two are compared, each has its own label.
 void Viewer::warn() {
-  if (compared(state_) != nullptr) {
-    state_.warning.clear();
-    return;
-  }
-  state_.warning = state_.newest->stopped && !state_.past_frame
+  state_.warning = compared(state_) != nullptr ? ""
+                   : state_.newest->stopped && !state_.past_frame
                        ? "the simulation has stopped: R, any other setting or another scene starts again"
                        : lost_cloth(state_.shown->positions(), state_.shown->loaded->garment->mesh.triangles,
                                     state_.camera, area_of_one());
@@ -410,7 +403,7 @@ void Viewer::note_changes(const SessionFrame& frame) {
   for (Message& message : state_.messages) message.left_s -= frame.elapsed_s;
   const std::size_t gone = std::erase_if(state_.messages, [](const Message& message) { return message.left_s <= 0.0; });
   const bool is_changing = (!state_.paused && moves(*state_.newest)) || !frame.events.empty() || gone > 0 ||
-                           hands_.is_busy() || recorder_ || !key_actions_.empty() || is_hint_due(state_);
+                           hands_.is_busy() || recorder_ || is_hint_due(state_);
   frames_since_input_ = !frame.events.empty() || hands_.is_busy() ? 0 : frames_since_input_ + 1;
   still_frames_ = is_changing ? 0 : still_frames_ + 1;
 }

@@ -36,9 +36,6 @@ class WindowRecorder {
   /// Completes the video. Returns what was written, for people.
   std::string finish();
 
-  int width_px() const { return width_px_; }
-  int height_px() const { return height_px_; }
-
   /// Pictures per second.
   static constexpr double rate_hz = 30.0;
 
@@ -103,13 +100,6 @@ class Hands {
 /// The point of the cloth that is pointed at under a pixel of its area; empty if there is none.
 std::optional<PickedPoint> cloth_under(const glm::vec2& place_px, const ViewArea& area, const ViewerState& state,
                                        const Snapshot& garment);
-
-/// The material of a scene's garment.
-struct ClothOfScene {
-  std::string fabric;
-  sim::Material material;
-  renderer::SurfaceStyle look;
-};
 
 /// How a viewer begins.
 struct ViewerSettings {
@@ -192,7 +182,6 @@ class Viewer {
   void take_thumbnails();
   void ask_for_scene_beside(std::ptrdiff_t by);
   void choose_fabric(const std::string& name);
-  void load(DrawnScene scene, const std::vector<std::string>& remarks);
   void collect_settings();
   void note_speed(std::uint64_t advances_before);
   void warn();
@@ -207,7 +196,6 @@ class Viewer {
   Hands hands_;
   Pointer pointer_;
   std::set<int> keys_down_;
-  std::vector<Action> key_actions_;
   std::vector<SimulationCommand> commands_;
   // As the simulation was told.
   ChangeSettings told_;
@@ -227,7 +215,7 @@ class Viewer {
   int frames_since_input_ = 0;
   bool screenshot_ = false;
   bool is_ended_ = false;
-  std::optional<ClothOfScene> own_cloth_;  ///< of the scene as it was opened; empty: it is being opened
+  std::optional<DrawnScene> opened_;  ///< the scene as it was opened; empty: it is being opened
   std::optional<WindowRecorder> recorder_;
   std::future<TextureImage> thumbnails_;  ///< until they are there
 };

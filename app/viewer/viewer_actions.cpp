@@ -16,6 +16,24 @@ using renderer::PointerButton;
 constexpr double wind_step_m_per_s = 0.5;
 constexpr double turn_step_rad = 0.08726646259971647;  // 5 degrees
 
+/// Of tshirt_10600 and tshirt_5280 the same: cuts of one garment, which has the same seams to hang from.
+std::filesystem::path kind_of(const std::filesystem::path& file) {
+  const std::string stem = file.stem().string();
+  return file.parent_path() / stem.substr(0, stem.find('_'));
+}
+
+void take_garment(const std::filesystem::path& file, DrawnScene& scene) {
+  if (kind_of(scene.garment.file) != kind_of(file)) {
+    scene.pins.reset();
+    scene.camera = {};
+    scene.picture.ground = {};
+  }
+  take_off_hanger(scene);
+  scene.garment.file = file;
+  scene.garment.start.clear();
+  scene.garment.sewn.clear();
+}
+
 }  // namespace
 
 std::string Viewer::attempt(const std::function<void()>& work) {
@@ -31,10 +49,7 @@ std::string Viewer::attempt(const std::function<void()>& work) {
 }
 
 void Viewer::perform_asked() {
-  std::vector<Action> actions = std::exchange(key_actions_, {});
-  actions.insert(actions.end(), state_.asked.begin(), state_.asked.end());
-  state_.asked.clear();
-  for (const Action action : actions) attempt([&] { perform(action); });
+  for (const Action action : std::exchange(state_.asked, {})) attempt([&] { perform(action); });
 }
 
 void Viewer::perform(Action action) {
@@ -142,10 +157,10 @@ void Viewer::choose_fabric(const std::string& name) {
   DrawnScene& scene = state_.scene;
   if (!name.empty()) {
     apply_overrides(std::vector<Override>{{"cloth.fabric", name, "fabric " + name}}, scene);
-  } else if (own_cloth_) {
-    scene.fabric = own_cloth_->fabric;
-    scene.material = own_cloth_->material;
-    scene.picture.cloth = own_cloth_->look;
+  } else if (opened_) {
+    scene.fabric = opened_->fabric;
+    scene.material = opened_->material;
+    scene.picture.cloth = opened_->picture.cloth;
   }
 }
 
@@ -162,46 +177,25 @@ void Viewer::load_asked() {
   const auto garment = std::exchange(state_.garment_asked, std::nullopt);
   const auto motion = std::exchange(state_.motion_asked, std::nullopt);
   const auto fabric = std::exchange(state_.fabric_asked, std::nullopt);
-  try {
+  attempt([&] {
     if (fabric) choose_fabric(*fabric);
+    if (!name && !motion && !garment) return;
+    DrawnScene scene = state_.scene;
+    std::vector<std::string> remarks;
     if (name) {
-      DrawnScene scene = is_picture(*name) ? read_picture_record(*name, {}).scene : find_scene(*name, {});
-      const std::vector<std::string> remarks = sew_and_load_bodies(scene);
-      own_cloth_.reset();
-      load(std::move(scene), remarks);
+      scene = is_picture(*name) ? read_picture_record(*name, {}).scene : find_scene(*name, {});
+      remarks = sew_and_load_bodies(scene);
+      opened_.reset();
     } else if (motion) {
-      std::vector<std::string> remarks;
-      DrawnScene scene = with_motion(state_.scene, state_.motions.body, *motion, remarks);
-      load(std::move(scene), remarks);
-    } else if (garment) {
-      DrawnScene scene = state_.scene;
-      // Another cut of the same garment, tshirt_5280 of tshirt_10600, has the same seams to hang from; another has not.
-      const auto kind = [](const std::filesystem::path& file) {
-        const std::string stem = file.stem().string();
-        return file.parent_path() / stem.substr(0, stem.find('_'));
-      };
-      const bool is_kin = kind(scene.garment.file) == kind(*garment);
-      if (!is_kin) {
-        scene.pins.reset();
-        scene.camera = {};
-        scene.picture.ground = {};
-      }
-      take_off_hanger(scene);
-      scene.garment.file = *garment;
-      scene.garment.start.clear();
-      scene.garment.sewn.clear();
-      const std::vector<std::string> remarks = sew_garment(scene);
-      load(std::move(scene), remarks);
+      remarks = set_motion(scene, state_.motions.body, *motion);
+    } else {
+      take_garment(*garment, scene);
+      remarks = sew_garment(scene);
     }
-  } catch (const std::exception& error) {
-    tell(error.what(), true);
-  }
-}
-
-void Viewer::load(DrawnScene scene, const std::vector<std::string>& remarks) {
-  for (const std::string& remark : remarks) tell(remark, false);
-  tell("loading " + scene.name, false);
-  commands_.emplace_back(LoadScene{std::make_shared<const DrawnScene>(std::move(scene))});
+    for (const std::string& remark : remarks) tell(remark, false);
+    tell("loading " + scene.name, false);
+    commands_.emplace_back(LoadScene{std::make_shared<const DrawnScene>(std::move(scene))});
+  });
 }
 
 }  // namespace taut::app

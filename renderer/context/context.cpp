@@ -60,8 +60,6 @@ class EglContext final : public Context {
     }
   }
 
-  std::string_view loader() const override { return "egl"; }
-
  private:
   void create() {
     constexpr std::array<EGLint, 5> of_config{EGL_SURFACE_TYPE, 0, EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_NONE};
@@ -148,8 +146,6 @@ class OsMesaContext final : public Context {
     }
   }
 
-  std::string_view loader() const override { return "osmesa"; }
-
  private:
   // OSMesa insists on memory to draw to; everything is drawn in framebuffer objects instead.
   static constexpr int side_px = 16;
@@ -168,11 +164,6 @@ constexpr Loader loaders[] = {
     {"osmesa", []() -> std::unique_ptr<Context> { return std::make_unique<OsMesaContext>(); }},
     {"egl", []() -> std::unique_ptr<Context> { return std::make_unique<EglContext>(); }}};
 
-std::string gl_string(const GladGLContext& gl, GLenum name) {
-  const auto* text = reinterpret_cast<const char*>(gl.GetString(name));
-  return text != nullptr ? text : "unknown";
-}
-
 }  // namespace
 
 Context::Context() : table_(new GladGLContext{}, [](GladGLContext* gl) { delete gl; }) {}
@@ -183,8 +174,8 @@ void Context::load(Lookup lookup) {
     throw ContextError("OpenGL 3.3 is needed, this context has " + std::to_string(GLAD_VERSION_MAJOR(version)) + "." +
                        std::to_string(GLAD_VERSION_MINOR(version)));
   }
-  renderer_ = gl_string(*table_, GL_RENDERER);
-  version_ = gl_string(*table_, GL_VERSION);
+  const auto* renderer = reinterpret_cast<const char*>(table_->GetString(GL_RENDERER));
+  renderer_ = renderer != nullptr ? renderer : "unknown";
 }
 
 std::vector<std::string> context_names() {

@@ -24,12 +24,8 @@ class Context {
 
   /// Returns the OpenGL functions. Valid while the context lives; call them only while it is current.
   const GladGLContext& gl() const { return *table_; }
-  /// Returns how the context was made: "osmesa", "egl" or "window".
-  virtual std::string_view loader() const = 0;
   /// Returns GL_RENDERER, e.g. "llvmpipe (LLVM 15.0.6, 256 bits)".
   const std::string& renderer() const { return renderer_; }
-  /// Returns GL_VERSION, e.g. "4.5 (Core Profile) Mesa 22.3.6".
-  const std::string& version() const { return version_; }
 
  protected:
   using Procedure = void (*)();
@@ -43,7 +39,6 @@ class Context {
  private:
   std::unique_ptr<GladGLContext, void (*)(GladGLContext*)> table_;
   std::string renderer_;
-  std::string version_;
 };
 
 /// Returns the names create_context accepts besides "auto", in the order "auto" tries them.

@@ -53,8 +53,6 @@ class GlfwWindow final : public Window {
     if (glfwGetCurrentContext() != handle_) fail("the window's context cannot be used");
   }
 
-  std::string_view loader() const override { return "window"; }
-
   Resized framebuffer_size() const override {
     Resized size;
     glfwGetFramebufferSize(handle_, &size.width_px, &size.height_px);

@@ -85,7 +85,7 @@ struct Stage {
   }
 };
 
-// Tangent of half the angle under which the key light is seen at penumbra 1: a large softbox. Larger gives
+// Tangent of half the angle under which the key light is seen: a large softbox. Larger gives
 // softer shadows and needs more taps against noise.
 constexpr float key_softness = 0.10F;
 // Radius of the lit floor in units of the scene's radius. Smaller shows where the floor ends.
@@ -116,8 +116,8 @@ float radius_of(const Box& box) { return std::max(0.5F * glm::length(box.upper -
 
 glm::vec3 middle_of(const Box& box) { return 0.5F * (box.lower + box.upper); }
 
-void set_shadow(FrameBlock& block, const Lighting& lighting, const PictureSettings& settings,
-                const std::optional<Box>& casters, float most_bulge_m) {
+void set_shadow(FrameBlock& block, const PictureSettings& settings, const std::optional<Box>& casters,
+                float most_bulge_m) {
   block.world_to_shadow = glm::mat4{1.0F};
   block.shadow = glm::vec4{1.0F, 1.0F, 1.0F, 0.0F};
   if (!casters || !settings.shadows) return;
@@ -125,8 +125,7 @@ void set_shadow(FrameBlock& block, const Lighting& lighting, const PictureSettin
   block.world_to_shadow = world_to_unit_cube(*casters, towards);
   const float side_m = 2.0F * radius_of(*casters);
   const auto texels = static_cast<float>(shadow_map_side(settings));
-  const float tangent = std::max(lighting.penumbra, 0.0F) * key_softness;
-  block.shadow = {side_m / texels, 1.0F / texels, side_m, std::max(tangent, 1e-5F)};
+  block.shadow = {side_m / texels, 1.0F / texels, side_m, key_softness};
   const auto taps = static_cast<float>(settings.shadow_taps);
   block.shadow_blur = {widest_blur * texels, taps, floor_taps * taps, most_bulge_m};
 }
@@ -151,10 +150,6 @@ glm::mat4 tile_of_clip(const PictureSettings& settings, const Tile& tile) {
                          1.0F - (2.0F * static_cast<float>(tile.y_px) + tile_height) / height};
   const glm::mat4 scaled = glm::scale(glm::mat4{1.0F}, glm::vec3{scale, 1.0F});
   return glm::translate(scaled, glm::vec3{-centre, 0.0F});
-}
-
-float aspect_of(const PictureSettings& settings) {
-  return static_cast<float>(settings.width_px) / static_cast<float>(settings.height_px);
 }
 
 // Directions through a plane at distance 1 in front of the eye.
@@ -250,8 +245,6 @@ Program::~Program() {
 
 Program::Program(Program&& other) noexcept : gl_(other.gl_), program_(std::exchange(other.program_, 0)) {}
 
-void Program::use() const { gl_->UseProgram(program_); }
-
 void Program::set(const char* uniform, int value) const {
   gl_->Uniform1i(gl_->GetUniformLocation(program_, uniform), value);
 }
@@ -308,7 +301,7 @@ FrameBlock make_frame_block(const FrameView& frame, const PictureSettings& setti
   for (const SurfaceView& surface : frame.surfaces) {
     if (surface.refinement) most_bulge_m = std::max(most_bulge_m, surface.refinement->most_bulge_m);
   }
-  set_shadow(block, lighting, settings, casters, most_bulge_m);
+  set_shadow(block, settings, casters, most_bulge_m);
   set_ground(block, frame, casters);
   // The backdrop's gradient starts at the middle of the picture, wherever the camera points.
   const glm::vec3 forward = glm::normalize(frame.camera.target - frame.camera.eye);
@@ -333,7 +326,7 @@ void set_shadow_bounds(FrameBlock& block, std::span<const SurfaceView* const> ca
 }
 
 void set_tile(FrameBlock& block, const Camera& camera, const PictureSettings& settings, const Tile& tile) {
-  block.world_to_clip = tile_of_clip(settings, tile) * camera.projection(aspect_of(settings)) * camera.view();
+  block.world_to_clip = tile_of_clip(settings, tile) * camera.projection(settings.aspect()) * camera.view();
   const auto scale = static_cast<float>(settings.supersampling);
   block.viewport = {static_cast<float>(tile.width_px) * scale, static_cast<float>(tile.height_px) * scale, scale,
                     static_cast<float>(settings.height_px) * scale};

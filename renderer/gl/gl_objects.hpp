@@ -60,9 +60,9 @@ void set_sampling(const GladGLContext& gl, GLenum target, GLint filter, GLint wr
 
 /// Makes the context of some objects current, in which they then can be deleted. Names without their context
 /// stay: to delete them is undefined, and they go when the process does.
-template <class Parts> void delete_in_context(std::unique_ptr<Parts>& parts) {
+template <class Parts> void delete_in_context(Context& context, std::unique_ptr<Parts>& parts) {
   try {
-    parts->context.make_current();
+    context.make_current();
   } catch (const ContextError&) {
     static_cast<void>(parts.release());
   }
@@ -105,7 +105,7 @@ class Program {
   Program& operator=(const Program&) = delete;
 
   /// Makes this the program in use.
-  void use() const;
+  void use() const { gl_->UseProgram(program_); }
   /// Set a uniform. The program must be in use. A name that the program does not have is ignored.
   void set(const char* uniform, int value) const;
   void set(const char* uniform, const glm::vec4& value) const;
@@ -142,12 +142,12 @@ inline constexpr unsigned unit_count = 14;
 void bind_shared_inputs(const Program& program);
 
 /// A Program that is compiled at its first use, since a picture needs few of all programs. The arguments are
-/// as those of Program, of embedded_shaders(); what they point at must outlive this object.
+/// as those of Program, of embedded_shaders(); the texts must outlive this object.
 class LazyProgram {
  public:
   LazyProgram(const GladGLContext& context, std::string_view vertex_file, std::string_view fragment_file,
-              std::span<const std::string_view> define_names = {})
-      : gl_(&context), vertex_(vertex_file), fragment_(fragment_file), defines_(define_names) {}
+              std::vector<std::string_view> define_names = {})
+      : gl_(&context), vertex_(vertex_file), fragment_(fragment_file), defines_(std::move(define_names)) {}
 
   /// Returns the program, bound as in bindings.hpp and in use. Throws ShaderError.
   const Program& use();
@@ -156,7 +156,7 @@ class LazyProgram {
   const GladGLContext* gl_;
   std::string_view vertex_;
   std::string_view fragment_;
-  std::span<const std::string_view> defines_;
+  std::vector<std::string_view> defines_;
   std::optional<Program> program_;
 };
 

@@ -48,11 +48,9 @@ VisibilityBuffer::VisibilityBuffer(const GladGLContext& context)
   }
 }
 
-// Four is what shaders/surface.frag counts with.
-int VisibilityBuffer::usable_samples(int wanted) const { return wanted > 1 && most_samples_ >= 4 ? 4 : 1; }
-
 void VisibilityBuffer::begin(int width_px, int height_px, int wanted_samples) {
-  const int usable = usable_samples(wanted_samples);
+  // Four is what shaders/surface.frag counts with.
+  const int usable = wanted_samples > 1 && most_samples_ >= 4 ? 4 : 1;
   if (width_px != width_px_ || height_px != height_px_ || usable != samples_) {
     allocate(width_px, height_px, usable);
   }
@@ -65,18 +63,24 @@ void VisibilityBuffer::begin(int width_px, int height_px, int wanted_samples) {
 }
 
 void VisibilityBuffer::allocate_texture(const Texture& texture, GLenum format) const {
-  gl_->ActiveTexture(GL_TEXTURE0 + drawn_unit);
+  bind_texture(*gl_, drawn_unit, target(), texture);
   if (samples_ > 1) {
-    gl_->BindTexture(GL_TEXTURE_2D_MULTISAMPLE, texture.name());
     gl_->TexImage2DMultisample(GL_TEXTURE_2D_MULTISAMPLE, samples_, format, width_px_, height_px_, GL_TRUE);
     return;
   }
   const bool whole_numbers = format == GL_R32UI;
-  gl_->BindTexture(GL_TEXTURE_2D, texture.name());
   gl_->TexImage2D(GL_TEXTURE_2D, 0, static_cast<GLint>(format), width_px_, height_px_, 0,
                   whole_numbers ? GL_RED_INTEGER : GL_RGBA, whole_numbers ? GL_UNSIGNED_INT : GL_UNSIGNED_BYTE,
                   nullptr);
   set_sampling(*gl_, GL_TEXTURE_2D, GL_NEAREST);
+}
+
+// To the bound framebuffer, with the depth that both have.
+void VisibilityBuffer::attach(const Texture& texture, const char* name) const {
+  gl_->FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, target(), texture.name(), 0);
+  gl_->FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depth_->name());
+  check_errors(*gl_, name);
+  check_framebuffer(*gl_, name);
 }
 
 void VisibilityBuffer::allocate(int width_px, int height_px, int samples) {
@@ -90,17 +94,9 @@ void VisibilityBuffer::allocate(int width_px, int height_px, int samples) {
   gl_->BindRenderbuffer(GL_RENDERBUFFER, depth_->name());
   gl_->RenderbufferStorageMultisample(GL_RENDERBUFFER, samples > 1 ? samples : 0, GL_DEPTH_COMPONENT24, width_px,
                                       height_px);
-  const GLenum target = samples > 1 ? GL_TEXTURE_2D_MULTISAMPLE : GL_TEXTURE_2D;
   gl_->BindFramebuffer(GL_FRAMEBUFFER, triangle_framebuffer_.name());
-  gl_->FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, target, triangle_ids_->name(), 0);
-  gl_->FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depth_->name());
-  check_errors(*gl_, "making the visibility buffer");
-  check_framebuffer(*gl_, "visibility buffer");
-  if (samples > 1) ask_sample_places();
-}
-
-void VisibilityBuffer::ask_sample_places() {
-  for (int i = 0; i < samples_; ++i) {
+  attach(*triangle_ids_, "visibility buffer");
+  for (int i = 0; i < samples && samples > 1; ++i) {
     std::array<GLfloat, 2> place{};
     gl_->GetMultisamplefv(GL_SAMPLE_POSITION, static_cast<GLuint>(i), place.data());
     sample_places_x_[i] = place[0];
@@ -108,20 +104,12 @@ void VisibilityBuffer::ask_sample_places() {
   }
 }
 
-void VisibilityBuffer::bind() const {
-  bind_texture(*gl_, visibility_unit, samples_ > 1 ? GL_TEXTURE_2D_MULTISAMPLE : GL_TEXTURE_2D, *triangle_ids_);
-}
-
 void VisibilityBuffer::begin_marks() {
   gl_->BindFramebuffer(GL_FRAMEBUFFER, marks_framebuffer_.name());
   if (!marks_colour_) {
     marks_colour_.emplace(*gl_);
     allocate_texture(*marks_colour_, GL_SRGB8_ALPHA8);
-    const GLenum target = samples_ > 1 ? GL_TEXTURE_2D_MULTISAMPLE : GL_TEXTURE_2D;
-    gl_->FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, target, marks_colour_->name(), 0);
-    gl_->FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depth_->name());
-    check_errors(*gl_, "making the marks' buffers");
-    check_framebuffer(*gl_, "marks");
+    attach(*marks_colour_, "marks");
   }
   gl_->Viewport(0, 0, width_px_, height_px_);
   gl_->ClearColor(0.0F, 0.0F, 0.0F, 0.0F);
@@ -162,11 +150,9 @@ void PictureTarget::clear() const {
   gl_->Clear(GL_COLOR_BUFFER_BIT);
 }
 
-Image PictureTarget::read() const { return read_framebuffer(*gl_, finished_.name(), width_px_, height_px_); }
-
-Image PictureTarget::read_with_alpha() const {
-  Image image = read_pixels(*gl_, finished_.name(), {width_px_, height_px_, 4, {}});
-  divide_by_alpha(image);
+Image PictureTarget::read(bool has_alpha) const {
+  Image image = read_pixels(*gl_, finished_.name(), {width_px_, height_px_, has_alpha ? 4 : 3, {}});
+  if (has_alpha) divide_by_alpha(image);
   return image;
 }
 
@@ -177,10 +163,6 @@ void PictureTarget::show(GLuint target, int width_px, int height_px, int left_px
   gl_->BlitFramebuffer(0, 0, width_px_, height_px_, left_px, 0, left_px + width_px, height_px, GL_COLOR_BUFFER_BIT,
                        is_same_size ? GL_NEAREST : GL_LINEAR);
   gl_->BindFramebuffer(GL_FRAMEBUFFER, target);
-}
-
-Image read_framebuffer(const GladGLContext& gl, GLuint framebuffer, int width_px, int height_px) {
-  return read_pixels(gl, framebuffer, {width_px, height_px, 3, {}});
 }
 
 void GrowingTarget::begin(const glm::ivec2& size_px) {
@@ -197,29 +179,22 @@ void GrowingTarget::begin(const glm::ivec2& size_px) {
   gl_->Viewport(0, 0, size_px.x, size_px.y);
 }
 
-struct ColourTarget::Parts {
-  Context& context;
-  PictureTarget picture;
-
-  explicit Parts(Context& made) : context(made), picture(made.gl(), GL_RGBA8) {}
-};
-
-ColourTarget::ColourTarget(Context& context) {
+ColourTarget::ColourTarget(Context& context) : context_(context) {
   context.make_current();
-  parts_ = std::make_unique<Parts>(context);
+  picture_ = std::make_unique<PictureTarget>(context.gl(), GL_RGBA8);
 }
 
-ColourTarget::~ColourTarget() { delete_in_context(parts_); }
+ColourTarget::~ColourTarget() { delete_in_context(context_, picture_); }
 
 unsigned ColourTarget::framebuffer(int width_px, int height_px) {
-  parts_->picture.begin(width_px, height_px);
-  return parts_->picture.framebuffer();
+  picture_->begin(width_px, height_px);
+  return picture_->framebuffer();
 }
 
 void ColourTarget::copy_part_to(unsigned framebuffer, int x_px, int y_px, int width_px, int height_px) const {
-  const GladGLContext& gl = parts_->context.gl();
+  const GladGLContext& gl = context_.gl();
   gl.Disable(GL_SCISSOR_TEST);
-  gl.BindFramebuffer(GL_READ_FRAMEBUFFER, parts_->picture.framebuffer());
+  gl.BindFramebuffer(GL_READ_FRAMEBUFFER, picture_->framebuffer());
   gl.BindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer);
   gl.BlitFramebuffer(x_px, y_px, x_px + width_px, y_px + height_px, x_px, y_px, x_px + width_px, y_px + height_px,
                      GL_COLOR_BUFFER_BIT, GL_NEAREST);
@@ -228,7 +203,7 @@ void ColourTarget::copy_part_to(unsigned framebuffer, int x_px, int y_px, int wi
 }
 
 Image read_framebuffer(Context& context, unsigned framebuffer, int width_px, int height_px) {
-  return read_framebuffer(context.gl(), framebuffer, width_px, height_px);
+  return read_pixels(context.gl(), framebuffer, {width_px, height_px, 3, {}});
 }
 
 void clear_framebuffer(Context& context, unsigned framebuffer, int width_px, int height_px, float grey) {

@@ -22,7 +22,7 @@ class VisibilityBuffer {
   const glm::vec4& samples_x() const { return sample_places_x_; }
   const glm::vec4& samples_y() const { return sample_places_y_; }
   /// Binds the texture of triangle numbers to visibility_unit.
-  void bind() const;
+  void bind() const { bind_texture(*gl_, visibility_unit, target(), *triangle_ids_); }
 
   /// Binds an empty colour buffer for marks, with the surfaces' depth. Its colours are sRGB-encoded and were
   /// premultiplied in linear light. Throws ContextError.
@@ -34,10 +34,10 @@ class VisibilityBuffer {
   static constexpr int max_side_px = 2048;
 
  private:
-  int usable_samples(int wanted) const;
   void allocate(int width_px, int height_px, int samples);
-  void ask_sample_places();
   void allocate_texture(const Texture& texture, GLenum format) const;
+  void attach(const Texture& texture, const char* name) const;
+  GLenum target() const { return samples_ > 1 ? GL_TEXTURE_2D_MULTISAMPLE : GL_TEXTURE_2D; }
 
   const GladGLContext* gl_;
   std::optional<Texture> triangle_ids_;
@@ -71,10 +71,9 @@ class PictureTarget {
   GLuint framebuffer() const { return finished_.name(); }
   /// Returns the picture's texture; begin() must have been called.
   const Texture& texture() const { return *colour_; }
-  /// Returns the picture as RGB, top row first.
-  Image read() const;
-  /// Returns the picture as RGBA. Its colours, which are premultiplied in linear light, are divided by alpha.
-  Image read_with_alpha() const;
+  /// Returns the picture as RGB, top row first, or as RGBA: its colours, which are premultiplied in linear light, are
+  /// then divided by alpha.
+  Image read(bool has_alpha) const;
   /// Copies the picture, stretched to width_px by height_px, to the bottom of a framebuffer, left_px from its
   /// left side.
   void show(GLuint target, int width_px, int height_px, int left_px) const;
@@ -113,10 +112,6 @@ class GrowingTarget {
   glm::ivec2 size_px_{0};
 };
 
-/// Returns the lower left width_px by height_px of a framebuffer as RGB, top row first. The context must be
-/// current.
-Image read_framebuffer(const GladGLContext& gl, GLuint framebuffer, int width_px, int height_px);
-
 /// A framebuffer object of sRGB-encoded colours in a plain RGBA8 texture, to be drawn to by
 /// SceneRenderer::draw_to.
 class ColourTarget {
@@ -135,8 +130,8 @@ class ColourTarget {
   void copy_part_to(unsigned framebuffer, int x_px, int y_px, int width_px, int height_px) const;
 
  private:
-  struct Parts;
-  std::unique_ptr<Parts> parts_;
+  Context& context_;
+  std::unique_ptr<PictureTarget> picture_;
 };
 
 /// Returns the lower left width_px by height_px of a framebuffer (0: the window) as RGB, top row first.

@@ -284,7 +284,13 @@ void StudioLight::begin(FrameBlock& block, const FrameView& frame, std::span<con
 
 void StudioLight::draw_maps(const FrameBlock& block) {
   // The two look at the same casters and share nothing else.
-  std::future<void> shadows = std::async(std::launch::async, [&] { draw_shadow_map(block); });
+  std::future<void> shadows = std::async(std::launch::async, [&] {
+    shadow_map_.resize(shadow_side_px_);
+    shadow_map_.clear();
+    for (const SurfaceView* caster : casters_) {
+      shadow_map_.draw(block.world_to_shadow, caster->positions, caster->triangles);
+    }
+  });
   sky_light_.draw_maps(casters_, casters_.empty() ? std::nullopt : casters_box_, sky_directions_);
   if (has_floor_) sky_light_.gather_floor(block.ground_light_area, block.ground.y, floor_light_);
   shadows.get();
@@ -294,14 +300,6 @@ void StudioLight::draw_maps(const FrameBlock& block) {
 void StudioLight::gather(const SurfaceView& surface, SurfaceLight& light) {
   shadow_classifier_.classify(surface, light.key);
   sky_light_.gather(surface, light.sky);
-}
-
-void StudioLight::draw_shadow_map(const FrameBlock& block) {
-  shadow_map_.resize(shadow_side_px_);
-  shadow_map_.clear();
-  for (const SurfaceView* caster : casters_) {
-    shadow_map_.draw(block.world_to_shadow, caster->positions, caster->triangles);
-  }
 }
 
 void StudioLight::upload_shadow_map() {

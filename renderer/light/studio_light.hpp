@@ -67,7 +67,6 @@ class StudioLight {
   void unbind() const;
 
  private:
-  void draw_shadow_map(const FrameBlock& block);
   void upload_shadow_map();
 
   const GladGLContext* gl_;

@@ -97,18 +97,9 @@ float horizontal_shift(HorizontalAlign align, const TextSize& size) {
 }
 
 float vertical_shift(VerticalAlign align, const TextSize& size) {
-  switch (align) {
-    case VerticalAlign::top:
-      return size.ascent_px;
-    case VerticalAlign::middle:
-      // The middle of lower-case letters with ascenders is what the eye takes for the middle of a line.
-      return 0.36F * (size.ascent_px + size.descent_px) * 0.86F;
-    case VerticalAlign::baseline:
-      return 0.0F;
-    case VerticalAlign::bottom:
-      return -size.descent_px;
-  }
-  return 0.0F;
+  // The middle of lower-case letters with ascenders is what the eye takes for the middle of a line.
+  if (align == VerticalAlign::middle) return 0.36F * (size.ascent_px + size.descent_px) * 0.86F;
+  return align == VerticalAlign::top ? size.ascent_px : align == VerticalAlign::bottom ? -size.descent_px : 0.0F;
 }
 
 void draw_bar(Canvas& canvas, const Legend& legend, const LegendPlace& place) {
@@ -176,8 +167,7 @@ void draw_bound(Canvas& canvas, const Legend& legend, const Scale& scale, TextSt
   const float step = round_step(range);
   const bool on_tick = std::abs(shown / step - std::round(shown / step)) < 0.01F;
   text.bold = true;
-  canvas.text(right + 9.0F, y,
-              tick_text(shown, on_tick ? step : 0.1F * step) + legend.suffix + " " + legend.bound_label, text);
+  canvas.text(right + 9.0F, y, tick_text(shown, on_tick ? step : 0.1F * step) + legend.suffix + " bound", text);
 }
 
 }  // namespace
@@ -198,15 +188,6 @@ struct Canvas::Surface {
     set_font_options(pen.get());
     cairo_scale(pen.get(), scale, scale);
   }
-  void start_image(Colour background) {
-    const auto pixels = [this](int length) {
-      return std::max(1, static_cast<int>(std::lround(static_cast<float>(length) * scale)));
-    };
-    surface = checked(cairo_image_surface_create(CAIRO_FORMAT_RGB24, pixels(width_px), pixels(height_px)));
-    start();
-    set_colour(pen.get(), background);
-    cairo_paint(pen.get());
-  }
   // A page has no pixels of its own: there they are taken as those of the canvas.
   float pixels_in_one() const { return is_pdf ? 1.0F : scale; }
   // A baseline between two rows of pixels blurs every letter's foot.
@@ -218,13 +199,18 @@ struct Canvas::Surface {
 
 Canvas::Canvas(std::unique_ptr<Surface> made) : surface_(std::move(made)) {}
 Canvas::~Canvas() = default;
-Canvas::Canvas(Canvas&&) noexcept = default;
-Canvas& Canvas::operator=(Canvas&&) noexcept = default;
 
-Canvas::Canvas(int width_px, int height_px, Colour background) : surface_(std::make_unique<Surface>()) {
+Canvas::Canvas(int width_px, int height_px, float scale) : surface_(std::make_unique<Surface>()) {
   surface_->width_px = width_px;
   surface_->height_px = height_px;
-  surface_->start_image(background);
+  surface_->scale = scale;
+  const auto pixels = [scale](int length) {
+    return std::max(1, static_cast<int>(std::lround(static_cast<float>(length) * scale)));
+  };
+  surface_->surface = checked(cairo_image_surface_create(CAIRO_FORMAT_RGB24, pixels(width_px), pixels(height_px)));
+  surface_->start();
+  set_colour(surface_->pen.get(), Colour{1.0F});
+  cairo_paint(surface_->pen.get());
 }
 
 Canvas::Canvas(const Image& image) : surface_(std::make_unique<Surface>()) {
@@ -232,15 +218,6 @@ Canvas::Canvas(const Image& image) : surface_(std::make_unique<Surface>()) {
   surface_->height_px = image.height_px;
   surface_->surface = to_cairo(image);
   surface_->start();
-}
-
-Canvas Canvas::scaled(int width_px, int height_px, float scale) {
-  auto made = std::make_unique<Surface>();
-  made->width_px = width_px;
-  made->height_px = height_px;
-  made->scale = scale;
-  made->start_image(Colour{1.0F});
-  return Canvas(std::move(made));
 }
 
 Canvas Canvas::pdf(int width_px, int height_px, float pixels_per_inch, const std::string& title) {

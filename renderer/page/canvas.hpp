@@ -74,19 +74,15 @@ struct TextSize {
 /// line of UTF-8. Opacity is 0 to 1.
 class Canvas {
  public:
-  /// An empty canvas of the background's colour. Throws std::runtime_error when Cairo cannot make it.
-  Canvas(int width_px, int height_px, Colour background = Colour{1.0F});
+  /// A white canvas, whose image has `scale` times as many pixels each way as it has coordinates, rounded. Throws
+  /// std::runtime_error when Cairo cannot make it.
+  Canvas(int width_px, int height_px, float scale = 1.0F);
   /// A canvas that starts as a copy of the image, and has an alpha channel if it has.
   explicit Canvas(const Image& image);
-  /// Returns a white canvas with coordinates of width_px by height_px, whose image has `scale` times as many
-  /// pixels each way, rounded.
-  static Canvas scaled(int width_px, int height_px, float scale);
   /// One page of a document with this title; text stays text. Throws std::runtime_error where Cairo cannot
   /// make it.
-  static Canvas pdf(int width_px, int height_px, float pixels_per_inch = 300.0F, const std::string& title = "");
+  static Canvas pdf(int width_px, int height_px, float pixels_per_inch, const std::string& title);
   ~Canvas();
-  Canvas(Canvas&&) noexcept;
-  Canvas& operator=(Canvas&&) noexcept;
 
   /// Return the size in coordinates of the canvas, before any scale.
   int width_px() const;
@@ -130,11 +126,10 @@ struct Legend {
   float minimum = 0.0F;  ///< value at the lower end of the bar
   float maximum = 1.0F;  ///< value at the upper end; above minimum
   ColourMap map = ColourMap::viridis;
-  float factor = 1.0F;                ///< values are printed times this, e.g. 100 with suffix " %" for fractions
-  std::string suffix;                 ///< printed behind every value
-  std::optional<float> bound;         ///< a value to mark on the bar, in the unit of minimum and maximum
-  std::string bound_label = "bound";  ///< printed next to the mark
-  bool more_above = false;            ///< draws an arrow head: some values are above maximum
+  float factor = 1.0F;         ///< values are printed times this, e.g. 100 with suffix " %" for fractions
+  std::string suffix;          ///< printed behind every value
+  std::optional<float> bound;  ///< a value to mark on the bar, in the unit of minimum and maximum
+  bool more_above = false;     ///< draws an arrow head: some values are above maximum
 };
 
 /// Where a legend is drawn, in pixels of the canvas.

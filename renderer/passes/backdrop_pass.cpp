@@ -17,22 +17,13 @@ constexpr float floor_offset_units = 8.0F;
 // Drawn pixels for a cell of the grid: larger blurs the floor's light where it is seen at a slant, smaller
 // costs time.
 int cell_px(int tile_height_px, BackdropGrid fineness) {
-  switch (fineness) {
-    case BackdropGrid::fine:
-      return std::clamp(tile_height_px / 60, 4, 12);
-    case BackdropGrid::coarse:
-      return std::clamp(tile_height_px / 20, 4, 36);
-    case BackdropGrid::coarsest:
-      return std::clamp(tile_height_px / 11 / 16 * 16, 16, 64);
-  }
-  throw std::invalid_argument("not a grid of the backdrop");
+  if (fineness == BackdropGrid::coarsest) return std::clamp(tile_height_px / 11 / 16 * 16, 16, 64);
+  return fineness == BackdropGrid::fine ? std::clamp(tile_height_px / 60, 4, 12)
+                                        : std::clamp(tile_height_px / 20, 4, 36);
 }
 
 // Drawn pixels for a texel of the floor's shadow. More is faster and blurs the shadow's edge.
 int shadow_texel_px(int tile_height_px) { return std::clamp(tile_height_px / 360, 1, 2); }
-
-constexpr std::array<std::string_view, 1> with_floor{"FLOOR"};
-constexpr std::array<std::string_view, 1> with_shadow{"SHADED"};
 
 }  // namespace
 
@@ -76,8 +67,8 @@ std::array<PixelRect, 4> bands_around(const PixelRect& part, const glm::ivec2& s
 BackdropPass::BackdropPass(const GladGLContext& context)
     : gl_(&context),
       lit_(context, "backdrop_grid.vert", "backdrop.frag"),
-      floor_shadow_(context, "fullscreen.vert", "floor_shadow.frag", with_floor),
-      shaded_(context, "backdrop_grid.vert", "backdrop.frag", with_shadow),
+      floor_shadow_(context, "fullscreen.vert", "floor_shadow.frag", {"FLOOR"}),
+      shaded_(context, "backdrop_grid.vert", "backdrop.frag", {"SHADED"}),
       floor_depth_(context, "ground.vert", "depth.frag"),
       floor_shadow_map_(context, GL_R8, floor_shadow_unit),
       no_arrays_(context) {}

@@ -16,19 +16,11 @@ constexpr float lift = 0.0008F;
 // Points are wider than lines, so a slanted surface needs more.
 constexpr float point_lift = 0.004F;
 
-void set_depth_test(const GladGLContext& gl, bool hidden) {
-  if (hidden) {
-    gl.Enable(GL_DEPTH_TEST);
-  } else {
-    gl.Disable(GL_DEPTH_TEST);
-  }
-}
+void set_depth_test(const GladGLContext& gl, bool hidden) { (hidden ? gl.Enable : gl.Disable)(GL_DEPTH_TEST); }
 
 const Colour& pick(std::span<const Colour> colours, std::size_t i) {
   return colours.size() == 1 ? colours.front() : colours[i];
 }
-
-constexpr std::array<std::string_view, 1> multisampled{"MULTISAMPLED"};
 
 }  // namespace
 
@@ -49,8 +41,7 @@ SurfaceView view_of(const TriangleMesh& mesh, const SphereView& spheres) {
   view.positions = mesh.positions;
   view.normals = mesh.normals;
   view.triangles = mesh.triangles;
-  view.style.outside_colour = spheres.colour;
-  view.style.inside_colour = spheres.colour;
+  view.style.inside_colour = view.style.outside_colour = spheres.colour;
   view.style.roughness = 0.45F;
   view.style.sheen = 0.0F;
   view.style.translucency = 0.0F;
@@ -81,9 +72,8 @@ MarkPass::MarkPass(const GladGLContext& context)
 
 void MarkPass::draw_wireframe(std::span<const glm::vec3> positions, const Wireframe& wireframe) {
   segments_.clear();
-  for (std::size_t i = 0; i + 1 < wireframe.edges.size(); i += 2) {
-    segments_.push_back(
-        {positions[wireframe.edges[i]], positions[wireframe.edges[i + 1]], wireframe.colour, wireframe.colour});
+  for (const auto& [a, b] : wireframe.edges) {
+    segments_.push_back({positions[a], positions[b], wireframe.colour, wireframe.colour});
   }
   set_depth_test(*gl_, true);
   draw_segments(wireframe.width_px, wireframe.opacity);
@@ -122,7 +112,7 @@ void MarkPass::draw_points(const PointView& points) {
 ResolvePass::ResolvePass(const GladGLContext& context)
     : gl_(&context),
       one_(context, "fullscreen.vert", "resolve.frag"),
-      many_(context, "fullscreen.vert", "resolve.frag", multisampled),
+      many_(context, "fullscreen.vert", "resolve.frag", {"MULTISAMPLED"}),
       no_arrays_(context) {}
 
 void ResolvePass::draw(const Texture& drawn, int samples, int supersampling, const glm::ivec2& corner_px) {

@@ -75,11 +75,10 @@ constexpr std::size_t variants = 32;
 
 std::vector<std::string_view> defines(std::size_t variant) {
   std::vector<std::string_view> names;
-  if ((variant & several_samples) != 0) names.emplace_back("MULTISAMPLED");
-  if ((variant & scalars) != 0) names.emplace_back("SCALARS");
-  if ((variant & partial_shadow) != 0) names.emplace_back("PARTIAL_SHADOW");
-  if ((variant & halved) != 0) names.emplace_back("HALVED");
-  if ((variant & base_colour_maps) != 0) names.emplace_back("BASE_COLOUR_MAPS");
+  for (const char* name : {"MULTISAMPLED", "SCALARS", "PARTIAL_SHADOW", "HALVED", "BASE_COLOUR_MAPS"}) {
+    if (variant % 2 != 0) names.emplace_back(name);
+    variant /= 2;
+  }
   return names;
 }
 
@@ -187,9 +186,8 @@ SurfacePass::SurfacePass(const GladGLContext& context)
       square_corners_(context),
       upscaling_(context, "squares.vert", "surface_halved.frag"),
       halved_(context, GL_RGBA8, halved_unit) {
-  for (std::size_t variant = 0; variant < variants; ++variant) variant_defines_.push_back(defines(variant));
-  for (const auto& names : variant_defines_) {
-    shading_.emplace_back(context, "squares.vert", "surface.frag", names);
+  for (std::size_t variant = 0; variant < variants; ++variant) {
+    shading_.emplace_back(context, "squares.vert", "surface.frag", defines(variant));
   }
   gl_->BindVertexArray(corner_arrays_.name());
   set_attribute(*gl_, 0, corner_buffer_, 3, 3, 0);

@@ -73,8 +73,7 @@ class SurfacePass {
   VertexArray corner_arrays_;
   Buffer corner_buffer_;
   std::vector<glm::vec3> corner_positions_;  // three for each triangle
-  std::vector<std::vector<std::string_view>> variant_defines_;
-  std::vector<LazyProgram> shading_;  // by what defines() has
+  std::vector<LazyProgram> shading_;         // by what defines() has
   ColourMapTexture colour_maps_;
   BaseColourMapTexture base_colour_maps_;
   SurfaceBuffers surface_buffers_;

@@ -210,15 +210,6 @@ std::vector<VertexPair> border_of(const RefinedMesh& mesh) {
   return edges;
 }
 
-std::vector<VertexPair> fine_seams(const RefinedMesh& mesh, std::span<const VertexPair> seams) {
-  std::vector<std::uint32_t> flat;
-  for (const VertexPair& seam : seams) flat.insert(flat.end(), seam.begin(), seam.end());
-  flat = mesh.refined_edges(flat);
-  std::vector<VertexPair> edges;
-  for (std::size_t i = 0; i < flat.size(); i += 2) edges.push_back({flat[i], flat[i + 1]});
-  return edges;
-}
-
 std::vector<BorderBand> bands_of_chains(const Lines& lines, std::span<const BorderBand> bands) {
   std::vector<BorderBand> found(lines.chains.size());
   for (const Lines::Segment& segment : lines.segments) {
@@ -250,7 +241,8 @@ std::vector<TrimmedTriangle> trimmed_triangles(const SmoothSurface& surface, std
                                                const SewingPlan& plan) {
   const RefinedMesh& mesh = surface.mesh();
   const Trimming border(border_of(mesh), rest_positions, mesh, reach_of(plan.bands), plan.stitch_m);
-  const Trimming seam(fine_seams(mesh, plan.seams), rest_positions, mesh, reach_of_seam * plan.stitch_m, plan.stitch_m);
+  const Trimming seam(mesh.refined_edges(plan.seams), rest_positions, mesh, reach_of_seam * plan.stitch_m,
+                      plan.stitch_m);
   const std::vector<BorderBand> bands = bands_of_chains(border.lines, plan.bands);
   std::vector<TrimmedTriangle> trimmed;
   for (std::uint32_t t = 0; t < surface.triangles().size() / 3; ++t) {

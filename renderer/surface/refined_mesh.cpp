@@ -166,19 +166,19 @@ void RefinedMesh::split_border(const std::vector<std::uint32_t>& midpoints, Leve
   border_ = std::move(finer);
 }
 
-std::vector<std::uint32_t> RefinedMesh::refined_edges(std::span<const std::uint32_t> edges) const {
-  std::vector<std::uint32_t> pairs(edges.begin(), edges.end());
+std::vector<VertexPair> RefinedMesh::refined_edges(std::span<const VertexPair> edges) const {
+  std::vector<VertexPair> pairs(edges.begin(), edges.end());
   for (const Level& level : levels_) {
-    std::vector<std::uint32_t> finer;
+    std::vector<VertexPair> finer;
     finer.reserve(2 * pairs.size());
-    for (std::size_t i = 0; i + 1 < pairs.size(); i += 2) {
-      const VertexPair pair = sorted(pairs[i], pairs[i + 1]);
+    for (const auto& [start, end] : pairs) {
+      const VertexPair pair = sorted(start, end);
       const auto found = std::ranges::lower_bound(level.edges, pair);
       if (found != level.edges.end() && *found == pair) {
         const std::uint32_t middle = level.first_vertex + static_cast<std::uint32_t>(found - level.edges.begin());
-        finer.insert(finer.end(), {pairs[i], middle, middle, pairs[i + 1]});
+        finer.insert(finer.end(), {{start, middle}, {middle, end}});
       } else {
-        finer.insert(finer.end(), {pairs[i], pairs[i + 1]});
+        finer.push_back({start, end});
       }
     }
     pairs = std::move(finer);

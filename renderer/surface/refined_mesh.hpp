@@ -73,7 +73,7 @@ class RefinedMesh {
   const std::vector<VertexPair>& parents() const { return parents_; }
   /// Replaces pairs of coarse vertices by pairs of fine ones along the same edges. Two that have no edge
   /// stay.
-  std::vector<std::uint32_t> refined_edges(std::span<const std::uint32_t> edges) const;
+  std::vector<VertexPair> refined_edges(std::span<const VertexPair> edges) const;
 
  private:
   void split();

@@ -83,7 +83,7 @@ TEST(FittedView, SeesTheGarmentInEveryFrameAndNoMore) {
   FittedView both(scene, cloth);
   both.add(cloth.mesh.positions, cloth.mesh.positions, 0.0);
   both.add(far, far, 0.1);
-  const float aspect = aspect_of(scene.picture.settings);
+  const float aspect = scene.picture.settings.aspect();
   DrawnScene placed = scene;
   both.place_camera(placed);
   const renderer::Camera camera = scene_camera(placed, {}, aspect);

@@ -86,7 +86,7 @@ TEST(Canvas, TextIsWhereItWasMeasured) {
 }
 
 TEST(Canvas, ScaledTakesAPictureOfThatManyPixelsAsItIs) {
-  Canvas canvas = Canvas::scaled(15, 11, 0.5F);
+  Canvas canvas(15, 11, 0.5F);
   Image checks = make_image(5, 4);
   for (int y = 0; y < 4; ++y) {
     for (int x = 0; x < 5; ++x) checks.at(x, y)[0] = (x + y) % 2 == 0 ? 255 : 0;
@@ -122,7 +122,7 @@ TEST(Canvas, PdfIsCompleteAndTheSameEveryTime) {
 
 TEST(Legend, BarRunsFromTheMinimumBelowToTheMaximumAbove) {
   Canvas canvas(200, 320);
-  Legend legend{"stretch", 0.0F, 0.02F, ColourMap::viridis, 100.0F, " %", 0.01F, "bound", false};
+  Legend legend{"stretch", 0.0F, 0.02F, ColourMap::viridis, 100.0F, " %", 0.01F, false};
   LegendPlace place;
   draw_legend(canvas, legend, place);
   const Image drawn = canvas.to_image();
@@ -138,8 +138,8 @@ TEST(Legend, BarRunsFromTheMinimumBelowToTheMaximumAbove) {
 
 // Half a pixel off in both directions every row has two soft edges.
 TEST(Legend, BarKeepsItsColoursBetweenPixels) {
-  Canvas canvas(200, 320, rgb(0xFFFFFF));
-  Legend legend{"stretch", 0.0F, 0.02F, ColourMap::viridis, 100.0F, " %", {}, "", true};
+  Canvas canvas(200, 320);
+  Legend legend{"stretch", 0.0F, 0.02F, ColourMap::viridis, 100.0F, " %", {}, true};
   LegendPlace place;
   place.x_px = 24.5F;
   place.y_px = 48.5F;

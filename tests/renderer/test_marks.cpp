@@ -35,7 +35,7 @@ TEST_F(MarksTest, LineHasItsWidth) {
 }
 
 TEST_F(MarksTest, WireframeLiesOnBothSides) {
-  constexpr std::array<std::uint32_t, 2> edge{0, 2};
+  constexpr std::array<std::array<std::uint32_t, 2>, 1> edge{{{0, 2}}};
   for (const float side : {1.0F, -1.0F}) {
     FrameView frame = triangle_frame();
     frame.camera.eye = {side * 3.0F, 0.3F, side * 2.5F};

@@ -49,15 +49,13 @@ TEST(RefinedMesh, BordersGoOnUntilTheirEnds) {
     edge = border[edge].next;
   }
   EXPECT_EQ(edge, 0U) << "once around";
-  const auto corners =
-      std::count_if(border.begin(), border.end(), [](const BorderEdge& e) { return e.corners[0]; });
+  const auto corners = std::count_if(border.begin(), border.end(), [](const BorderEdge& e) { return e.corners[0]; });
   EXPECT_EQ(corners, 3)
       << "two of the square, one of the triangle; where it joins the border turns by 45 degrees or less";
 }
 
 TEST(RefinedMesh, CornerValuesKeepWhatDiffersAcrossAnEdge) {
-  const std::vector<glm::vec2> corners{{0, 0}, {1, 0}, {1, 1}, {5, 5}, {6, 6},
-                                       {5, 6}, {1, 0}, {2, 0}, {1, 1}};
+  const std::vector<glm::vec2> corners{{0, 0}, {1, 0}, {1, 1}, {5, 5}, {6, 6}, {5, 6}, {1, 0}, {2, 0}, {1, 1}};
   const std::vector<glm::vec2> fine = refined_corner_values(std::span(corners), 2);
   const RefinedMesh mesh(positions, triangles, 2);
   ASSERT_EQ(fine.size(), mesh.triangles().size());
@@ -71,14 +69,13 @@ TEST(RefinedMesh, CornerValuesKeepWhatDiffersAcrossAnEdge) {
 
 TEST(RefinedMesh, EdgesBecomeChainsAlongTheSurface) {
   const RefinedMesh mesh(positions, triangles, 2);
-  const std::vector<std::uint32_t> edges{1, 0, 0, 4};
-  const std::vector<std::uint32_t> fine = mesh.refined_edges(edges);
-  ASSERT_EQ(fine.size(), 2U * 4U + 2U) << "0 and 4 have no edge";
-  EXPECT_EQ(fine.front(), 1U);
-  EXPECT_EQ(fine[7], 0U);
-  EXPECT_EQ(fine[8], 0U);
-  EXPECT_EQ(fine[9], 4U);
-  for (std::size_t i = 2; i < 8; i += 2) EXPECT_EQ(fine[i], fine[i - 1]);
+  const std::vector<VertexPair> edges{{1, 0}, {0, 4}};
+  const std::vector<VertexPair> fine = mesh.refined_edges(edges);
+  ASSERT_EQ(fine.size(), 4U + 1U) << "0 and 4 have no edge";
+  EXPECT_EQ(fine.front()[0], 1U);
+  EXPECT_EQ(fine[3][1], 0U);
+  EXPECT_EQ(fine[4], (VertexPair{0, 4}));
+  for (std::size_t i = 1; i < 4; ++i) EXPECT_EQ(fine[i][0], fine[i - 1][1]);
 }
 
 TEST(RefinedMesh, IsFineOnlyWhereItShows) {

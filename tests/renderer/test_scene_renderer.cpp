@@ -41,7 +41,7 @@ TEST_F(SceneRendererTest, AKeptPictureIsShownAgainAndStretched) {
 TEST_F(SceneRendererTest, DrawingStraightToATargetLeavesTheRestOfItAndGivesTheSameBytes) {
   constexpr int border_px = 8;
   FrameView frame = triangle_frame();
-  const std::array<std::uint32_t, 2> edge{0, 1};
+  const std::array<std::array<std::uint32_t, 2>, 1> edge{{{0, 1}}};
   ColourTarget target(*context);
   for (const bool plain : {true, false}) {
     frame.backdrop.plain = plain;

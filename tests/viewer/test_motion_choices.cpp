@@ -2,9 +2,9 @@
 
 #include <gtest/gtest.h>
 
-#include "app/viewer/viewer.hpp"
 #include "app/viewer/panel/panel.hpp"
 #include "app/viewer/state/viewer_state.hpp"
+#include "app/viewer/viewer.hpp"
 #include "bodies/gltf_text.hpp"
 #include "person.hpp"
 #include "temporary_folder.hpp"
@@ -67,8 +67,7 @@ TEST_F(MotionList, StartsTheSceneAgainWithTheMotionThatIsChosen) {
   EXPECT_GT(std::get<sim::BodyMesh>(state.newest->surroundings.bodies.at(0).shape).frames->count(), 100000U);
 
   const DrawnScene kept = read_scene_text(
-      scene_text(kept_scene(state, scene_area(person.viewer.layout())), GarmentNaming::full_path),
-      "kept.toml");
+      scene_text(kept_scene(state, scene_area(person.viewer.layout())), GarmentNaming::full_path), "kept.toml");
   EXPECT_EQ(kept.body_sources.at(0).motion, source.motion);
   EXPECT_TRUE(kept.body_sources.at(0).loop);
 }
@@ -93,9 +92,8 @@ TEST_F(MotionList, AnAnimationWhoseEndIsFarFromItsBeginIsPlayedOnce) {
   test::GltfModel model = test::tube();
   const auto loops_up_to = [&](float height_m) {
     model.clips = {{"Rise", {{0, "translation", {0.0F, 2.0F}, {0, 1, 0, 0, height_m, 0}}}}};
-    const DrawnScene scene = find_scene(tube(model).string(), {});
-    std::vector<std::string> remarks;
-    const DrawnScene moved = with_motion(scene, 0, motion_choices(scene, {}).choices.back(), remarks);
+    DrawnScene moved = find_scene(tube(model).string(), {});
+    set_motion(moved, 0, motion_choices(moved, {}).choices.back());
     EXPECT_EQ(moved.body_sources.at(0).clip, "Rise");
     EXPECT_TRUE(is_chosen({"Rise", "", ""}, moved.body_sources.at(0)));
     EXPECT_FALSE(is_chosen({"walk", "", "walk.bvh"}, moved.body_sources.at(0)));

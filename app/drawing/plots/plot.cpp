@@ -160,11 +160,6 @@ void draw_y_ticks(Canvas& canvas, const Axes& axes, const PlotStyle& style) {
   }
 }
 
-// Above the axis and level: read without turning the head.
-void draw_y_label(Canvas& canvas, const Axes& axes, const Area& area, const PlotStyle& style) {
-  canvas.text(area.x_px, axes.area.y_px - 0.75F * style.text_px, axes.plot.y.label, text_style(style.text_px));
-}
-
 void draw_run(Canvas& canvas, std::span<const glm::vec2> points, const Axes& axes, const Stroke& stroke) {
   std::vector<glm::vec2> piece;
   for (std::size_t i = 1; i < points.size(); ++i) {
@@ -195,26 +190,17 @@ void draw_line(Canvas& canvas, const Curve& curve, const Axes& axes) {
 }
 
 void draw_marker(Canvas& canvas, float x_px, float y_px, const Curve& curve, float radius_px) {
-  switch (curve.marker) {
-    case Marker::none:
-      return;
-    case Marker::disc:
-      canvas.circle(x_px, y_px, radius_px, curve.stroke.colour);
-      return;
-    case Marker::ring:
-      canvas.circle(x_px, y_px, radius_px, curve.stroke.colour);
-      canvas.circle(x_px, y_px, 0.55F * radius_px, renderer::Colour{1.0F});
-      return;
-    case Marker::square:
-      canvas.fill_rectangle(x_px - 0.9F * radius_px, y_px - 0.9F * radius_px, 1.8F * radius_px, 1.8F * radius_px,
-                            curve.stroke.colour);
-      return;
-    case Marker::cross:
-      for (const float rise_px : {radius_px, -radius_px}) {
-        canvas.line(x_px - radius_px, y_px + rise_px, x_px + radius_px, y_px - rise_px, curve.stroke.colour,
-                    0.5F * radius_px);
-      }
-      return;
+  const renderer::Colour& colour = curve.stroke.colour;
+  const bool is_ring = curve.marker == Marker::ring;
+  if (is_ring || curve.marker == Marker::disc) canvas.circle(x_px, y_px, radius_px, colour);
+  if (is_ring) canvas.circle(x_px, y_px, 0.55F * radius_px, renderer::Colour{1.0F});
+  if (curve.marker == Marker::square) {
+    canvas.fill_rectangle(x_px - 0.9F * radius_px, y_px - 0.9F * radius_px, 1.8F * radius_px, 1.8F * radius_px, colour);
+  }
+  if (curve.marker == Marker::cross) {
+    for (const float rise_px : {radius_px, -radius_px}) {
+      canvas.line(x_px - radius_px, y_px + rise_px, x_px + radius_px, y_px - rise_px, colour, 0.5F * radius_px);
+    }
   }
 }
 
@@ -243,11 +229,6 @@ void draw_levels(Canvas& canvas, const Axes& axes, const PlotStyle& style) {
                   {palette::quiet_ink, 1.2F * style.line_px, {2.0F, 4.0F}});
     canvas.text(right_px - 0.5F * style.text_px, y_px - 0.35F * style.text_px, level.label, text);
   }
-}
-
-// A marker alone is as wide as it is.
-float sample_width(const Curve& curve, const PlotStyle& style) {
-  return curve.stroke.thickness_px > 0.0F ? 2.6F * style.text_px : 2.0F * style.marker_px;
 }
 
 void draw_legend_lines(Canvas& canvas, const Axes& axes, const PlotStyle& style) {
@@ -366,7 +347,8 @@ std::string scientific(double value) {
 }
 
 void draw_legend_entry(Canvas& canvas, const Curve& curve, float left_px, float middle_px, const PlotStyle& style) {
-  const float sample_px = sample_width(curve, style);
+  // A marker alone is as wide as it is.
+  const float sample_px = curve.stroke.thickness_px > 0.0F ? 2.6F * style.text_px : 2.0F * style.marker_px;
   if (curve.stroke.thickness_px > 0.0F) {
     draw_polyline(canvas, std::vector<glm::vec2>{{left_px, middle_px}, {left_px + sample_px, middle_px}}, curve.stroke);
   }
@@ -408,7 +390,8 @@ void draw_plot(Canvas& canvas, const Plot& plot, const Area& area, const PlotSty
   const Axes axes{plot, data_area_of(canvas, plot, area, style)};
   draw_x_ticks(canvas, axes, style);
   draw_y_ticks(canvas, axes, style);
-  draw_y_label(canvas, axes, area, style);
+  // Above the axis and level: read without turning the head.
+  canvas.text(area.x_px, axes.area.y_px - 0.75F * style.text_px, plot.y.label, text_style(style.text_px));
   draw_levels(canvas, axes, style);
   for (const Curve& curve : plot.curves) {
     if (curve.stroke.thickness_px > 0.0F) draw_line(canvas, curve, axes);

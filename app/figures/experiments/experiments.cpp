@@ -97,14 +97,9 @@ void run_methods(Results& results, const ProgressCallback& report_progress) {
   }
 }
 
-struct StepSettings {
-  int substeps;
-  int sweeps;
-};
-
 // {substeps, sweeps}: one long step with several sweeps, and many short steps with one sweep. The second
 // stretches far less.
-constexpr std::array<StepSettings, 2> measured_settings = {{{1, 10}, {100, 1}}};
+constexpr std::array<std::array<int, 2>, 2> measured_settings = {{{1, 10}, {100, 1}}};
 
 struct TimedRun {
   sim::Simulation simulation;
@@ -115,20 +110,20 @@ TimedRun make_timed_run(int triangles, DrawnScene scene) {
   // The method alone: contact is another matter.
   scene.simulation.solver.bounded.contact = false;
   const bool is_strong = scene.simulation.solver.kind == sim::SolverKind::strong;
-  FrameTimes times;
-  times.triangles = triangles;
-  times.substeps = is_strong ? scene.simulation.solver.substeps.value_or(0) : 0;
-  times.sweeps = is_strong ? scene.simulation.solver.strong.iterations : 0;
+  const FrameTimes times = {.triangles = triangles,
+                            .substeps = is_strong ? scene.simulation.solver.substeps.value_or(0) : 0,
+                            .sweeps = is_strong ? scene.simulation.solver.strong.iterations : 0,
+                            .frame_ms = {}};
   return {make_simulation(scene, load_garment(scene)), times};
 }
 
 std::vector<TimedRun> make_timed_runs() {
   std::vector<TimedRun> runs;
-  for (const StepSettings& settings : measured_settings) {
+  for (const auto& [substeps, sweeps] : measured_settings) {
     for (const int triangles : model_sizes) {
       DrawnScene scene = strong_shirt_scene(triangles);
-      scene.simulation.solver.substeps = settings.substeps;
-      scene.simulation.solver.strong.iterations = settings.sweeps;
+      scene.simulation.solver.substeps = substeps;
+      scene.simulation.solver.strong.iterations = sweeps;
       runs.push_back(make_timed_run(triangles, std::move(scene)));
     }
   }
@@ -358,10 +353,6 @@ PowerLaw fit_power_law(std::span<const std::array<double, 2>> points) {
 }
 
 double FrameTimes::median_ms() const { return median(frame_ms); }
-
-double FrameTimes::shortest_ms() const { return *std::ranges::min_element(frame_ms); }
-
-double FrameTimes::longest_ms() const { return *std::ranges::max_element(frame_ms); }
 
 void measure_frame_times(int repeats, const ProgressCallback& report_progress, Results& results) {
   std::vector<TimedRun> runs = make_timed_runs();

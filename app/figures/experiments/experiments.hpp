@@ -149,8 +149,8 @@ struct FrameTimes {
   double largest_stretch = 0.0;  ///< of the frames that were timed; not stored in tables
 
   double median_ms() const;
-  double shortest_ms() const;
-  double longest_ms() const;
+  double shortest_ms() const { return *std::ranges::min_element(frame_ms); }
+  double longest_ms() const { return *std::ranges::max_element(frame_ms); }
 };
 
 /// Everything the figures are made from. Each experiment fills its own members.

@@ -181,12 +181,11 @@ void action_button(ViewerState& state, const char* label, Action action, const c
   note_place(state, name);
 }
 
-bool number_slider(ViewerState& state, const char* label, const char* name, double& value, double lowest,
-                   double highest, const char* format, bool logarithmic) {
-  const ImGuiSliderFlags flags =
-      ImGuiSliderFlags_AlwaysClamp | (logarithmic ? ImGuiSliderFlags_Logarithmic : ImGuiSliderFlags_None);
-  const bool changed = ImGui::SliderScalar(label, ImGuiDataType_Double, &value, &lowest, &highest, format, flags);
-  note_place(state, name);
+bool number_slider(ViewerState& state, const Slider& s) {
+  const bool changed = ImGui::SliderScalar(
+      s.label, ImGuiDataType_Double, &s.value, &s.lowest, &s.highest, s.format,
+      ImGuiSliderFlags_AlwaysClamp | (s.logarithmic ? ImGuiSliderFlags_Logarithmic : ImGuiSliderFlags_None));
+  note_place(state, s.name);
   return changed;
 }
 

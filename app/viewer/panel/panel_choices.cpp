@@ -100,7 +100,7 @@ void lay_out_bound(ViewerState& state) {
   if (has_kinds) halves.begin_left();
   double percent = 100.0 * bounded.max_stretch;
   const char* label = has_kinds ? "##max stretch" : "max stretch";
-  if (number_slider(state, label, "solver.max_stretch", percent, 0.1, 30.0, "%.2f %%", true)) {
+  if (number_slider(state, {label, "solver.max_stretch", percent, 0.1, 30.0, "%.2f %%", true})) {
     const double before = std::exchange(bounded.max_stretch, percent / 100.0);
     keep_range_to_bound(state.scene.picture, before, bounded.max_stretch);
   }
@@ -126,25 +126,12 @@ void lay_out_solver_list(ViewerState& state) {
 }
 
 // Two sliders side by side; the second one's label stands for both.
-struct Slider {
-  const char* label;
-  const char* name;
-  double& value;
-  double lowest;
-  double highest;
-  const char* format;
-  bool logarithmic = false;
-};
-
 void slider_pair(ViewerState& state, const Slider& left, const Slider& right) {
   const Halves halves;
-  const auto lay_out = [&](const Slider& s) {
-    number_slider(state, s.label, s.name, s.value, s.lowest, s.highest, s.format, s.logarithmic);
-  };
   halves.begin_left();
-  lay_out(left);
+  number_slider(state, left);
   halves.begin_right();
-  lay_out(right);
+  number_slider(state, right);
 }
 
 // Sliders of the fabric: its stiffness against bending, and against crumpling.
@@ -170,7 +157,7 @@ void lay_out_solver(ViewerState& state) {
                      solver.kind == sim::SolverKind::vassilev || solver.kind == sim::SolverKind::fast_projection;
   if (sweeps) {
     whole_slider(state, "iterations", "solver.iterations", solver.strong.iterations, 1, 200);
-    number_slider(state, "flexural", "solver.flexural", solver.strong.rigidity.flexural, 0.0, 1.0, "%.3f");
+    number_slider(state, {"flexural", "solver.flexural", solver.strong.rigidity.flexural, 0.0, 1.0, "%.3f"});
   }
   if (stretch_bound(state.scene)) lay_out_bound(state);
   if (solver.kind == sim::SolverKind::bounded) lay_out_stiffness(state);
@@ -186,7 +173,7 @@ void lay_out_solver(ViewerState& state) {
                  "%.0f N/m", true},
                 {"stretch, damp", "solver.implicit.damping", solver.implicit.damping_s, 0.0, 0.05, "%.4f s"});
   }
-  number_slider(state, "air drag", "air.drag", state.scene.surroundings.forces.air_drag_per_s, 0.0, 10.0, "%.2f /s");
+  number_slider(state, {"air drag", "air.drag", state.scene.surroundings.forces.air_drag_per_s, 0.0, 10.0, "%.2f /s"});
 }
 
 // The two wind values of the paper's figure 5. The slider snaps to them.
@@ -305,10 +292,10 @@ void gust_and_gravity(ViewerState& state) {
   sim::ExternalForces& forces = state.scene.surroundings.forces;
   sim::Wind& wind = forces.wind;
   ImGui::PushItemWidth(-0.38F * ImGui::GetContentRegionAvail().x);
-  number_slider(state, "gusts", "wind.gust_amplitude", wind.gust_amplitude, 0.0, 1.0, "%.2f");
-  number_slider(state, "period", "wind.gust_period", wind.gust_period_s, 0.1, 10.0, "%.1f s", true);
+  number_slider(state, {"gusts", "wind.gust_amplitude", wind.gust_amplitude, 0.0, 1.0, "%.2f"});
+  number_slider(state, {"period", "wind.gust_period", wind.gust_period_s, 0.1, 10.0, "%.1f s", true});
   double down = 0.0 - forces.gravity_m_per_s2.y;  // and not -0
-  if (number_slider(state, "gravity", "gravity", down, 0.0, 20.0, "%.2f m/s²")) {
+  if (number_slider(state, {"gravity", "gravity", down, 0.0, 20.0, "%.2f m/s²"})) {
     forces.gravity_m_per_s2.y = -down;
   }
   ImGui::PopItemWidth();

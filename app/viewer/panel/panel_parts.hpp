@@ -56,9 +56,18 @@ void kind_list(ViewerState& state, const char* label, const char* name, const Ki
 }
 /// A button that asks for an action.
 void action_button(ViewerState& state, const char* label, Action action, const char* name, float width_px = 0.0F);
-/// A slider for a number of the scene; `name` is its key. Returns whether the user changed it.
-bool number_slider(ViewerState& state, const char* label, const char* name, double& value, double lowest,
-                   double highest, const char* format, bool logarithmic = false);
+/// A slider for a number of the scene.
+struct Slider {
+  const char* label;
+  const char* name;  ///< the key
+  double& value;
+  double lowest;
+  double highest;
+  const char* format;
+  bool logarithmic = false;
+};
+/// Returns whether the user changed it.
+bool number_slider(ViewerState& state, const Slider& slider);
 /// As number_slider, for whole numbers.
 bool whole_slider(ViewerState& state, const char* label, const char* name, int& value, int lowest, int highest,
                   const char* format = "%d");

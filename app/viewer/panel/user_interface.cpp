@@ -107,9 +107,7 @@ struct Feeder {
     io.MouseWheel += static_cast<float>(event.y);
     io.MouseWheelH += static_cast<float>(event.x);
   }
-  void operator()(const renderer::FileDropped&) const {}
-  void operator()(const renderer::Resized&) const {}
-  void operator()(const renderer::ScaleChanged&) const {}
+  void operator()(const auto&) const {}
 };
 
 }  // namespace

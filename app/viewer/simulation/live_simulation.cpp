@@ -286,10 +286,6 @@ void LiveSimulation::perform(const TogglePin& toggle) {
   } else {
     pins.insert(place, toggle.vertex);
   }
-  set_pins(std::move(pins));
-}
-
-void LiveSimulation::set_pins(std::vector<sim::Index> pins) {
   simulation_->set_pins(pins);
   now_.pins = std::make_shared<const std::vector<sim::Index>>(std::move(pins));
   now_.pristine = now_.pristine && frame_ == start_frame_;

@@ -207,7 +207,6 @@ class LiveSimulation {
 
   void start(std::shared_ptr<const LoadedScene> loaded);
   void untangle(const RunSettings& simulation);
-  void set_pins(std::vector<sim::Index> pins);
   void note_shape();
   void tell_of_start();
   void stop(const std::string& reason);

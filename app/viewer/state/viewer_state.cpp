@@ -3,6 +3,7 @@
 #include "app/base/errors.hpp"
 #include "app/base/words.hpp"
 #include "app/bodies/body_loading.hpp"
+#include "app/drawing/framing.hpp"
 #include "renderer/context/window.hpp"
 
 namespace taut::app {
@@ -195,15 +196,8 @@ void OrbitCamera::fit(const renderer::Box& box, const ViewArea& area) {
 renderer::Camera OrbitCamera::camera() const {
   const float flat = std::cos(elevation_rad_);
   const glm::vec3 back{flat * std::sin(azimuth_rad_), std::sin(elevation_rad_), flat * std::cos(azimuth_rad_)};
-  renderer::Camera camera;
-  camera.target = target_;
-  camera.eye = target_ + distance_m_ * back;
-  camera.vertical_fov_rad = vertical_fov_rad_;
   // As of a scene that names its camera's eye, so that a saved scene gives the same picture.
-  const float distance_m = glm::distance(camera.eye, camera.target);
-  camera.near_m = 0.02F * distance_m;
-  camera.far_m = 20.0F * distance_m;
-  return camera;
+  return camera_at(target_ + distance_m_ * back, target_, vertical_fov_rad_);
 }
 
 Ray OrbitCamera::ray_through(const glm::vec2& point_px, const ViewArea& area) const {
@@ -285,8 +279,6 @@ void RealTime::add(double elapsed_s, double simulated_s, double busy_s, int pict
 std::optional<double> RealTime::factor() const {
   return elapsed_s_ > first_moments_s ? std::optional(simulated_s_ / elapsed_s_) : std::nullopt;
 }
-
-double RealTime::busy_share() const { return elapsed_s_ > 0.0 ? busy_s_ / elapsed_s_ : 0.0; }
 
 SlowedBy slowed_by(double factor, double asked, double simulate_ms, double frame_ms, double busy_share) {
   if (factor >= as_good_as_asked * asked) return SlowedBy::nothing;
@@ -416,20 +408,17 @@ bool is_chosen(const Choice& motion, const BodySource& source) {
                              : source.motion.lexically_normal() == motion.file.lexically_normal();
 }
 
-DrawnScene with_motion(const DrawnScene& scene, std::size_t body, const Choice& motion,
-                       std::vector<std::string>& remarks) {
-  DrawnScene moved = scene;
-  moved.checkpoint.clear();
-  BodySource& source = moved.body_sources.at(body);
+std::vector<std::string> set_motion(DrawnScene& scene, std::size_t body, const Choice& motion) {
+  scene.checkpoint.clear();
+  BodySource& source = scene.body_sources.at(body);
   source = moved_by(source, motion);
-  std::get<sim::BodyMesh>(moved.surroundings.bodies.at(body).shape) = {};
+  std::get<sim::BodyMesh>(scene.surroundings.bodies.at(body).shape) = {};
   try {
-    remarks = load_bodies(moved);
+    return load_bodies(scene);
   } catch (const InputError&) {
     source.loop = false;
-    remarks = load_bodies(moved);
+    return load_bodies(scene);
   }
-  return moved;
 }
 
 std::span<const KeyBinding> key_bindings() { return bindings; }

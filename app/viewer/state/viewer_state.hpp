@@ -111,7 +111,7 @@ class RealTime {
   /// Simulated seconds per second of real time. Empty at the beginning.
   std::optional<double> factor() const;
   /// Fraction of all processors' time that this program used.
-  double busy_share() const;
+  double busy_share() const { return elapsed_s_ > 0.0 ? busy_s_ / elapsed_s_ : 0.0; }
   double pictures_per_s() const { return elapsed_s_ > 0.0 ? pictures_ / elapsed_s_ : 0.0; }
 
  private:
@@ -299,10 +299,9 @@ MotionChoices motion_choices(const DrawnScene& scene, const MotionChoices& known
 /// Returns whether a body moves as the choice says.
 bool is_chosen(const Choice& motion, const BodySource& source);
 
-/// Returns the scene with its body moved as the choice says, over and over unless its end is too far from its
-/// begin, and begun anew. `remarks` gets what load_bodies() says. Throws InputError.
-DrawnScene with_motion(const DrawnScene& scene, std::size_t body, const Choice& motion,
-                       std::vector<std::string>& remarks);
+/// Has the body of the scene move as the choice says, over and over unless its end is too far from its begin, and the
+/// scene begin anew. Returns what load_bodies() says. Throws InputError; the scene is then of no use.
+std::vector<std::string> set_motion(DrawnScene& scene, std::size_t body, const Choice& motion);
 
 /// A key, or a gesture of the pointer, and what it does.
 struct KeyBinding {

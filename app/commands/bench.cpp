@@ -29,6 +29,7 @@ ContactTrial run_trial(const ContactCase& one, const BenchOptions& options, Prog
   for (const std::vector<Setting>& settings : one.runs) {
     Scene scene = with_settings(find_scene(one.scene, {}), settings);
     scene.simulation.solver.bounded.vector_unit = measured_vector_unit();
+    scene.simulation.solver.bounded.threads = options.threads;
     load_bodies(scene);
     const LoadedGarment loaded = load_garment(scene);
     trial.bound = stretch_bound(scene).value_or(0.0);
@@ -63,7 +64,7 @@ int run(const BenchOptions& options) {
   std::optional<Progress> progress;
   if (!options.quiet) progress.emplace("bench");
   Progress* const shown = progress ? &*progress : nullptr;
-  if (shows_table) print(contact_head(sim::name_of(measured_vector_unit())), shown);
+  if (shows_table) print(contact_head(sim::name_of(measured_vector_unit()), options.threads), shown);
   for (const ContactCase& one : cases) {
     trials.push_back(run_trial(one, options, shown));
     if (shows_table) print(contact_row(trials.back()), shown);

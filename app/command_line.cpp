@@ -340,6 +340,7 @@ void define_bench(CLI::App& command, BenchOptions& options) {
   command.add_option("--scenes", options.scenes)->delimiter(',');
   command.add_option("--runs", options.runs)->check(CLI::Range(1, 1000));
   command.add_option("--frames", options.frames)->check(CLI::Range(1, 1000000));
+  command.add_option("--threads", options.threads)->check(CLI::Range(1, 256));
   command.add_flag("--csv", options.csv);
   command.add_flag("--quiet", options.quiet);
 }

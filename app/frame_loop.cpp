@@ -32,7 +32,7 @@ void advance(sim::Simulation& simulation, int frame) {
 
 FrameInWork simulate_frame(sim::Simulation& simulation, int frame, const FrameOutputs& outputs) {
   FrameInWork work;
-  const ProcessorStopwatch simulating;
+  const Stopwatch simulating(CLOCK_THREAD_CPUTIME_ID);
   if (frame > outputs.start_frame) advance(simulation, frame);
   const double sim_ms = simulating.elapsed_ms();
   work.record = measure_frame(simulation, frame, outputs.measured);

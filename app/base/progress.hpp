@@ -10,25 +10,13 @@
 
 namespace taut::app {
 
-/// Measures wall time from its construction.
+/// Measures time from its construction: the wall's, or a processor's. Other programs do not add to a processor's
+/// directly. They can still lengthen it, because they displace data from the caches.
 class Stopwatch {
  public:
-  /// Milliseconds since construction.
-  double elapsed_ms() const {
-    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start_).count();
-  }
-
- private:
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-};
-
-/// Measures processor time from its construction. Other programs do not add to it directly. They can still
-/// lengthen it, because they displace data from the caches.
-class ProcessorStopwatch {
- public:
-  /// `clock` is CLOCK_THREAD_CPUTIME_ID for this thread, or CLOCK_PROCESS_CPUTIME_ID for all threads of the
-  /// program.
-  explicit ProcessorStopwatch(clockid_t clock = CLOCK_THREAD_CPUTIME_ID) : clock_(clock) {}
+  /// `clock` is CLOCK_MONOTONIC for the wall's, CLOCK_THREAD_CPUTIME_ID for the processor's time of this thread, or
+  /// CLOCK_PROCESS_CPUTIME_ID for that of all threads of the program.
+  explicit Stopwatch(clockid_t clock = CLOCK_MONOTONIC) : clock_(clock) {}
 
   double elapsed_ms() const { return now_ms() - start_ms_; }
 

@@ -6,7 +6,7 @@ namespace taut::app {
 
 /// One frame of a run of a scene about contact, judged by FrameVerifier.
 struct ContactFrame {
-  double cpu_ms = 0.0;         ///< processor time of all threads; 0 of the start
+  double took_ms = 0.0;        ///< processor time of one thread, or wall-clock time of several; 0 of the start
   double search_ms = 0.0;      ///< of it the search for what is near
   sim::ContactReport contact;  ///< what the solver says
   std::size_t crossing_pairs = 0;
@@ -53,7 +53,7 @@ struct ContactTrial {
 struct ContactFacts {
   std::size_t passed = 0;           ///< runs that broke no promise
   std::size_t frames = 0;           ///< of all runs, the starts not counted
-  double median_ms = 0.0;           ///< processor time per frame, the median of the runs'; 0 without frames
+  double median_ms = 0.0;           ///< time per frame, the median of the runs'; 0 without frames
   double p99_ms = 0.0;              ///< its 99th percentile in the worst run
   double worst_ms = 0.0;            ///< of the slowest frame
   double second_ms = 0.0;           ///< the mean of the slowest 60 frames in a row
@@ -88,7 +88,7 @@ void drag_wind(int frame, int frames, double most_m_per_s, sim::Simulation& simu
 ContactFacts facts_of(std::span<const ContactRun> runs);
 
 /// The lines above the rows, for people.
-std::string contact_head(const std::string& vector_unit);
+std::string contact_head(const std::string& vector_unit, int threads);
 /// A trial as a row for people, with the first failure of each of its runs below.
 std::string contact_row(const ContactTrial& trial);
 

@@ -31,6 +31,7 @@ ContactTrial run_trial(const ContactCase& one, const BenchOptions& options, Prog
     std::ranges::transform(settings, std::back_inserter(overrides), parse_override);
     Scene scene = find_scene(one.scene, overrides);
     scene.simulation.solver.bounded.vector_unit = measured_vector_unit();
+    scene.simulation.solver.bounded.threads = options.threads;
     load_bodies(scene);
     const LoadedGarment loaded = load_garment(scene);
     trial.bound = stretch_bound(scene).value_or(0.0);
@@ -65,7 +66,7 @@ int run(const BenchOptions& options) {
   std::optional<Progress> progress;
   if (!options.quiet) progress.emplace("bench");
   Progress* const shown = progress ? &*progress : nullptr;
-  if (shows_table) print(contact_head(sim::name_of(measured_vector_unit())), shown);
+  if (shows_table) print(contact_head(sim::name_of(measured_vector_unit()), options.threads), shown);
   for (const ContactCase& one : cases) {
     trials.push_back(run_trial(one, options, shown));
     if (shows_table) print(contact_row(trials.back()), shown);

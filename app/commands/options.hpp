@@ -14,6 +14,7 @@ struct BenchOptions {
   bool quick = false;               ///< those that decide about real time, whatever `contact` is
   std::optional<int> runs;          ///< of each scene, each from a start of its own; empty: one, from the scene's
   std::optional<int> frames;        ///< of each run; empty: as the scene has it
+  int threads = 1;                  ///< that simulate
   bool csv = false;
   bool quiet = false;
 };

@@ -66,7 +66,7 @@ struct Running {
   RunCheckpoint saved;
   int last_frame = 0;
   int first_frame = saved.frame;
-  Stopwatch since_start = {};
+  Stopwatch since_start = Stopwatch();
 
   /// Counts, files and messages of a frame, as it comes.
   void report(const FrameRecord& record) {

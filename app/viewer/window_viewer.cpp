@@ -103,7 +103,7 @@ class WindowViewer {
 
   // Of all processors, by all threads of this program.
   double next_busy_s() {
-    const double used_ms = std::exchange(used_, ProcessorStopwatch(CLOCK_PROCESS_CPUTIME_ID)).elapsed_ms();
+    const double used_ms = std::exchange(used_, Stopwatch(CLOCK_PROCESS_CPUTIME_ID)).elapsed_ms();
     return 1e-3 * used_ms / std::max(std::thread::hardware_concurrency(), 1U);
   }
 
@@ -156,7 +156,7 @@ class WindowViewer {
   std::optional<SessionRecorder> recorder_;
   QualityControl quality_;
   Stopwatch since_frame_;
-  ProcessorStopwatch used_{CLOCK_PROCESS_CPUTIME_ID};
+  Stopwatch used_{CLOCK_PROCESS_CPUTIME_ID};
   Stopwatch since_change_;  ///< of anything that is drawn
   double panel_ms_ = 0.0;
 };

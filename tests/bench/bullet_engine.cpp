@@ -86,7 +86,7 @@ class BulletEngine : public Engine {
       throw_if_interrupted();
       add_wind();
       move_pins();
-      const ProcessorStopwatch clock(CLOCK_PROCESS_CPUTIME_ID);
+      const Stopwatch clock(CLOCK_PROCESS_CPUTIME_ID);
       world_.dynamics.stepSimulation(static_cast<btScalar>(substep_s_), 0);
       cost.cpu_ms += clock.elapsed_ms();
       state_.time_s += substep_s_;

@@ -43,7 +43,7 @@ class TautEngine : public Engine {
       : simulation_(make_simulation(scene, made_of(scene.material, cloth))) {}
 
   FrameCost advance_frame() override {
-    const ProcessorStopwatch clock(CLOCK_PROCESS_CPUTIME_ID);
+    const Stopwatch clock(CLOCK_PROCESS_CPUTIME_ID);
     simulation_.advance_frame(throw_if_interrupted);
     const double cpu_ms = clock.elapsed_ms();
     return {cpu_ms, simulation_.frame_report().substeps, simulation_.frame_report().bound_kept};

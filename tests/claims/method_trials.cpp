@@ -33,7 +33,7 @@ class RunningTrial {
 
   void advance(int frames) {
     for (int frame = 0; frame < frames && !trial_.is_lost; ++frame) {
-      const ProcessorStopwatch stopwatch;
+      const Stopwatch stopwatch(CLOCK_THREAD_CPUTIME_ID);
       try {
         simulation_.advance_frame(throw_if_interrupted);
       } catch (const sim::Diverged&) {

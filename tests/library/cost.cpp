@@ -25,13 +25,13 @@ int main(int count, char** arguments) {
   const TautPointsOut out = {positions.data(), positions.size() / 3, 12, TAUT_FLOAT};
   double inside_ms = 0.0, measuring_ms = 0.0, through_ms = 0.0;
   for (int k = 1; k <= frames; ++k) {
-    const app::ProcessorStopwatch stepping;
+    const app::Stopwatch stepping(CLOCK_THREAD_CPUTIME_ID);
     inside.advance_frame();
     inside_ms += stepping.elapsed_ms();
-    const app::ProcessorStopwatch measuring;
+    const app::Stopwatch measuring(CLOCK_THREAD_CPUTIME_ID);
     const app::FrameRecord record = app::measure_frame(inside, k);
     measuring_ms += measuring.elapsed_ms();
-    const app::ProcessorStopwatch calling;
+    const app::Stopwatch calling(CLOCK_THREAD_CPUTIME_ID);
     if (taut_step(through, &frame) != TAUT_OK || taut_get_positions(through, &out) != TAUT_OK ||
         frame.state_hash != record.state_hash) {
       std::printf("%s: frame %d is another: %s\n", arguments[1], k, through.error().c_str());

@@ -216,7 +216,7 @@ void SimulationHost::advance(std::unique_lock<std::mutex>& lock) {
   ++begun_;
   busy_ = is_in_frame_ = true;
   lock.unlock();
-  const ProcessorStopwatch working;
+  const Stopwatch working(CLOCK_THREAD_CPUTIME_ID);
   try {
     simulation_.advance([this] {
       if (gives_up_) throw Interrupted(0);

@@ -37,7 +37,7 @@ struct BoundedSettings {
   /// Limits each vertex's distance from its pin to the length of the way along the cloth. Saves work.
   bool tethers = true;
   VectorUnit vector_unit = VectorUnit::best;  ///< never changes a result
-  /// Never changes a result. Without a value the solver chooses: 1, or for garments above 20 000 triangles as
+  /// Never changes a result. Without a value the solver chooses: 1, or for garments of 8000 triangles and more as
   /// many as the machine has, up to 4.
   std::optional<int> threads = {};
 

@@ -343,9 +343,11 @@ void Regions::make_half_spaces(std::span<const float> inverse_masses, ParallelKe
   kernels.split(0, pairs_.size(), ParallelKernels::least_pairs, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) set_half_spaces(pairs_[i], inverse_masses);
   });
-  for (Index row = 0; row < radii_.size(); ++row) {
-    moves_[row].fourth = inverse_masses[row] > 0.0F ? room_of(row) : infinity;
-  }
+  kernels.for_rows(0, radii_.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t row = begin; row < end; ++row) {
+      moves_[row].fourth = inverse_masses[row] > 0.0F ? room_of(static_cast<Index>(row)) : infinity;
+    }
+  });
 }
 
 void Regions::stand_still(const RowMoves& rows) {

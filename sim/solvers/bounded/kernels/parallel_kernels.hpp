@@ -10,10 +10,10 @@ namespace taut::sim::bounded {
 /// The functions of Kernels, each shared among the threads of a pool. They do what is said there.
 class ParallelKernels {
  public:
-  /// A thread takes at least this many blocks, or pairs of things that may touch: some microseconds of work.
+  /// A thread takes at least this many blocks, or pairs of things that may touch: a microsecond of work or more.
   /// Fewer are done sooner than another thread notices them.
-  static constexpr std::size_t least_blocks = 64;
-  static constexpr std::size_t least_pairs = 256;
+  static constexpr std::size_t least_blocks = 24;
+  static constexpr std::size_t least_pairs = 64;
 
   ParallelKernels(const Kernels& kernels, int threads) : kernels_(kernels), pool_(threads) {}
 

@@ -13,7 +13,7 @@ constexpr int most_looks = 4000;
 /// More chunks balance threads of different speed better and cost more claims.
 constexpr std::size_t chunks_per_thread = 3;
 /// The smallest garment, in triangles, for several threads, and their largest number; see thread_count.
-constexpr std::size_t triangles_worth_threads = 20000;
+constexpr std::size_t triangles_worth_threads = 8000;
 constexpr int most_threads_unasked = 4;
 
 /// In claim_, the loop's number is counted in these units; the low bits are the next chunk.

@@ -77,7 +77,7 @@ class ThreadPool {
   std::vector<std::thread> workers_;
 };
 
-/// Returns the number of threads: `asked`, if given. Otherwise 1 below 20 000 triangles, where a thread's
+/// Returns the number of threads: `asked`, if given. Otherwise 1 below 8000 triangles, where a thread's
 /// share of a loop is done before another thread wakes up. Above that, as many as the processor has, up to 4:
 /// more would only wait for memory.
 int thread_count(std::optional<int> asked, std::size_t triangles);

@@ -108,6 +108,8 @@ TEST(Session, SaysWhereWhatIsWrong) {
                            R"(["paced", 1, 2])",
                            R"(["paced", 1, 2, 184467440737095516160])",
                            R"(["state", 12])",
+                           R"(["set", "wind.speed", "4"])",
+                           R"(["set", "=4"])",
                            R"(["jump"])",
                            R"(["move", 1e999, 0])",
                            R"([])",

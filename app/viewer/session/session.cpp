@@ -147,7 +147,9 @@ bool read_start(Line& line, SessionStart& start) {
   if (verb == "scene") {
     start.scene = line.text();
   } else if (verb == "set") {
-    start.overrides.push_back(parse_override(line.text()));
+    const std::string change = line.text();
+    if (change.find('=', 1) == std::string::npos) line.fail();
+    start.overrides.push_back(parse_override(change));
   } else if (verb == "compare") {
     start.compared_with = solver_named(line.text());
     if (!start.compared_with) line.fail();

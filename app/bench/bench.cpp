@@ -68,12 +68,12 @@ ContactRun run_contact(const Scene& scene, const GarmentInScene& cloth, int fram
   GarmentInScene begun = cloth;
   if (seed != 0) begun.start_m = jittered_start(cloth, cloth.garment->material.thickness_m, seed);
   sim::Simulation simulation = make_simulation(awake, begun);
-  // Threads that wait for each other use their processors, too.
+  // Threads that wait for each other use their processors too.
   const bool is_alone = awake.simulation.solver.bounded.threads == 1;
   ContactRun run;
   run.seed = seed;
   FrameVerifier verifier;
-  const auto judge = [&](int frame, double took_ms) -> ContactFrame {
+  const auto judge = [&](int frame, double took_ms, double cpu_ms) -> ContactFrame {
     FrameRecord record = measure_frame(simulation, frame);
     std::string broken = verifier.check(simulation, record);
     if (broken.empty() && !record.bound_kept) {
@@ -83,16 +83,18 @@ ContactRun run_contact(const Scene& scene, const GarmentInScene& cloth, int fram
     if (run.first_broken.empty()) run.first_broken = std::move(broken);
     const bool holds_surface = bound_kind(scene) == sim::BoundKind::surface;
     run.stretch = holds_surface ? verifier.largest().surface : verifier.largest().springs;
-    return {took_ms, simulation.last_report().search.ms, record.contact, record.crossing_pairs.value(), is_broken};
+    return {took_ms,  cpu_ms, simulation.last_report().search.ms, record.contact, record.crossing_pairs.value(),
+            is_broken};
   };
   try {
     dress(scene, simulation);
-    run.start = judge(0, 0.0);
+    run.start = judge(0, 0.0, 0.0);
     for (int frame = 1; frame <= frames; ++frame) {
       before_frame(frame, simulation);
-      const Stopwatch clock(is_alone ? CLOCK_PROCESS_CPUTIME_ID : CLOCK_MONOTONIC);
+      const Stopwatch wall, processors(CLOCK_PROCESS_CPUTIME_ID);
       simulation.advance_frame(throw_if_interrupted);
-      run.frames.push_back(judge(frame, clock.elapsed_ms()));
+      const double cpu_ms = processors.elapsed_ms();
+      run.frames.push_back(judge(frame, is_alone ? cpu_ms : wall.elapsed_ms(), cpu_ms));
     }
   } catch (const sim::Diverged& diverged) {
     end_early(diverged, run);
@@ -123,7 +125,7 @@ ContactFacts facts_of(std::span<const ContactRun> runs) {
     for (const ContactFrame& frame : run.frames) {
       add(frame, facts);
       times_ms.push_back(frame.took_ms);
-      all_ms += frame.took_ms;
+      all_ms += frame.cpu_ms;
       search_ms += frame.search_ms;
       facts.detections += frame.contact.detections;
       facts.partial_detections += frame.contact.partial_detections;

@@ -7,7 +7,8 @@ namespace taut::app {
 /// One frame of a run of a scene about contact, judged by FrameVerifier.
 struct ContactFrame {
   double took_ms = 0.0;        ///< processor time of one thread, or wall-clock time of several; 0 of the start
-  double search_ms = 0.0;      ///< of it the search for what is near
+  double cpu_ms = 0.0;         ///< processor time of all threads
+  double search_ms = 0.0;      ///< of that the search for what is near
   sim::ContactReport contact;  ///< what the solver says
   std::size_t crossing_pairs = 0;
   bool is_broken = false;  ///< it broke a promise, or the solver says that it could not make sure

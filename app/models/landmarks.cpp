@@ -110,7 +110,7 @@ std::vector<sim::Index> top_band(const sim::Mesh& mesh) {
   return band;
 }
 
-/// What a scene can pin by its name: landmarks, corners and edges of a grid, and "top-band" (the upper 3 % of the
+/// Parts that a scene can pin by their names: landmarks, corners and edges of a grid, and "top-band" (the upper 3 % of the
 /// height).
 Landmarks named_parts(const PinTargets& targets) {
   Landmarks parts = targets.landmarks;

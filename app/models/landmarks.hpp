@@ -15,7 +15,7 @@ using Landmarks = std::vector<std::pair<std::string, std::vector<sim::Index>>>;
 Landmarks read_landmarks(const std::filesystem::path& garment, const Placement& placement, const sim::Mesh& mesh,
                          const FileVertices& file_vertices);
 
-/// What the same file says of the garment itself.
+/// Facts that the same file says of the garment itself.
 struct GarmentFacts {
   std::optional<double> metres_per_uv = {};  ///< the scale of its texture coordinates; empty: it says nothing
   bool is_cut = false;  ///< it is at rest as it was cut: with the lengths of its texture coordinates, in that scale

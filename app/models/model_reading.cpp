@@ -145,8 +145,8 @@ std::string map_name(std::istringstream& line) {
   return name;
 }
 
-/// Those of glTF are linear, and multiply their images; those of other formats are taken as what programs show, and
-/// their images replace them.
+/// Colours of glTF are linear, and multiply their images. Colours of other formats are taken as programs show them, and
+/// images replace them.
 SurfaceMaterial material_of(const aiMaterial& from, bool is_gltf) {
   SurfaceMaterial material{.name = from.GetName().C_Str()};
   aiColor4D colour(1.0F, 1.0F, 1.0F, 1.0F);

@@ -241,7 +241,7 @@ void turn_outwards(const SewingPattern& pattern, CutPieces& pieces) {
   }
   const Vec3 middle = std::accumulate(pieces.placed_m.begin(), pieces.placed_m.end(), Vec3(0.0)) /
                       static_cast<double>(pieces.placed_m.size());
-  // Of the first panel of those that are sewn together, for all of them.
+  // Kept at the first panel of those that are sewn together, for all of them.
   std::vector<double> outwards(count, 0.0);
   std::vector<std::size_t> first(count);
   for (std::size_t p = 0; p < count; ++p) {

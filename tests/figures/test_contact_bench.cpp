@@ -64,7 +64,7 @@ TEST(ContactBench, DragsTheWindUpAndBack) {
 TEST(ContactBench, TellsTheSlowestSecond) {
   ContactRun run;
   run.frames.resize(100);
-  for (std::size_t k = 0; k < 100; ++k) run.frames[k].took_ms = k < 20 || k >= 80 ? 1.0 : 3.0;
+  for (std::size_t k = 0; k < 100; ++k) run.frames[k].took_ms = run.frames[k].cpu_ms = k < 20 || k >= 80 ? 1.0 : 3.0;
   EXPECT_DOUBLE_EQ(facts_of({&run, 1}).second_ms, 3.0);
   run.frames.resize(40);
   EXPECT_DOUBLE_EQ(facts_of({&run, 1}).second_ms, 2.0);
@@ -149,14 +149,14 @@ TEST(ContactBench, MeasuresTheVectorsThatMostProcessorsHave) {
 TEST(ContactBench, FactsAreThoseOfAllFrames) {
   const sim::ContactReport near = {4, 2, 30, 1e-4}, far = {2, 0, 10, INFINITY};
   std::vector<ContactRun> runs(2);
-  runs[0].frames = {{1.0, 0.5, near, 0, false}, {9.0, 1.0, far, 0, false}};
-  runs[1].frames = {{2.0, 1.5, far, 5, true}};
+  runs[0].frames = {{1.0, 2.0, 0.5, near, 0, false}, {9.0, 18.0, 1.0, far, 0, false}};
+  runs[1].frames = {{2.0, 4.0, 1.5, far, 5, true}};
   runs[1].stretch = 0.02;
   runs[1].first_broken = "frame 1";
   const ContactFacts facts = facts_of(runs);
   EXPECT_EQ(facts.median_ms, 1.5) << "of the medians 1 and 2";
   EXPECT_EQ(facts.p99_ms, 2.0) << "between two frames the faster";
-  EXPECT_EQ(facts.search_share, 3.0 / 12.0);
+  EXPECT_EQ(facts.search_share, 3.0 / 24.0) << "of what all threads used";
   EXPECT_EQ(facts.worst_ms, 9.0);
   EXPECT_NEAR(facts.detections, 8.0 / 3.0, 1e-15);
   EXPECT_NEAR(facts.partial_detections, 2.0 / 3.0, 1e-15);

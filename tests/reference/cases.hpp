@@ -15,7 +15,7 @@ struct Surface {
 /// A level sheet around the origin, its rows of nearly even triangles one after the other along z.
 Surface even_sheet(int across, int rows, double width_m, double length_m);
 
-/// What rests, and where it begins.
+/// A cloth that comes to rest, and where it begins.
 struct RestCase {
   std::string name;
   Cloth cloth;

@@ -8,7 +8,7 @@
 namespace reference {
 namespace {
 
-/// Of the barrier: what rests is about a tenth of its reach within it.
+/// The barrier's stiffness: cloth at rest is about a tenth of the reach within it.
 constexpr double barrier_n_per_m = 1000.0;
 /// Edges are parallel below this squared sine (Li, Ferguson and others 2020 have the same).
 constexpr double parallel_squared_sine = 1e-3;

@@ -23,7 +23,7 @@ struct Fabric {
   double thickness_m = 0.0;        ///< where the barrier begins
 };
 
-/// What hangs, and on what.
+/// A cloth, its pins and the ball below it.
 struct Cloth {
   std::vector<Point> rest_m;
   std::vector<Corners> triangles;

@@ -15,7 +15,7 @@ void measure(const std::array<Point, 4>& x, Closest& closest) {
   closest.squared_m2 = way_of(closest.weights, x).squaredNorm();
 }
 
-/// Of the point p of the four and the edge from a to b.
+/// Nearest points of the point p of the four and the edge from a to b.
 Closest point_to_edge(const std::array<Point, 4>& x, int p, int a, int b) {
   const Point along = x[b] - x[a];
   const double at = along.dot(x[p] - x[a]) / along.squaredNorm();

@@ -72,7 +72,7 @@ void add_hook(const sim::Capsule& bar, std::vector<renderer::TriangleMesh>& mesh
 constexpr float fastest_m_per_s = 20.0F;
 // Shares of the box's radius: of the shortest and the longest arrow, from arrow to arrow, and of the gap
 // between their heads and the box.
-constexpr float shortest = 0.4F;
+constexpr float shortest_arrow = 0.4F;
 constexpr float longest = 1.0F;
 constexpr float apart = 0.4F;
 constexpr float gap = 0.15F;
@@ -241,7 +241,7 @@ std::vector<glm::vec3> wind_arrows(const sim::Wind& wind, const std::vector<sim:
   const glm::vec3 half = 0.5F * (around.upper - around.lower);
   const float radius = glm::length(half);
   const float reach = glm::dot(glm::abs(along), half);
-  const float length = radius * std::clamp(longest * speed / fastest_m_per_s, shortest, longest);
+  const float length = radius * std::clamp(longest * speed / fastest_m_per_s, shortest_arrow, longest);
   for (const float row : {-1.0F, 0.0F, 1.0F}) {
     for (const float column : {-0.5F, 0.5F}) {
       const glm::vec3 tip = middle - along * (reach + gap * radius) + apart * radius * (row * up + column * right);
@@ -387,8 +387,8 @@ void FittedView::place_camera(DrawnScene& scene) const {
   const std::vector<sim::Body>& bodies = scene.surroundings.bodies;
   if (ground.kind == GroundKind::automatic && !level_plane(bodies, 0.0)) {
     const float below_m = ground_below(lowest_m_, highest_m_);
-    const float gap = lowest_m_ - below_m;  // feet rise and sink a little as they walk
-    ground = {GroundKind::fixed, static_cast<double>(standing_height(bodies, lowest_m_ + gap).value_or(below_m))};
+    const float gap_m = lowest_m_ - below_m;  // feet rise and sink a little as they walk
+    ground = {GroundKind::fixed, static_cast<double>(standing_height(bodies, lowest_m_ + gap_m).value_or(below_m))};
   }
 }
 

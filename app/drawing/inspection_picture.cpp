@@ -578,17 +578,17 @@ renderer::Image draw_blocked(renderer::SceneRenderer& renderer, const DrawnScene
   };
   const auto width_px = static_cast<float>(scene.picture.settings.width_px);
   const renderer::TextStyle style = text_style(0.02F * width_px);
-  const float border_px = style.size_px;
-  const float row_px = 1.5F * style.size_px;
-  const std::vector<std::string> lines = wrapped(renderer::Canvas(1, 1), text, style, 2.0F * (width_px - border_px));
-  const float header_px = static_cast<float>(lines.size()) * row_px + border_px;
+  const float edge_px = style.size_px;
+  const float line_px = 1.5F * style.size_px;
+  const std::vector<std::string> lines = wrapped(renderer::Canvas(1, 1), text, style, 2.0F * (width_px - edge_px));
+  const float head_px = static_cast<float>(lines.size()) * line_px + edge_px;
   renderer::Canvas canvas(2 * scene.picture.settings.width_px,
-                          static_cast<int>(header_px) + scene.picture.settings.height_px);
+                          static_cast<int>(head_px) + scene.picture.settings.height_px);
   for (std::size_t k = 0; k < lines.size(); ++k) {
-    canvas.text(border_px, row_px * static_cast<float>(k + 1), lines[k], style);
+    canvas.text(edge_px, line_px * static_cast<float>(k + 1), lines[k], style);
   }
-  canvas.image(0.0F, header_px, draw(scene));
-  canvas.image(width_px, header_px, draw(from_near(scene, simulation, blocked.place_m)));
+  canvas.image(0.0F, head_px, draw(scene));
+  canvas.image(width_px, head_px, draw(from_near(scene, simulation, blocked.place_m)));
   return canvas.to_image();
 }
 

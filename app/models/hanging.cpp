@@ -142,7 +142,7 @@ constexpr int frames = 60;  // of 1/60 s
 /// Share of the other way's sagging below which a way up is the better one.
 constexpr double clearly_less = 0.7;
 /// Thickness of a flat pattern, of its length.
-constexpr double flat = 0.001;
+constexpr double flat_part = 0.001;
 /// Height of the middle of its area above which cloth that lay flat has its wider end at the top.
 constexpr double middle_height = 0.52;
 
@@ -246,7 +246,7 @@ std::optional<ModelAxis> up_by_hanging(const sim::Mesh& model_m) {
   if (!y || !z) return std::nullopt;
   if (*z < clearly_less * *y) {
     const sim::Vec3 size = sim::extent_of(model_m.positions).size();
-    const bool is_lying = size.y < flat * size.z;
+    const bool is_lying = size.y < flat_part * size.z;
     return is_lying && !is_wider_below(upright(model_m, ModelAxis::z)) ? ModelAxis::minus_z : ModelAxis::z;
   }
   return *y < clearly_less * *z ? std::optional(ModelAxis::y) : std::nullopt;

@@ -8,7 +8,7 @@
 namespace taut::app {
 namespace {
 
-constexpr const char* expected = "expected one field {frame} or {frame:04}, as in frames/frame_{frame:04}.png";
+constexpr const char* one_field = "expected one field {frame} or {frame:04}, as in frames/frame_{frame:04}.png";
 
 // Largest number of a frame.
 constexpr int most_frames = 1000000;
@@ -34,7 +34,7 @@ OutputPattern::OutputPattern(const std::string& text, const std::string& extensi
   static const std::regex form(R"(([^{}]*)(\{frame(?::0([1-9]|1\d|20)d?)?\}([^{}]*))?)");
   std::smatch parts;
   if (!std::regex_match(text, parts, form)) {
-    throw UsageError("output '" + text + "': found braces that are no field, " + expected);
+    throw UsageError("output '" + text + "': found braces that are no field, " + one_field);
   }
   before_ = parts[1];
   has_field_ = parts[2].matched;
@@ -44,7 +44,7 @@ OutputPattern::OutputPattern(const std::string& text, const std::string& extensi
 
 void OutputPattern::require_distinct_names(std::size_t frame_count) const {
   if (!has_field_ && frame_count > 1) {
-    throw UsageError("output '{}': {} frames need different names; {}", text_, frame_count, expected);
+    throw UsageError("output '{}': {} frames need different names; {}", text_, frame_count, one_field);
   }
 }
 

@@ -19,8 +19,8 @@ sim::SolverMethod method_of(const SolverChoice& choice) {
   return choice.bounded;
 }
 
-constexpr sim::PromiseNames keys = {"solver.max_stretch", "gusts (wind.speed, wind.gust_amplitude)",
-                                    "solver.allow_exceeding = \"bound\"", "cloth.thickness"};
+constexpr sim::PromiseNames promise_keys = {"solver.max_stretch", "gusts (wind.speed, wind.gust_amplitude)",
+                                            "solver.allow_exceeding = \"bound\"", "cloth.thickness"};
 
 }  // namespace
 
@@ -48,13 +48,14 @@ sim::SimulationSettings simulation_settings(const RunSettings& run) {
 
 std::optional<std::string> beyond_promise(const Scene& scene) {
   const SolverChoice& solver = scene.simulation.solver;
-  return solver.kind == sim::SolverKind::bounded ? sim::beyond_promise(solver.bounded, scene.surroundings, keys)
+  return solver.kind == sim::SolverKind::bounded ? sim::beyond_promise(solver.bounded, scene.surroundings, promise_keys)
                                                  : std::nullopt;
 }
 
 std::optional<std::string> beyond_contact(const Scene& scene, const sim::Garment& garment) {
   const SolverChoice& solver = scene.simulation.solver;
-  return solver.kind == sim::SolverKind::bounded ? sim::beyond_contact(solver.bounded, garment, keys) : std::nullopt;
+  return solver.kind == sim::SolverKind::bounded ? sim::beyond_contact(solver.bounded, garment, promise_keys)
+                                                 : std::nullopt;
 }
 
 std::optional<double> stretch_bound(const Scene& scene) {

@@ -125,8 +125,8 @@ std::optional<std::filesystem::path> find_asset(const std::filesystem::path& fil
   if (assets.empty() || file.empty() || file.is_absolute()) return std::nullopt;
   std::error_code error;
   for (const char* folder : {"", "garments", "garments/contact", "garments/outfits", "bodies", "motions", "textures"}) {
-    for (const char* ending : {"", ".obj", ".glb", ".bvh", ".png"}) {
-      const fs::path candidate = assets / folder / (file.string() + ending);
+    for (const char* model_ending : {"", ".obj", ".glb", ".bvh", ".png"}) {
+      const fs::path candidate = assets / folder / (file.string() + model_ending);
       if (fs::is_regular_file(candidate, error)) return candidate;
     }
   }

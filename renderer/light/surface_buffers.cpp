@@ -90,11 +90,11 @@ Bytes enlarged(const Bytes& from, const BaseColourMap& map, int width_px, int he
 
 // Texels for each colour map. Fewer shift colours by more than a step of 255.
 constexpr int texels_of_map = 256;
-constexpr std::array rows{ColourMap::viridis, ColourMap::blue_orange};
+constexpr std::array colour_map_rows{ColourMap::viridis, ColourMap::blue_orange};
 
 std::vector<std::uint8_t> texels() {
-  std::vector<std::uint8_t> bytes(3 * texels_of_map * rows.size());
-  for (const ColourMap map : rows) {
+  std::vector<std::uint8_t> bytes(3 * texels_of_map * colour_map_rows.size());
+  for (const ColourMap map : colour_map_rows) {
     auto byte = bytes.begin() + static_cast<std::ptrdiff_t>(3 * texels_of_map * ColourMapTexture::row_of(map));
     for (int i = 0; i < texels_of_map; ++i) {
       const Colour colour = colour_at(map, static_cast<float>(i) / static_cast<float>(texels_of_map - 1));
@@ -337,7 +337,7 @@ const Texture& ColourMapTexture::texture() {
   made_.emplace(*gl_);
   gl_->BindTexture(GL_TEXTURE_2D, made_->name());
   gl_->PixelStorei(GL_UNPACK_ALIGNMENT, 1);
-  gl_->TexImage2D(GL_TEXTURE_2D, 0, GL_SRGB8, texels_of_map, static_cast<GLsizei>(rows.size()), 0, GL_RGB,
+  gl_->TexImage2D(GL_TEXTURE_2D, 0, GL_SRGB8, texels_of_map, static_cast<GLsizei>(colour_map_rows.size()), 0, GL_RGB,
                   GL_UNSIGNED_BYTE, texels().data());
   set_sampling(*gl_, GL_TEXTURE_2D, GL_LINEAR);
   return *made_;

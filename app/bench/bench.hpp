@@ -58,7 +58,7 @@ struct ContactFacts {
   double p99_ms = 0.0;              ///< its 99th percentile in the worst run
   double worst_ms = 0.0;            ///< of the slowest frame
   double second_ms = 0.0;           ///< the mean of the slowest 60 frames in a row
-  double search_share = 0.0;        ///< the part of all time that the search for what is near takes
+  double search_share = 0.0;        ///< the part of the processor time that the search takes
   double detections = 0.0;          ///< per frame: searches through all
   double partial_detections = 0.0;  ///< per frame: searches around single vertices
   int most_pairs = 0;               ///< near pairs at a time

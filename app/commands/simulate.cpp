@@ -151,17 +151,17 @@ int run(const SimulateOptions& options) {
   require_begun(begun, range.last);
   const RunDescription description = {run.scene, run.simulation->garment(), run.simulation->pins().vertices.size(), "",
                                       options.verify};
-  const bool goes_on = !options.resume.empty() && running.saved.summary.frames > 0;
+  const bool is_resumed = !options.resume.empty();
+  const bool goes_on = is_resumed && running.saved.summary.frames > 0;
   run.open_statistics(description, goes_on ? std::optional(begun) : std::nullopt);
   if (options.json) fmt::print("{}", statistics_header(StatisticsFormat::json_lines, description));
   if (!options.shapes.empty()) {
-    const bool is_resumed = !options.resume.empty();
     exported.frames.first = std::max(range.first, is_resumed ? start_frame(run.scene) : begun);
     exported.last_kept = is_resumed ? std::optional(begun) : std::nullopt;
     run.shapes = open_sink(exported, run.loaded, run.simulation->state().current);
   }
   run.outputs.start_frame = begun;
-  run.outputs.with_start = options.resume.empty() && range.first <= begun;
+  run.outputs.with_start = !is_resumed && range.first <= begun;
   const bool is_read = !options.quiet || options.json || run.statistics || !options.saved_to().empty();
   run.outputs.measured = is_read ? Measured::all : Measured::promises;
   run.outputs.report = [&](const FrameRecord& record) { running.report(record); };

@@ -110,8 +110,8 @@ std::vector<sim::Index> top_band(const sim::Mesh& mesh) {
   return band;
 }
 
-/// Parts that a scene can pin by their names: landmarks, corners and edges of a grid, and "top-band" (the upper 3 % of the
-/// height).
+/// Parts that a scene can pin by their names: landmarks, corners and edges of a grid, and "top-band" (the upper 3 % of
+/// the height).
 Landmarks named_parts(const PinTargets& targets) {
   Landmarks parts = targets.landmarks;
   const Landmarks of_grid = targets.grid != nullptr ? grid_parts(*targets.grid) : Landmarks{};

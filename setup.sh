@@ -47,6 +47,7 @@ packages=(
   librapidcheck-dev   # properties of random cases
   python3             # makes models of every format, and is a terminal
   python3-numpy       # the library's Python
+  python3-venv        # the wheel in an empty environment
   mono-mcs            # and its C#
   mono-runtime
   abigail-tools       # whether its interface has changed

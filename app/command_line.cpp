@@ -213,6 +213,7 @@ void define_figures(CLI::App& command, FiguresOptions& options) {
 void define_render(CLI::App& command, RenderOptions& options) {
   add_scene_arguments(command, options);
   command.add_option("-o,--output", options.output);
+  command.add_flag("--trust", options.is_trusted);
   command.add_option("--frames", options.frames);
   command.add_option("--export", options.shapes);
   add_resolution(command, options.overrides);

@@ -1,4 +1,5 @@
 #include "app/base/errors.hpp"
+#include "app/base/words.hpp"
 #include "app/command_line.hpp"
 #include "sim/simulation.hpp"
 
@@ -9,7 +10,7 @@ namespace {
 
 int report(const std::exception& error, int exit_code) {
   std::fflush(stdout);
-  std::fprintf(stderr, "taut: error: %s\n", error.what());
+  std::fprintf(stderr, "taut: error: %s\n", taut::app::printable(error.what()).c_str());
   return exit_code;
 }
 

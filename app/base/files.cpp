@@ -1,6 +1,10 @@
 #include "app/base/files.hpp"
 
 #include <fcntl.h>
+#include <poll.h>
+#include <sys/socket.h>
+#include <sys/stat.h>
+#include <sys/un.h>
 #include <unistd.h>
 
 #include <fstream>
@@ -26,13 +30,57 @@ bool is_written_straight(const fs::path& path) {
   return fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status);
 }
 
-/// Returns the reason where it fails, and nothing where it does not.
-std::optional<std::string> try_to_write(const fs::path& path, std::span<const std::uint8_t> bytes,
-                                        std::ios::openmode mode) {
-  std::ofstream file(path, std::ios::binary | mode);
-  file.write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
-  file.close();
-  return file ? std::nullopt : std::optional(reason_of(errno));
+/// `path` is for messages.
+void write_all(const Descriptor& file, std::span<const std::uint8_t> bytes, const fs::path& path) {
+  while (!bytes.empty()) {
+    const ssize_t count = ::write(file.number(), bytes.data(), bytes.size());
+    if (count < 0 && errno != EINTR) fail_to_write(path, reason_of(errno));
+    bytes = bytes.subspan(count > 0 ? static_cast<std::size_t>(count) : 0);
+  }
+}
+
+[[noreturn]] void fail_to_read(const fs::path& path, const std::string& reason) {
+  throw InputError("cannot read '" + path.string() + "': " + reason);
+}
+
+/// Throws InputError if an input of this status cannot be read.
+void require_readable(const fs::path& path, const struct stat& status, std::uint64_t max_bytes, InputKind kind) {
+  const std::string name = '\'' + path.string() + '\'';
+  if (S_ISDIR(status.st_mode)) throw InputError(name + " is a folder, not a file");
+  if (S_ISFIFO(status.st_mode) && kind == InputKind::file_or_pipe) return;
+  if (!S_ISREG(status.st_mode)) {
+    throw InputError("{} is a {}, expected a file", name, S_ISFIFO(status.st_mode) ? "pipe" : "device or a socket");
+  }
+  if (status.st_size == 0) throw InputError("the file " + name + " is empty");
+  if (static_cast<std::uint64_t>(status.st_size) > max_bytes) {
+    throw InputError("the file {} has {} bytes, expected at most {}", name, status.st_size, max_bytes);
+  }
+}
+
+/// Waits for the next bytes of a pipe. Returns false at its end.
+bool append_part(const Descriptor& pipe, const fs::path& path, std::string& text) {
+  constexpr int look_up_after_ms = 100;
+  std::array<char, 65536> part;
+  for (int waits = 0; waits < max_silence_s * 1000 / look_up_after_ms; ++waits) {
+    throw_if_interrupted();
+    pollfd ready{pipe.number(), POLLIN, 0};
+    if (::poll(&ready, 1, look_up_after_ms) <= 0) continue;
+    const ssize_t count = ::read(pipe.number(), part.data(), part.size());
+    if (count < 0 && errno != EINTR && errno != EAGAIN) fail_to_read(path, reason_of(errno));
+    if (count < 0) continue;
+    text.append(part.data(), static_cast<std::size_t>(count));
+    return count > 0;
+  }
+  fail_to_read(path, fmt::format("the pipe brought nothing for {} s", max_silence_s));
+}
+
+std::string read_pipe(const Descriptor& pipe, const fs::path& path, std::uint64_t max_bytes) {
+  std::string text;
+  while (append_part(pipe, path, text)) {
+    if (text.size() > max_bytes) fail_to_read(path, fmt::format("the pipe brought more than {} bytes", max_bytes));
+  }
+  if (text.empty()) throw InputError("the pipe '" + path.string() + "' is empty");
+  return text;
 }
 
 /// Waits until a file or a folder is on the disk. Some file systems know no such thing of folders.
@@ -67,27 +115,60 @@ std::string host_name() {
   return name.data();
 }
 
-void require_file(const fs::path& path) {
-  std::error_code error;
-  const fs::file_status status = fs::status(path, error);
-  if (status.type() == fs::file_type::not_found) throw InputError("there is no file '" + path.string() + "'");
-  if (error) throw InputError("cannot read '" + path.string() + "': " + error.message());
-  if (fs::is_directory(status)) throw InputError("'" + path.string() + "' is a folder, not a file");
-  if (::access(path.c_str(), R_OK) != 0) {
-    throw InputError("cannot read '" + path.string() + "': " + reason_of(errno));
-  }
-  if (fs::is_regular_file(status) && fs::file_size(path, error) == 0) {
-    throw InputError("the file '" + path.string() + "' is empty");
-  }
+OpenInput open_input(const fs::path& path, std::uint64_t max_bytes, InputKind kind) {
+  struct stat status {};
+  const auto look = [&](int failed) {
+    if (failed == 0) return require_readable(path, status, max_bytes, kind);
+    if (errno == ENOENT || errno == ENOTDIR) throw InputError("there is no file '" + path.string() + "'");
+    fail_to_read(path, reason_of(errno));
+  };
+  look(::stat(path.c_str(), &status));
+  // Without waiting: a pipe that nobody writes to would hold the program up.
+  OpenInput input{Descriptor(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY))};
+  if (input.file.number() < 0) fail_to_read(path, reason_of(errno));
+  look(::fstat(input.file.number(), &status));  // it may have been replaced meanwhile
+  input.is_pipe = S_ISFIFO(status.st_mode);
+  input.bytes = input.is_pipe ? 0 : static_cast<std::uint64_t>(status.st_size);
+  return input;
 }
 
-std::string read_text_file(const fs::path& path) {
-  require_file(path);
-  std::ifstream file(path, std::ios::binary);
-  std::ostringstream text;
-  text << file.rdbuf();
-  if (!file) throw InputError("cannot read '" + path.string() + "': " + reason_of(errno));
-  return text.str();
+void require_file(const fs::path& path, std::uint64_t max_bytes) { open_input(path, max_bytes); }
+
+std::string read_text_file(const fs::path& path, std::uint64_t max_bytes) {
+  const OpenInput input = open_input(path, max_bytes, InputKind::file_or_pipe);
+  if (input.is_pipe) return read_pipe(input.file, path, max_bytes);
+  std::string text(input.bytes, '\0');
+  std::size_t done = 0;
+  while (done < text.size()) {
+    const ssize_t count = ::read(input.file.number(), text.data() + done, text.size() - done);
+    if (count < 0 && errno != EINTR) fail_to_read(path, reason_of(errno));
+    if (count == 0) break;  // it was made shorter meanwhile
+    done += count > 0 ? static_cast<std::size_t>(count) : 0;
+  }
+  text.resize(done);
+  return text;
+}
+
+Descriptor create_file(const fs::path& path) {
+  ::unlink(path.c_str());
+  Descriptor file(::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666));
+  if (file.number() < 0) fail_to_write(path, reason_of(errno));
+  return file;
+}
+
+OutputClaim::OutputClaim(const fs::path& path) {
+  struct stat folder {};
+  if (is_written_straight(path) || ::stat(folder_of(path).c_str(), &folder) != 0) return;
+  socket_ = Descriptor(::socket(AF_UNIX, SOCK_DGRAM | SOCK_CLOEXEC, 0));
+  // Names that begin with a zero are in no folder and end with the program.
+  const std::string name = std::string(1, '\0') + fmt::format("taut-output-{}-{}-{:016x}", folder.st_dev, folder.st_ino,
+                                                              std::hash<std::string>()(path.filename().string()));
+  sockaddr_un address{.sun_family = AF_UNIX, .sun_path = {}};
+  std::memcpy(address.sun_path, name.data(), name.size());
+  const auto length = static_cast<socklen_t>(offsetof(sockaddr_un, sun_path) + name.size());
+  if (::bind(socket_.number(), reinterpret_cast<const sockaddr*>(&address), length) != 0 && errno == EADDRINUSE) {
+    fail_to_write(path, "another program is writing it");
+  }
 }
 
 void prepare_folder_of(const fs::path& file) {
@@ -109,6 +190,25 @@ void prepare_folder_of(const fs::path& file) {
   ::unlink(probe.c_str());
 }
 
+void require_apart(std::span<const fs::path> outputs, std::span<const fs::path> inputs) {
+  struct stat status {};
+  std::map<std::pair<dev_t, ino_t>, fs::path> read;
+  for (const fs::path& input : inputs) {
+    if (::stat(input.c_str(), &status) == 0) read.try_emplace({status.st_dev, status.st_ino}, input);
+  }
+  std::set<fs::path> written;
+  for (const fs::path& output : outputs) {
+    if (!is_written_straight(output) && !written.insert(fs::absolute(output).lexically_normal()).second) {
+      throw UsageError("output '{}': two outputs have this name; expected another for each", output.string());
+    }
+    const auto found = ::stat(output.c_str(), &status) == 0 ? read.find({status.st_dev, status.st_ino}) : read.end();
+    if (found != read.end()) {
+      throw UsageError("output '{}': it would replace '{}', which is read for it; expected another name", output.string(),
+                       found->second.string());
+    }
+  }
+}
+
 fs::path free_name(const fs::path& folder, const std::string& stem, const std::string& extension) {
   std::error_code error;
   for (int n = 1;; ++n) {
@@ -123,14 +223,15 @@ void write_text_file(const fs::path& path, const std::string& text) {
 
 void write_file(const fs::path& path, std::span<const std::uint8_t> bytes) {
   if (is_written_straight(path)) {
-    if (const auto reason = try_to_write(path, bytes, std::ios::app)) fail_to_write(path, *reason);
-    return;
+    const Descriptor file(::open(path.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC));
+    if (file.number() < 0) fail_to_write(path, reason_of(errno));
+    return write_all(file, bytes, path);
   }
   const fs::path temporary = temporary_name(path);
   // By which the temporary file is also found in a folder that somebody renames meanwhile.
   const Descriptor folder(::open(folder_of(path).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
   try {
-    if (const auto reason = try_to_write(temporary, bytes, std::ios::trunc)) fail_to_write(path, *reason);
+    write_all(create_file(temporary), bytes, path);
     put_in_place(temporary, path);
   } catch (...) {
     ::unlinkat(folder.number() >= 0 ? folder.number() : AT_FDCWD,
@@ -146,10 +247,9 @@ std::vector<std::filesystem::path> folders_above(const std::filesystem::path& fi
 }
 
 SeekableFile::SeekableFile(std::filesystem::path path) : path_(std::move(path)) {
-  require_file(path_);
-  file_ = Descriptor(::open(path_.c_str(), O_RDONLY | O_CLOEXEC));
-  if (file_.number() < 0) throw InputError("cannot read '" + path_.string() + "': " + reason_of(errno));
-  size_ = std::filesystem::file_size(path_);
+  OpenInput input = open_input(path_, std::numeric_limits<std::int64_t>::max());
+  file_ = std::move(input.file);
+  size_ = input.bytes;
 }
 
 void SeekableFile::read(std::uint64_t offset, std::span<char> bytes) const {

@@ -3,6 +3,8 @@
 #include <fmt/core.h>
 #include <unistd.h>
 
+#include "app/base/words.hpp"
+
 namespace taut::app {
 namespace {
 
@@ -49,7 +51,7 @@ void Progress::hide() {
 
 void Progress::draw() {
   const auto since = Clock::now() - began_;
-  fmt::print(stderr, "\r\033[K{}: {}", what_, stage_);
+  fmt::print(stderr, "\r\033[K{}: {}", printable(what_), printable(stage_));
   if (since >= long_time) {
     fmt::print(stderr, " ({} s)", std::chrono::duration_cast<std::chrono::seconds>(since).count());
   }

@@ -51,6 +51,23 @@ std::string lower_case(std::string text) {
   return text;
 }
 
+std::string printable(std::string_view text) {
+  std::string shown;
+  unsigned char before = 0;
+  for (const char letter : text) {
+    const auto byte = static_cast<unsigned char>(letter);
+    // The second block of control characters, U+0080 to U+009F, ends so in UTF-8.
+    const bool is_long_control = before == 0xC2 && byte >= 0x80 && byte <= 0x9F;
+    const bool is_control = (byte < 0x20 && byte != '\n') || byte == 0x7F || is_long_control;
+    shown += is_control ? fmt::format("\\x{:02x}", byte) : std::string(1, letter);
+    before = byte;
+  }
+  if (shown.size() <= max_printed_bytes) return shown;
+  const std::size_t half = max_printed_bytes / 2 - 40;
+  return fmt::format("{} ... {} bytes more ... {}", shown.substr(0, half), shown.size() - 2 * half,
+                     shown.substr(shown.size() - half));
+}
+
 std::string joined(std::span<const std::string> names, std::string_view separator) {
   return fmt::format("{}", fmt::join(names, separator));
 }

@@ -29,6 +29,13 @@ template <class Number, class... Base> std::optional<Number> number_in(std::stri
 /// The text with small letters in the place of capital ones, those of ASCII alone.
 std::string lower_case(std::string text);
 
+/// Limit on the bytes that printable() returns of one text.
+inline constexpr std::size_t max_printed_bytes = 2000;
+
+/// The text as a terminal may show it: control characters other than line ends as \xNN, and the middle of a text left
+/// out that is longer than `max_printed_bytes`. For whatever a file may have said.
+std::string printable(std::string_view text);
+
 /// The names with the separator between them: "a, b, c".
 std::string joined(std::span<const std::string> names, std::string_view separator = ", ");
 

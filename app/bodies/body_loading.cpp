@@ -1,6 +1,7 @@
 #include "app/bodies/body_loading.hpp"
 
 #include "app/base/errors.hpp"
+#include "app/base/words.hpp"
 #include "app/bodies/body_mesh.hpp"
 #include "sim/mesh/topology.hpp"
 
@@ -305,7 +306,7 @@ ReadBody read_body(const BodySource& source, const ShownTime& shown) {
 }
 
 ReadBody body_of(const BodySource& source, ImportedModel model, const ShownTime& shown) {
-  ReadBody body{{}, take_rig(source.file, model), {}, {}, model.format};
+  ReadBody body{{}, take_rig(source.file, model), {}, {}, model.format, model.files};
   LoadedMesh loaded = make_body_mesh(source, model);
   body.joints = joint_places(*body.rig, stored_pose(*body.rig), loaded.places.placement);
   body.remarks = loaded.remarks;
@@ -363,6 +364,7 @@ std::vector<std::string> load_bodies(Scene& scene, int garments) {
       ReadBody read = read_body(scene.body_sources.at(k), shown);
       *mesh = std::move(read.mesh);
       scene.wearers[k] = std::move(read.wearer);
+      scene.files_read.insert(scene.files_read.end(), read.files.begin(), read.files.end());
       remarks = std::move(read.remarks);
     } catch (const InputError& error) {
       throw InputError(name + ": " + error.what());
@@ -400,7 +402,7 @@ std::vector<std::string> load_bodies(Scene& scene, std::span<const Override> ove
 
 void print_body_remarks(const Scene& scene, const std::vector<std::string>& remarks, std::FILE* output) {
   for (const std::string& remark : output == nullptr ? std::vector<std::string>{} : remarks) {
-    fmt::print(output, "{}: {}\n", scene.name, remark);
+    fmt::print(output, "{}: {}\n", scene.name, printable(remark));
   }
 }
 

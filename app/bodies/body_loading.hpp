@@ -30,6 +30,7 @@ struct ReadBody {
   JointPlaces joints;                     ///< as they were stored
   std::shared_ptr<const Wearer> wearer;   ///< null: it is not dressed
   std::string format;                     ///< name of the file's format
+  std::vector<std::string> files = {};    ///< that were read: its own and those that it names
   std::vector<std::string> remarks = {};  ///< as load_bodies() returns them
   FileVertexPlaces places = {};           ///< of the mesh
   std::size_t file_vertices = 0;

@@ -15,15 +15,6 @@ constexpr std::array<const char*, 4> endings = {".obj", ".pc2", ".glb", ".usda"}
   throw UsageError("output '" + name + "': " + reason);
 }
 
-/// Every file but those of later frames.
-std::vector<fs::path> files_of(const ExportSettings& settings) {
-  const fs::path name = settings.name;
-  const std::string ending = name.extension();
-  std::vector<fs::path> files = {OutputPattern(settings.name, ending).path_of(settings.frames.first)};
-  if (ending == ".pc2") files.push_back(obj_beside(name));
-  return files;
-}
-
 /// One OBJ of the last frame, or one of each.
 class ObjSink final : public FrameSink {
  public:
@@ -57,7 +48,7 @@ class ObjSink final : public FrameSink {
 
 bool is_clip(const std::string& name) { return !name.empty() && fs::path(name).extension() != ".obj"; }
 
-void require_export(const ExportSettings& settings, const fs::path& garment) {
+std::vector<fs::path> require_export(const ExportSettings& settings) {
   const fs::path name = settings.name;
   const std::string ending = name.extension();
   if (std::ranges::find(endings, ending) == endings.end()) {
@@ -72,13 +63,14 @@ void require_export(const ExportSettings& settings, const fs::path& garment) {
                " is written when the run is over and cannot be gone on with; expected no --checkpoint and "
                "no --resume, or .pc2, or one .obj for each frame");
   }
-  for (const fs::path& file : files_of(settings)) {
-    std::error_code error;
-    if (!garment.empty() && fs::equivalent(file, garment, error)) {
-      refuse(settings.name, "it would replace the garment's own file, '" + file.string() + "'");
-    }
-    prepare_folder_of(file);
+  const OutputPattern pattern(settings.name, ending);
+  std::vector<fs::path> files = {pattern.path_of(settings.frames.first)};
+  prepare_folder_of(files.front());
+  for (int frame = settings.frames.first + 1; pattern.has_field() && frame <= settings.frames.last; ++frame) {
+    files.push_back(pattern.path_of(frame));
   }
+  if (ending == ".pc2") files.push_back(obj_beside(name));
+  return files;
 }
 
 std::unique_ptr<FrameSink> open_sink(const ExportSettings& settings, const GarmentInScene& loaded,

@@ -36,10 +36,10 @@ class FrameSink {
 /// Whether one file of this name holds all frames, to be played.
 bool is_clip(const std::string& name);
 
-/// Throws UsageError if a name has another ending than .obj, .pc2, .glb or .usda, if its format cannot
-/// be resumed and shall be, or if files of this name would replace `garment`, the file that is simulated.
-/// Makes the folder; throws InputError if that cannot be written to. Call it before a long run.
-void require_export(const ExportSettings& settings, const std::filesystem::path& garment);
+/// Returns every file that will be written. Throws UsageError if a name has another ending than .obj, .pc2, .glb or
+/// .usda, or if its format cannot be resumed and shall be. Makes the folder; throws InputError if that cannot be
+/// written to. Call it before a long run.
+std::vector<std::filesystem::path> require_export(const ExportSettings& settings);
 
 /// Opens what the name's ending says. `loaded` must outlive the sink. `start_m` is where the run begins or goes
 /// on. Throws InputError if what an earlier run left is not of this one.

@@ -1,5 +1,6 @@
 #include <fstream>
 
+#include "app/base/files.hpp"
 #include "app/base/words.hpp"
 #include "app/caches/frame_sink.hpp"
 
@@ -94,6 +95,7 @@ class UsdSink final : public FrameSink {
  private:
   /// All that does not move, up to the points.
   void begin() {
+    create_file(incomplete_);
     file_.open(incomplete_, std::ios::binary | std::ios::trunc);
     const FileFaces& faces = cloth_.faces();
     file_ << fmt::format(

@@ -2,6 +2,7 @@
 #include "app/bodies/wearing.hpp"
 #include "app/commands/run.hpp"
 #include "app/drawing/inspection_picture.hpp"
+#include "app/output/picture_record.hpp"
 #include "app/output/run_checkpoint.hpp"
 #include "app/sewing/sewing.hpp"
 
@@ -84,7 +85,7 @@ Json json_of(const FitOptions& options, std::span<const FitRow> rows, const Worn
 int run(const FitOptions& asked) {
   FitOptions options = asked;
   DrawnScene scene = scene_of(options);
-  if (options.output.empty()) options.output = scene.name + "-fit.png";
+  if (options.output.empty()) options.output = choose_name(scene.name + "-fit.png");
   prepare_png(options.output);
   std::FILE* const remarks = options.json ? stderr : stdout;
   Progress progress(scene.name);
@@ -94,6 +95,7 @@ int run(const FitOptions& asked) {
   print_body_remarks(scene, said, remarks);
   LoadedGarment loaded = load_garment(scene, stage);
   progress.hide();
+  require_inputs_kept({options.output}, scene, loaded.files_read);
   print_body_remarks(scene, put_on(loaded, scene), remarks);
   print_remarks(scene, loaded, remarks);
   std::vector<FitRow> rows = fit_of(scene, *loaded.garment, surface_at_start(loaded).positions_m);
@@ -113,7 +115,8 @@ int run(const FitOptions& asked) {
       fmt::format("{} on {}", scene.name, scene.surroundings.bodies[dressed_body(scene).body].name);
   write_file(options.output, renderer::encode_png(draw_fit({scene, simulation.garment(), simulation.state().current,
                                                             worn.last.time_s, rows, title, measured, tightness},
-                                                           options.backend)));
+                                                           options.backend),
+                                           std::array{program_text()}));
   progress.hide();
   if (options.json) {
     fmt::print("{}\n", json_of(options, rows, worn, tightness).dump(2));

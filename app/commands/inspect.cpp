@@ -4,6 +4,7 @@
 #include "app/commands/options.hpp"
 #include "app/drawing/inspection_picture.hpp"
 #include "app/models/inspection.hpp"
+#include "app/output/picture_record.hpp"
 #include "app/sewing/sewing.hpp"
 
 namespace taut::app {
@@ -56,6 +57,7 @@ int run(const InspectOptions& options) {
   scene.garment.is_drawn_finer = false;  // what crosses is told of the file's triangles
   Progress progress(options.garment.filename().string());
   LoadedGarment loaded = load_garment(scene, [&](const std::string& stage) { progress.begin(stage); });
+  if (!options.picture.empty()) require_inputs_kept({options.picture}, scene, loaded.files_read);
   print_body_remarks(scene, put_where_it_begins(loaded, scene), options.json ? stderr : stdout);
   progress.begin("measuring it");
   const Inspection inspection = inspect_garment(scene, loaded);
@@ -64,7 +66,8 @@ int run(const InspectOptions& options) {
                                 : describe(inspection.facts));
   if (!options.picture.empty()) {
     progress.begin("drawing it");
-    write_file(options.picture, renderer::encode_png(draw_inspection(inspection, loaded, scene, options.backend)));
+    write_file(options.picture, renderer::encode_png(draw_inspection(inspection, loaded, scene, options.backend),
+                                                       std::array{program_text()}));
     progress.hide();
     // Programs that read the report get nothing else.
     fmt::print(options.json ? stderr : stdout, "wrote {}\n", options.picture.string());

@@ -33,6 +33,7 @@ struct RunOptions {
 /// all frames for a video.
 struct RenderOptions : RunOptions {
   std::string output;  ///< empty: SCENE_NAME.png
+  bool is_trusted = false;  ///< the picture that is made again may name any file
   std::string backend = "auto";
   /// Arguments of the program. Every picture stores them.
   std::vector<std::string> arguments;

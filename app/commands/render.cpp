@@ -1,3 +1,4 @@
+#include "app/base/words.hpp"
 #include "app/commands/run.hpp"
 #include "app/models/model_fitting.hpp"
 #include "app/output/picture_record.hpp"
@@ -30,14 +31,17 @@ std::vector<int> frames_to_draw(const RenderOptions& options, const RenderJob& j
 RenderJob render_job_of(const RenderOptions& options) {
   RenderJob job;
   if (is_picture(options.scene)) {
-    job.again = read_picture_record(options.scene, options.overrides);
+    job.again = read_picture_record(options.scene, options.overrides, options.is_trusted);
     job.scene = job.again->scene;
+    for (const std::filesystem::path& file : input_files(job.scene)) {
+      if (file != options.scene) fmt::print("{}: its scene names '{}'\n", options.scene, printable(file.string()));
+    }
   } else {
     job.scene = find_scene(options.scene, options.overrides);
   }
   // Made again, a picture never takes the place of the one it is made from unasked.
   const std::string name = job.scene.name + (job.again ? "-again.png" : ".png");
-  job.output = options.output.empty() ? name : options.output;
+  job.output = options.output.empty() ? choose_name(name).string() : options.output;
   job.frames = frames_to_draw(options, job);
   return job;
 }
@@ -64,6 +68,14 @@ class PictureOutput {
     pattern_.emplace(job.output, ".png");
     pattern_->require_distinct_names(job.frames.size());
     prepare_folder_of(pattern_->path_of(job.frames.front()));
+  }
+
+  /// Every file that will be written.
+  std::vector<std::filesystem::path> files(std::span<const int> frames) const {
+    std::vector<std::filesystem::path> files;
+    if (video_) return {name_};
+    for (const int frame : frames) files.push_back(pattern_->path_of(frame));
+    return files;
   }
 
   void write(const PictureOrigin& origin, const FrameRecord& record, const renderer::Image& picture) {
@@ -107,11 +119,11 @@ void compare_with_record(const PictureRecord& again, const std::vector<FrameReco
     fmt::print(stderr,
                "taut: warning: the cloth is not where it was in the picture (state {:016x}, then {:016x}): "
                "made by {}, or from another garment file\n",
-               same_frame->state_hash, again.state_hash, again.program);
+               same_frame->state_hash, again.state_hash, printable(again.program));
   }
   if (gl_renderer != again.gl_renderer) {
     fmt::print(stderr, "taut: warning: drawn by '{}', then by '{}': pixels may differ\n", gl_renderer,
-               again.gl_renderer);
+               printable(again.gl_renderer));
   }
 }
 
@@ -133,7 +145,7 @@ class Render {
                                      .frames = {job_.frames.front(), job_.frames.back()},
                                      .frame_rate_hz = run_.scene.simulation.frame_rate_hz,
                                      .look = run_.scene.picture.cloth};
-    run_.require_outputs(exported);
+    run_.require_outputs(exported, output_.files(job_.frames), {job_.output});
     // Starting OpenGL and compiling shaders takes as long as reading a model.
     run_.load([this] {
       offscreen_.emplace(options_.backend);
@@ -143,7 +155,7 @@ class Render {
     face_front(run_.loaded, run_.scene);
     colours_ = drawn_colours(run_.scene, run_.loaded);
     for (const std::string& remark : colours_.remarks) {
-      fmt::print(stderr, "taut: warning: {}: {}\n", run_.scene.garment.file.filename().string(), remark);
+      fmt::print(stderr, "taut: warning: {}: {}\n", run_.scene.garment.file.filename().string(), printable(remark));
     }
     run_.open_statistics({run_.scene, run_.simulation->garment(), run_.simulation->pins().vertices.size(),
                           offscreen_->gl_renderer(), options_.verify},

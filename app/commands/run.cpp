@@ -27,19 +27,31 @@ SceneRun::SceneRun(const RunOptions& asked_options, DrawnScene asked, std::FILE*
   print_body_remarks(scene, said, remarks);
 }
 
-void SceneRun::require_outputs(const ExportSettings& settings) const {
-  if (!options.shapes.empty()) require_export(settings, scene.garment.file);
+void SceneRun::require_outputs(const ExportSettings& settings, std::vector<std::filesystem::path> others,
+                               std::vector<std::filesystem::path> claimed) {
+  files_written = std::move(others);
+  if (!options.shapes.empty()) {
+    const std::vector<std::filesystem::path> exported = require_export(settings);
+    files_written.insert(files_written.end(), exported.begin(), exported.end());
+    claimed.emplace_back(settings.name);
+  }
   if (!options.statistics.empty()) {
     statistics_format(options.statistics);
     prepare_folder_of(options.statistics);
+    files_written.push_back(options.statistics);
+    claimed.push_back(options.statistics);
   }
+  require_inputs_kept(files_written, scene, {});
+  for (const std::filesystem::path& name : claimed) claims.emplace_back(name);
 }
+
 
 void SceneRun::load(const std::function<void()>& meanwhile) {
   const auto read = [this] { return load_garment(scene, [this](const std::string& stage) { progress.begin(stage); }); };
   std::future<LoadedGarment> garment = std::async(meanwhile ? std::launch::async : std::launch::deferred, read);
   if (meanwhile) meanwhile();
   loaded = garment.get();
+  require_inputs_kept(files_written, scene, loaded.files_read);
   progress.hide();
   print_body_remarks(scene, put_where_it_begins(loaded, scene), remarks);
   if (remarks != nullptr) print_remarks(scene, loaded, remarks);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/base/files.hpp"
 #include "app/base/progress.hpp"
 #include "app/caches/frame_sink.hpp"
 #include "app/commands/options.hpp"
@@ -15,8 +16,11 @@ struct SceneRun {
   /// load_bodies().
   SceneRun(const RunOptions& options, DrawnScene asked, std::FILE* remarks);
 
-  /// Throws where something could not be written in the end, before anything is simulated.
-  void require_outputs(const ExportSettings& settings) const;
+  /// Requires, before anything is simulated, that all outputs can be written and none of them is an input: the statistics,
+  /// what is exported and `others`, which the command writes itself. Other programs are kept from `claimed`, names or
+  /// patterns of these. load() requires it again of what the garment's file names. Throws InputError, UsageError.
+  void require_outputs(const ExportSettings& settings, std::vector<std::filesystem::path> others,
+                       std::vector<std::filesystem::path> claimed);
   /// Reads the garment, puts it where it begins and makes the simulation; does `meanwhile` at the same time.
   void load(const std::function<void()>& meanwhile = {});
   /// Puts the simulation where the scene begins, which it verifies. Returns that frame.
@@ -39,6 +43,8 @@ struct SceneRun {
   std::optional<StatisticsFile> statistics;
   std::unique_ptr<FrameSink> shapes;
   FrameOutputs outputs;
+  std::vector<std::filesystem::path> files_written;  ///< from require_outputs()
+  std::vector<OutputClaim> claims;
   bool is_told = true;           ///< says what it writes
   std::function<void()> keep{};  ///< called where it ends early
 };

@@ -5,6 +5,7 @@
 #include "app/bodies/wearing.hpp"
 #include "app/commands/options.hpp"
 #include "app/drawing/inspection_picture.hpp"
+#include "app/output/picture_record.hpp"
 #include "app/scene/scene_format.hpp"
 #include "app/sewing/sewing.hpp"
 
@@ -36,6 +37,19 @@ DrawnScene scene_of(const SewOptions& options) {
   return scene;
 }
 
+/// The name of a garment that nobody named: not that of a model that was not sewn.
+std::filesystem::path choose_garment_name(const std::string& stem) {
+  const std::filesystem::path usual = stem + ".obj";
+  std::error_code error;
+  const bool is_sewn = read_landmarks_file(usual)["is_cut"].value_or(false);
+  if (is_sewn || !(std::filesystem::exists(usual, error) || std::filesystem::exists(landmarks_path(usual), error))) {
+    return usual;
+  }
+  std::filesystem::path other = free_name("", stem, ".obj");
+  fmt::print(stderr, "taut: warning: '{}' is there and was not sewn; writing '{}'\n", usual.string(), other.string());
+  return other;
+}
+
 void write_picture(const std::filesystem::path& file, const DrawnScene& scene, const SewnGarment& sewn,
                    const std::string& measured, const std::string& backend) {
   const sim::Garment& garment = sewn.sewn.garment;
@@ -44,7 +58,8 @@ void write_picture(const std::filesystem::path& file, const DrawnScene& scene, c
   const std::string title = scene.name + " on " + scene.surroundings.bodies[dressed_body(scene).body].name;
   write_file(file, renderer::encode_png(draw_fit({scene, garment, worn_m, sewn.time_s, fit, title, measured,
                                                   describe_tightness(scene, garment, worn_m, fit)},
-                                                 backend)));
+                                                 backend),
+                                       std::array{program_text()}));
 }
 
 void write_steps(const std::filesystem::path& file, const DrawnScene& scene, const SewnGarment& sewn, const char* last,
@@ -56,7 +71,7 @@ void write_steps(const std::filesystem::path& file, const DrawnScene& scene, con
         {step.name, step.garment, step.positions_m, is_flat ? std::nullopt : std::optional<double>(step.time_s)});
   }
   moments.push_back({last, sewn.sewn.garment, sewn.sewn.garment.mesh.positions, sewn.time_s});
-  write_file(file, renderer::encode_png(draw_moments(scene, moments, backend)));
+  write_file(file, renderer::encode_png(draw_moments(scene, moments, backend), std::array{program_text()}));
 }
 
 [[noreturn]] void end_failed(const SewOptions& options, const DrawnScene& scene, const SewingFailed& error) {
@@ -77,7 +92,7 @@ void write_steps(const std::filesystem::path& file, const DrawnScene& scene, con
 int run(const SewOptions& asked) {
   SewOptions options = asked;
   DrawnScene scene = scene_of(options);
-  if (options.output.empty()) options.output = scene.name + ".obj";
+  if (options.output.empty()) options.output = choose_garment_name(scene.name);
   if (options.output.extension() != ".obj") {
     throw UsageError("--output " + options.output.string() + ": expected a name that ends in .obj");
   }
@@ -88,8 +103,13 @@ int run(const SewOptions& asked) {
     throw UsageError(fmt::format("--over-fabric: found {} of them for {} --over, expected one for each or none",
                                  options.over_fabrics.size(), options.over.size()));
   }
+  scene.files_read.insert(scene.files_read.end(), options.over.begin(), options.over.end());
   std::FILE* const remarks = options.json ? stderr : stdout;
   print_body_remarks(scene, load_bodies(scene, static_cast<int>(options.over.size()) + 1), remarks);
+  std::vector<std::filesystem::path> written = {options.output, landmarks_path(options.output), options.picture,
+                                                options.steps};
+  std::erase(written, std::filesystem::path());
+  require_inputs_kept(written, scene, {});
   Progress progress(scene.name);
   const std::clock_t began = std::clock();
   try {

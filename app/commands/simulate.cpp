@@ -142,8 +142,14 @@ int run(const SimulateOptions& options) {
                              .frame_rate_hz = run.scene.simulation.frame_rate_hz,
                              .can_be_resumed = !options.saved_to().empty(),
                              .look = run.scene.picture.cloth};
-  run.require_outputs(exported);
-  if (!options.saved_to().empty()) prepare_folder_of(options.saved_to());
+  if (!options.resume.empty()) run.scene.files_read.push_back(options.resume);
+  std::vector<std::filesystem::path> saved;
+  if (!options.saved_to().empty()) saved.push_back(options.saved_to());
+  for (const std::filesystem::path& file : saved) prepare_folder_of(file);
+  std::error_code error;
+  const bool goes_on_in_place =
+      !options.resume.empty() && std::filesystem::equivalent(options.saved_to(), options.resume, error);
+  run.require_outputs(exported, goes_on_in_place ? std::vector<std::filesystem::path>{} : saved, saved);
   run.load();
   run.progress.begin("frame 1");
   Running running{options, run, FrameLines(range), begin(options, run), range.last};
@@ -151,9 +157,9 @@ int run(const SimulateOptions& options) {
   require_begun(begun, range.last);
   const RunDescription description = {run.scene, run.simulation->garment(), run.simulation->pins().vertices.size(), "",
                                       options.verify};
-  const bool is_resumed = !options.resume.empty();
-  const bool goes_on = is_resumed && running.saved.summary.frames > 0;
-  run.open_statistics(description, goes_on ? std::optional(begun) : std::nullopt);
+  // A run that was stopped before its first frame has written nothing to go on with.
+  const bool is_resumed = !options.resume.empty() && running.saved.summary.frames > 0;
+  run.open_statistics(description, is_resumed ? std::optional(begun) : std::nullopt);
   if (options.json) fmt::print("{}", statistics_header(StatisticsFormat::json_lines, description));
   if (!options.shapes.empty()) {
     exported.frames.first = std::max(range.first, is_resumed ? start_frame(run.scene) : begun);

@@ -1,3 +1,4 @@
+#include "app/base/words.hpp"
 #include "app/bodies/body_loading.hpp"
 #include "app/commands/options.hpp"
 #include "app/sewing/sewing.hpp"
@@ -35,8 +36,18 @@ Session session_of(const ViewOptions& options) {
   return session;
 }
 
+/// Of the garment that is shown now, which may have been dropped.
+void require_inputs_kept(const ViewOptions& options, const DrawnScene& scene, HeadlessViewer& viewer) {
+  std::vector<std::filesystem::path> written = {options.record, options.screenshot, options.layout};
+  std::erase(written, std::filesystem::path());
+  require_inputs_kept(written, scene, {});
+  const LoadedScene& shown = *viewer.viewer().state().shown->loaded;
+  require_inputs_kept(written, shown.scene, shown.files_read);
+}
+
 void view_headless(const ViewOptions& options, const Session& session, const DrawnScene& scene) {
   HeadlessViewer viewer(scene, session.start, options.keep_folder, options.backend);
+  require_inputs_kept(options, scene, viewer);
   std::optional<SessionRecorder> recorder;
   if (!options.record.empty()) recorder.emplace(options.record, session.start);
   try {
@@ -51,8 +62,9 @@ void view_headless(const ViewOptions& options, const Session& session, const Dra
   }
   viewer.viewer().finish_recording();
   for (const Message& message : viewer.viewer().state().messages) {
-    fmt::print("{}{}\n", message.is_error ? "error: " : "", message.text);
+    fmt::print("{}{}\n", message.is_error ? "error: " : "", printable(message.text));
   }
+  require_inputs_kept(options, scene, viewer);
   if (!options.screenshot.empty()) {
     prepare_folder_of(options.screenshot);
     write_file(options.screenshot, renderer::encode_png(viewer.draw()));
@@ -74,6 +86,7 @@ int run(const ViewOptions& options) {
   const Session session = session_of(options);
   DrawnScene scene = find_scene(session.start.scene, session.start.overrides);
   print_body_remarks(scene, sew_and_load_bodies(scene, session.start.overrides), stdout);
+  if (!options.script.empty()) scene.files_read.push_back(options.script);
   if (options.headless) {
     view_headless(options, session, scene);
   } else {

@@ -74,6 +74,14 @@ DrawnScene find_scene(const std::string& name, std::span<const Override> overrid
   return scene;
 }
 
+void require_inputs_kept(const std::vector<std::filesystem::path>& outputs, const DrawnScene& scene,
+                         const std::vector<std::filesystem::path>& read) {
+  std::vector<std::filesystem::path> inputs = input_files(scene);
+  if (names_image(scene.picture.texture)) inputs.push_back(scene.picture.texture);
+  inputs.insert(inputs.end(), read.begin(), read.end());
+  require_apart(outputs, inputs);
+}
+
 void apply_overrides(std::span<const Override> overrides, DrawnScene& scene) {
   apply_overrides(drawn_scene_format(), overrides, scene);
 }

@@ -140,6 +140,9 @@ DrawnScene read_scene_file(const std::filesystem::path& path, std::span<const Ov
 DrawnScene read_scene_text(const std::string& text, const std::string& name, std::span<const Override> overrides = {});
 DrawnScene find_scene(const std::string& name, std::span<const Override> overrides);
 void apply_overrides(std::span<const Override> overrides, DrawnScene& scene);
+/// Throws UsageError if an output is a file that the scene was read from, or one of `read`, which its garment was made of.
+void require_inputs_kept(const std::vector<std::filesystem::path>& outputs, const DrawnScene& scene,
+                         const std::vector<std::filesystem::path>& read);
 /// As that of a Scene, but drawn without balls at its pins.
 void set_garment(const std::filesystem::path& file, DrawnScene& scene);
 nlohmann::ordered_json scene_settings(const DrawnScene& scene);

@@ -5,6 +5,7 @@
 #include "app/base/errors.hpp"
 #include "app/base/files.hpp"
 #include "app/drawing/plots/plot.hpp"
+#include "app/output/picture_record.hpp"
 
 namespace taut::app {
 namespace {
@@ -128,7 +129,7 @@ class FigureWriter {
     throw_if_interrupted();
     const Drawing drawing = figure.draw(offscreen_);
     renderer::Image picture = to_image(drawing, options_.scale);
-    const std::vector<renderer::PngText> texts = {{"Software", "taut " + program_version()}};
+    const std::vector<renderer::PngText> texts = {program_text()};
     write_file(noted(figure.name + ".png"), renderer::encode_png(picture, texts));
     write_pdf(noted(figure.name + ".pdf"), drawing, figure.title);
     if (figure.csv) write_text_file(noted(figure.name + ".csv"), figure.csv());

@@ -178,6 +178,7 @@ sim::Mesh read_mesh(const Scene& scene, LoadedGarment& loaded, const StageReport
   begin("reading " + source.file.filename().string());
   ImportedModel& model = loaded.model.emplace(
       source.given ? *source.given : import_garment(source.model(), {.program = source.importer}, ReadParts::model));
+  loaded.files_read.assign(model.files.begin(), model.files.end());
   const std::vector<sim::Triangle> imported = model.triangles;
   sim::Mesh soup{std::move(model.positions), std::move(model.triangles), {}};
   const std::size_t backs = leave_out_backs(model, soup);
@@ -324,11 +325,16 @@ std::vector<sim::MovingPins> choose_moving_pins(const Scene& scene, const sim::M
 }
 
 /// The positions, in m, for the vertices of the garment's file or for those of the mesh.
-std::vector<sim::Vec3> read_start(const GarmentSource& source, const LoadedGarment& loaded) {
+std::vector<sim::Vec3> read_start(const GarmentSource& source, LoadedGarment& loaded) {
   const std::filesystem::path& file = source.start;
-  const std::vector<sim::Vec3> found_m = source.given_start_m
-                                             ? *source.given_start_m
-                                             : positions_in_file(import_garment(file, {.program = source.importer}));
+  std::vector<sim::Vec3> found_m;
+  if (source.given_start_m) {
+    found_m = *source.given_start_m;
+  } else {
+    const ImportedModel start = import_garment(file, {.program = source.importer});
+    loaded.files_read.insert(loaded.files_read.end(), start.files.begin(), start.files.end());
+    found_m = positions_in_file(start);
+  }
   const std::size_t count = loaded.garment->mesh.positions.size();
   const std::vector<sim::Index>& mesh_vertex = loaded.file_vertices.mesh_vertex;
   const bool has_file_order = !loaded.file_faces.empty() && (!source.given_start_m || source.given);

@@ -50,6 +50,7 @@ struct GarmentInScene {
   double metres_per_uv = 0.0;
   /// Of what crossed at the start; empty if nothing did, or the scene does not ask for it.
   std::optional<Untangling> untangling = {};
+  std::vector<std::filesystem::path> files_read = {};  ///< besides those that the scene names
 
   /// The mesh that is drawn and exported, at rest.
   const sim::Mesh& shown_mesh() const { return following ? following->mesh : garment->mesh; }

@@ -282,7 +282,7 @@ std::string describe(const Json& facts) {
     const bool is_list = key == "remarks" || key == "hanging" || key == "girths";
     for (const Json& item : is_list ? value : Json::array({value})) {
       const std::string said = fact_text(item);
-      if (!said.empty()) text += fmt::format("{:<26}{}\n", key, said);
+      if (!said.empty()) text += fmt::format("{:<26}{}\n", key, printable(said));
     }
   }
   return text;
@@ -371,7 +371,7 @@ void print_remarks(const Scene& scene, const LoadedGarment& loaded, std::FILE* o
   }
   const std::vector<std::string> on_start = remarks_on_start(scene, loaded).lines;
   lines.insert(lines.end(), on_start.begin(), on_start.end());
-  for (const std::string& line : lines) fmt::print(output, "{}: {}\n", file, line);
+  for (const std::string& line : lines) fmt::print(output, "{}: {}\n", file, printable(line));
 }
 
 }  // namespace taut::app

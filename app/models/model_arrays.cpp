@@ -157,7 +157,7 @@ void fields(auto& archive, Is<SurfaceColours> auto& colours) {
 void fields(auto& archive, Is<ModelArrays> auto& model) {
   archive(model.positions, model.faces.corner_counts, model.faces.corners, model.position_of_vertex,
           model.faces.sections, model.faces.has_normals, model.format, model.meshes, model.ignored_lines,
-          model.ignored_points, model.metres_per_unit, model.up, model.rig, model.colours);
+          model.ignored_points, model.metres_per_unit, model.up, model.rig, model.colours, model.files);
 }
 
 namespace {

@@ -21,6 +21,7 @@ struct ModelArrays {
   std::optional<ModelAxis> up;            ///< empty if neither the file nor its format says
   Rig rig;                                ///< of the same vertices as `positions`
   SurfaceColours colours;                 ///< of the same faces
+  std::vector<std::string> files;         ///< that were read: the model's own and those that it names
 };
 
 /// Numbers the positions in the order in which faces first use them; unused ones come last. The last bits of

@@ -1,3 +1,4 @@
+#include <assimp/DefaultIOSystem.h>
 #include <assimp/GltfMaterial.h>
 #include <assimp/importerdesc.h>
 #include <assimp/postprocess.h>
@@ -184,6 +185,7 @@ void read_colours_of_obj(const std::filesystem::path& folder, SurfaceColours& co
   for (const std::string& library : colours.libraries) {
     try {
       read_mtl(read_text_file(folder / library), colours);
+      colours.files.push_back((folder / library).string());
     } catch (const InputError& error) {
       colours.remarks.push_back("its materials are not read: " + std::string(error.what()));
     }
@@ -192,13 +194,30 @@ void read_colours_of_obj(const std::filesystem::path& folder, SurfaceColours& co
       folder, [](const std::string&) { return std::nullopt; }, colours);
 }
 
+/// The files of this machine, which keeps the names of those that are opened.
+class NotedFiles final : public Assimp::DefaultIOSystem {
+ public:
+  explicit NotedFiles(std::vector<std::string>& names) : names_(names) {}
+
+  Assimp::IOStream* Open(const char* file, const char* mode) override {
+    names_.emplace_back(file);
+    return DefaultIOSystem::Open(file, mode);
+  }
+
+ private:
+  std::vector<std::string>& names_;
+};
+
 ModelArrays read_with_assimp(const std::filesystem::path& path, ReadParts parts) {
   // Never destroyed: of some files (3MF with textures) it reads all there is and crashes while clearing away.
   Assimp::Importer& importer = *new Assimp::Importer;
+  std::vector<std::string>& opened = *new std::vector<std::string>;
+  importer.SetIOHandler(new NotedFiles(opened));
   const aiScene* scene = importer.ReadFile(path.string(), 0);
   if (scene == nullptr) throw InputError(reason_of(importer.GetErrorString(), path.string()));
   if (scene->mRootNode == nullptr) throw InputError("it has no scene");
   ModelArrays model;
+  model.files = opened;
   model.format = format_of(importer);
   model.meshes = scene->mNumMeshes;
   read_units(*scene, model);
@@ -213,15 +232,16 @@ ModelArrays read_with_assimp(const std::filesystem::path& path, ReadParts parts)
 ModelArrays read_model(const std::filesystem::path& path, ReadParts parts) {
   if (parts == ReadParts::image) {
     ModelArrays image;
-    image.colours.maps.push_back(fitted_to(decode_image(read_text_file(path)), most_print_side_px));
+    image.colours.maps.push_back(fitted_to(decode_image(read_text_file(path, max_model_bytes)), most_print_side_px));
     return image;
   }
   std::optional<ModelArrays> model;
   if (lower_case(path.extension().string()) == ".obj") {
-    model = read_obj(read_text_file(path));
+    model = read_obj(read_text_file(path, max_model_bytes));
     if (model && parts == ReadParts::model) read_colours_of_obj(path.parent_path(), model->colours);
   }
   if (!model) model = read_with_assimp(path, parts);
+  model->files.insert(model->files.end(), model->colours.files.begin(), model->colours.files.end());
   if (parts == ReadParts::shape) model->colours = {};
   return std::move(*model);
 }

@@ -114,12 +114,15 @@ bool is_inside(const fs::path& file, const fs::path& folder) {
 }
 
 /// Nothing outside of the model's folder is read: a model could ask for any file of the machine.
-std::string read_file_of(const std::string& name, const fs::path& folder) {
+std::string read_file_of(const std::string& name, const fs::path& folder, std::vector<std::string>& files) {
   const std::vector<fs::path> places = places_of(name, folder);
   bool is_outside = false;
   for (const fs::path& place : places) {
     std::error_code error;
-    if (fs::is_regular_file(place, error) && is_inside(place, folder)) return read_text_file(place);
+    if (fs::is_regular_file(place, error) && is_inside(place, folder)) {
+      files.push_back(place.string());
+      return read_text_file(place, max_model_bytes);
+    }
     is_outside |= fs::exists(place, error);
   }
   throw InputError("it is neither '{}' nor '{}' nor '{}'{}", places[0].lexically_normal().string(),
@@ -128,10 +131,10 @@ std::string read_file_of(const std::string& name, const fs::path& folder) {
 }
 
 TextureImage read_map(const SurfaceMaterial& material, const fs::path& folder, const EmbeddedImage& embedded,
-                      std::uint32_t most_px) {
+                      std::uint32_t most_px, std::vector<std::string>& files) {
   const std::optional<std::string_view> inside = embedded(material.map_file);
   const TextureImage image =
-      fitted_to(decode_image(inside ? std::string(*inside) : read_file_of(material.map_file, folder)), most_px);
+      fitted_to(decode_image(inside ? std::string(*inside) : read_file_of(material.map_file, folder, files)), most_px);
   const bool is_tinted = material.map_tint != glm::vec3(1.0F);
   return is_tinted || material.map_is_opaque ? tinted(image, material.map_tint, material.map_is_opaque) : image;
 }
@@ -254,7 +257,7 @@ void read_maps(const fs::path& folder, const EmbeddedImage& embedded, SurfaceCol
     sim::Index& map = known[look_of(material)];
     try {
       if (map == no_map) {
-        colours.maps.push_back(read_map(material, folder, embedded, most_px));
+        colours.maps.push_back(read_map(material, folder, embedded, most_px, colours.files));
         map = static_cast<sim::Index>(colours.maps.size() - 1);
       }
       material.map = map;

@@ -37,6 +37,7 @@ struct SurfaceColours {
   std::vector<TextureImage> maps;
   std::vector<std::string> libraries;  ///< the files of an OBJ that say more of its materials, as it names them
   std::vector<std::string> remarks;    ///< which images are missing, one line each
+  std::vector<std::string> files;      ///< of images and libraries that were read
 };
 
 /// Returns the colours of `triangles`, into which faces with these corners were cut: each face into two fewer

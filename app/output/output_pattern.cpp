@@ -10,15 +10,12 @@ namespace {
 
 constexpr const char* one_field = "expected one field {frame} or {frame:04}, as in frames/frame_{frame:04}.png";
 
-// Largest number of a frame.
-constexpr int most_frames = 1000000;
-
 int frame_of(const std::string& word, int last_frame, const std::string& text) {
   if (word == "last") return last_frame;
   const std::optional<int> frame = number_in<int>(word);
-  if (!frame || *frame < 0 || *frame > most_frames) {
+  if (!frame || *frame < 0 || *frame > max_frame) {
     throw UsageError("--frames {}: found '{}', expected a frame from 0 to {} or last, as in 0:120, 30:, :30 or last",
-                     text, word, most_frames);
+                     text, word, max_frame);
   }
   return *frame;
 }

@@ -6,6 +6,9 @@
 
 namespace taut::app {
 
+/// Largest number of a frame.
+inline constexpr int max_frame = 1'000'000;
+
 /// A pattern for file names that contain the number of a frame: "frames/frame_{frame:04}.png".
 class OutputPattern {
  public:

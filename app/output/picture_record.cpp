@@ -1,6 +1,7 @@
 #include "app/output/picture_record.hpp"
 
 #include "app/base/errors.hpp"
+#include "app/output/output_pattern.hpp"
 #include "app/scene/scene_format.hpp"
 
 namespace taut::app {
@@ -24,45 +25,70 @@ std::string shell_word(const std::string& word) {
   return (text == word ? "'" : "$'") + text + '\'';
 }
 
-// A model of the program's assets, one beside the picture, or the one at the place it was read from.
-std::filesystem::path find_model(const std::filesystem::path& recorded, const std::filesystem::path& folder) {
+/// Whether the file is in the folder or below it, and not by a link alone.
+bool is_inside(const std::filesystem::path& file, const std::filesystem::path& folder) {
+  std::error_code error;
+  const std::filesystem::path relative = std::filesystem::weakly_canonical(file, error)
+                                             .lexically_relative(std::filesystem::weakly_canonical(folder, error));
+  return !relative.empty() && *relative.begin() != "..";
+}
+
+/// A picture, and whether its scene may name any file of this machine.
+struct PictureFile {
+  std::filesystem::path file;
+  bool is_trusted = false;
+};
+
+/// A file of the program's assets, one beside the picture, or the one at the place it was read from.
+std::filesystem::path find_file(const std::filesystem::path& recorded, const PictureFile& picture) {
+  const std::filesystem::path folder = std::filesystem::absolute(picture.file).parent_path();
+  const std::filesystem::path asset = assets_folder() / recorded, beside = folder / recorded.filename();
   std::error_code ignored;
-  for (const std::filesystem::path& candidate : {assets_folder() / recorded, recorded, folder / recorded.filename()}) {
-    if (std::filesystem::exists(candidate, ignored)) return candidate;
+  if (recorded.is_relative() && is_inside(asset, assets_folder()) && std::filesystem::exists(asset, ignored)) return asset;
+  for (const std::filesystem::path& candidate : {recorded, beside}) {
+    if (!std::filesystem::exists(candidate, ignored)) continue;
+    if (picture.is_trusted || is_inside(candidate, folder)) return candidate;
+  }
+  if (std::filesystem::exists(recorded, ignored)) {
+    throw InputError("the scene in '{}' names '{}', which is not in the picture's folder; expected '{}', or --trust, "
+                     "which opens any file that a picture names",
+                     picture.file.string(), recorded.string(), beside.string());
   }
   return recorded;
 }
 
 // As they stand in the table: reading its keys put a scene file's folder in front of them.
 template <class Files, class Models>
-void find_models(const toml::node_view<const toml::node>& table, const Files& files,
-                 const std::filesystem::path& folder, Models& models) {
+void find_files(const toml::node_view<const toml::node>& table, const Files& files, const PictureFile& picture,
+                Models& models) {
   for (const auto& [key, member] : files) {
     if (const auto recorded = table[key].template value<std::string>()) {
-      models.*member = find_model(*recorded, folder);
+      models.*member = find_file(*recorded, picture);
     }
   }
 }
 
-DrawnScene read_scene(const std::string& text, const std::filesystem::path& file) {
-  const Source source{"the scene in '" + file.string() + '\'', false};
+DrawnScene read_scene(const std::string& text, const PictureFile& picture) {
+  const Source source{"the scene in '" + picture.file.string() + '\'', false};
   const toml::table settings = read_toml_text(text, source.name);
   DrawnScene scene;
   const SceneFormat<DrawnScene> format = drawn_scene_format();
   KeyReader(format.keys, source, scene).read(settings);
-  find_models(settings["garment"], garment_files, file.parent_path(), scene.garment);
+  find_files(settings["garment"], garment_files, picture, scene.garment);
+  find_files(settings["start"], std::array{std::pair("checkpoint", &DrawnScene::checkpoint)}, picture, scene);
   for (std::size_t k = 0; k < scene.body_sources.size(); ++k) {
-    find_models(settings["bodies"][k], body_files, file.parent_path(), scene.body_sources[k]);
+    find_files(settings["bodies"][k], body_files, picture, scene.body_sources[k]);
   }
   if (names_image(scene.picture.texture)) {
-    scene.picture.texture = find_model(*settings["picture"]["texture"].value<std::string>(), file.parent_path());
+    scene.picture.texture = find_file(*settings["picture"]["texture"].value<std::string>(), picture);
   }
-  scene.name = file.stem().string();
+  scene.name = picture.file.stem().string();
+  scene.files_read = {picture.file};
   return scene;
 }
 
 std::vector<renderer::PngText> texts_of(const std::filesystem::path& file) {
-  const std::string bytes = read_text_file(file);
+  const std::string bytes = read_text_file(file, max_model_bytes);
   const auto* data = reinterpret_cast<const std::uint8_t*>(bytes.data());
   try {
     return renderer::read_png_texts({data, bytes.size()}, file.string());
@@ -96,7 +122,7 @@ std::string command_text(std::span<const std::string> arguments) {
 }
 
 std::vector<renderer::PngText> picture_texts(const PictureOrigin& origin, const FrameRecord& record) {
-  return {{program_keyword, "taut " + program_version()},
+  return {program_text(),
           {"Taut Command", origin.command},
           {scene_keyword, origin.scene},
           {renderer_keyword, origin.gl_renderer},
@@ -106,9 +132,28 @@ std::vector<renderer::PngText> picture_texts(const PictureOrigin& origin, const 
           {"Taut Surface Stretch", fmt::format("{}", record.surface_stretch.max)}};
 }
 
+renderer::PngText program_text() { return {program_keyword, "taut " + program_version()}; }
+
+std::filesystem::path choose_name(const std::filesystem::path& name) {
+  std::error_code error;
+  if (!std::filesystem::exists(name, error)) return name;
+  try {
+    const std::vector<renderer::PngText> texts = texts_of(name);
+    const auto found = std::ranges::find(texts, program_keyword, &renderer::PngText::keyword);
+    if (found != texts.end() && found->text.starts_with("taut ")) return name;
+  } catch (const InputError&) {
+    // It is no picture that can be read, and so none of this program's.
+  }
+  std::filesystem::path other = free_name(name.parent_path(), name.stem().string(), name.extension().string());
+  fmt::print(stderr, "taut: warning: '{}' is there and not from this program; writing '{}'\n", name.string(),
+             other.string());
+  return other;
+}
+
 bool is_picture(const std::filesystem::path& file) { return file.extension() == ".png"; }
 
-PictureRecord read_picture_record(const std::filesystem::path& file, std::span<const Override> overrides) {
+PictureRecord read_picture_record(const std::filesystem::path& file, std::span<const Override> overrides,
+                                  bool is_trusted) {
   const std::vector<renderer::PngText> texts = texts_of(file);
   const auto entry = [&](const char* keyword) {
     const auto found = std::ranges::find(texts, keyword, &renderer::PngText::keyword);
@@ -121,9 +166,13 @@ PictureRecord read_picture_record(const std::filesystem::path& file, std::span<c
     return found->text;
   };
   PictureRecord record;
-  record.scene = read_scene(entry(scene_keyword), file);
+  record.scene = read_scene(entry(scene_keyword), {file, is_trusted});
   apply_overrides(overrides, record.scene);
   record.frame = number_of<int>(entry(frame_keyword), 10, frame_keyword, file);
+  if (record.frame > max_frame) {
+    throw InputError("the entry '{}' of '{}' is {}, expected a frame from 0 to {}", frame_keyword, file.string(),
+                     record.frame, max_frame);
+  }
   record.state_hash = number_of<std::uint64_t>(entry(state_keyword), 16, state_keyword, file);
   record.program = entry(program_keyword);
   record.gl_renderer = entry(renderer_keyword);

@@ -30,11 +30,20 @@ struct PictureRecord {
   std::string gl_renderer;
 };
 
+/// The PNG text that says that this program made a picture.
+renderer::PngText program_text();
+
+/// The file of a picture that nobody named: `name`, or the next free one where another program wrote that file, which is
+/// then said on the standard error.
+std::filesystem::path choose_name(const std::filesystem::path& name);
+
 /// Whether the file name is that of a picture. Otherwise it means a scene or a garment.
 bool is_picture(const std::filesystem::path& file);
 
-/// Reads the record of a picture that `taut render` made, and applies `overrides` to its scene. Throws
-/// InputError if the file is not a PNG, is damaged or holds no scene.
-PictureRecord read_picture_record(const std::filesystem::path& file, std::span<const Override> overrides);
+/// Reads the record of a picture that `taut render` made, and applies `overrides` to its scene, which names files of the
+/// program's assets and of the picture's folder, or of the whole machine where it is trusted. Throws InputError if the
+/// file is not a PNG, is damaged, holds no scene or one that names other files.
+PictureRecord read_picture_record(const std::filesystem::path& file, std::span<const Override> overrides,
+                                  bool is_trusted = false);
 
 }  // namespace taut::app

@@ -77,7 +77,7 @@ void write_run_checkpoint(const std::filesystem::path& file, const RunCheckpoint
 }
 
 RunCheckpoint read_run_checkpoint(const std::filesystem::path& file) {
-  return run_checkpoint_of(read_text_file(file), file);
+  return run_checkpoint_of(read_text_file(file, max_run_bytes), file);
 }
 
 RunCheckpoint run_checkpoint_of(std::string_view bytes, const std::filesystem::path& file) {

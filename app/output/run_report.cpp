@@ -75,7 +75,7 @@ std::uintmax_t end_of_frame(const fs::path& path, StatisticsFormat format, const
                      "': there is no such file; the run goes on in the statistics of its first part, so name "
                      "that file, or none");
   }
-  const std::string text = read_text_file(path);
+  const std::string text = read_text_file(path, max_run_bytes);
   const std::string names = statistics_header(StatisticsFormat::csv, run);
   if (format == StatisticsFormat::csv && !text.starts_with(names)) {
     throw InputError("cannot go on with '" + path.string() + "': found the columns " + text.substr(0, text.find('\n')) +

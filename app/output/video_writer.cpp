@@ -55,6 +55,7 @@ VideoWriter::VideoWriter(fs::path file, const VideoSettings& settings)
   }
   input_ = Descriptor(ends[0]);
   const Descriptor its_input(ends[1]);
+  create_file(temporary_);
   try {
     ffmpeg_.emplace(ChildCommand{.arguments = ffmpeg_arguments(temporary_, settings),
                                  .input = its_input.number(),
@@ -62,6 +63,7 @@ VideoWriter::VideoWriter(fs::path file, const VideoSettings& settings)
                                  .errors = messages_.number(),
                                  .own_group = true});
   } catch (const std::system_error& error) {
+    fs::remove(temporary_);
     throw InputError("cannot make '" + file_.string() + "': the program ffmpeg does not start (" +
                      error.code().message() + "); install it, or write pictures such as frame_{frame:04}.png");
   }
@@ -102,7 +104,9 @@ void VideoWriter::send(std::span<const std::uint8_t> bytes) {
 }
 
 void VideoWriter::finish() {
-  if (const int status = wait_for_end(); status != 0) fail("failed", status);
+  // It ends with 0 after "Error writing trailer", as on a full disk. At this level of its log it writes errors alone.
+  const int status = wait_for_end();
+  if (status != 0 || !last_words().empty() || fs::file_size(temporary_) == 0) fail("failed", status);
   put_in_place(temporary_, file_);
 }
 

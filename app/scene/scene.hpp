@@ -155,6 +155,8 @@ struct Scene {
   std::vector<std::shared_ptr<const Wearer>> wearers;
   std::filesystem::path checkpoint;  ///< a saved moment to begin with (run_checkpoint.hpp); empty: none
   int frames = 600;                  ///< length of the run
+  /// Files that were read for it besides those that its members name: its own, and what these name in turn; not a key.
+  std::vector<std::filesystem::path> files_read;
 
   /// Returns how many frames are simulated before frame 0, while bodies grow into the clothes.
   int dressing_frames() const;

@@ -133,6 +133,17 @@ std::optional<std::filesystem::path> find_asset(const std::filesystem::path& fil
   return std::nullopt;
 }
 
+std::vector<fs::path> input_files(const Scene& scene) {
+  std::vector<fs::path> files = scene.files_read;
+  const GarmentSource& garment = scene.garment;
+  files.insert(files.end(), {garment.file, garment.sewn, garment.start, garment.importer, scene.checkpoint});
+  if (!garment.file.empty()) files.push_back(landmarks_path(garment.file));
+  if (is_file_name(scene.fabric)) files.emplace_back(scene.fabric);
+  for (const BodySource& body : scene.body_sources) files.insert(files.end(), {body.file, body.motion, body.importer});
+  std::erase(files, fs::path());
+  return files;
+}
+
 bool is_sewing_pattern(const std::filesystem::path& file) { return file.extension() == ".json"; }
 
 std::filesystem::path landmarks_path(const std::filesystem::path& garment) {

@@ -74,6 +74,9 @@ inline constexpr std::array body_files = {std::pair("file", &BodySource::file),
 /// full path.
 enum class GarmentNaming { in_assets, full_path };
 
+/// Every file that a run of the scene reads, as far as it is known: bodies and garments name more when they are read.
+std::vector<std::filesystem::path> input_files(const Scene& scene);
+
 /// The name under which a scene file names a file.
 std::string name_in_scene(const std::filesystem::path& file, GarmentNaming naming);
 

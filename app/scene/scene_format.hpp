@@ -129,6 +129,7 @@ S find_scene(const SceneFormat<S>& format, const std::string& name, std::span<co
     scene = read_scene(format, read_text_file(found.file), found.file.string(), overrides);
   }
   scene.name = found.name;
+  scene.files_read.push_back(found.file);
   return scene;
 }
 

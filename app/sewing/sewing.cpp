@@ -229,7 +229,7 @@ std::uint64_t fingerprint_of(const Scene& scene) {
   sim::ByteWriter bytes;
   bytes.put_text(program_version());
   bytes.put_text(read_text_file(scene.garment.file));
-  bytes.put_text(read_text_file(body.file));
+  bytes.put_text(read_text_file(body.file, max_model_bytes));
   bytes.put(body.scale.value_or(0.0));
   bytes.put(body.up ? static_cast<std::uint8_t>(*body.up) : std::uint8_t{255});
   for (const double value : {m.areal_density_kg_per_m2, m.bending_rigidity_n_m, m.compression_stiffness_n_per_m,

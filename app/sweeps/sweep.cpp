@@ -21,7 +21,7 @@ constexpr int checkpoint_every = 60;
 
 std::string hash_text(std::uint64_t hash) { return fmt::format("{:016x}", hash); }
 
-std::string program_hash() { return hash_text(sim::fnv1a(sim::fnv1a_of_nothing, read_text_file("/proc/self/exe"))); }
+std::string program_hash() { return hash_text(sim::fnv1a(sim::fnv1a_of_nothing, read_text_file("/proc/self/exe", max_model_bytes))); }
 
 using FileHashes = std::map<fs::path, std::uint64_t>;
 
@@ -35,7 +35,7 @@ void add_files(const Json& value, FileHashes& known, std::uint64_t& hash) {
     std::error_code error;
     if (!named.is_absolute() || !fs::is_regular_file(file, error)) continue;
     const auto [content, is_new] = known.try_emplace(file, sim::fnv1a_of_nothing);
-    if (is_new) content->second = sim::fnv1a(content->second, read_text_file(file));
+    if (is_new) content->second = sim::fnv1a(content->second, read_text_file(file, max_model_bytes));
     hash = sim::fnv1a(hash, hash_text(content->second));
   }
 }

@@ -420,7 +420,7 @@ void Viewer::save_scene() {
   const std::filesystem::path file = free_name(keep_folder_, state_.scene.name, ".toml");
   DrawnScene scene = kept_scene(state_, area_of_one());
   if (!is_pristine(state_)) {
-    const std::filesystem::path moment = std::filesystem::path(file).replace_extension(".checkpoint");
+    const std::filesystem::path moment = free_name(keep_folder_, state_.scene.name, ".checkpoint");
     scene.checkpoint = moment.filename();
     write_run_checkpoint(moment, kept_moment(state_, scene));
   }

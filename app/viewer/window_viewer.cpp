@@ -25,6 +25,7 @@ class WindowViewer {
         viewer_(simulation_,
                 {window_->framebuffer_size(), window_->content_scale(), keep_folder, start.compared_with, true}) {
     if (!record_to.empty()) {
+      require_inputs_kept({record_to}, scene, viewer_.state().shown->loaded->files_read);
       SessionStart actual = start;
       actual.size = window_->framebuffer_size();
       actual.scale = window_->content_scale();

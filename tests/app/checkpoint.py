@@ -85,6 +85,22 @@ def terminated():
     expect_whole('terminated')
 
 
+def stopped_before_its_first_frame():
+    """By a signal that comes as soon as it is heeded: the run that goes on leaves out nothing."""
+    arguments = ('--stats', 'run.jsonl', '--checkpoint', 'run.checkpoint')
+    for delay_ms in range(200):
+        shutil.rmtree(folder / 'begun', ignore_errors=True)
+        run = simulate('begun', *arguments)
+        time.sleep(0.001 * delay_ms)
+        run.send_signal(signal.SIGTERM)
+        err = run.communicate()[1]
+        if run.returncode == 75:
+            break
+    expect('stopped after frame 0,' in err and not shapes('begun'), 'stopped later: %d %s' % (run.returncode, err))
+    done(simulate('begun', '--stats', 'run.jsonl', '--resume', 'run.checkpoint'), 0)
+    expect_whole('begun')
+
+
 def killed():
     """Without a word, and on from what was saved last; the table is cut back to it."""
     run = simulate('killed', '--stats', 'run.jsonl', '--checkpoint', 'run.checkpoint', '--checkpoint-every', '25')
@@ -121,7 +137,7 @@ def refused():
 shutil.rmtree(folder, ignore_errors=True)
 folder.mkdir(parents=True)
 done(simulate('whole', '--stats', 'run.jsonl'), 0)
-for check in (terminated, killed, refused):
+for check in (terminated, stopped_before_its_first_frame, killed, refused):
     try:
         check()
     except Exception as error:  # the other checks are made all the same

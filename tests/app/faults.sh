@@ -128,6 +128,27 @@ case $fault in
     film "ffmpeg failed with exit code 4 after 13 frames" ;;
   ffmpeg_makes_nothing)
     fake_ffmpeg 'cat >/dev/null'
-    film "cannot write 'out/film.mp4': No such file" ;;
+    film "ffmpeg failed with exit code 0 after 13 frames" ;;
+  ffmpeg_hides_a_failure)
+    fake_ffmpeg 'cat >"$file"; echo "Error writing trailer" >&2'
+    film "ffmpeg failed with exit code 0 after 13 frames: Error writing trailer" ;;
+  full_disk)
+    # A disk of 20 kB of its own, which the process and its children alone see.
+    unshare --mount true 2>/dev/null || { echo "SKIPPED: only root may mount"; exit 77; }
+    for output in '--output out/film.mp4' '--output out/{frame}.png' '--stats out/run.csv' '--export out/{frame}.obj' \
+      '--export out/a.pc2' '--export out/a.glb' '--export out/a.usda' '--checkpoint out/run.checkpoint'; do
+      case $output in
+        --output*) command="render --frames 0:60 --resolution 640,480 $plain" ;;
+        *) command="simulate --frames 0:300 --set rest.speed=0" ;;
+      esac
+      expect 1 "No space left" unshare --mount sh -c 'mount -t tmpfs -o size=20k tmpfs out && "$@"
+        code=$?; ls -A out >left.txt; for file in out/*.png out/*.csv out/*.obj; do [ -e "$file" ] && cp "$file" .; done
+        exit $code' sh "$program" $command pinned-9x9-5 $output
+      ! grep -Ev '^([0-9]+[.](png|obj)|run.csv|run.checkpoint)$' left.txt || fail "$output leaves more"
+      for picture in *.png; do [ ! -e "$picture" ] || tail -c 8 "$picture" | grep -q IEND || fail "$picture is incomplete"; done
+      for shape in *.obj; do [ ! -e "$shape" ] || [ "$(grep -c '^f' "$shape")" -eq 64 ] || fail "$shape is incomplete"; done
+      [ ! -e run.csv ] || [ -z "$(tail -c 1 run.csv | tr -d '\n')" ] || fail "the table ends within a line"
+      rm -f ./*.png ./*.obj ./*.csv
+    done ;;
   *) fail "unknown fault $fault" ;;
 esac

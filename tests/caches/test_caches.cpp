@@ -192,15 +192,17 @@ TEST_F(Caches, NamesAreRefusedWithWhatIsExpected) {
   const auto refusal = [&](const std::string& name, bool can_be_resumed = false) {
     ExportSettings asked = settings(name);
     asked.can_be_resumed = can_be_resumed;
-    return test::message_of<UsageError>([&] { require_export(asked, scene.garment.file); });
+    return test::message_of<UsageError>([&] { require_export(asked); });
   };
   EXPECT_EQ(refusal("deeper/clip.pc2", true), "");
   EXPECT_EQ(refusal("deeper/{frame:04}.obj", true), "");
   EXPECT_CONTAINS(refusal("clip.abc"), "ends in .obj, .pc2, .glb or .usda");
   EXPECT_CONTAINS(refusal("clip-{frame}.pc2"), "one .pc2 holds all frames; expected a name without {frame}");
   EXPECT_CONTAINS(refusal("clip.glb", true), "expected no --checkpoint and no --resume, or .pc2");
-  EXPECT_CONTAINS(refusal("model.obj"), "it would replace the garment's own file");
-  EXPECT_CONTAINS(refusal("model.pc2"), "it would replace the garment's own file");
+  const auto names = [&](const std::string& name, FrameRange range) { return require_export(settings(name, range)).size(); };
+  EXPECT_EQ(names("{frame}.obj", {3, 9}), 7U);
+  EXPECT_EQ(names("last.obj", {3, 9}), 1U);
+  EXPECT_EQ(names("clip.pc2", {3, 9}), 2U);  // with an OBJ beside it
 }
 
 TEST_F(Caches, GltfHasALimit) {

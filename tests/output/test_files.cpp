@@ -1,4 +1,5 @@
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 #include <sys/syscall.h>
 #include <unistd.h>
 
@@ -6,6 +7,7 @@
 
 #include "app/base/errors.hpp"
 #include "app/base/files.hpp"
+#include "app/base/words.hpp"
 #include "temporary_folder.hpp"
 
 namespace taut::app {
@@ -82,6 +84,95 @@ TEST(Files, GetTheirFolderTriedByManyAtOnce) {
   }
   EXPECT_EQ(refusals, std::vector<std::string>(4));
   EXPECT_TRUE(std::filesystem::is_empty(folder / "runs"));
+}
+
+TEST(Files, AreOpenedWhereTheyAreFilesOfAFittingSize) {
+  const TemporaryFolder folder;
+  const auto refusal = [](const std::filesystem::path& path, std::uint64_t max_bytes = max_text_bytes) {
+    return message_of<InputError>([&] { read_text_file(path, max_bytes); });
+  };
+  const auto text = folder.write("a.txt", "12345678");
+  EXPECT_EQ(read_text_file(text, 8), "12345678");
+  EXPECT_CONTAINS(refusal(text, 7), "a.txt' has 8 bytes, expected at most 7");
+  EXPECT_CONTAINS(refusal(folder.write("empty", "")), "empty' is empty");
+  EXPECT_CONTAINS(refusal(folder / "none"), "there is no file '");
+  EXPECT_CONTAINS(refusal(text / "below"), "there is no file '");
+  EXPECT_CONTAINS(refusal(folder / ""), "is a folder, not a file");
+  EXPECT_CONTAINS(refusal("/dev/zero"), "'/dev/zero' is a device or a socket, expected a file");
+  EXPECT_CONTAINS(refusal("/dev/null"), "expected a file");
+  std::ofstream(folder / "sparse").close();
+  std::filesystem::resize_file(folder / "sparse", std::uintmax_t{1} << 32U);
+  EXPECT_CONTAINS(refusal(folder / "sparse"), "sparse' has 4294967296 bytes, expected at most 67108864");
+}
+
+TEST(Files, ArePipesWhereThatIsEnough) {
+  const TemporaryFolder folder;
+  ASSERT_EQ(::mkfifo((folder / "pipe").c_str(), 0600), 0);
+  EXPECT_CONTAINS(message_of<InputError>([&] { require_file(folder / "pipe"); }), "is a pipe, expected a file");
+  const auto read_from_a_writer = [&](const std::string& text, std::uint64_t max_bytes) {
+    std::thread writer([&] { std::ofstream(folder / "pipe") << text; });
+    std::string read;
+    const std::string refusal = message_of<InputError>([&] { read = read_text_file(folder / "pipe", max_bytes); });
+    writer.join();
+    return refusal.empty() ? read : refusal;
+  };
+  const std::string long_text(300'000, 'x');
+  EXPECT_EQ(read_from_a_writer(long_text, max_text_bytes), long_text);
+  EXPECT_CONTAINS(read_from_a_writer("123456789", 8), "the pipe brought more than 8 bytes");
+  EXPECT_CONTAINS(read_from_a_writer("", 8), "pipe' is empty");
+}
+
+TEST(Files, AreNotWrittenThroughLinksThatSomebodyLaid) {
+  const TemporaryFolder folder;
+  const auto precious = folder.write("precious", "text");
+  std::filesystem::create_symlink(precious, temporary_name(folder / "a.txt"));
+  write_text_file(folder / "a.txt", "other");
+  EXPECT_EQ(read_text_file(precious), "text");
+  EXPECT_EQ(read_text_file(folder / "a.txt"), "other");
+  EXPECT_EQ(folder.file_count(), 2U);
+}
+
+TEST(Files, ThatAreReadAreNotWritten) {
+  const TemporaryFolder folder;
+  const auto input = folder.write("dress.png", "x");
+  std::filesystem::create_directory(folder / "inner");
+  std::filesystem::create_hard_link(input, folder / "inner/hard.png");
+  std::filesystem::create_symlink("../dress.png", folder / "inner/soft.png");
+  const std::vector<std::filesystem::path> inputs = {folder / "none", input};
+  const auto refusal = [&](const std::vector<std::filesystem::path>& outputs) {
+    return message_of<UsageError>([&] { require_apart(outputs, inputs); });
+  };
+  EXPECT_EQ(refusal({folder / "other.png", folder / "none.png", "/dev/null", "/dev/null"}), "");
+  for (const char* name : {"dress.png", "inner/../dress.png", "inner/hard.png", "inner/soft.png"}) {
+    EXPECT_CONTAINS(refusal({folder / "other.png", folder / name}), "it would replace '" + input.string() + '\'');
+  }
+  EXPECT_CONTAINS(refusal({folder / "a.png", folder / "inner/../a.png"}), "two outputs have this name");
+}
+
+TEST(Files, AreClaimedByOneProgramAtATime) {
+  const TemporaryFolder folder;
+  const auto refusal = [](const std::filesystem::path& path) {
+    return message_of<InputError>([&] { const OutputClaim again(path); });
+  };
+  std::filesystem::create_directory_symlink(folder / "", folder / "link");
+  {
+    const OutputClaim claim(folder / "a.csv");
+    EXPECT_CONTAINS(refusal(folder / "a.csv"), "a.csv': another program is writing it");
+    EXPECT_CONTAINS(refusal(folder / "link/a.csv"), "another program is writing it");
+    EXPECT_EQ(refusal(folder / "b.csv"), "");
+  }
+  EXPECT_EQ(refusal(folder / "a.csv"), "");
+}
+
+TEST(Printable, EscapesWhatATerminalWouldObey) {
+  EXPECT_EQ(printable("Gr\u00f6\u00dfe \\ \n'quoted'"), "Gr\u00f6\u00dfe \\ \n'quoted'");
+  EXPECT_EQ(printable("\x1b[31mred\x07\r\x7f"), "\\x1b[31mred\\x07\\x0d\\x7f");
+  EXPECT_EQ(printable("\u009b2J"), "\xc2\\x9b" "2J");
+  EXPECT_EQ(printable(std::string_view("\0", 1)), "\\x00");
+  const std::string cut = printable("begin" + std::string(500'000, 'x') + "end");
+  EXPECT_LE(cut.size(), max_printed_bytes);
+  EXPECT_TRUE(cut.starts_with("begin") && cut.ends_with("end")) << cut;
+  EXPECT_CONTAINS(cut, "bytes more");
 }
 
 }  // namespace

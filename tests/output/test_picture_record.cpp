@@ -163,6 +163,33 @@ TEST(PictureRecord, ABodyIsFoundInTheAssetsOrBesideThePicture) {
   EXPECT_EQ(read_picture_record(picture, {}).scene.body_sources.at(0).motion, frames);
 }
 
+TEST(PictureRecord, AFileOutsideOfThePicturesFolderIsOpenedWhereThatIsTrusted) {
+  const TemporaryFolder folder;
+  const auto elsewhere = folder.write("any.obj", "v 0 0 0\n");
+  std::filesystem::create_directory(folder / "sent");
+  DrawnScene scene = find_scene("tshirt-gravity", {});
+  const auto refusal = [&] {
+    std::filesystem::rename(write_record(folder, scene), folder / "sent/picture.png");
+    return message_of<InputError>([&] { read_picture_record(folder / "sent/picture.png", {}); });
+  };
+  scene.garment.file = elsewhere;
+  EXPECT_CONTAINS(refusal(), "names '" + elsewhere.string() + "', which is not in the picture's folder");
+  EXPECT_EQ(read_picture_record(folder / "sent/picture.png", {}, true).scene.garment.file, elsewhere);
+  std::filesystem::create_symlink(elsewhere, folder / "sent/any.obj");
+  EXPECT_CONTAINS(refusal(), "not in the picture's folder");
+  scene.garment.file = assets_folder() / "garments/../../../../../../../../../../../etc/passwd";
+  EXPECT_CONTAINS(refusal(), "not in the picture's folder");
+  scene = find_scene("tshirt-gravity", {});
+  scene.checkpoint = elsewhere;
+  EXPECT_CONTAINS(refusal(), "not in the picture's folder");
+  scene = find_scene("tshirt-gravity", {});
+  scene.picture.texture = elsewhere;
+  EXPECT_CONTAINS(refusal(), "not in the picture's folder");
+  scene = find_scene("needles", {});
+  scene.body_sources[0].motion = elsewhere;
+  EXPECT_CONTAINS(refusal(), "not in the picture's folder");
+}
+
 // File names can hold any bytes; a scene that is TOML no more could not be read back at all.
 TEST(PictureRecord, AGarmentWhoseNameIsNoUtf8CanBeReadBack) {
   const TemporaryFolder folder;
@@ -195,6 +222,10 @@ TEST(PictureRecord, BadNumbersAreNamed) {
   write_file(folder / "bad.png", renderer::encode_png(small_picture(), texts));
   EXPECT_CONTAINS(message_of<InputError>([&] { read_picture_record(folder / "bad.png", {}); }),
                   "'Taut Frame' of '");
+  const std::vector<renderer::PngText> late = {{"Taut Scene", scene}, {"Taut Frame", "2000000000"}};
+  write_file(folder / "bad.png", renderer::encode_png(small_picture(), late));
+  EXPECT_CONTAINS(message_of<InputError>([&] { read_picture_record(folder / "bad.png", {}); }),
+                  "is 2000000000, expected a frame from 0 to 1000000");
 }
 
 TEST(CommandText, IsUnderstoodByAShell) {

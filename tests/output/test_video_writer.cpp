@@ -87,7 +87,9 @@ TEST(VideoWriter, AnFfmpegThatFailsAtTheEndIsReported) {
 TEST(VideoWriter, AnFfmpegThatWritesNothingIsReported) {
   const TemporaryFolder folder;
   use_ffmpeg(folder, "cat > /dev/null");
-  EXPECT_CONTAINS(message_of<InputError>([&] { write_video(folder / "film.mp4", 3); }), "cannot write");
+  EXPECT_CONTAINS(message_of<InputError>([&] { write_video(folder / "film.mp4", 3); }),
+                  "ffmpeg failed with exit code 0 after 3 frames");
+  EXPECT_EQ(folder.file_count(), 1U);
 }
 
 TEST(VideoWriter, LeavesNothingWhenAbandoned) {

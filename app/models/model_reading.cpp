@@ -194,6 +194,48 @@ void read_colours_of_obj(const std::filesystem::path& folder, SurfaceColours& co
       folder, [](const std::string&) { return std::nullopt; }, colours);
 }
 
+void require_announced(std::size_t found, std::size_t announced, const char* what) {
+  if (found < announced) {
+    throw InputError("found {} of the {} {} that its header announces; it may be cut off", found, announced, what);
+  }
+}
+
+/// Returns the second number of the first line of numbers.
+std::size_t announced_faces(std::istream& off) {
+  std::size_t vertices = 0, faces = 0;
+  for (std::string line; std::getline(off, line);) {
+    if (std::istringstream(line) >> vertices >> faces) return faces;
+  }
+  return 0;
+}
+
+/// Every element of a PLY in ASCII has a line of its own behind the header.
+void require_lines(std::istream& ply) {
+  std::size_t announced = 0, lines = 0;
+  std::string line, word, element;
+  while (std::getline(ply, line) && !line.starts_with("end_header")) {
+    std::size_t count = 0;
+    if (std::istringstream(line) >> word >> element >> count && word == "element") announced += count;
+    if (word == "format" && element != "ascii") return;
+  }
+  while (std::getline(ply, line)) lines += line.find_first_not_of(" \t\r") != std::string::npos ? 1 : 0;
+  require_announced(lines, announced, "elements");
+}
+
+/// Throws InputError if a file of text ends before what its header announces: assimp takes what is there.
+void require_whole(const std::filesystem::path& path, std::string_view format, std::size_t faces) {
+  const bool is_off = format.starts_with("OFF"), is_ply = format.starts_with("Stanford");
+  if (!is_off && !is_ply && !format.starts_with("Stereo")) return;
+  const std::string bytes = read_text_file(path, max_model_bytes);
+  std::istringstream text(bytes);
+  if (is_off) require_announced(faces, announced_faces(text), "faces");
+  if (is_ply) require_lines(text);
+  const bool is_stl_of_text = bytes.starts_with("solid") && bytes.find('\0') == std::string::npos;
+  if (is_stl_of_text && bytes.find("endsolid") == std::string::npos) {
+    throw InputError("found no line 'endsolid', which ends it; it may be cut off");
+  }
+}
+
 /// The files of this machine, which keeps the names of those that are opened.
 class NotedFiles final : public Assimp::DefaultIOSystem {
  public:
@@ -222,6 +264,7 @@ ModelArrays read_with_assimp(const std::filesystem::path& path, ReadParts parts)
   model.meshes = scene->mNumMeshes;
   read_units(*scene, model);
   append_node(*scene, *scene->mRootNode, aiMatrix4x4(), model);
+  require_whole(path, model.format, model.faces.corner_counts.size());
   model.rig = read_rig(*scene, lower_case(path.extension().string()) != ".fbx");
   if (parts == ReadParts::model) read_colours(*scene, path.parent_path(), model);
   return model;

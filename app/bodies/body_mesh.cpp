@@ -275,6 +275,7 @@ sim::ValidatedMesh closed_mesh(const sim::Mesh& soup, const Placement& placement
 
 LoadedMesh make_body_mesh(const BodySource& source, const ImportedModel& model) try {
   LoadedMesh loaded;
+  if (!model.is_importer_confined) loaded.remarks.emplace_back(importer_remark);
   sim::Mesh soup{model.positions, model.triangles, {}};
   const FlatFaces mended = mend_flat_faces(soup);
   if (mended.left_out + mended.turned > 0) {

@@ -222,6 +222,10 @@ ModelArrays read_model(const std::filesystem::path& path, ReadParts parts) {
     if (model && parts == ReadParts::model) read_colours_of_obj(path.parent_path(), model->colours);
   }
   if (!model) model = read_with_assimp(path, parts);
+  for (std::size_t v = 0; v < model->positions.size(); ++v) {
+    const sim::Vec3& p = model->positions[v];
+    if (!std::isfinite(p.x + p.y + p.z)) throw InputError("vertex {} has a coordinate that is not finite", v);
+  }
   if (parts == ReadParts::shape) model->colours = {};
   return std::move(*model);
 }

@@ -181,12 +181,6 @@ constexpr double clearly_longer = 2.0;
 /// Places in messages are in the file's unit and axes, where they can be looked up.
 void require_area(const sim::Mesh& soup) {
   for (const sim::Triangle& t : soup.triangles) {
-    for (const sim::Index v : t) {
-      const sim::Vec3& p = soup.positions[v];
-      if (!std::isfinite(p.x + p.y + p.z)) {
-        throw InputError("found a vertex at " + describe_point(p) + ", expected numbers");
-      }
-    }
     if (!sim::has_area(soup.positions, t)) {
       throw InputError("found a face without area at " + describe_point(soup.positions[t[0]]) +
                        ", expected faces that are neither points nor lines");

@@ -94,12 +94,12 @@ void refuse_calls() {
         SCMP_SYS(gettimeofday), SCMP_SYS(time)}) {
     allow(call);
   }
-  allow(SCMP_SYS(open), {SCMP_A1(SCMP_CMP_MASKED_EQ, writing, 0)});
-  allow(SCMP_SYS(openat), {SCMP_A2(SCMP_CMP_MASKED_EQ, writing, 0)});
+  allow(SCMP_SYS(open), {{1, SCMP_CMP_MASKED_EQ, writing, 0}});
+  allow(SCMP_SYS(openat), {{2, SCMP_CMP_MASKED_EQ, writing, 0}});
   for (const int call : {SCMP_SYS(mmap), SCMP_SYS(mmap2), SCMP_SYS(mprotect)}) {
-    allow(call, {SCMP_A2(SCMP_CMP_MASKED_EQ, PROT_EXEC, 0)});
+    allow(call, {{2, SCMP_CMP_MASKED_EQ, PROT_EXEC, 0}});
   }
-  allow(SCMP_SYS(tgkill), {SCMP_A0(SCMP_CMP_EQ, static_cast<scmp_datum_t>(::getpid()))});  // abort()
+  allow(SCMP_SYS(tgkill), {{0, SCMP_CMP_EQ, static_cast<scmp_datum_t>(::getpid()), 0}});  // abort()
   if (error == 0) error = seccomp_load(filter.get());
   if (error != 0) {
     throw InputError("no model is read, because this system refuses to confine the reader of models (seccomp: {})",

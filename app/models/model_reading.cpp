@@ -224,7 +224,10 @@ ModelArrays read_model(const std::filesystem::path& path, ReadParts parts) {
   if (!model) model = read_with_assimp(path, parts);
   for (std::size_t v = 0; v < model->positions.size(); ++v) {
     const sim::Vec3& p = model->positions[v];
-    if (!std::isfinite(p.x + p.y + p.z)) throw InputError("vertex {} has a coordinate that is not finite", v);
+    if (!std::isfinite(p.x + p.y + p.z)) {
+      throw InputError("vertex {} has a coordinate that is not finite: found [{:g}, {:g}, {:g}], expected numbers", v,
+                       p.x, p.y, p.z);
+    }
   }
   if (parts == ReadParts::shape) model->colours = {};
   return std::move(*model);

@@ -37,8 +37,8 @@ void set_limits(const ImportLimits& limits) {
 
 /// Some readers print, which must not come between the answer's bytes.
 void close_descriptors(int output) {
-  const int nowhere = ::open("/dev/null", O_RDWR);
   ::dup2(output, import_output);
+  const int nowhere = ::open("/dev/null", O_RDWR);
   for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) ::dup2(nowhere, stream);
   ::closefrom(import_output + 1);
 }
@@ -100,6 +100,9 @@ void refuse_calls() {
     allow(call, {{2, SCMP_CMP_MASKED_EQ, PROT_EXEC, 0}});
   }
   allow(SCMP_SYS(tgkill), {{0, SCMP_CMP_EQ, static_cast<scmp_datum_t>(::getpid()), 0}});  // abort()
+  if (!memory_is_limited) {
+    for (const int call : {SCMP_SYS(pipe), SCMP_SYS(pipe2), SCMP_SYS(sigaltstack)}) allow(call);  // the sanitizers' own
+  }
   if (error == 0) error = seccomp_load(filter.get());
   if (error != 0) {
     throw InputError("no model is read, because this system refuses to confine the reader of models (seccomp: {})",

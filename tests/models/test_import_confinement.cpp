@@ -296,6 +296,29 @@ TEST(HostileImporter, DoesNotOutliveTheProgramThatStartedIt) {
   ::close(ends[0]);
 }
 
+TEST(HostileImporter, PrintsNothingBetweenTheAnswersBytes) {
+  const Place place;
+  std::array<int, 2> ends{};
+  ASSERT_EQ(::pipe(ends.data()), 0);
+  const pid_t importer = ::fork();
+  if (importer == 0) {
+    ::dup2(ends[1], STDOUT_FILENO);
+    ::closefrom(STDERR_FILENO + 1);  // as a program that was just started
+    confine_import(place.model, {}, STDOUT_FILENO);
+    std::size_t written = 0;
+    for (const int stream : {STDOUT_FILENO, STDERR_FILENO, import_output}) {
+      written += static_cast<std::size_t>(::write(stream, stream == import_output ? "answer" : "noise ", 6));
+    }
+    ::_exit(written == 18 ? 0 : 1);
+  }
+  ::close(ends[1]);
+  std::array<char, 64> bytes{};
+  EXPECT_EQ(::read(ends[0], bytes.data(), bytes.size()), 6);
+  EXPECT_EQ(std::string(bytes.data()), "answer");
+  ::waitpid(importer, nullptr, 0);
+  ::close(ends[0]);
+}
+
 TEST(HostileImporter, ReadsTheModelAndWhatItNames) {
   const Place place;
   for (const std::string& path : {place.model, place.library, place.same_stem, place.map}) {

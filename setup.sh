@@ -29,6 +29,7 @@ packages=(
   libhwy-dev          # Highway: vectors of any width
   libimgui-dev        # what is in it
   libopenmesh-dev     # half-edges, to mesh garments anew
+  libseccomp-dev      # confines the reader of models
   libstb-dev          # writes PNG, and the tests read it
   libegl1             # OpenGL without a display or a GPU
   libegl-mesa0

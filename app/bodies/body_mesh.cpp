@@ -181,12 +181,6 @@ constexpr double clearly_longer = 2.0;
 /// Places in messages are in the file's unit and axes, where they can be looked up.
 void require_area(const sim::Mesh& soup) {
   for (const sim::Triangle& t : soup.triangles) {
-    for (const sim::Index v : t) {
-      const sim::Vec3& p = soup.positions[v];
-      if (!std::isfinite(p.x + p.y + p.z)) {
-        throw InputError("found a vertex at " + describe_point(p) + ", expected numbers");
-      }
-    }
     if (!sim::has_area(soup.positions, t)) {
       throw InputError("found a face without area at " + describe_point(soup.positions[t[0]]) +
                        ", expected faces that are neither points nor lines");
@@ -275,6 +269,7 @@ sim::ValidatedMesh closed_mesh(const sim::Mesh& soup, const Placement& placement
 
 LoadedMesh make_body_mesh(const BodySource& source, const ImportedModel& model) try {
   LoadedMesh loaded;
+  if (!model.is_importer_confined) loaded.remarks.emplace_back(importer_remark);
   sim::Mesh soup{model.positions, model.triangles, {}};
   const FlatFaces mended = mend_flat_faces(soup);
   if (mended.left_out + mended.turned > 0) {

@@ -138,7 +138,7 @@ int run(const InspectOptions& options);
 int run(const FitOptions& options);
 int run(const SewOptions& options);
 inline int run(const ImportModelOptions& options) {
-  return serve_import(options.model, options.limits, static_cast<ReadParts>(options.parts));
+  serve_import(options.model, options.limits, static_cast<ReadParts>(options.parts));
 }
 /// Prints this scene with all keys, as a scene file, or where it is empty a list of all.
 int list_scenes(const std::string& scene);

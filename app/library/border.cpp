@@ -1,5 +1,7 @@
 #include "app/library/border.hpp"
 
+#include <unistd.h>
+
 namespace taut::library {
 namespace {
 
@@ -16,15 +18,22 @@ TautResult result_of(const std::exception& error) {
 }
 
 struct Table {
-  std::mutex mutex;
-  std::uint64_t made = 0;
-  std::map<std::uint64_t, std::shared_ptr<Held>> cloths;
+  const pid_t process;  ///< that made it
+  std::atomic<std::uint64_t> made;
+  std::mutex mutex = {};
+  std::map<std::uint64_t, std::shared_ptr<Held>> cloths = {};
 };
 
-/// Never destroyed: at the end of a program other threads may still hold cloths.
+/// Never destroyed: at the end of a program other threads may still hold cloths. A child after fork has a table of its
+/// own, because the threads of its parent's cloths are not there and one of them may have locked the mutex.
 Table& table() {
-  static Table* const only = new Table;
-  return *only;
+  static std::atomic<Table*> newest = new Table{::getpid(), 0};
+  Table* all = newest;
+  if (all->process != ::getpid()) {
+    std::unique_ptr<Table> own(new Table{::getpid(), all->made.load()});
+    if (newest.compare_exchange_strong(all, own.get())) all = own.release();
+  }
+  return *all;
 }
 
 /// Maps each number but 0 to one of its own far from the others, so that made up ones are hardly ever hit
@@ -64,8 +73,11 @@ template <class Number> void write_point(const sim::Vec3& point, char* at) {
   std::memcpy(at, numbers, sizeof(numbers));
 }
 
-bool is_finite(const sim::Vec3& point) {
-  return std::isfinite(point.x) && std::isfinite(point.y) && std::isfinite(point.z);
+/// Limit on numbers of a caller, whose third powers are finite.
+constexpr double max_number = 1e30;
+
+bool is_number(const sim::Vec3& point) {
+  return std::abs(point.x) <= max_number && std::abs(point.y) <= max_number && std::abs(point.z) <= max_number;
 }
 
 /// The numbers of corners of the faces.
@@ -147,7 +159,9 @@ std::vector<sim::Vec3> points_from(const TautPoints* points, std::size_t expecte
   for (std::size_t k = 0; k < expected; ++k) {
     const char* at = static_cast<const char*>(points->data) + k * points->stride;
     read.push_back(points->type == TAUT_FLOAT ? read_point<float>(at) : read_point<double>(at));
-    if (!is_finite(read.back())) throw ArgumentError("found point {} with a number that is not finite", k);
+    if (!is_number(read.back())) {
+      throw ArgumentError("found point {} with a number that is not finite or beyond {:g}", k, max_number);
+    }
   }
   return read;
 }
@@ -179,7 +193,7 @@ void put_bytes(std::string_view bytes, char* buffer, std::size_t capacity, std::
 
 sim::Vec3 vector_of(double x, double y, double z) {
   const sim::Vec3 vector(x, y, z);
-  require(is_finite(vector), "found a number that is not finite");
+  require(is_number(vector), "found a number that is not finite or beyond 1e30");
   return vector;
 }
 

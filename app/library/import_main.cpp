@@ -19,5 +19,5 @@ int main(int count, char** arguments) {
     std::fputs("taut-import reads models for libtaut, which starts it by itself\n", stderr);
     return 2;
   }
-  return taut::app::serve_import(arguments[count - 1], limits, static_cast<taut::app::ReadParts>(parts));
+  taut::app::serve_import(arguments[count - 1], limits, static_cast<taut::app::ReadParts>(parts));
 }

@@ -270,7 +270,13 @@ TautResult taut_restore(TautCloth cloth, const void* buffer, size_t size) {
 
 TautResult taut_save_file(TautCloth cloth, const char* path) {
   return with(cloth, [&](const Session& session) {
-    app::write_text_file(text_of(path, "found a path of NULL"), session.save());
+    const std::filesystem::path file = text_of(path, "found a path of NULL");
+    std::error_code error;
+    // A pipe whose reader is gone would end the caller's program by a signal.
+    if (std::filesystem::exists(file, error) && !std::filesystem::is_regular_file(file, error)) {
+      throw app::InputError("cannot write '{}': found what is no file, expected a file or a free name", file.string());
+    }
+    app::write_text_file(file, session.save());
   });
 }
 

@@ -18,6 +18,8 @@
  * the call and not kept. Nothing is thrown, printed or ended.
  *
  * Handles are numbers that are never used twice: one that is zero, destroyed or made up gives TAUT_ERROR_HANDLE.
+ * A cloth belongs to the process that made it: in a child after fork() its handle gives TAUT_ERROR_HANDLE, to
+ * taut_destroy() too, which does no harm; the child makes cloths of its own.
  * The table of handles is all that two cloths share. Cloths are independent, and different threads may use different
  * ones; a cloth does one call at a time, and a second one gives TAUT_ERROR_BUSY.
  *
@@ -196,7 +198,8 @@ TAUT_API TautResult taut_destroy(TautCloth cloth);
 TAUT_API const char *taut_last_error(TautCloth cloth);
 
 /* Every call below gives TAUT_ERROR_HANDLE and _BUSY, and TAUT_ERROR_ARGUMENT on NULL where it is not named, on
- * numbers that are not finite, on arrays of another length than is asked for and on vertices that do not exist. */
+ * numbers that are not finite or beyond 1e30, on arrays of another length than is asked for and on vertices that do
+ * not exist. */
 TAUT_API TautResult taut_get_info(TautCloth cloth, TautInfo *info);
 
 /* One frame of 1 / frame rate seconds. `frame` may be NULL. TAUT_ERROR_PROMISE and _DIVERGED; targets of pins and

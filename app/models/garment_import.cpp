@@ -36,8 +36,16 @@ void number_as_in_file(ImportedModel& model) {
 
 /// How to save a file so that it is read: without compression, or in another format for those who chose another kind.
 std::string expectation(const std::string& reason, const std::filesystem::path& path) {
-  if (read_text_file(path).find("KHR_draco_mesh_compression") != std::string::npos) {
-    return "; its meshes are compressed with Draco in a way that is not read; save it without compression";
+  std::error_code error;
+  const bool is_searched = std::filesystem::file_size(path, error) <= max_text_bytes && !error;
+  const std::string bytes = is_searched ? read_text_file(path) : "";
+  const auto contains = [&](const char* name) { return bytes.find(name) != std::string::npos; };
+  const char* const compression = contains("KHR_draco_mesh_compression") ? "Draco"
+                                  : contains("EXT_meshopt_compression")  ? "EXT_meshopt_compression"
+                                                                         : nullptr;
+  if (compression != nullptr) {
+    return fmt::format("; its meshes are compressed with {} in a way that is not read; save it without compression",
+                       compression);
   }
   const bool is_no_model =
       reason.find("no reader knows") != std::string::npos || reason.find("has no faces") != std::string::npos;

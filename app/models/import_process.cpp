@@ -1,15 +1,7 @@
 #include "app/models/import_process.hpp"
 
 #include <fcntl.h>
-#include <linux/audit.h>
-#include <linux/filter.h>
-#include <linux/landlock.h>
-#include <linux/seccomp.h>
 #include <poll.h>
-#include <sys/prctl.h>
-#include <sys/resource.h>
-#include <sys/stat.h>
-#include <sys/syscall.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -19,6 +11,7 @@
 
 #include "app/base/errors.hpp"
 #include "app/base/files.hpp"
+#include "app/models/import_confinement.hpp"
 
 namespace taut::app {
 namespace {
@@ -120,61 +113,6 @@ std::optional<std::string> unframed(const std::string& bytes) {
   return length == bytes.size() - header_bytes ? std::optional(bytes.substr(header_bytes)) : std::nullopt;
 }
 
-/// The rights that a version of Landlock knows: all that there are below the number's bit.
-std::uint64_t rights_of(long version) {
-  constexpr std::array<int, 5> counts = {13, 14, 15, 15, 16};
-  return (std::uint64_t{1} << counts[static_cast<std::size_t>(version < 5 ? version - 1 : 4)]) - 1;
-}
-
-void allow_to_read(int ruleset, const std::filesystem::path& path) {
-  const Descriptor place(::open(path.c_str(), O_PATH | O_CLOEXEC));
-  struct stat status {};
-  if (place.number() < 0 || ::fstat(place.number(), &status) != 0) return;
-  landlock_path_beneath_attr rule{};
-  rule.allowed_access = LANDLOCK_ACCESS_FS_READ_FILE;
-  if (S_ISDIR(status.st_mode)) rule.allowed_access |= LANDLOCK_ACCESS_FS_READ_DIR;
-  rule.parent_fd = place.number();
-  ::syscall(SYS_landlock_add_rule, ruleset, LANDLOCK_RULE_PATH_BENEATH, &rule, 0);
-}
-
-bool keep_from_files(std::span<const std::filesystem::path> readable) {
-  const long version = ::syscall(SYS_landlock_create_ruleset, nullptr, 0, LANDLOCK_CREATE_RULESET_VERSION);
-  if (version < 1) return false;
-  landlock_ruleset_attr all{};
-  all.handled_access_fs = rights_of(version);
-  const Descriptor ruleset(static_cast<int>(::syscall(SYS_landlock_create_ruleset, &all, sizeof(all), 0)));
-  for (const std::filesystem::path& path : readable) allow_to_read(ruleset.number(), path);
-  return ::syscall(SYS_landlock_restrict_self, ruleset.number(), 0) == 0;
-}
-
-#if defined(__x86_64__)
-constexpr std::uint32_t architecture = AUDIT_ARCH_X86_64;
-#elif defined(__aarch64__)
-constexpr std::uint32_t architecture = AUDIT_ARCH_AARCH64;
-#else
-constexpr std::uint32_t architecture = 0;  // where the filter would refuse nothing
-#endif
-
-/// Has the system refuse these calls. Calls by other architectures' numbers end the process.
-void keep_from_calls() {
-  constexpr std::array refused = {SYS_socket, SYS_socketpair,        SYS_execve,        SYS_execveat, SYS_ptrace,
-                                  SYS_kill,   SYS_process_vm_writev, SYS_io_uring_setup};
-  std::array<sock_filter, refused.size() + 7> filter = {
-      {BPF_STMT(BPF_LD | BPF_W | BPF_ABS, offsetof(seccomp_data, arch)),
-       BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, architecture, 1, 0), BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_KILL_PROCESS),
-       BPF_STMT(BPF_LD | BPF_W | BPF_ABS, offsetof(seccomp_data, nr))}};
-  for (std::size_t k = 0; k < refused.size(); ++k) {
-    const auto to_refusal = static_cast<std::uint8_t>(refused.size() - k + 1);
-    filter[4 + k] = BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, static_cast<std::uint32_t>(refused[k]), to_refusal, 0);
-  }
-  constexpr std::uint32_t first_of_x32 = 0x40000000;
-  filter[refused.size() + 4] = BPF_JUMP(BPF_JMP | BPF_JGE | BPF_K, first_of_x32, 1, 0);
-  filter[refused.size() + 5] = BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_ALLOW);
-  filter[refused.size() + 6] = BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_ERRNO | EPERM);
-  const sock_fprog program{static_cast<unsigned short>(filter.size()), filter.data()};
-  ::prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, &program);
-}
-
 std::string too_big(const ImportLimits& limits) {
   return fmt::format("reading it takes more than {} MiB of memory", limits.memory_mib);
 }
@@ -184,28 +122,6 @@ std::string framed(ImportAnswer kind, const std::string& content) {
   std::string bytes(1, static_cast<char>(kind));
   bytes.append(reinterpret_cast<const char*>(&length), sizeof(length));
   return bytes + content;
-}
-
-void limit(decltype(RLIMIT_AS) resource, std::size_t most) {
-  const rlimit both{most, most};
-  ::setrlimit(resource, &both);
-}
-
-void keep_to(const ImportLimits& limits) {
-  if (memory_is_limited) limit(RLIMIT_AS, limits.memory_mib << 20U);
-  limit(RLIMIT_CPU, static_cast<std::size_t>(limits.seconds));
-  limit(RLIMIT_CORE, 0);
-  limit(RLIMIT_FSIZE, 0);
-  std::signal(SIGINT, SIG_DFL);
-  std::signal(SIGTERM, SIG_DFL);
-}
-
-/// Standard output for this program alone: some readers print to it.
-int take_standard_output() {
-  const int output = ::dup(STDOUT_FILENO);
-  const int nowhere = ::open("/dev/null", O_WRONLY | O_CLOEXEC);
-  ::dup2(nowhere, STDOUT_FILENO);
-  return output;
 }
 
 bool write_all(int file, const std::string& bytes) {
@@ -225,6 +141,15 @@ std::string reason_of(const std::exception& error, const ImportLimits& limits) {
   return memory ? too_big(limits) : reason;
 }
 
+/// What a reader of models says may hold anything of the file.
+std::string to_one_line(std::string text) {
+  constexpr std::size_t max_bytes = 2000;
+  text.resize(std::min(text.size(), max_bytes));
+  std::ranges::replace_if(
+      text, [](char letter) { return std::iscntrl(static_cast<unsigned char>(letter)) != 0; }, ' ');
+  return text;
+}
+
 }  // namespace
 
 ModelArrays read_model_in_process(const fs::path& path, const ImportLimits& limits, ReadParts parts) {
@@ -237,7 +162,7 @@ ModelArrays read_model_in_process(const fs::path& path, const ImportLimits& limi
   const int status = importer.process.wait();
   const std::optional<std::string> content = unframed(*bytes);
   if (!content) throw InputError(describe_failure(status, limits));
-  if (bytes->front() == static_cast<char>(ImportAnswer::reason)) throw InputError(*content);
+  if (bytes->front() == static_cast<char>(ImportAnswer::reason)) throw InputError(to_one_line(*content));
   return decode(*content);
 }
 
@@ -254,28 +179,19 @@ TextureImage read_image(const fs::path& path) {
   }
 }
 
-bool confine_to(std::span<const std::filesystem::path> readable) {
-  ::prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0);
-  const bool is_kept = keep_from_files(readable);
-  if constexpr (architecture != 0) {
-    keep_from_calls();
-  }
-  return is_kept;
-}
-
-// The file as well as its folder: where it is a link it lies elsewhere.
-int serve_import(const std::filesystem::path& path, const ImportLimits& limits, ReadParts parts) {
-  const int output = take_standard_output();
-  keep_to(limits);
-  confine_to(std::array{path, path.parent_path()});
+void serve_import(const std::filesystem::path& path, const ImportLimits& limits, ReadParts parts) {
   std::string answer;
   try {
-    answer = framed(ImportAnswer::arrays, encode(read_model(path, parts)));
+    if (parts < ReadParts::shape || parts > ReadParts::image) throw InputError("found unknown parts to read");
+    const bool are_files_refused = confine_import(path, limits, STDOUT_FILENO);
+    ModelArrays model = read_model(path, parts);
+    model.is_importer_confined = are_files_refused;
+    answer = framed(ImportAnswer::arrays, encode(model));
   } catch (const std::exception& error) {
     answer = framed(ImportAnswer::reason, reason_of(error, limits));
   }
   // Not through exit: what a reader left behind may crash while it is cleared away.
-  ::_exit(write_all(output, answer) ? 0 : 1);
+  ::_exit(write_all(import_output, answer) ? 0 : 1);
 }
 
 }  // namespace taut::app

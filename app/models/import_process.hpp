@@ -41,14 +41,8 @@ ModelArrays read_model_in_process(const std::filesystem::path& path, const Impor
 /// Reads an image in the same way. Throws InputError that names the file and the reason; Interrupted.
 TextureImage read_image(const std::filesystem::path& path);
 
-/// Runs in the child process. Sets the limits, confines itself to the model's folder, reads the model and
-/// writes its arrays to standard output, or the reason for failure. Returns the exit code.
-int serve_import(const std::filesystem::path& path, const ImportLimits& limits, ReadParts parts);
-
-/// Takes from this process, for good, what reading a model needs nothing of, as a damaged or malicious file
-/// may have a reader do anything: to open files but to read those in `readable`, folders with all that is in
-/// them and single files; to open sockets; to start programs; to gain privileges. Files that are open stay
-/// so. Returns whether files are kept from it, which older kernels cannot do (Landlock, Linux 5.13).
-bool confine_to(std::span<const std::filesystem::path> readable);
+/// Runs in the child process. Confines itself (import_confinement.hpp), reads the model and writes its arrays to
+/// standard output, or the reason for failure. Ends the process.
+[[noreturn]] void serve_import(const std::filesystem::path& path, const ImportLimits& limits, ReadParts parts);
 
 }  // namespace taut::app

@@ -272,6 +272,7 @@ Inspection inspect_garment(const Scene& scene, const LoadedGarment& loaded) {
   for (const auto& [name, vertices] : loaded.landmarks) facts["landmarks"][name] = vertices.size();
   facts["vertex_numbers"] = loaded.file_vertices.describe();
   facts["remarks"] = loaded.colours.remarks;
+  if (loaded.model && !loaded.model->is_importer_confined) facts["remarks"].push_back(importer_remark);
   remark(extent, facts);
   return result;
 }
@@ -290,6 +291,7 @@ std::string describe(const Json& facts) {
 
 std::vector<std::string> remarks_of(const LoadedGarment& loaded) {
   std::vector<std::string> lines;
+  if (loaded.model && !loaded.model->is_importer_confined) lines.emplace_back(importer_remark);
   if (loaded.placement && loaded.placement->guessed) {
     lines.push_back("its unit is the " + loaded.placement->unit_text + " (--units)");
     lines.push_back("up is " + loaded.placement->up_text + " (--up)");

@@ -1,6 +1,30 @@
-#include "app/models/model_arrays.hpp"
+#include "app/models/garment_import.hpp"
 
 namespace taut::app {
+namespace {
+
+/// Limit on names, materials, joints and all else that is no number: each takes more memory than bytes.
+constexpr std::uint64_t max_items = most_triangles;
+constexpr std::uint64_t max_word_bytes = std::uint64_t{1} << 20U;
+/// Limit on all numbers: about the largest of single precision.
+constexpr double max_number = 3.5e38;
+constexpr double max_duration_s = 1e9;
+
+/// Vectors and matrices of doubles, and doubles.
+template <class T>
+concept OfDoubles =
+    std::same_as<T, double> || std::same_as<T, sim::Vec3> || std::same_as<T, glm::dvec4> || std::same_as<T, glm::dmat4>;
+
+bool are_numbers(std::span<const std::byte> doubles) {
+  const std::span numbers(reinterpret_cast<const double*>(doubles.data()), doubles.size() / sizeof(double));
+  return std::ranges::all_of(numbers, [](double number) { return std::abs(number) <= max_number; });
+}
+
+void require(bool is_so) {
+  if (!is_so) throw std::runtime_error("the arrays of a model are not as expected");
+}
+
+}  // namespace
 
 /// Writes values one after the other, as they are in memory, for another process of this program. A value is trivially
 /// copyable, a list of values, or of a type that says of what it consists: `fields(archive, value)` calls the archive
@@ -58,7 +82,7 @@ class ArrayReader {
       take(wide);
       value = static_cast<T>(wide);
     } else if constexpr (std::is_trivially_copyable_v<T>) {
-      copy(&value, sizeof(T), 1);
+      copy(std::span(&value, 1));
     } else {
       fields(*this, value);
     }
@@ -80,22 +104,29 @@ class ArrayReader {
   requires requires(List list) { list.resize(0); }
   void take(List& list) {
     using Item = typename List::value_type;
-    constexpr bool is_copied = std::is_trivially_copyable_v<Item>;
     std::uint64_t count = 0;
     take(count);
-    require(is_copied ? sizeof(Item) : 4, count);  // other items take no less
-    list.resize(count);
-    if constexpr (is_copied) {
-      copy(list.data(), sizeof(Item), count);
+    if constexpr (std::is_trivially_copyable_v<Item>) {
+      require(sizeof(Item), count);
+      list.resize(count);
+      copy(std::span(list));
     } else {
-      for (auto& item : list) take(item);
+      if (count > max_items - items_) throw std::runtime_error("the arrays of a model have too many names");
+      items_ += count;
+      while (list.size() < count) take(list.emplace_back());
     }
+    if constexpr (std::same_as<List, std::string>) app::require(count <= max_word_bytes);
   }
 
-  void copy(void* to, std::size_t item_bytes, std::uint64_t count) {
-    require(item_bytes, count);
-    if (count > 0) std::memcpy(to, bytes_.data() + at_, count * item_bytes);
-    at_ += count * item_bytes;
+  template <class Item> void copy(std::span<Item> to) {
+    require(sizeof(Item), to.size());
+    if (!to.empty()) std::memcpy(to.data(), bytes_.data() + at_, to.size_bytes());
+    at_ += to.size_bytes();
+    if constexpr (OfDoubles<Item>) {
+      if (!are_numbers(std::as_bytes(to))) {
+        throw std::runtime_error("it has a number that is not finite or beyond all bounds");
+      }
+    }
   }
 
   void require(std::size_t item_bytes, std::uint64_t count) const {
@@ -106,6 +137,7 @@ class ArrayReader {
 
   const std::string& bytes_;
   std::size_t at_ = 0;
+  std::uint64_t items_ = 0;
 };
 
 // The fields of each type, in the order in which they are written and read.
@@ -157,17 +189,35 @@ void fields(auto& archive, Is<SurfaceColours> auto& colours) {
 void fields(auto& archive, Is<ModelArrays> auto& model) {
   archive(model.positions, model.faces.corner_counts, model.faces.corners, model.position_of_vertex,
           model.faces.sections, model.faces.has_normals, model.format, model.meshes, model.ignored_lines,
-          model.ignored_points, model.metres_per_unit, model.up, model.rig, model.colours, model.files);
+          model.ignored_points, model.metres_per_unit, model.up, model.rig, model.colours, model.files,
+          model.is_importer_confined);
 }
 
 namespace {
 
-void require(bool is_so) {
-  if (!is_so) throw std::runtime_error("the arrays of a model are not as expected");
-}
-
 bool are_below(std::span<const sim::Index> indices, std::size_t count) {
   return std::ranges::all_of(indices, [&](sim::Index index) { return index < count; });
+}
+
+void require_faces(const FileFaces& faces, std::size_t positions) {
+  std::uint64_t corners = 0;
+  for (const std::uint32_t count : faces.corner_counts) {
+    require(count >= 3);
+    corners += count;
+  }
+  require(corners == faces.corners.size() && are_below(faces.corners, positions));
+  std::size_t first = 0;
+  for (const FaceSection& section : faces.sections) {
+    require(section.first_face >= first && section.first_face <= faces.corner_counts.size());
+    require(section.line.find_first_of("\r\n") == std::string::npos);
+    first = section.first_face;
+  }
+}
+
+void require_order(const std::vector<sim::Index>& order, std::size_t positions) {
+  require(order.empty() || order.size() == positions);
+  std::vector<char> is_used(order.size(), 0);
+  for (const sim::Index position : order) require(position < positions && std::exchange(is_used[position], 1) == 0);
 }
 
 void require_keys(const RigKeys& keys) { require(keys.times_s.size() == keys.values.size()); }
@@ -181,6 +231,8 @@ void require_tree(const Rig& rig) {
     require(part.node < rig.nodes.size() && part.first_vertex == vertices &&
             part.vertices <= rig.in_part.size() - vertices);
     vertices += part.vertices;
+    const auto influence = std::ranges::lower_bound(rig.influences, part.first_vertex, {}, &RigInfluence::vertex);
+    require(part.is_skinned || influence == rig.influences.end() || influence->vertex >= vertices);
   }
   require(vertices == rig.in_part.size());
 }
@@ -189,13 +241,17 @@ void require_indices(const Rig& rig) {
   std::size_t least = 0;
   for (const RigInfluence& influence : rig.influences) {
     require(influence.bone < rig.bones.size() && influence.vertex >= least && influence.vertex < rig.in_part.size());
+    require(std::abs(influence.weight) <= max_number);
     least = influence.vertex;
   }
-  for (const RigBone& bone : rig.bones) require(bone.node < rig.nodes.size());
+  for (const RigBone& bone : rig.bones) {
+    require(bone.node < rig.nodes.size() && are_numbers(std::as_bytes(std::span(&bone.from_mesh, 1))));
+  }
   for (const RigTarget& target : rig.targets) {
     require(target.part < rig.parts.size() && target.offsets.size() == rig.parts[target.part].vertices);
   }
   for (const RigClip& clip : rig.clips) {
+    require(std::abs(clip.duration_s) <= max_duration_s);
     for (const RigChannel& channel : clip.channels) {
       require(channel.node < rig.nodes.size());
       for (const RigKeys* keys : {&channel.positions, &channel.rotations, &channel.scales}) require_keys(*keys);
@@ -216,8 +272,20 @@ void require_colours(const ModelArrays& model) {
     require(material.map == no_map || material.map < colours.maps.size());
   }
   for (const TextureImage& map : colours.maps) {
-    require(map.width_px > 0 && map.height_px > 0 &&
+    require(map.width_px > 0 && map.height_px > 0 && std::max(map.width_px, map.height_px) <= most_print_side_px &&
             map.rgba->size() == std::uint64_t{4} * map.width_px * map.height_px);
+  }
+}
+
+/// Mends what is damaged in colours: a garment is more than its print.
+void mend_colours(SurfaceColours& colours) {
+  constexpr float max_uv = 1e9F;
+  for (glm::vec2& uv : colours.corner_uv) {
+    uv = std::abs(uv.x) <= max_uv && std::abs(uv.y) <= max_uv ? uv : glm::vec2(0.0F);
+  }
+  for (SurfaceMaterial& material : colours.materials) {
+    glm::vec3& colour = material.base_colour;
+    for (int k = 0; k < 3; ++k) colour[k] = colour[k] >= 0.0F ? std::min(colour[k], 1.0F) : 0.0F;
   }
 }
 
@@ -253,16 +321,16 @@ ModelArrays decode(const std::string& bytes) {
   ArrayReader reader(bytes);
   ModelArrays model;
   reader(model);
-  require(reader.at_end() && are_below(model.position_of_vertex, model.positions.size()));
+  require(reader.at_end());
+  require_faces(model.faces, model.positions.size());
+  require_order(model.position_of_vertex, model.positions.size());
   require(model.rig.empty() || model.rig.in_part.size() == model.positions.size());
-  require(!model.up || *model.up <= ModelAxis::minus_z);
+  require(!model.up || (*model.up >= ModelAxis::x && *model.up <= ModelAxis::minus_z));
   require(!model.metres_per_unit || *model.metres_per_unit > 0.0);
-  require_tree(model.rig);
   require_indices(model.rig);
+  require_tree(model.rig);
   require_colours(model);
-  for (glm::vec2& uv : model.colours.corner_uv) {
-    uv = std::isfinite(uv.x) && std::isfinite(uv.y) ? uv : glm::vec2(0.0F);
-  }
+  mend_colours(model.colours);
   return model;
 }
 

@@ -22,11 +22,16 @@ struct ModelArrays {
   Rig rig;                                ///< of the same vertices as `positions`
   SurfaceColours colours;                 ///< of the same faces
   std::vector<std::string> files;         ///< that were read: the model's own and those that it names
+  bool is_importer_confined = true;       ///< false: its reader could read other files of the user
 };
 
 /// Numbers the positions in the order in which faces first use them; unused ones come last. The last bits of
 /// a simulation depend on it. Requires arrays whose `position_of_vertex` is empty, and fills it.
 void number_by_first_use(ModelArrays& model);
+
+/// What is told where an importer is not confined.
+inline constexpr const char* importer_remark =
+    "its reader could read other files of this user: this kernel has no Landlock (Linux 5.13)";
 
 /// The parts of a file that are read.
 enum class ReadParts {
@@ -38,8 +43,9 @@ enum class ReadParts {
 /// The model as bytes, for another process of this program.
 std::string encode(const ModelArrays& model);
 
-/// The model from such bytes. The bytes are not trusted: every length is compared with what is there. Throws
-/// std::runtime_error if they do not come from `encode`.
+/// The model from such bytes. The bytes are not trusted: every length is compared with what is there, indices with what
+/// they count, numbers with the range that can be simulated; colours out of range are mended. Throws std::runtime_error
+/// if they do not come from `encode`, or from a model with positions or joints that are not finite.
 ModelArrays decode(const std::string& bytes);
 
 /// Reads the text of a Wavefront OBJ file in double precision. Assimp reads it in single precision, which

@@ -284,6 +284,13 @@ ModelArrays read_model(const std::filesystem::path& path, ReadParts parts) {
     if (model && parts == ReadParts::model) read_colours_of_obj(path.parent_path(), model->colours);
   }
   if (!model) model = read_with_assimp(path, parts);
+  for (std::size_t v = 0; v < model->positions.size(); ++v) {
+    const sim::Vec3& p = model->positions[v];
+    if (!std::isfinite(p.x + p.y + p.z)) {
+      throw InputError("vertex {} has a coordinate that is not finite: found [{:g}, {:g}, {:g}], expected numbers", v,
+                       p.x, p.y, p.z);
+    }
+  }
   model->files.insert(model->files.end(), model->colours.files.begin(), model->colours.files.end());
   if (parts == ReadParts::shape) model->colours = {};
   return std::move(*model);

@@ -107,12 +107,6 @@ std::vector<fs::path> places_of(const std::string& name, const fs::path& folder)
   return {folder / slashed, folder / last, folder / "textures" / last};
 }
 
-bool is_inside(const fs::path& file, const fs::path& folder) {
-  std::error_code error;
-  const fs::path way = fs::canonical(file, error).lexically_relative(fs::canonical(folder, error));
-  return !way.empty() && *way.begin() != "..";
-}
-
 /// Nothing outside of the model's folder is read: a model could ask for any file of the machine.
 std::string read_file_of(const std::string& name, const fs::path& folder, std::vector<std::string>& files) {
   const std::vector<fs::path> places = places_of(name, folder);
@@ -140,6 +134,12 @@ TextureImage read_map(const SurfaceMaterial& material, const fs::path& folder, c
 }
 
 }  // namespace
+
+bool is_inside(const fs::path& file, const fs::path& folder) {
+  std::error_code error;
+  const fs::path way = fs::canonical(file, error).lexically_relative(fs::canonical(folder, error));
+  return !way.empty() && *way.begin() != "..";
+}
 
 SurfaceColours cut_colours(SurfaceColours colours, std::span<const std::uint32_t> corner_counts,
                            std::span<const sim::Index> corners, std::span<const sim::Triangle> triangles) {

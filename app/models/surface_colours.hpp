@@ -83,6 +83,9 @@ TextureImage decode_image(std::string_view bytes);
 /// The bytes of an image that a model file itself holds under this name; empty if it holds none.
 using EmbeddedImage = std::function<std::optional<std::string_view>(const std::string& name)>;
 
+/// Returns whether a file or a folder, links resolved, is in a folder or below it.
+bool is_inside(const std::filesystem::path& file, const std::filesystem::path& folder);
+
 /// Reads the images that the materials name, from the model or from files beside it. `folder` is the model's.
 /// An image that is missing or cannot be read becomes a remark, and its material keeps its base colour.
 void read_maps(const std::filesystem::path& folder, const EmbeddedImage& embedded, SurfaceColours& colours);

@@ -1,6 +1,7 @@
 #include "app/output/picture_record.hpp"
 
 #include "app/base/errors.hpp"
+#include "app/models/surface_colours.hpp"
 #include "app/output/output_pattern.hpp"
 #include "app/scene/scene_format.hpp"
 
@@ -23,14 +24,6 @@ std::string shell_word(const std::string& word) {
     text += is_literal ? std::string(1, c) : fmt::format("\\x{:02x}", byte);
   }
   return (text == word ? "'" : "$'") + text + '\'';
-}
-
-/// Whether the file is in the folder or below it, and not by a link alone.
-bool is_inside(const std::filesystem::path& file, const std::filesystem::path& folder) {
-  std::error_code error;
-  const std::filesystem::path relative = std::filesystem::weakly_canonical(file, error)
-                                             .lexically_relative(std::filesystem::weakly_canonical(folder, error));
-  return !relative.empty() && *relative.begin() != "..";
 }
 
 /// A picture, and whether its scene may name any file of this machine.

@@ -231,7 +231,7 @@ TEST_F(BodyLoading, NamesASurfaceWithOneSide) {
 
 TEST_F(BodyLoading, NamesWhatIsNoModel) {
   EXPECT_CONTAINS(error_of("v 0 nan 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"),
-                  "body.obj': found a vertex at [0, nan, 0], expected numbers");
+                  "body.obj': vertex 0 has a coordinate that is not finite: found [0, nan, 0], expected numbers");
   EXPECT_CONTAINS(error_of("v 0 0 0\nv 1 0 0\n"), "it has no faces");
   Scene scene;
   scene.surroundings.bodies = {{.shape = sim::BodyMesh{}}};

@@ -1,12 +1,10 @@
-#include <fcntl.h>
 #include <gtest/gtest.h>
-#include <sys/socket.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <chrono>
 #include <cstdlib>
+#include <random>
 
+#include "any_arrays.hpp"
 #include "app/base/errors.hpp"
 #include "app/models/garment_import.hpp"
 #include "app/models/import_process.hpp"
@@ -67,44 +65,8 @@ TEST(ImportProcess, NamesAnImporterThatDoesNotStart) {
   ::unsetenv("TAUT_IMPORTER");
 }
 
-/// Whether something is true in a process that is confined to a folder.
-template <class Question> bool holds_in(const TemporaryFolder& folder, const Question& question) {
-  const pid_t child = ::fork();
-  if (child == 0) {
-    const bool is_confined = confine_to(std::vector<std::filesystem::path>{folder / ""});
-    ::_exit(question(is_confined) ? 0 : 1);
-  }
-  int status = 0;
-  ::waitpid(child, &status, 0);
-  return WIFEXITED(status) && WEXITSTATUS(status) == 0;
-}
-
-constexpr const char* not_confined = "this kernel has no Landlock (Linux 5.13), which keeps files from a process";
-
-TEST(Confinement, LeavesAFolderToReadAndNothingElse) {
-  const TemporaryFolder folder;
-  const auto inside = folder.write("shirt.obj", "v 0 0 0\n");
-  const auto opens = [](const std::filesystem::path& path, int flags) {
-    return [path, flags](bool) { return ::open(path.c_str(), flags, 0600) >= 0; };
-  };
-  EXPECT_TRUE(holds_in(folder, opens(inside, O_RDONLY)));
-  EXPECT_FALSE(holds_in(folder, [](bool) { return ::socket(AF_INET, SOCK_STREAM, 0) >= 0; }));
-  EXPECT_FALSE(holds_in(folder, [](bool) { return ::socket(AF_UNIX, SOCK_DGRAM, 0) >= 0; }));
-  EXPECT_TRUE(holds_in(folder, [](bool) { return ::execl("/bin/false", "false", nullptr) == -1; }));
-  if (!holds_in(folder, [](bool is_confined) { return is_confined; })) {
-    GTEST_SKIP() << not_confined;
-  }
-  EXPECT_FALSE(holds_in(folder, opens("/etc/passwd", O_RDONLY)));
-  EXPECT_FALSE(holds_in(folder, opens(inside, O_RDWR)));
-  EXPECT_FALSE(holds_in(folder, opens(folder / "new", O_WRONLY | O_CREAT)));
-  EXPECT_FALSE(holds_in(folder, [&](bool) { return ::unlink(inside.c_str()) == 0; }));
-}
-
 TEST(Confinement, IsThatOfAModelsReader) {
   const TemporaryFolder folder;
-  if (!holds_in(folder, [](bool is_confined) { return is_confined; })) {
-    GTEST_SKIP() << not_confined;
-  }
   std::filesystem::create_directories(folder / "here");
   folder.write("blue.mtl", "newmtl blue\nKd 0 0 1\n");
   const auto model = folder.write("dress.obj", "mtllib dress.mtl\nusemtl blue\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
@@ -168,6 +130,116 @@ TEST(ModelArrays, AreTheSameAfterwards) {
   EXPECT_EQ(again.colours.materials.at(0).map, 0U);
   EXPECT_EQ(*again.colours.maps.at(0).rgba, *model.colours.maps[0].rgba);
   EXPECT_EQ(again.colours.remarks, model.colours.remarks);
+}
+
+/// A triangle with a joint, a shape and an animation.
+ModelArrays some_rigged_arrays() {
+  ModelArrays model = some_arrays();
+  Rig& rig = model.rig;
+  rig.nodes = {{"root", no_node, glm::dmat4(1.0)}, {"joint", 0, glm::dmat4(1.0)}};
+  rig.parts = {{0, "mesh", 0, 3, true}};
+  rig.in_part = model.positions;
+  rig.bones = {{1, glm::dmat4(1.0)}};
+  rig.influences = {{0, 0, 1.0}, {2, 0, 1.0}};
+  rig.targets = {{0, 0.5, {{0, 0, 1}, {0, 0, 0}, {0, 0, 0}}}};
+  const RigKeys keys = {{0.0, 1.0}, {{0, 0, 0, 1}, {0, 0, 0, 1}}};
+  rig.clips = {{"walk", 1.0, {{1, keys, keys, keys}}, {{0, keys}}, {}}};
+  model.faces.sections = {{0, "g sleeve"}, {1, "g collar"}};
+  return model;
+}
+
+constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+TEST(ModelArrays, RefuseWhatNoModelHas) {
+  const auto refuses = [](const char* what, const auto& change) {
+    ModelArrays model = some_rigged_arrays();
+    EXPECT_NO_THROW(decode(encode(model)));
+    change(model);
+    EXPECT_THROW(decode(encode(model)), std::runtime_error) << what;
+  };
+  refuses("an axis below the first", [](auto& m) { m.up = static_cast<ModelAxis>(-1); });
+  refuses("an axis far below the first", [](auto& m) { m.up = static_cast<ModelAxis>(-100'000'000); });
+  refuses("an image whose size needs more than 64 bits", [](auto& m) {
+    m.colours.maps = {{1U << 31U, 1U << 31U, std::make_shared<const std::vector<std::uint8_t>>()}};
+  });
+  refuses("an image that is wider than any", [](auto& m) {
+    m.colours.maps = {{8193, 1, std::make_shared<const std::vector<std::uint8_t>>(4 * 8193, std::uint8_t{0})}};
+  });
+  refuses("a unit without end", [](auto& m) { m.metres_per_unit = infinite; });
+  refuses("a position that is no number", [](auto& m) { m.positions[1].y = no_number; });
+  refuses("a position beyond all bounds", [](auto& m) { m.positions[1].y = 1e300; });
+  refuses("a corner beyond the positions", [](auto& m) { m.faces.corners[0] = 3; });
+  refuses("fewer corners than faces have", [](auto& m) { m.faces.corner_counts = {4}; });
+  refuses("a face of two corners", [](auto& m) {
+    m.faces.corner_counts = {3, 2};
+    m.faces.corners = {0, 1, 2, 0, 1};
+    m.colours = {};
+  });
+  refuses("corners whose sum overflows", [](auto& m) {
+    m.faces.corner_counts.assign(2, 0x80000000U);
+    m.faces.corners.clear();
+    m.colours = {};
+  });
+  refuses("a vertex that has no position of its own", [](auto& m) { m.position_of_vertex = {0, 1, 1}; });
+  refuses("fewer vertices than positions", [](auto& m) { m.position_of_vertex.pop_back(); });
+  refuses("a section behind the faces", [](auto& m) { m.faces.sections[1].first_face = 2; });
+  refuses("sections that go back", [](auto& m) { m.faces.sections[0].first_face = 1, m.faces.sections[1].first_face = 0; });
+  refuses("a section of two lines", [](auto& m) { m.faces.sections[0].line = "g a\nv 1 2 3"; });
+  refuses("a name without end", [](auto& m) { m.rig.nodes[0].name.assign((1U << 20U) + 1, 'a'); });
+  refuses("a transform that is no number", [](auto& m) { m.rig.nodes[1].to_parent[3][0] = no_number; });
+  refuses("a joint's frame that is no number", [](auto& m) { m.rig.bones[0].from_mesh[0][0] = infinite; });
+  refuses("a weight that is no number", [](auto& m) { m.rig.influences[1].weight = no_number; });
+  refuses("a joint of what follows none", [](auto& m) { m.rig.parts[0].is_skinned = false; });
+  refuses("a shape's weight that is no number", [](auto& m) { m.rig.targets[0].weight = no_number; });
+  refuses("a shape that is no number", [](auto& m) { m.rig.targets[0].offsets[2].x = no_number; });
+  refuses("a part that is no number", [](auto& m) { m.rig.in_part[2].x = no_number; });
+  refuses("a time that is no number", [](auto& m) { m.rig.clips[0].channels[0].scales.times_s[0] = no_number; });
+  refuses("a key that is no number", [](auto& m) { m.rig.clips[0].targets[0].weights.values[0].x = no_number; });
+  refuses("an animation without end", [](auto& m) { m.rig.clips[0].duration_s = 1e300; });
+}
+
+TEST(ModelArrays, TakeNoMoreMemoryThanTheirBytes) {
+  // A list of 4 000 000 000 empty names would take 128 GB; as many names as bytes allow take eight times these.
+  std::string bytes = encode({});
+  ModelArrays two_remarks;
+  two_remarks.colours.remarks = {"", ""};
+  const std::string none = encode(two_remarks);
+  std::size_t count_at = 0;
+  while (bytes[count_at] == none[count_at]) ++count_at;
+  const std::uint64_t count = 5'000'000;
+  std::memcpy(bytes.data() + count_at, &count, sizeof(count));
+  bytes.insert(count_at + sizeof(count), count * sizeof(std::uint64_t), '\0');
+  EXPECT_CONTAINS(message_of<std::runtime_error>([&] { decode(bytes); }), "too many names");
+}
+
+// For two seconds; tests/fuzz/fuzz_arrays.cpp goes on from here.
+TEST(ModelArrays, CanBeUsedWhereTheyAreTaken) {
+  const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(2);
+  int all = 0, taken = 0;
+  for (unsigned seed = 1; seed <= 20'000 && std::chrono::steady_clock::now() < end; ++seed) {
+    std::mt19937 random(seed);
+    std::vector<std::uint8_t> bytes(2000);
+    for (std::uint8_t& byte : bytes) byte = static_cast<std::uint8_t>(random());
+    ++all;
+    taken += test::are_taken_and_used(bytes) ? 1 : 0;
+  }
+  RecordProperty("taken", taken);
+  EXPECT_GT(taken, all / 100);
+  EXPECT_LT(taken, all);
+}
+
+TEST(ModelArrays, MendColours) {
+  ModelArrays model = some_arrays();
+  model.colours.corner_uv[1] = {std::numeric_limits<float>::quiet_NaN(), 3e38F};
+  model.colours.materials[0].base_colour = {std::numeric_limits<float>::quiet_NaN(), -1, 7};
+  const ModelArrays again = decode(encode(model));
+  EXPECT_EQ(again.colours.corner_uv[1], glm::vec2(0));
+  EXPECT_EQ(again.colours.materials[0].base_colour, glm::vec3(0, 0, 1));
+}
+
+TEST(ImportProcess, SaysNothingRawOfAFile) {
+  EXPECT_CONTAINS(error_with("printf 'R\\010\\0\\0\\0\\0\\0\\0\\0Mo\\033[31m\\n'"), "dress.obj': Mo [31m ");
 }
 
 TEST(ModelArrays, RefuseEveryPrefixAndAnythingBehind) {

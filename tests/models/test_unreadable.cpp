@@ -38,6 +38,14 @@ TEST_F(Unreadable, NamesTheCompression) {
       error_of("a.gltf",
                R"({"asset": {"version": "2.0"}, "extensionsRequired": ["KHR_draco_mesh_compression"],)"),
       "compressed with Draco in a way that is not read; save it without compression");
+  EXPECT_CONTAINS(
+      error_of("b.gltf",
+               R"({"asset": {"version": "2.0"}, "buffers": [{"byteLength": 36, "extensions":
+{"EXT_meshopt_compression": {"fallback": true}}}], "scenes": [{"nodes": [0]}], "scene": 0, "nodes": [{"mesh": 0}],
+"meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}],
+"accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3"}],
+"bufferViews": [{"buffer": 0, "byteLength": 36}]})"),
+      "missing the \"uri\" attribute; its meshes are compressed with EXT_meshopt_compression in a way that is not read");
 }
 
 TEST_F(Unreadable, SaysWhatIsReadOnlyOfWhatIsNoModel) {

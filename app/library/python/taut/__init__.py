@@ -5,7 +5,8 @@
     print(cloth.step().max_surface_stretch)
 
 Units: metres, kilograms, seconds, newtons; y is up. Arrays are numpy's; those of 32 or 64 bit floats are handed over
-without a copy, whatever their strides. Everything that fails raises taut.Error with a text that says why. taut.h says what
+without a copy, whatever their strides. A cloth belongs to the process that made it: after os.fork(), and in workers of
+multiprocessing that fork, a child makes its own. Everything that fails raises taut.Error with a text that says why. taut.h says what
 each call does. The library is $TAUT_LIBRARY if that is set, else the installed one beside this package,
 else libtaut of the system.
 """

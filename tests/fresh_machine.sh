@@ -1,37 +1,57 @@
 #!/usr/bin/env bash
-# fresh_machine.sh test|figures|package [FOLDER]
+# fresh_machine.sh [--folder FOLDER] [--before COMMAND] test|figures|package
 # Runs that command of the README, as it is written there, on a bare Debian 12 with a clone of what is committed: the
 # proof that setup.sh names all that is needed. With `package`, installs what cpack makes of build/release there, without
-# the sources, and runs it. Needs root, debootstrap and a mirror of Debian in apt's sources; takes up to half an hour and
-# 5 GB in FOLDER (default: a new one in $TMPDIR or /tmp), which it removes.
+# the sources, and runs it. --before runs a command in the clone between setup.sh and the README's.
+# Needs root, debootstrap and a mirror of Debian in apt's sources; ends with 77 where no bare Debian can be made. Takes up
+# to half an hour and 5 GB in FOLDER (default: a new one in $TMPDIR or /tmp), which it removes. The bare system and the
+# packages it installs are kept for a month in $XDG_CACHE_HOME/taut or ~/.cache/taut. A summary of ctest is printed last.
 set -euo pipefail
-if [ $# -eq 0 ] || [ $# -gt 2 ]; then
-  sed -n '2,6s/^# //p' "$0" >&2
-  exit 2
-fi
-preset=$1
-source=$(cd "$(dirname "$0")/.." && pwd)
-release=bookworm
 
 fail() {
   echo "fresh_machine.sh: $*" >&2
   exit 1
 }
-[ "$(id -u)" -eq 0 ] || fail "this user is not root, who alone makes file systems to change into"
-command -v debootstrap >/dev/null || fail "there is no debootstrap"
+cannot() {
+  echo "fresh_machine.sh: no bare Debian can be made: $*" >&2
+  exit 77
+}
+folder= before=
+while [ $# -gt 1 ]; do
+  case $1 in
+    --folder) folder=$2 ;;
+    --before) before=$2 ;;
+    *) break ;;
+  esac
+  shift 2
+done
+if [ $# -ne 1 ]; then
+  sed -n '2,8s/^# //p' "$0" >&2
+  exit 2
+fi
+preset=$1
+source=$(cd "$(dirname "$0")/.." && pwd)
+release=bookworm
 command=$(sed -En "s|^(\./setup\.sh && cmake --workflow --preset $preset)( .*)?\$|\1|p" "$source/README.md")
 [ -n "$command" ] || [ "$preset" = package ] || fail "README.md has no command for '$preset'; expected test, figures or package"
+
+[ "$(id -u)" -eq 0 ] || cannot "this user is not root, who alone makes file systems to change into"
+command -v debootstrap >/dev/null || cannot "there is no debootstrap"
+unshare --mount --pid --fork true 2>/dev/null || cannot "the system refuses to keep mounts and processes apart"
 # The sources of apt on this machine: a line each for the release, its updates and its security.
 sources=$(apt-get indextargets --format 'deb $(REPO_URI) $(RELEASE) $(COMPONENT)' \
   'Created-By: Packages' 'Origin: Debian' |
   awk -v release=$release 'index($3, release) == 1')
 mirror=$(awk -v release=$release '$3 == release { print $2; exit }' <<<"$sources")
-[ -n "$mirror" ] || fail "apt knows no mirror of Debian $release; expected one in its sources, and apt-get update run"
+[ -n "$mirror" ] || cannot "apt knows no mirror of Debian $release; expected one in its sources, and apt-get update run"
 
-folder=${2:-$(mktemp -d "${TMPDIR:-/tmp}/fresh_machine.XXXXXX")}
+folder=${folder:-$(mktemp -d "${TMPDIR:-/tmp}/fresh_machine.XXXXXX")}
 machine=$folder/machine
 [ ! -e "$machine" ] || fail "$machine is there already"
-mkdir -p "$folder"
+mkdir -p "$machine"
+cache=${XDG_CACHE_HOME:-${HOME:-/root}/.cache}/taut
+mkdir -p "$cache/archives/partial"
+base=$cache/$release.tar
 
 # Mounts are there for the processes of the machine alone, and they end with their first one: nothing is left to
 # be unmounted, however this script ends.
@@ -41,7 +61,7 @@ clean_up() {
     wait "$child" 2>/dev/null || true  # which would tell that it was killed
     sleep 1  # the kernel ends the others
   fi
-  rm -rf "$machine" "$folder/log.txt"
+  rm -rf "$machine" "$folder/log.txt" "$base.part-$$"
   rmdir --ignore-fail-on-non-empty "$folder"
 }
 trap clean_up EXIT
@@ -55,11 +75,19 @@ apart() {
   return $code
 }
 
-make_debian() {
+make_base() {
+  find "$cache" -mindepth 1 -type f -mtime +30 -delete
+  [ ! -e "$base" ] || return 0
   apart debootstrap --variant=minbase --include=ca-certificates,git $release "$machine" "$mirror" \
     >"$folder/log.txt" || { tail -n 30 "$folder/log.txt"; return 1; }
+  rm -rf "$machine"/var/lib/apt/lists/* "$machine"/var/cache/apt/archives/*.deb  # as in the image of a container
+  tar -C "$machine" --one-file-system -cf "$base.part-$$" . && mv "$base.part-$$" "$base" && rm -rf "$machine" &&
+    mkdir "$machine"
+}
+
+make_debian() {
+  tar -C "$machine" -xf "$base" || return 1
   echo "$sources" >"$machine/etc/apt/sources.list"
-  rm -r "$machine"/var/lib/apt/lists/*  # as in the image of a container
   if [ "$preset" = package ]; then
     mkdir "$machine/root/taut"
     cpack --config "$source/build/release/CPackConfig.cmake" -G DEB -B "$machine/root/taut" >"$folder/log.txt" 2>&1 ||
@@ -77,8 +105,9 @@ on_the_machine() {
     mount --bind /dev "$0/dev"
     mount -t devpts -o newinstance,ptmxmode=0666,mode=620 devpts "$0/dev/pts"
     mount -t tmpfs tmpfs "$0/dev/shm"
+    mount --bind "$2" "$0/var/cache/apt/archives"
     exec chroot "$0" env -i HOME=/root PATH=/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin \
-      bash -c "cd ~/taut && $1"' "$machine" "$1"
+      bash -c "cd ~/taut && $1"' "$machine" "$1" "$cache/archives"
 }
 
 timed() {
@@ -89,6 +118,7 @@ timed() {
 
 # In braces bash reads it all before it begins, and another script may be checked out meanwhile.
 {
+  make_base || cannot "debootstrap failed"
   timed "a bare Debian" make_debian
   if [ "$preset" = package ]; then
     timed "installing the package" on_the_machine \
@@ -101,6 +131,8 @@ timed() {
   fi
   timed ./setup.sh on_the_machine './setup.sh >/tmp/setup.log 2>&1 || { tail -n 30 /tmp/setup.log; exit 1; }'
   # Without a network: setup.sh has nothing left to do, and nothing else may need one.
-  timed "$command" on_the_machine "$command" --net
+  [ -z "$before" ] || timed "$before" on_the_machine "$before" --net
+  timed "$command" on_the_machine "set -o pipefail; { $command; } 2>&1 | tee /tmp/run.log" --net
+  sed -n '/% tests passed/,$p' "$machine/tmp/run.log"
   exit
 }

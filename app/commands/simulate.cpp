@@ -148,7 +148,8 @@ int run(const SimulateOptions& options) {
   for (const std::filesystem::path& file : saved) prepare_folder_of(file);
   std::error_code error;
   const bool goes_on_in_place =
-      !options.resume.empty() && std::filesystem::equivalent(options.saved_to(), options.resume, error);
+      !options.resume.empty() && (options.saved_to() == options.resume ||
+                                  std::filesystem::equivalent(options.saved_to(), options.resume, error));
   run.require_outputs(exported, goes_on_in_place ? std::vector<std::filesystem::path>{} : saved, saved);
   run.load();
   run.progress.begin("frame 1");

@@ -7,9 +7,7 @@ import json
 import os
 import pathlib
 import re
-import resource
 import signal
-import stat
 import struct
 import subprocess
 import sys
@@ -30,6 +28,8 @@ class Bad:
         self.name, self.data, self.error, self.command = name, data, error, command
 
 
+ASSETS = pathlib.Path(__file__).resolve().parents[2] / 'assets'
+MANNEQUIN = str(ASSETS / 'bodies/mannequin_male_40.glb')
 INSPECT = ('inspect', '{}')
 SIMULATE = ('simulate', '{}', '--frames', '1')
 
@@ -65,16 +65,16 @@ def models():
         return Bad(name + '.obj', text.encode(), error, SIMULATE)
     triangle = 'v 0 0 0\nv 1 0 0\nv 0 1 0\n'
     for word in ('nan', 'inf', '-inf', '1e999', 'zero', '0x1p3', '1,5', '--1', '', '1e400'):
-        yield obj('coordinate_%s' % re.sub(r'\W', '_', word), triangle + 'v 0 0 %s\nf 1 2 3\n' % word, 'line 4: found')
+        yield obj('coordinate_%s' % re.sub(r'\W', '_', word), triangle + 'v 0 0 %s\nf 1 2 3\n' % word, 'line 4: |vertex 3 has a coordinate that is not finite')
     for word in ('0', '4', '-4', '99999999999999999999', '1.5', 'x', '4294967297', '/', '1//x'):
-        yield obj('index_%s' % re.sub(r'\W', '_', word), triangle + 'f 1 2 %s\n' % word, 'line 4: found')
+        yield obj('index_%s' % re.sub(r'\W', '_', word), triangle + 'f 1 2 %s\n' % word, 'line 4: |no triangle')
     yield obj('no_faces', triangle, 'has no faces')
     yield obj('lines_alone', triangle + 'l 1 2\nl 2 3\n', 'has no faces')
     yield obj('one_corner', triangle + 'f 1\n', 'has no faces')
     yield obj('no_area', 'v 0 0 0\n' * 3 + 'f 1 2 3\n', 'no triangle|area')
     yield obj('on_a_line', 'v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n', 'no triangle|area')
     yield obj('same_vertex', triangle + 'f 1 1 2\nf 2 2 2\n', 'no triangle|area')
-    yield obj('vast', 'v 1e300 0 0\nv 0 1e300 0\nv 0 0 1e300\nf 1 2 3\n', 'size|large|expected')
+    yield obj('vast', 'v 1e300 0 0\nv 0 1e300 0\nv 0 0 1e300\nf 1 2 3\n', None)
     yield obj('far', 'v 1e17 0 0\nv 100000000000000100 1 0\nv 1e17 1 0\nf 1 2 3\n', 'size|far|area|large|expected')
     yield obj('tiny', 'v 1e-300 0 0\nv 0 1e-300 0\nv 0 0 1e-300\nf 1 2 3\n', 'size|small|area|expected')
     yield obj('nothing', '', 'is empty')
@@ -157,9 +157,8 @@ def scenes():
 
 
 def patterns():
-    body = str(pathlib.Path(__file__).resolve().parents[2] / 'assets/bodies/mannequin_male_40.glb')
-    sew = ('sew', '{}', '--body', body, '--frames', '1', '-o', 'sewn.obj')
-    skirt = json.loads((pathlib.Path(__file__).resolve().parents[2] / 'assets/patterns/wardrobe/skirt.json').read_text())
+    sew = ('sew', '{}', '--body', MANNEQUIN, '--frames', '1', '-o', 'sewn.obj')
+    skirt = json.loads((ASSETS / 'patterns/wardrobe/skirt.json').read_text())
     def text(name, data, error):
         return Bad(name + '.json', data.encode(), error, sew)
     yield text('pattern_words', 'Buy milk', 'expected a sewing pattern')
@@ -200,8 +199,7 @@ def other_files():
     yield Bad('fabric_key.toml', b'[wind]\nspeed = 3\n', 'wind', dress + ('--fabric', '{}'))
     yield Bad('fabric_vast.toml', b'[garment]\nareal_density = 1e300\n', 'areal_density', dress + ('--fabric', '{}'))
     yield Bad('fabric_thin.toml', b'[cloth]\nthickness = 1e-300\n', 'thickness', dress + ('--fabric', '{}'))
-    body = str(pathlib.Path(__file__).resolve().parents[2] / 'assets/bodies/mannequin_male_40.glb')
-    moved = ('simulate', 'tshirt', '--frames', '1', '--body', body, '--dress', '0', '--body-motion', '{}')
+    moved = ('simulate', 'tshirt', '--frames', '1', '--body', MANNEQUIN, '--dress', '0', '--body-motion', '{}')
     joint = 'JOINT a\n{\nOFFSET 0 0 0\nCHANNELS 3 Xrotation Yrotation Zrotation\n'
     root = 'HIERARCHY\nROOT Hips\n{\nOFFSET 0 0 0\nCHANNELS 3 Xrotation Yrotation Zrotation\nEnd Site\n{\nOFFSET 0 1 0\n}\n}\n'
     for name, data, error in (('words', 'Buy milk', 'expected'), ('deep', root[:60] + joint * 50_000, 'nested|deep|expected|found'),
@@ -236,13 +234,13 @@ def other_files():
     yield Bad('zero.png', png(*entries(b'0', scene)), 'not in the picture|device', again)
     yield Bad('no_entry.png', png(), 'does not say how it was made', again)
     yield Bad('words.png', b'Buy milk', 'no PNG', again)
-    yield Bad('chunk.png', png()[:40] + b'\xff\xff\xff\xfftEXt', 'PNG|cut|damaged', again)
+    yield Bad('chunk.png', png()[:40] + b'\xff\xff\xff\xfftEXt', 'ends in the middle', again)
     yield Bad('dots.png', png(*entries(b'0', b'a' + b'.a' * 100_000 + b' = 1')), 'nested|deep|dots|keys', again)
 
 
 def special_files():
     """What is no file at all, made by its name."""
-    for command, ending in ((INSPECT, '.obj'), (SIMULATE, '.toml'), (('sew', '{}', '--body', 'a_fifo'), '.json'), (('render', '{}', '-o', 'x.png'), '.png'),
+    for command, ending in ((INSPECT, '.obj'), (SIMULATE, '.toml'), (('sew', '{}', '--body', MANNEQUIN), '.json'), (('render', '{}', '-o', 'x.png'), '.png'),
                             (('simulate', 'tshirt', '--fabric', '{}'), '.toml'), (('simulate', 'tshirt', '--body', '{}'), '.glb'),
                             (('simulate', 'tshirt', '--body', '{}'), '.obj'), (('view', '--headless', '--script', '{}'), '.txt'),
                             (('simulate', 'tshirt', '--frames', '1', '--resume', '{}'), '.checkpoint'),

@@ -11,7 +11,11 @@ constexpr std::array<std::string_view, 6> channel_names = {"Xposition", "Ypositi
                                                            "Xrotation", "Yrotation", "Zrotation"};
 
 constexpr std::size_t deepest = 200;
+constexpr std::size_t max_joints = 10'000;
 constexpr std::size_t most_frames = 10'000'000;
+constexpr double min_frame_s = 1e-5;
+constexpr double max_frame_s = 1e4;
+constexpr double max_number = 1e9;  ///< a length in the file's unit, or degrees
 
 /// A joint of a BVH file, or the end of a limb.
 struct BvhJoint {
@@ -52,7 +56,9 @@ class BvhReader {
     require("Frame");
     require("Time:");
     motion_.frame_time_s = number("the time of a frame in seconds");
-    if (!(motion_.frame_time_s > 0.0)) reject("a time of a frame above 0");
+    if (!(motion_.frame_time_s >= min_frame_s && motion_.frame_time_s <= max_frame_s)) {
+      reject(fmt::format("a time of a frame from {:g} to {:g} s", min_frame_s, max_frame_s));
+    }
     const std::string what = counted(motion_.frames, "frame") + " of " + counted(motion_.numbers, "number");
     while (motion_.values.size() < motion_.frames * motion_.numbers) motion_.values.push_back(number(what));
     if (!next().empty()) reject("the end of the file after " + what);
@@ -63,6 +69,7 @@ class BvhReader {
   void read_joint(std::string name, std::size_t parent, std::size_t depth) {
     if (depth > deepest) reject(fmt::format("at most {} joints below each other", deepest));
     const std::size_t joint = motion_.joints.size();
+    if (joint == max_joints) reject(fmt::format("at most {} joints", max_joints));
     motion_.joints.push_back({std::move(name), parent, sim::Vec3(0.0), {}, motion_.numbers});
     for (std::string_view word = next(); word != "}"; word = next()) {
       if (word == "OFFSET") {
@@ -82,6 +89,7 @@ class BvhReader {
   }
 
   void read_channels(std::size_t joint) {
+    if (!motion_.joints[joint].channels.empty()) reject("the channels of a joint once");
     const std::size_t count = whole_number("the number of channels", 0, channel_names.size());
     for (std::size_t k = 0; k < count; ++k) {
       const auto* const found = std::ranges::find(channel_names, next());
@@ -124,7 +132,7 @@ class BvhReader {
   double number(const std::string& what) {
     next();
     const std::optional<double> value = number_in<double>(word_);
-    if (!value || !std::isfinite(*value)) reject(what);
+    if (!value || !(std::abs(*value) <= max_number)) reject(what);
     return *value;
   }
   std::size_t whole_number(const char* what, double least, double most) {

@@ -68,8 +68,8 @@ class ClipFrames final : public FrameSource {
   std::size_t frames() const override {
     // Times in files are of single precision: an end that is a frame must not become two.
     constexpr double rounded_off = 1e-3;
-    return 1 +
-           static_cast<std::size_t>(std::ceil(std::max(0.0, rig_->clips[clip_].duration_s * rate_hz_ - rounded_off)));
+    const double frames = std::ceil(std::max(0.0, rig_->clips[clip_].duration_s * rate_hz_ - rounded_off));
+    return 1 + static_cast<std::size_t>(std::min(frames, double{sim::most_counted}));
   }
   std::size_t vertices() const override { return rig_->in_part.size(); }
   std::optional<double> rate_hz() const override { return rate_hz_; }

@@ -70,7 +70,7 @@ std::optional<std::string> why_not_fit_for_simulation(const sim::Mesh& model_m, 
 /// Makes triangles of one size that are near equilateral, on the same surface (Botsch and Kobbelt 2004, A
 /// Remeshing Approach to Multiresolution Modeling). Borders stay on the borders, their corners in place.
 /// Requires a mesh with two triangles at most at every edge, one fan at every vertex, and neighbours that
-/// face the same side.
-sim::Mesh remesh(const sim::Mesh& surface, double edge_m);
+/// face the same side. Throws std::invalid_argument where that takes more looks at triangles of the surface.
+sim::Mesh remesh(const sim::Mesh& surface, double edge_m, std::size_t max_looks);
 
 }  // namespace taut::app

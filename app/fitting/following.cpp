@@ -1,5 +1,6 @@
 #include "app/fitting/following.hpp"
 
+#include "app/base/errors.hpp"
 #include "sim/mesh/adjacency.hpp"
 
 namespace taut::app {
@@ -143,6 +144,7 @@ class Binder {
 
  private:
   const SurfacePoint& nearest_facing(Index v) {
+    throw_if_interrupted();
     if (!facing_[v]) {
       const Vec3& place_m = model_.positions[v];
       const SurfacePoint any = *nearest(tree_, mesh_, place_m, Vec3(0.0), infinite);
@@ -174,6 +176,7 @@ class Binder {
     std::priority_queue<Candidate, std::vector<Candidate>, std::greater<>> queue;
     queue.push(seed);
     while (!queue.empty()) {
+      throw_if_interrupted();
       const Candidate next = queue.top();
       queue.pop();
       if (found_[next.vertex]) continue;
@@ -322,12 +325,13 @@ void SurfaceTree::search(const DistanceTo& distance_to, const double& reach, con
   }
 }
 
-std::optional<SurfacePoint> SurfaceTree::nearest(const sim::Vec3& from_m, double reach_m,
-                                                 const AcceptPoint& accept) const {
+std::optional<SurfacePoint> SurfaceTree::nearest(const sim::Vec3& from_m, double reach_m, const AcceptPoint& accept,
+                                                 std::size_t* looks) const {
   std::optional<SurfacePoint> best;
   double best_square = reach_m * reach_m;
   const auto distance_to = [&](const sim::Extent& box) { return square_distance(from_m, box); };
   search(distance_to, best_square, [&](sim::Index t) {
+    if (looks != nullptr) ++*looks;
     const sim::Vec3 place = nearest_of_triangle(from_m, corners_[t]);
     const double square = glm::dot(place - from_m, place - from_m);
     const SurfacePoint found{std::sqrt(square), t, place};
@@ -372,6 +376,7 @@ std::vector<Bond> bonds_to(std::span<const Vec3> points_m, const sim::Mesh& mesh
   std::vector<SurfacePoint> found;
   found.reserve(points_m.size());
   for (std::size_t k = 0; k < points_m.size(); ++k) {
+    throw_if_interrupted();
     found.push_back(nearest(tree, mesh, points_m[k], Vec3(0.0), infinite).value());
     if (!normals.empty()) {
       found[k] = nearest(tree, mesh, points_m[k], normals[k], preferred * found[k].distance_m).value_or(found[k]);

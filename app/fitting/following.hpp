@@ -25,8 +25,9 @@ class SurfaceTree {
  public:
   SurfaceTree(std::span<const sim::Vec3> positions_m, std::span<const sim::Triangle> triangles);
 
-  /// The nearest point that is accepted, closer than `reach_m`.
-  std::optional<SurfacePoint> nearest(const sim::Vec3& from_m, double reach_m, const AcceptPoint& accept) const;
+  /// The nearest point that is accepted, closer than `reach_m`. Counts the triangles that it looked at, if asked to.
+  std::optional<SurfacePoint> nearest(const sim::Vec3& from_m, double reach_m, const AcceptPoint& accept,
+                                      std::size_t* looks = nullptr) const;
   /// The first point that is accepted along the ray between these two distances. Requires a unit direction.
   std::optional<SurfacePoint> first_hit(const sim::Vec3& from_m, const sim::Vec3& direction, double begin_m,
                                         double end_m, const AcceptPoint& accept) const;

@@ -1,5 +1,6 @@
 #include <OpenMesh/Core/Mesh/TriConnectivity.hh>
 
+#include "app/base/errors.hpp"
 #include "app/fitting/fitted_mesh.hpp"
 #include "app/fitting/following.hpp"
 #include "app/fitting/sheets.hpp"
@@ -17,6 +18,7 @@ using Halfedge = OpenMesh::HalfedgeHandle;
 constexpr int rounds = 8;
 constexpr int most_sweeps = 6;                  ///< of collapses in a round
 constexpr std::size_t most_vertices = 1000000;  ///< of all that ever are; more would be a model of needles alone
+constexpr std::size_t looks_of_split = 50;      ///< that take as long
 constexpr double longest = 4.0 / 3.0;
 constexpr double shortest = 4.0 / 5.0;
 constexpr double most_of_halved = 0.75;  ///< of an edge, for each of its halves
@@ -79,8 +81,9 @@ struct Model {
 
 class Remesher {
  public:
-  Remesher(const sim::Mesh& surface, double edge_m)
+  Remesher(const sim::Mesh& surface, double edge_m, std::size_t max_looks)
       : model_(surface),
+        max_looks_(max_looks),
         length_(edge_m),
         at_(surface.positions),
         part_(model_.part_of_vertex),
@@ -166,19 +169,30 @@ class Remesher {
     for (bool is_split = true; is_split;) {
       std::vector<std::pair<double, int>> edges;
       for (std::size_t i = 0; i < net_.n_edges(); ++i) {
+        throw_if_interrupted();
         const Edge e(static_cast<int>(i));
         if (!is_gone(e) && length(e) > longest * length_) edges.emplace_back(-length(e), e.idx());
       }
       std::ranges::sort(edges);
       is_split = !edges.empty() && at_.size() < most_vertices;
       for (const auto& [negative, e] : edges) {
+        throw_if_interrupted();
         if (at_.size() < most_vertices && 2.0 * negative <= edges.front().first) split(Edge(e));
       }
     }
   }
 
+  void spend(std::size_t more) {
+    looks_ += more;
+    if (looks_ > max_looks_) {
+      throw std::invalid_argument(
+          "it has too many needles across each other for a mesh to be fitted to it (garment.mesh)");
+    }
+  }
+
   /// Halves an edge; on the model where that makes both halves clearly shorter, so that this comes to an end.
   void split(Edge e) {
+    spend(looks_of_split);
     const bool is_border = net_.is_boundary(e);
     const Halfedge h = net_.halfedge_handle(e, is_border && net_.is_boundary(net_.halfedge_handle(e, 0)) ? 1 : 0);
     const Vertex a = net_.from_vertex_handle(h), b = net_.to_vertex_handle(h);
@@ -212,6 +226,7 @@ class Remesher {
     for (int sweep = 0; changed && sweep < most_sweeps; ++sweep) {
       changed = false;
       for (std::size_t i = 0; i < net_.n_edges(); ++i) {
+        throw_if_interrupted();
         const Edge e(static_cast<int>(i));
         if (is_gone(e) || !(length(e) < shortest * length_)) continue;
         for (const int side : {0, 1}) {
@@ -265,6 +280,7 @@ class Remesher {
     for (int sweep = 0; changed && sweep < most_sweeps; ++sweep) {
       changed = false;
       for (std::size_t i = 0; i < net_.n_edges(); ++i) {
+        throw_if_interrupted();
         const Edge e(static_cast<int>(i));
         if (!is_gone(e) && !net_.is_boundary(e) && net_.is_flip_ok(e) && wanted(e) && may_flip(e)) {
           net_.flip(e);
@@ -322,17 +338,20 @@ class Remesher {
   }
 
   /// The nearest place of the model that is of the same part and faces the same way.
-  Vec3 on_model(Vertex v, const Vec3& place) const {
+  Vec3 on_model(Vertex v, const Vec3& place) {
     const sim::Index part = part_[number(v)];
     const Vec3 normal = normal_at(v);
-    const auto found = model_.tree.nearest(place, length_, [&](const SurfacePoint& p) {
+    const auto faces_alike = [&](const SurfacePoint& p) {
       return model_.part_of[p.triangle] == part && glm::dot(model_.normals[p.triangle], normal) > same_side;
-    });
+    };
+    const auto found = model_.tree.nearest(place, length_, faces_alike, &looks_);
+    spend(0);
     return found ? found->place_m : place;
   }
 
   void smooth() {
     for (std::size_t i = 0; i < net_.n_vertices(); ++i) {
+      throw_if_interrupted();
       const Vertex v(static_cast<int>(i));
       if (net_.status(v).deleted() || net_.is_isolated(v) || is_corner_[i] != 0) continue;
       net_.is_boundary(v) ? smooth_border(v) : smooth_within(v);
@@ -404,6 +423,7 @@ class Remesher {
   }
 
   Model model_;
+  std::size_t max_looks_, looks_ = 0;
   double length_;
   OpenMesh::TriConnectivity net_;
   std::vector<Vec3> at_;          ///< by vertex
@@ -444,8 +464,8 @@ bool drop_flat(double least_m, sim::Mesh& mesh) {
 
 }  // namespace
 
-sim::Mesh remesh(const sim::Mesh& surface, double edge_m) {
-  sim::Mesh mesh = Remesher(surface, edge_m).run();
+sim::Mesh remesh(const sim::Mesh& surface, double edge_m, std::size_t max_looks) {
+  sim::Mesh mesh = Remesher(surface, edge_m, max_looks).run();
   while (weld_ends(least_edge * edge_m, mesh) || drop_flat(least_height * edge_m, mesh)) {
     mesh = cut_into_sheets(mesh).mesh;
   }

@@ -1,5 +1,8 @@
 #include "app/fitting/sheets.hpp"
 
+#include <fmt/core.h>
+
+#include "app/base/errors.hpp"
 #include "app/fitting/following.hpp"
 #include "sim/mesh/topology.hpp"
 #include "sim/mesh/welding.hpp"
@@ -25,18 +28,35 @@ double smoothness(const sim::Mesh& mesh, const sim::Edge& edge, const sim::Trian
   return lengths > 0.0 ? -glm::dot(x, y) / lengths : -2.0;
 }
 
-/// Returns the two of these triangles between which the surface goes on most smoothly.
-std::array<sim::Index, 2> smoothest(const sim::Mesh& mesh, const sim::Edge& edge, std::span<const sim::Index> around) {
-  std::array<sim::Index, 2> smoothest = {around[0], around[1]};
-  double best = -std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; around.size() > 2 && i < around.size(); ++i) {
+/// Of more triangles at one edge the pairs are too many to compare. Layers of cloth that were welded are some ten.
+constexpr std::size_t max_triangles_at_edge = 2000;
+
+/// Returns pairs of these triangles between which the surface goes on most smoothly, the smoothest first, each triangle
+/// in one pair.
+std::vector<std::array<sim::Index, 2>> smoothest_pairs(const sim::Mesh& mesh, const sim::Edge& edge,
+                                                       std::span<const sim::Index> around) {
+  if (around.size() == 2) return {{around[0], around[1]}};
+  if (around.size() > max_triangles_at_edge) {
+    throw std::invalid_argument(fmt::format("{} triangles meet at one edge, of vertices {} and {}; expected at most {}",
+                                            around.size(), edge[0], edge[1], max_triangles_at_edge));
+  }
+  struct Pair {
+    double roughness;
+    std::size_t first, second;
+  };
+  std::vector<Pair> pairs;
+  for (std::size_t i = 0; i < around.size(); ++i) {
     for (std::size_t k = i + 1; k < around.size(); ++k) {
-      const double found = smoothness(mesh, edge, mesh.triangles[around[i]], mesh.triangles[around[k]]);
-      if (found > best) {
-        best = found;
-        smoothest = {around[i], around[k]};
-      }
+      pairs.push_back({-smoothness(mesh, edge, mesh.triangles[around[i]], mesh.triangles[around[k]]), i, k});
     }
+  }
+  std::ranges::stable_sort(pairs, {}, &Pair::roughness);
+  std::vector<char> is_taken(around.size(), 0);
+  std::vector<std::array<sim::Index, 2>> smoothest;
+  for (const auto& [roughness, first, second] : pairs) {
+    if (is_taken[first] != 0 || is_taken[second] != 0) continue;
+    is_taken[first] = is_taken[second] = 1;
+    smoothest.push_back({around[first], around[second]});
   }
   return smoothest;
 }
@@ -48,14 +68,10 @@ std::vector<sim::Joint> choose_joints(const sim::Mesh& mesh) {
   std::vector<sim::Joint> joints;
   for (std::size_t e = 0; e < adjacency.edges.size(); ++e) {
     const sim::Edge& edge = adjacency.edges[e];
-    const std::span<const sim::Index> triangles = adjacency.edge_triangles[e];
-    std::vector<sim::Index> around(triangles.begin(), triangles.end());
-    while (around.size() > 1) {
-      const auto [a, b] = smoothest(mesh, edge, around);
+    throw_if_interrupted();
+    for (const auto& [a, b] : smoothest_pairs(mesh, edge, adjacency.edge_triangles[e])) {
       joints.push_back(
           {edge, a, b, sim::runs_along(mesh.triangles[a], edge) == sim::runs_along(mesh.triangles[b], edge)});
-      std::erase(around, a);
-      std::erase(around, b);
     }
   }
   return joints;
@@ -161,6 +177,7 @@ struct View {
     const std::size_t stride = piece.size() / most_looks + 1;
     double open = 0.0, all = 0.0;
     for (std::size_t i = 0; i < piece.size(); i += stride) {
+      throw_if_interrupted();
       const sim::Index t = piece[i];
       const auto seen =
           tree.first_hit(middle_of(sheets.mesh, t), side * normals[t], 0.0, size_m, [&](const SurfacePoint& p) {
@@ -316,6 +333,7 @@ class Pieces {
 };
 
 bool is_covered(const View& view, const OtherWalls& other, const std::vector<char>& kept, sim::Index t) {
+  throw_if_interrupted();
   if (other[t] != sim::no_vertex && kept[other[t]] != 0) return true;
   const sim::Vec3 middle = middle_of(view.sheets.mesh, t);
   return view.tree
@@ -372,6 +390,7 @@ OtherWalls find_other_walls(const Sheets& sheets) {
   const double reach_m = view.unit * thickest_m;
   OtherWalls other(sheets.mesh.triangles.size(), sim::no_vertex);
   for (sim::Index t = 0; t < other.size(); ++t) {
+    throw_if_interrupted();
     if (view.normals[t] == sim::Vec3(0.0)) continue;
     const auto hit = view.tree.first_hit(
         middle_of(sheets.mesh, t), -view.normals[t], -view.unit * entering_m, reach_m, [&](const SurfacePoint& p) {

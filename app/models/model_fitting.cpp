@@ -1,5 +1,6 @@
 #include "app/models/model_fitting.hpp"
 
+#include "app/base/errors.hpp"
 #include "app/base/words.hpp"
 #include "sim/mesh/welding.hpp"
 
@@ -87,7 +88,7 @@ std::optional<FittedModel> fitted_model(const GarmentSource& source, double thic
   std::string why = source.mesh == MeshChoice::fitted ? "garment.mesh asks for it" : "";
   std::size_t crossings = 0;
   if (may_choose) {
-    crossings = crossing_pairs({model_m.positions, model_m.triangles}).size();
+    crossings = crossing_pairs({model_m.positions, model_m.triangles}, throw_if_interrupted).size();
     why = why_not_fit_for_simulation(model_m, crossings, thickness_m).value_or("");
   }
   if (may_choose && why.empty() && !source.given && is_coarse(model_m)) {
@@ -97,7 +98,12 @@ std::optional<FittedModel> fitted_model(const GarmentSource& source, double thic
   FittingSettings settings;
   settings.most_triangles = static_cast<std::size_t>(source.most_triangles);
   settings.least_edge_m = edges_by_thickness * thickness_m;
-  return FittedModel{fit_mesh(model_m, settings), std::move(why), crossings};
+  FittedModel fitted{fit_mesh(model_m, settings), std::move(why), crossings};
+  if (!fitted.mesh.triangles.empty()) return fitted;
+  if (source.mesh == MeshChoice::fitted) {
+    throw std::invalid_argument("no mesh can be fitted to it (garment.mesh), as all of it is too narrow");
+  }
+  return std::nullopt;
 }
 
 bool crosses_more_than_model(const FittedModel& fitted, const sim::Mesh& model) {

@@ -38,11 +38,11 @@ SceneCrossings crossings_with(std::span<const sim::Body> bodies, std::size_t bod
   const auto* mesh = std::get_if<sim::BodyMesh>(&bodies[body].shape);
   if (mesh == nullptr) return {body, entries_into(sim::shape_at(bodies[body], time_s), cloth)};
   const std::vector<sim::Vec3> positions_m = mesh_positions_m(bodies[body], time_s);
-  return {body, crossing_pairs(cloth, {positions_m, mesh->data->triangles})};
+  return {body, crossing_pairs(cloth, {positions_m, mesh->data->triangles}, throw_if_interrupted)};
 }
 
 std::vector<SceneCrossings> scene_crossings(const Surface& cloth, std::span<const sim::Body> bodies, double time_s) {
-  std::vector<SceneCrossings> all = {{{}, crossing_pairs(cloth)}};
+  std::vector<SceneCrossings> all = {{{}, crossing_pairs(cloth, throw_if_interrupted)}};
   for (std::size_t b = 0; b < bodies.size(); ++b) all.push_back(crossings_with(bodies, b, time_s, cloth));
   return all;
 }
@@ -77,6 +77,7 @@ std::vector<sim::Vec3> mesh_positions_m(const sim::Body& body, double time_s) {
 std::optional<Untangling> untangle_start(const Scene& scene, const sim::Garment& garment, bool is_cut_anew,
                                          std::vector<sim::Vec3>& start_m,
                                          const std::function<void(const std::string&)>& tell) {
+  int round = 0;
   sim::UntangleSettings settings;
   settings.bounded = scene.simulation.solver.bounded;
   settings.distance_m = garment.material.thickness_m;
@@ -84,10 +85,10 @@ std::optional<Untangling> untangle_start(const Scene& scene, const sim::Garment&
   sim::Untangled untangled = sim::untangle(garment, start_m, settings, [&](std::span<const sim::Vec3> positions_m) {
     throw_if_interrupted();
     std::vector<sim::TrianglePair> pairs;
-    for (const CrossingPair& pair : crossing_pairs({positions_m, garment.mesh.triangles})) {
+    for (const CrossingPair& pair : crossing_pairs({positions_m, garment.mesh.triangles}, throw_if_interrupted)) {
       pairs.push_back({pair.first, pair.second});
     }
-    tell(fmt::format("untangling it: {} cross", counted(pairs.size(), "pair")));
+    tell(fmt::format("untangling it, round {}: {} cross", ++round, counted(pairs.size(), "pair")));
     return pairs;
   });
   if (untangled.pairs_before == 0 && untangled.largest_move_m == 0.0) return std::nullopt;
@@ -100,9 +101,10 @@ std::string describe(const Untangling& u) {
     return fmt::format("where layers were as one it was parted and evened out, no vertex by more than {:.3g} mm",
                        1e3 * u.largest_move_m);
   }
-  return fmt::format("of {} that crossed at the start {} left, and no vertex was moved by more than {:.3g} mm",
+  return fmt::format("of {} that crossed at the start {} left, and no vertex was moved by more than {:.3g} mm{}",
                      counted(u.pairs_before, "pair of triangles", "pairs of triangles"),
-                     u.pairs_left == 1 ? "1 is" : fmt::format("{} are", u.pairs_left), 1e3 * u.largest_move_m);
+                     u.pairs_left == 1 ? "1 is" : fmt::format("{} are", u.pairs_left), 1e3 * u.largest_move_m,
+                     u.is_given_up ? "; untangling was given up, as so much of it crosses" : "");
 }
 
 }  // namespace taut::app

@@ -12,6 +12,12 @@ constexpr Range friction = {.lowest = 0.0, .highest = 10.0};
 // Of what `implicit` solves for: with more, masses are lost beside it to rounding, and cloth floats where it
 // began.
 constexpr Range solvable = {.lowest = 0.0, .highest = 1e7};
+// Beyond these no cloth is simulated: squares of its numbers are lost in double precision.
+constexpr Range density = {.lowest = 1e-6, .highest = 1e4};
+constexpr Range thickness = {.lowest = 1e-6, .highest = 10.0};
+constexpr Range elongation = {.lowest = 1e-6, .highest = 1e3};
+constexpr Range moderate = {.lowest = 0.0, .highest = 1e6};
+constexpr Range stiffness = {.lowest = 0.0, .highest = 1e12};
 constexpr Range fraction = {.lowest = 0.0, .highest = 1.0};
 
 Key<Scene> number(std::string name, std::string unit, const Range& range, auto access, double factor = 1.0) {
@@ -45,7 +51,7 @@ std::vector<Key<Scene>> scene_keys() {
   return {
       text_key<Scene>("title", MEMBER(title)),
       file_key<Scene>("garment.file", MEMBER(garment.file)),
-      number("garment.scale", "m", not_negative, MEMBER(garment.scale)),
+      number("garment.scale", "m", moderate, MEMBER(garment.scale)),
       up_key<Scene>("garment.up", MEMBER(garment.up)),
       weld_key(),
       choice_key<Scene, MeshChoice>(
@@ -64,7 +70,7 @@ std::vector<Key<Scene>> scene_keys() {
       vector_key<Scene>("garment.grid.top", "m", MEMBER(garment.grid.top_centre_m)),
       file_key<Scene>("garment.start", MEMBER(garment.start)),
       switch_key<Scene>("garment.untangle", MEMBER(garment.untangle)),
-      number("garment.areal_density", "kg/m2", positive, MEMBER(material.areal_density_kg_per_m2)),
+      number("garment.areal_density", "kg/m2", density, MEMBER(material.areal_density_kg_per_m2)),
       choice_key<Scene, sim::FlexuralRule>("garment.flexural_rule",
                                            {{"angular", sim::FlexuralRule::angular},
                                             {"opposite-vertex", sim::FlexuralRule::opposite_vertex},
@@ -85,7 +91,7 @@ std::vector<Key<Scene>> scene_keys() {
       whole("solver.iterations", 1, 10000, MEMBER(simulation.solver.strong.iterations)),
       number("solver.compression", "", fraction, MEMBER(simulation.solver.strong.rigidity.compression)),
       number("solver.flexural", "", fraction, MEMBER(simulation.solver.strong.rigidity.flexural)),
-      number("solver.max_stretch", "", not_negative, MEMBER(simulation.solver.bounded.max_stretch)),
+      number("solver.max_stretch", "", moderate, MEMBER(simulation.solver.bounded.max_stretch)),
       whole("solver.projections", 1, 1000, MEMBER(simulation.solver.fast_projection.most_projections)),
       choice_key<Scene>("solver.bound", named(sim::all_bound_kinds), MEMBER(simulation.solver.bounded.bound)),
       switch_key<Scene>("solver.contact", MEMBER(simulation.solver.bounded.contact)),
@@ -103,35 +109,35 @@ std::vector<Key<Scene>> scene_keys() {
              MEMBER(simulation.solver.ideal.stiffness.damping_n_s_per_m)),
       number("solver.implicit.stretch", "N/m", solvable, MEMBER(simulation.solver.implicit.stretch_n_per_m)),
       number("solver.implicit.shear", "N/m", solvable, MEMBER(simulation.solver.implicit.shear_n_per_m)),
-      number("solver.implicit.damping", "s", not_negative, MEMBER(simulation.solver.implicit.damping_s)),
+      number("solver.implicit.damping", "s", moderate, MEMBER(simulation.solver.implicit.damping_s)),
       number("solver.implicit.tolerance", "", {1e-12, 0.5}, MEMBER(simulation.solver.implicit.tolerance)),
       number("solver.implicit.stretch_change", "", {1e-6, 1e3},
              MEMBER(simulation.solver.implicit.largest_stretch_change)),
-      number("rest.speed", "m/s", not_negative, MEMBER(simulation.rest.speed_m_per_s)),
+      number("rest.speed", "m/s", moderate, MEMBER(simulation.rest.speed_m_per_s)),
       whole("rest.frames", 1, 1000000, MEMBER(simulation.rest.frames)),
       vector_key<Scene>("gravity.acceleration", "m/s2", MEMBER(surroundings.forces.gravity_m_per_s2)),
       gravity_path_key(),
-      number("air.drag", "1/s", not_negative, MEMBER(surroundings.forces.air_drag_per_s)),
+      number("air.drag", "1/s", moderate, MEMBER(surroundings.forces.air_drag_per_s)),
       number("wind.speed", "m/s", {0.0, 200.0}, MEMBER(surroundings.forces.wind.speed_m_per_s)),
       vector_key<Scene>("wind.direction", "", MEMBER(surroundings.forces.wind.direction), {.may_be_zero = false}),
       number("wind.gust_amplitude", "", {0.0, 10.0}, MEMBER(surroundings.forces.wind.gust_amplitude)),
-      number("wind.gust_period", "s", positive, MEMBER(surroundings.forces.wind.gust_period_s)),
+      number("wind.gust_period", "s", {1e-3, 1e6}, MEMBER(surroundings.forces.wind.gust_period_s)),
       number("wind.gust_turn", "", {0.0, 10.0}, MEMBER(surroundings.forces.wind.gust_turn)),
       whole("wind.seed", 0, 9e15, MEMBER(surroundings.forces.wind.gust_seed)),
-      number("wind.pressure", "", not_negative, MEMBER(surroundings.forces.wind.pressure_coefficient)),
-      number("wind.friction", "", not_negative, MEMBER(surroundings.forces.wind.friction_coefficient)),
+      number("wind.pressure", "", moderate, MEMBER(surroundings.forces.wind.pressure_coefficient)),
+      number("wind.friction", "", moderate, MEMBER(surroundings.forces.wind.friction_coefficient)),
       forces_key(),
       bodies_key(),
       fabric_key(),
-      number("cloth.thickness", "m", not_negative, MEMBER(material.thickness_m)),
+      number("cloth.thickness", "m", thickness, MEMBER(material.thickness_m)),
       number("cloth.friction", "", friction, MEMBER(material.friction)),
-      number("cloth.bending_rigidity", "N m", not_negative, MEMBER(material.bending_rigidity_n_m)),
-      number("cloth.compression_stiffness", "N/m", not_negative, MEMBER(material.compression_stiffness_n_per_m)),
-      number("cloth.tensile_warp", "N/m", not_negative, MEMBER(material.tensile_warp_n_per_m)),
-      number("cloth.tensile_weft", "N/m", not_negative, MEMBER(material.tensile_weft_n_per_m)),
-      number("cloth.shear", "N/m", not_negative, MEMBER(material.shear_n_per_m)),
-      number("cloth.warp_limit", "", positive, MEMBER(material.warp_limit)),
-      number("cloth.weft_limit", "", positive, MEMBER(material.weft_limit))};
+      number("cloth.bending_rigidity", "N m", moderate, MEMBER(material.bending_rigidity_n_m)),
+      number("cloth.compression_stiffness", "N/m", stiffness, MEMBER(material.compression_stiffness_n_per_m)),
+      number("cloth.tensile_warp", "N/m", stiffness, MEMBER(material.tensile_warp_n_per_m)),
+      number("cloth.tensile_weft", "N/m", stiffness, MEMBER(material.tensile_weft_n_per_m)),
+      number("cloth.shear", "N/m", stiffness, MEMBER(material.shear_n_per_m)),
+      number("cloth.warp_limit", "", elongation, MEMBER(material.warp_limit)),
+      number("cloth.weft_limit", "", elongation, MEMBER(material.weft_limit))};
 }
 
 SceneFormat<Scene> simulation_format() {

@@ -37,6 +37,36 @@ std::string joined_words(const Json& value, std::string (*word)(const Json&)) {
   return value.is_object() ? "{ " + text + " }" : '[' + text + ']';
 }
 
+/// Most dots of one key, and most brackets within each other. The library that reads TOML, and what reads its tables,
+/// go as deep on the stack.
+constexpr int max_toml_depth = 32;
+
+/// The place behind the text in quotes that begins here.
+std::size_t quoted_end(std::string_view text, std::size_t at) {
+  const char quote = text[at];
+  const std::string end(text.substr(at).starts_with(std::string(3, quote)) ? 3 : 1, quote);
+  for (at += end.size(); at < text.size() && !text.substr(at).starts_with(end); ++at) {
+    if (end.size() == 1 && text[at] == '\n') return at;
+    if (quote == '"' && text[at] == '\\') ++at;
+  }
+  at = std::min(at + end.size(), text.size());
+  while (end.size() == 3 && at < text.size() && text[at] == quote) ++at;
+  return at;
+}
+
+/// Whether keys and values nest no deeper than that.
+bool is_shallow(std::string_view text) {
+  int dots = 0, brackets = 0;
+  for (std::size_t at = 0; at < text.size() && dots <= max_toml_depth && brackets <= max_toml_depth;) {
+    const char c = text[at];
+    at = c == '#' ? std::min(text.find('\n', at), text.size()) : c == '"' || c == '\'' ? quoted_end(text, at) : at + 1;
+    if (c == '\n' || c == ',' || c == '=') dots = 0;
+    dots += c == '.' ? 1 : 0;
+    brackets += c == '[' || c == '{' ? 1 : c == ']' || c == '}' ? -1 : 0;
+  }
+  return dots <= max_toml_depth && brackets <= max_toml_depth;
+}
+
 }  // namespace
 
 std::string meaning_of(const std::string& key) {
@@ -138,6 +168,9 @@ void fail(const Source& source, int line, const std::string& message) {
 int line_of(const toml::node& value) { return static_cast<int>(value.source().begin.line); }
 
 toml::table read_toml_text(const std::string& text, const std::string& name) {
+  if (!is_shallow(text)) {
+    fail({name}, 0, fmt::format("found keys or lists more than {} deep, expected a scene", max_toml_depth));
+  }
   try {
     return toml::parse(text, name);
   } catch (const toml::parse_error& error) {
@@ -146,6 +179,7 @@ toml::table read_toml_text(const std::string& text, const std::string& name) {
 }
 
 toml::table read_toml_value(const std::string& text) {
+  if (!is_shallow(text)) return toml::table{{"value", text}};
   try {
     return toml::parse("value = " + text);
   } catch (const toml::parse_error&) {

@@ -1,5 +1,6 @@
 #include "app/sewing/filling.hpp"
 
+#include "app/base/errors.hpp"
 #include "app/verify/triangle_crossing.hpp"
 #include "sim/mesh/polygons.hpp"
 
@@ -83,6 +84,7 @@ class Triangulation {
   }
 
   void insert(const Vec2& p) {
+    throw_if_interrupted();
     const Index t = triangle_around(p);
     if (t == none) return;
     const auto [a, b, c] = triangles_[t];

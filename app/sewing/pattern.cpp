@@ -1,9 +1,7 @@
 #include "app/sewing/pattern.hpp"
 
-#include <nlohmann/json.hpp>
-
-#include "app/base/errors.hpp"
 #include "app/base/files.hpp"
+#include "app/base/json_reading.hpp"
 
 namespace taut::app {
 namespace {
@@ -13,6 +11,12 @@ using sim::Vec3;
 
 constexpr double degree = 0.017453292519943295;
 constexpr double longest_panel_m = 20.0;  ///< longer ones have the wrong unit
+constexpr double min_panel_m = 1e-3;
+constexpr double min_edge_m = 1e-5;
+constexpr double max_distance_m = 100.0;   ///< of a panel's place
+constexpr double max_radius_m = 1e4;       ///< of an arc
+constexpr std::size_t max_corners = 1000;  ///< of a panel
+constexpr std::size_t max_stitches = 10000;
 constexpr std::size_t most_panels = 500;
 constexpr int most_curve_steps = 1024;
 
@@ -33,8 +37,10 @@ class Place {
   }
   Place item(std::size_t index) const { return {(*value_)[index], fmt::format("{}[{}]", name_, index), *file_}; }
 
-  std::size_t count(std::size_t least, const char* what) const {
-    if (!value_->is_array() || value_->size() < least) fail(fmt::format("a list of {}, at least {}", what, least));
+  std::size_t count(std::size_t least, std::size_t most, const char* what) const {
+    if (!value_->is_array() || value_->size() < least || value_->size() > most) {
+      fail(fmt::format("a list of {}, at least {} and at most {}", what, least, most));
+    }
     return value_->size();
   }
   std::vector<double> numbers(std::size_t least, std::size_t most) const {
@@ -54,7 +60,7 @@ class Place {
   std::size_t index_below(std::size_t limit, const char* what) const {
     if (!value_->is_number_integer() || value_->get<std::int64_t>() < 0 ||
         value_->get<std::int64_t>() >= static_cast<std::int64_t>(limit)) {
-      fail(fmt::format("the number of {}, from 0 to {}", what, limit - 1));
+      fail(limit > 0 ? fmt::format("the number of {}, from 0 to {}", what, limit - 1) : fmt::format("no {}", what));
     }
     return value_->get<std::size_t>();
   }
@@ -133,8 +139,7 @@ std::vector<Vec2> arc(const Vec2& from, const Vec2& to, double radius, bool is_l
 }
 
 std::vector<Vec2> read_points(const Place& place, const EdgeFrame& frame, std::size_t least, std::size_t most) {
-  const std::size_t count = place.count(least, "points");
-  if (count > most) place.fail(fmt::format("{} points", most));
+  const std::size_t count = place.count(least, most, "points");
   std::vector<Vec2> points;
   for (std::size_t k = 0; k < count; ++k) points.push_back(frame(place.item(k).point()));
   return points;
@@ -142,16 +147,18 @@ std::vector<Vec2> read_points(const Place& place, const EdgeFrame& frame, std::s
 
 std::vector<Vec2> read_arc(const Place& place, const Vec2& from, const Vec2& to, double tolerance) {
   std::vector<double> params;
-  for (std::size_t k = 0; k < place.count(3, "numbers"); ++k) {
+  for (std::size_t k = 0; k < place.count(3, 3, "numbers"); ++k) {
     const nlohmann::json& number = place.item(k).value();
     params.push_back(number.is_boolean()  ? (number.get<bool>() ? 1.0 : 0.0)
                      : number.is_number() ? number.get<double>()
                                           : NAN);
   }
   const auto is_flag = [](double flag) { return flag == 0.0 || flag == 1.0; };
-  if (params.size() != 3 || !(params[0] > 0.0) || !std::isfinite(params[0]) || !is_flag(params[1]) ||
+  if (!(params[0] > 0.0) || !(params[0] * line_tolerance_m <= max_radius_m * tolerance) || !is_flag(params[1]) ||
       !is_flag(params[2])) {
-    place.fail("a radius above 0, then 1 or 0 for the larger arc, then 1 or 0 for one to the right");
+    place.fail(fmt::format(
+        "a radius above 0 and up to {:g} m, then 1 or 0 for the larger arc, then 1 or 0 for one to the right",
+        max_radius_m));
   }
   return arc(from, to, params[0], params[1] == 1.0, params[2] == 1.0, tolerance);
 }
@@ -204,31 +211,48 @@ PatternPanel read_panel(const Place& place, const std::string& name, bool is_rel
   PatternPanel panel{name, {}};
   const Place vertices = place.member("vertices"), edges = place.member("edges");
   std::vector<Vec2> corners;
-  for (std::size_t k = 0; k < vertices.count(2, "points"); ++k) {
-    corners.push_back(vertices.item(k).point());
-    if (glm::length(corners.back() - corners.front()) * metres > longest_panel_m) {
-      vertices.item(k).fail(
+  const auto require_near = [&](const Place& found, const Vec2& point) {
+    if (!(glm::length(point - corners.front()) * metres <= longest_panel_m)) {
+      found.fail(
           fmt::format("a panel of at most {} m; properties.units_in_meter says what a unit is", longest_panel_m));
     }
+  };
+  for (std::size_t k = 0; k < vertices.count(2, max_corners, "points"); ++k) {
+    corners.push_back(vertices.item(k).point());
+    require_near(vertices.item(k), corners.back());
   }
   std::optional<std::size_t> at;
   std::size_t begin = 0;
-  for (std::size_t e = 0; e < edges.count(2, "edges"); ++e) {
+  for (std::size_t e = 0; e < edges.count(2, max_corners, "edges"); ++e) {
     const Place ends = edges.item(e).member("endpoints");
-    if (ends.count(2, "vertices") != 2) ends.fail("two numbers of vertices");
+    ends.count(2, 2, "vertices");
     const std::size_t from = ends.item(0).index_below(corners.size(), "a vertex");
     const std::size_t to = ends.item(1).index_below(corners.size(), "a vertex");
     begin = at ? begin : from;
     if (from != at.value_or(from)) ends.fail(fmt::format("an edge from vertex {}, where the one before ends", *at));
-    if (!(glm::length(corners[to] - corners[from]) > 0.0)) ends.fail("two vertices at different places");
+    if (!(glm::length(corners[to] - corners[from]) * metres >= min_edge_m)) {
+      ends.fail(
+          fmt::format("two vertices at least {} m apart; properties.units_in_meter says what a unit is", min_edge_m));
+    }
     at = to;
     std::vector<Vec2> line =
         read_edge(edges.item(e), corners[from], corners[to], is_relative, line_tolerance_m / metres);
-    for (Vec2& p : line) p *= metres;
+    for (Vec2& p : line) {
+      require_near(edges.item(e), p);
+      p *= metres;
+    }
     panel.edges_m.push_back(std::move(line));
   }
   if (*at != begin) {
     edges.fail(fmt::format("a closed outline: the last edge ends at vertex {}, the first begins at {}", *at, begin));
+  }
+  Vec2 lower(longest_panel_m), upper(-longest_panel_m);
+  for (const Vec2& corner : corners) {
+    lower = glm::min(lower, (corner - corners.front()) * metres);
+    upper = glm::max(upper, (corner - corners.front()) * metres);
+  }
+  if (!(glm::length(upper - lower) >= min_panel_m)) {
+    vertices.fail(fmt::format("a panel of at least {} m", min_panel_m));
   }
   const auto vector_at = [&](const char* key) {
     return place.has(key) ? place.member(key).numbers(3, 3) : std::vector<double>{0.0, 0.0, 0.0};
@@ -236,6 +260,9 @@ PatternPanel read_panel(const Place& place, const std::string& name, bool is_rel
   panel.rotation = rotation_of(vector_at("rotation"));
   const std::vector<double> t = vector_at("translation");
   panel.translation_m = metres * Vec3(t[0], t[1], t[2]);
+  if (!(glm::length(panel.translation_m) <= max_distance_m)) {
+    place.member("translation").fail(fmt::format("a place at most {} m from the origin", max_distance_m));
+  }
   return panel;
 }
 
@@ -246,17 +273,6 @@ PanelEdge read_side(const Place& side, const SewingPattern& pattern) {
   if (found == pattern.panels.end()) name.fail("the name of a panel");
   return {static_cast<std::size_t>(found - pattern.panels.begin()),
           side.member("edge").index_below(found->edges_m.size(), "an edge of that panel")};
-}
-
-nlohmann::json parse(const std::string& text, const std::string& file) {
-  try {
-    return nlohmann::json::parse(text, nullptr, true, true);
-  } catch (const nlohmann::json::parse_error& error) {
-    const std::string what = error.what();
-    const std::size_t at = what.find("parse error");
-    throw InputError("'{}': {}; expected a sewing pattern in the JSON of GarmentCode", file,
-                     at == std::string::npos ? what : what.substr(at));
-  }
 }
 
 }  // namespace
@@ -302,7 +318,8 @@ void add_pattern(const std::string& name, SewingPattern added, SewingPattern& pa
 
 SewingPattern read_sewing_pattern(const std::filesystem::path& path) {
   const std::string file = path.string();
-  const nlohmann::json json = parse(read_text_file(path), file);
+  const auto json = parse_json<nlohmann::json>(read_text_file(path), '\'' + file + '\'',
+                                               "a sewing pattern in the JSON of GarmentCode", true);
   const Place root(json, "", file);
   double metres = 0.01;
   bool is_relative = true;
@@ -330,10 +347,10 @@ SewingPattern read_sewing_pattern(const std::filesystem::path& path) {
     pattern.panels.push_back(read_panel(panels.member(name), name, is_relative, metres));
   }
   const Place stitches = body.member("stitches");
-  for (std::size_t s = 0; s < stitches.count(0, "stitches"); ++s) {
+  for (std::size_t s = 0; s < stitches.count(0, max_stitches, "stitches"); ++s) {
     const Place stitch = stitches.item(s);
     // Some say behind both sides which way the cloth faces, which the place of panels says as well.
-    stitch.count(2, "sides");
+    stitch.count(2, 10, "sides");
     pattern.stitches.push_back({read_side(stitch.item(0), pattern), read_side(stitch.item(1), pattern)});
     const auto& [first, second] = pattern.stitches.back();
     if (first.panel == second.panel && first.edge == second.edge) stitch.fail("two different edges");

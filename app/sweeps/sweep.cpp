@@ -2,7 +2,7 @@
 
 #include <fstream>
 
-#include "app/base/errors.hpp"
+#include "app/base/json_reading.hpp"
 #include "app/bodies/wearing.hpp"
 #include "app/frame_loop.hpp"
 #include "app/output/csv.hpp"
@@ -277,13 +277,14 @@ Sweep read_sweep(const fs::path& folder) {
     throw InputError("'{}' is no sweep: there is no sweep.json; taut sweep plan makes one", folder.string());
   }
   try {
-    const Json json = Json::parse(read_text_file(file));
+    const auto json = parse_json<Json>(read_text_file(file), "cannot read the sweep in '" + folder.string() + '\'',
+                                       "what taut sweep plan writes");
     Sweep sweep{folder, json.at("program"), {}};
     for (const Json& run : json.at("runs")) sweep.runs.push_back({run.at("values"), run.at("hash")});
     if (sweep.runs.empty()) throw InputError("'{}' names no run", file.string());
     return sweep;
   } catch (const Json::exception& error) {
-    throw InputError("cannot read the sweep in '{}': {}", folder.string(), error.what());
+    throw InputError("cannot read the sweep in '{}': {}", folder.string(), plain_reason(error));
   }
 }
 
@@ -308,11 +309,18 @@ Attempt attempt_run(const Sweep& sweep, std::size_t run, const ProgressCallback&
 }
 
 std::optional<Json> result_of(const Sweep& sweep, std::size_t run) {
-  std::ifstream in(sweep.file(run, ".json"));
-  Json result = in ? Json::parse(in, nullptr, false) : Json();
-  const bool is_as_planned = result.is_object() && result.value("hash", "") == sweep.runs[run].hash &&
-                             result.value("program", "") == sweep.program;
-  return is_as_planned ? std::optional(std::move(result)) : std::nullopt;
+  const fs::path file = sweep.file(run, ".json");
+  if (std::error_code error; !fs::exists(file, error)) return std::nullopt;
+  try {
+    auto result = parse_json<Json>(read_text_file(file), "", "");
+    const bool is_as_planned = result.is_object() && result.value("hash", "") == sweep.runs[run].hash &&
+                               result.value("program", "") == sweep.program;
+    return is_as_planned ? std::optional(std::move(result)) : std::nullopt;
+  } catch (const InputError&) {
+    return std::nullopt;  // it was cut off
+  } catch (const Json::exception&) {
+    return std::nullopt;
+  }
 }
 
 SweepStatus status_of(const Sweep& sweep) {

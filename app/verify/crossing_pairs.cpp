@@ -17,8 +17,19 @@ Corners corners_of(const Surface& surface, const sim::Triangle& t) {
   return {surface.positions_m[t[0]], surface.positions_m[t[1]], surface.positions_m[t[2]]};
 }
 
+void require_place(const Surface& surface, sim::Index triangle) {
+  for (const sim::Index v : surface.triangles[triangle]) {
+    if (!is_exactly_comparable(surface.positions_m[v])) {
+      throw std::invalid_argument(fmt::format("{}: found vertex {} at {}, expected finite coordinates below 1e100",
+                                              describe_triangle(surface, triangle), v,
+                                              describe_point(surface.positions_m[v])));
+    }
+  }
+}
+
 void add_boxes(const Surface& surface, bool is_of_body, std::vector<TriangleBox>& boxes) {
   for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
+    require_place(surface, static_cast<sim::Index>(t));
     const Corners corners = corners_of(surface, surface.triangles[t]);
     boxes.push_back({sim::extent_of(corners), static_cast<sim::Index>(t), is_of_body});
   }
@@ -32,7 +43,7 @@ class Strips {
     double sum = 0.0;
     for (const TriangleBox& box : boxes) sum += box.extent.upper[axis] - box.extent.lower[axis];
     const double count = std::floor(length * static_cast<double>(boxes.size()) / (boxes_across * sum));
-    // Also where a coordinate is not finite.
+    // Also where all boxes are one point.
     count_ = count >= 1.0 && count < most ? static_cast<std::size_t>(count) : count >= most ? most : 1;
     width_ = length / static_cast<double>(count_);
   }
@@ -56,7 +67,7 @@ class Strips {
 
 /// Calls `found` with all pairs of boxes that meet. Sweep and prune (Baraff 1992) along the axis of the
 /// largest extent, in which the fewest boxes are beside each other, in strips of the next largest.
-template <class Found> void sweep(std::vector<TriangleBox>& boxes, const Found& found) {
+template <class Found> void sweep(std::vector<TriangleBox>& boxes, const Poll& poll, const Found& found) {
   sim::Extent all;
   for (const TriangleBox& box : boxes) {
     all.add(box.extent.lower);
@@ -76,6 +87,7 @@ template <class Found> void sweep(std::vector<TriangleBox>& boxes, const Found& 
   }
   for (std::size_t s = 0; s < in_strip.size(); ++s) {
     for (auto a = in_strip[s].begin(); a != in_strip[s].end(); ++a) {
+      if (poll) poll();
       const double end = (*a)->extent.upper[axis];
       for (auto b = a + 1; b != in_strip[s].end() && (*b)->extent.lower[axis] <= end; ++b) {
         // Two that share several strips meet in the first of them.
@@ -166,11 +178,11 @@ template <class Outside> bool enters(const Corners& t, const Outside& outside) {
 
 }  // namespace
 
-std::vector<CrossingPair> crossing_pairs(const Surface& cloth) {
+std::vector<CrossingPair> crossing_pairs(const Surface& cloth, const Poll& poll) {
   std::vector<TriangleBox> boxes;
   add_boxes(cloth, false, boxes);
   std::vector<CrossingPair> pairs;
-  sweep(boxes, [&](const TriangleBox& a, const TriangleBox& b) {
+  sweep(boxes, poll, [&](const TriangleBox& a, const TriangleBox& b) {
     const auto [first, second] = std::minmax(a.triangle, b.triangle);
     if (const auto place = place_within(cloth, cloth.triangles[first], cloth.triangles[second])) {
       pairs.push_back({first, second, *place});
@@ -179,12 +191,12 @@ std::vector<CrossingPair> crossing_pairs(const Surface& cloth) {
   return ordered(std::move(pairs));
 }
 
-std::vector<CrossingPair> crossing_pairs(const Surface& cloth, const Surface& body) {
+std::vector<CrossingPair> crossing_pairs(const Surface& cloth, const Surface& body, const Poll& poll) {
   std::vector<TriangleBox> boxes;
   add_boxes(cloth, false, boxes);
   add_boxes(body, true, boxes);
   std::vector<CrossingPair> pairs;
-  sweep(boxes, [&](const TriangleBox& a, const TriangleBox& b) {
+  sweep(boxes, poll, [&](const TriangleBox& a, const TriangleBox& b) {
     if (a.is_of_body == b.is_of_body) return;
     const sim::Index first = a.is_of_body ? b.triangle : a.triangle;
     const sim::Index second = a.is_of_body ? a.triangle : b.triangle;

@@ -17,14 +17,17 @@ struct CrossingPair {
   sim::Vec3 place_m = sim::Vec3(0.0);  ///< a point that both have, rounded
 };
 
+/// Called again and again during a search; it may throw to end it.
+using Poll = std::function<void()>;
+
 /// Returns all pairs of triangles of the cloth that cross each other (triangle_crossing.hpp), ordered by
-/// their indices. Vertices are shared if their indices are equal, wherever they are. Positions must be
-/// finite.
-std::vector<CrossingPair> crossing_pairs(const Surface& cloth);
+/// their indices. Vertices are shared if their indices are equal, wherever they are. Throws
+/// std::invalid_argument where a triangle has a corner that is not finite.
+std::vector<CrossingPair> crossing_pairs(const Surface& cloth, const Poll& poll = {});
 
 /// Returns all pairs of a triangle of the cloth and one of the body that have a point in common, in the same
 /// order.
-std::vector<CrossingPair> crossing_pairs(const Surface& cloth, const Surface& body);
+std::vector<CrossingPair> crossing_pairs(const Surface& cloth, const Surface& body, const Poll& poll = {});
 
 /// Returns "triangle 7 (vertices 1, 2, 3)".
 std::string describe_triangle(const Surface& surface, sim::Index triangle);

@@ -204,17 +204,24 @@ mpq_class cross(const Exact& v, const Exact& w, std::size_t axis) {
 }
 
 int exact_orientation(const sim::Vec3& a, const sim::Vec3& b, const sim::Vec3& c, const sim::Vec3& d) {
+  assert(is_exactly_comparable(a) && is_exactly_comparable(b) && is_exactly_comparable(c) && is_exactly_comparable(d));
   const Exact u = difference(a, d), v = difference(b, d), w = difference(c, d);
   const mpq_class determinant = u[0] * cross(v, w, 0) + u[1] * cross(v, w, 1) + u[2] * cross(v, w, 2);
   return sgn(determinant);
 }
 
 int exact_orientation(const sim::Vec2& a, const sim::Vec2& b, const sim::Vec2& c) {
+  assert(is_exactly_comparable({a, 0.0}) && is_exactly_comparable({b, 0.0}) && is_exactly_comparable({c, 0.0}));
   const mpq_class determinant = cross(difference({a, 0.0}, {c, 0.0}), difference({b, 0.0}, {c, 0.0}), 2);
   return sgn(determinant);
 }
 
 }  // namespace
+
+bool is_exactly_comparable(const Vec3& point) {
+  constexpr double too_large = 1e100;
+  return std::abs(point.x) < too_large && std::abs(point.y) < too_large && std::abs(point.z) < too_large;
+}
 
 std::optional<Vec3> crossing_place(const Corners& a, const Corners& b) {
   const Vec3 from = middle_of(b), to = middle_of(a);

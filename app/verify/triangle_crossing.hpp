@@ -20,7 +20,9 @@ std::optional<sim::Vec3> crossing_place_beside_vertex(const Corners& a, const Co
 /// that they have a point in common that is not on that edge. The place is then the middle of the edge.
 std::optional<sim::Vec3> crossing_place_beside_edge(const Corners& a, const Corners& b);
 
-// Coordinates must be finite and of sizes below 1e100.
+/// Returns whether all coordinates are finite and of sizes below 1e100, as all points here must be: others have no
+/// rational numbers.
+bool is_exactly_comparable(const sim::Vec3& point);
 
 /// Returns the sign, -1, 0 or 1, of (a - d) . ((b - d) x (c - d)): 0 exactly if the four points are in one
 /// plane. The sign is exact: a value that rounding could have turned (Shewchuk 1997, the error bounds "A") is

@@ -18,6 +18,9 @@ bool has_corner(const Triangle& t, Index v) { return t[0] == v || t[1] == v || t
 
 Vec3 normal_of(const std::array<Vec3, 3>& t) { return glm::cross(t[1] - t[0], t[2] - t[0]); }
 
+/// The vector of length 1; 0 where the squares of its coordinates vanish, as in cloth that was moved by 1e-320 m.
+Vec3 direction_of(const Vec3& v) { return glm::dot(v, v) > 0.0 ? glm::normalize(v) : Vec3(0.0); }
+
 /// Where the segment goes through the triangle; empty: nowhere.
 std::optional<Piercing> piercing_of(const Vec3& from, const Vec3& to, const std::array<Vec3, 3>& t) {
   const Vec3 area = normal_of(t);
@@ -34,7 +37,7 @@ std::optional<Piercing> piercing_of(const Vec3& from, const Vec3& to, const std:
   if (!(found.weights.x >= 0.0 && found.weights.y >= 0.0 && found.weights.z >= 0.0)) return std::nullopt;
   found.along = before / (before - behind);
   found.first_is_in_front = before > 0.0;
-  found.normal = glm::normalize(found.first_is_in_front ? area : -area);
+  found.normal = direction_of(found.first_is_in_front ? area : -area);
   return found;
 }
 
@@ -277,6 +280,8 @@ class Attempt {
     int in_vain = 0;
     for (int round = 0; round < settings_.most_rounds && in_vain < most_rounds_in_vain; ++round) {
       const std::vector<TrianglePair> pairs = find_crossings(positions_m_);
+      best.pairs_found += pairs.size();
+      if (best.pairs_found > settings_.max_pairs) break;
       const std::vector<Gap> gaps = pairs.empty() ? narrow_gaps() : std::vector<Gap>{};
       const std::vector<Index> uneven =
           pairs.empty() && settings_.is_cut_anew ? uneven_vertices() : std::vector<Index>{};
@@ -411,7 +416,7 @@ class Attempt {
   void shorten_contour(const Piercing& p, Moves& asked) const {
     const Edge& edge = garment_.adjacency.edges[p.edge];
     const Vec3& from = positions_m_[edge[0]];
-    const Vec3 along = glm::normalize(positions_m_[edge[1]] - from);
+    const Vec3 along = direction_of(positions_m_[edge[1]] - from);
     const double cosine =
         std::copysign(std::max(std::abs(glm::dot(along, p.normal)), least_cosine), glm::dot(along, p.normal));
     Vec3 gradient(0.0);
@@ -421,7 +426,7 @@ class Attempt {
       const Vec3 inwards = (a + b + c) / 3.0 - from;
       const double side = glm::dot(line, inwards - glm::dot(inwards, along) * along);
       if (side != 0.0) {
-        const Vec3 direction = std::copysign(1.0, side) * glm::normalize(line);
+        const Vec3 direction = std::copysign(1.0, side) * direction_of(line);
         gradient += direction - 2.0 * glm::dot(direction, along) / cosine * p.normal;
       }
     }
@@ -522,12 +527,16 @@ std::vector<Gap> find_gaps(const Garment& garment, double width_m, double joined
 Untangled untangle(const Garment& garment, std::vector<Vec3> start_m, const UntangleSettings& settings,
                    const FindCrossings& find_crossings) {
   const std::vector<TrianglePair> pairs = find_crossings(start_m);
-  const Untangled as_it_was = {{pairs.size(), pairs.size()}, start_m};
+  Untangled as_it_was = {{pairs.size(), pairs.size(), pairs.size()}, start_m};
+  as_it_was.is_given_up = pairs.size() > settings.max_pairs;
+  if (as_it_was.is_given_up) return as_it_was;
   Untangled best = as_it_was;
   if (pairs.empty() && !settings.is_cut_anew) return best;
   const bool walls = are_walls(find_contours(garment, pairs, start_m).piercings);
   Attempt(garment, settings, start_m).run(find_crossings, walls, best);
-  if (best.pairs_left > 0) Attempt(garment, settings, start_m).run(find_crossings, !walls, best);
+  if (best.pairs_left > 0 && best.pairs_found <= settings.max_pairs)
+    Attempt(garment, settings, start_m).run(find_crossings, !walls, best);
+  as_it_was.is_given_up = best.is_given_up = best.pairs_found > settings.max_pairs;
   // A run that keeps the bound begins within it. The way there may be longer than what was won.
   if (!settings.is_cut_anew && largest_excess_m(garment, settings.bounded, best.positions_m) > 0.0) {
     best.positions_m = within_bound(garment, settings.bounded, best.positions_m);

@@ -68,6 +68,8 @@ struct UntangleSettings {
   /// No vertex goes further than this many times the mean length of edges.
   double largest_move_edges = 5.0;
   int most_rounds = 200;  ///< of finding and moving; where nothing crosses any more they end
+  /// Budget of work: pairs that cross, in all rounds together. When it is spent, the best shape so far is returned.
+  std::size_t max_pairs = 2'000'000;
   /// It is to be cut as it was parted, by which it is stretched nowhere. Then it is parted too where layers
   /// are nearly as one at the start, and triangles that are flat or folded back are evened out.
   bool is_cut_anew = false;
@@ -80,6 +82,8 @@ using FindCrossings = std::function<std::vector<TrianglePair>(std::span<const Ve
 struct Untangling {
   std::size_t pairs_before = 0;  ///< of triangles that crossed
   std::size_t pairs_left = 0;
+  std::size_t pairs_found = 0;  ///< in all rounds together
+  bool is_given_up = false;     ///< the budget of work was spent
   double largest_move_m = 0.0;
 };
 

@@ -32,15 +32,9 @@ const std::string frames =
     "0 50 0 0 0 0  0 0 0  0 0 0\n"
     "0 50 10 0 0 90  90 0 0  0 0 0\n";
 
-sim::Vec3 about_z(const sim::Vec3& d) {
-  return {-d.y, d.x, d.z};
-}
-sim::Vec3 about_y(const sim::Vec3& d) {
-  return {d.z, d.y, -d.x};
-}
-sim::Vec3 about_x(const sim::Vec3& d) {
-  return {d.x, -d.z, d.y};
-}
+sim::Vec3 about_z(const sim::Vec3& d) { return {-d.y, d.x, d.z}; }
+sim::Vec3 about_y(const sim::Vec3& d) { return {d.z, d.y, -d.x}; }
+sim::Vec3 about_x(const sim::Vec3& d) { return {d.x, -d.z, d.y}; }
 
 struct Bvh : testing::Test {
   BodySource source_of(const GltfModel& model, const std::string& motion) const {
@@ -49,15 +43,11 @@ struct Bvh : testing::Test {
     source.motion = folder.write("walk.bvh", motion);
     return source;
   }
-  std::string error_of_motion(const std::string& motion) const {
-    return error_of(source_of(test::tube(), motion));
-  }
+  std::string error_of_motion(const std::string& motion) const { return error_of(source_of(test::tube(), motion)); }
   test::TemporaryFolder folder;
 };
 
-double upper_share(const sim::Vec3& p) {
-  return std::clamp(2.0 * (p.y - 1.0), 0.0, 1.0);
-}
+double upper_share(const sim::Vec3& p) { return std::clamp(2.0 * (p.y - 1.0), 0.0, 1.0); }
 
 TEST_F(Bvh, TurnsJointsFromTheStoredPoseInTheAxesOfTheScene) {
   const GltfModel model = test::tube();
@@ -75,9 +65,7 @@ TEST_F(Bvh, TurnsJointsFromTheStoredPoseInTheAxesOfTheScene) {
     EXPECT_LT(glm::distance(zero_m[v], p), tolerance_m) << v;
     // Twice as large: hips that go 5 cm go 10.
     const sim::Vec3 bent = hips + spine + about_z(p - hips - spine);
-    EXPECT_LT(glm::distance(second_m[v], sim::Vec3(0.1, 0.2, 0) + (1.0 - share) * p + share * bent),
-              tolerance_m)
-        << v;
+    EXPECT_LT(glm::distance(second_m[v], sim::Vec3(0.1, 0.2, 0) + (1.0 - share) * p + share * bent), tolerance_m) << v;
     const sim::Vec3 with_hips = hips + about_y(p - hips);
     const sim::Vec3 nodding = hips + about_y(spine + about_x(p - hips - spine));
     EXPECT_LT(glm::distance(third_m[v], sim::Vec3(0, 0, 0.2) + (1.0 - share) * with_hips + share * nodding),
@@ -100,10 +88,12 @@ TEST_F(Bvh, OrderOfChannelsIsTheOrderOfRotations) {
     }
     return furthest_m;
   };
-  EXPECT_LT(furthest_m("Zrotation Xrotation Yrotation", "90 90 0", [](const sim::Vec3& d) { return about_z(about_x(d)); }),
-            tolerance_m);
-  EXPECT_LT(furthest_m("Xrotation Yrotation Zrotation", "90 0 90", [](const sim::Vec3& d) { return about_x(about_z(d)); }),
-            tolerance_m);
+  EXPECT_LT(
+      furthest_m("Zrotation Xrotation Yrotation", "90 90 0", [](const sim::Vec3& d) { return about_z(about_x(d)); }),
+      tolerance_m);
+  EXPECT_LT(
+      furthest_m("Xrotation Yrotation Zrotation", "90 0 90", [](const sim::Vec3& d) { return about_x(about_z(d)); }),
+      tolerance_m);
   EXPECT_LT(furthest_m("Yrotation Zrotation Xrotation", "90 0 0", about_y), tolerance_m);
 }
 
@@ -138,8 +128,8 @@ TEST_F(Bvh, KnowsWhichWayIsUpInTheMotion) {
       " JOINT Head\n {\n OFFSET 0 0 25\n }\n }\n"
       " JOINT LeftFoot\n {\n OFFSET 0 0 -50\n }\n}\n";
   const LoadedBody upright = load(source_of(test::tube(), bvh(skeleton, frames)));
-  const LoadedBody turned = load(source_of(
-      test::tube(), bvh(lying, "Frames: 2\nFrame Time: 0.5\n0 0 50 0 0 0 0 0 0\n5 0 60 0 0 0 0 -90 0\n")));
+  const LoadedBody turned = load(
+      source_of(test::tube(), bvh(lying, "Frames: 2\nFrame Time: 0.5\n0 0 50 0 0 0 0 0 0\n5 0 60 0 0 0 0 -90 0\n")));
   EXPECT_CONTAINS(turned.said(), "up in its motion is z");
   const auto expected_m = upright.positions_m(0.5);
   const auto found_m = turned.positions_m(0.5);
@@ -157,8 +147,7 @@ TEST_F(Bvh, HipsBeginWhereTheBodyIs) {
   GltfModel model = test::tube();
   model.joints[2].translation.y = -0.8;
   const LoadedBody body = load(source_of(
-      model, bvh(recorded,
-                 "Frames: 2\nFrame Time: 0.5\n200 55 30 0 0 0 0 0 0 0 0 0\n210 50 30 0 0 0 0 0 0 0 0 0\n")));
+      model, bvh(recorded, "Frames: 2\nFrame Time: 0.5\n200 55 30 0 0 0 0 0 0 0 0 0\n210 50 30 0 0 0 0 0 0 0 0 0\n")));
   const auto first_m = body.positions_m(0.0);
   const auto second_m = body.positions_m(0.5);
   EXPECT_LT(glm::distance(first_m[0], model.positions[0] + sim::Vec3(0, 0.1, 0)), tolerance_m);
@@ -175,19 +164,16 @@ TEST_F(Bvh, SaysWhichJointsAreNotThere) {
 
 TEST_F(Bvh, RefusesAMotionOfAnotherSkeleton) {
   std::string other = skeleton;
-  for (const auto& [from, to] : {std::pair<std::string, std::string>{"mixamorig:Hips", "Trunk"},
-                                 {"spine", "Rotor"},
-                                 {"left_foot", "Tail"}}) {
+  for (const auto& [from, to] :
+       {std::pair<std::string, std::string>{"mixamorig:Hips", "Trunk"}, {"spine", "Rotor"}, {"left_foot", "Tail"}}) {
     other.replace(other.find(from), from.size(), to);
   }
-  EXPECT_CONTAINS(
-      error_of_motion(bvh(other, frames)),
-      "walk.bvh': found the joints Trunk, Rotor, Tail, none of which is one of the body's; expected "
-      "Hips, Spine, LeftFoot");
+  EXPECT_CONTAINS(error_of_motion(bvh(other, frames)),
+                  "walk.bvh': found the joints Trunk, Rotor, Tail, none of which is one of the body's; expected "
+                  "Hips, Spine, LeftFoot");
   GltfModel still = test::tube();
   still.weights.clear();
-  EXPECT_CONTAINS(error_of(source_of(still, bvh(skeleton, frames))),
-                  "a body whose vertices follow no joints");
+  EXPECT_CONTAINS(error_of(source_of(still, bvh(skeleton, frames))), "a body whose vertices follow no joints");
 }
 
 TEST_F(Bvh, NamesTheLineOfWhatIsWrong) {
@@ -202,15 +188,26 @@ TEST_F(Bvh, NamesTheLineOfWhatIsWrong) {
                   "found the end of the file, expected 4 frames of 12 numbers");
   EXPECT_CONTAINS(error_of_motion(good + "7\n"), "found '7', expected the end of the file after 4 frames");
   EXPECT_CONTAINS(error_of_motion(bvh(skeleton, "Frames: 0\n")), "expected the number of frames, 1 to");
-  EXPECT_CONTAINS(error_of_motion(bvh(skeleton, "Frames: 1\nFrame Time: 0\n")), "a time of a frame above 0");
+  EXPECT_CONTAINS(error_of_motion(bvh(skeleton, "Frames: 1\nFrame Time: 0\n")), "a time of a frame from 1e-05 to 10000 s");
+}
+
+TEST_F(Bvh, RefusesChannelsTwiceAndNumbersThatNobodyMovesBy) {
+  const std::string twice =
+      "Hips\n{\n OFFSET 0 50 0\n CHANNELS 3 Xposition Yposition Zposition\n"
+      " CHANNELS 3 Zrotation Xrotation Yrotation\n}\n";
+  EXPECT_CONTAINS(error_of_motion(bvh(twice, "Frames: 1\nFrame Time: 0.5\n0 0 0 0 0 0\n")), "channels of a joint once");
+  for (const std::string time : {"1e-300", "1e8", "0"}) {
+    EXPECT_CONTAINS(error_of_motion(bvh(skeleton, "Frames: 4\nFrame Time: " + time + "\n")), "from 1e-05 to 10000 s");
+  }
+  EXPECT_CONTAINS(error_of_motion(bvh(skeleton, "Frames: 4\nFrame Time: 0.5\n1e300 50 0 0 0 0 0 0 0 0 0 0\n")),
+                  "found '1e300'");
 }
 
 TEST_F(Bvh, AJumpIsNamedBeforeTheRun) {
-  EXPECT_CONTAINS(
-      error_of_motion(bvh(skeleton,
-                          "Frames: 2\nFrame Time: 1\n0 50 0 0 0 0 0 0 0 0 0 0\n"
-                          "0 150 0 0 0 0 0 0 0 0 0 0\n")),
-      "walk.bvh': frame 1, vertex 0: found at [0.2, 2, 0] m, 2 m from where it is in the frame before");
+  EXPECT_CONTAINS(error_of_motion(bvh(skeleton,
+                                      "Frames: 2\nFrame Time: 1\n0 50 0 0 0 0 0 0 0 0 0 0\n"
+                                      "0 150 0 0 0 0 0 0 0 0 0 0\n")),
+                  "walk.bvh': frame 1, vertex 0: found at [0.2, 2, 0] m, 2 m from where it is in the frame before");
 }
 
 }  // namespace

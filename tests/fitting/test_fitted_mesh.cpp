@@ -17,8 +17,7 @@ using sim::Index;
 using sim::Vec3;
 
 /// A grid of quads cut in two; `place` takes its columns and rows from 0 to 1.
-template <class Place>
-sim::Mesh patch(Index columns, Index rows, const Place& place) {
+template <class Place> sim::Mesh patch(Index columns, Index rows, const Place& place) {
   sim::Mesh mesh;
   for (Index r = 0; r <= rows; ++r) {
     for (Index c = 0; c <= columns; ++c) {
@@ -68,8 +67,7 @@ double smallest_angle(const sim::Mesh& mesh, const sim::Triangle& t) {
   for (int k = 0; k < 3; ++k) {
     const Vec3 x = mesh.positions[t[(k + 1) % 3]] - mesh.positions[t[k]];
     const Vec3 y = mesh.positions[t[(k + 2) % 3]] - mesh.positions[t[k]];
-    smallest = std::min(smallest,
-                        std::atan2(glm::length(glm::cross(x, y)), glm::dot(x, y)) * 180.0 / std::numbers::pi);
+    smallest = std::min(smallest, std::atan2(glm::length(glm::cross(x, y)), glm::dot(x, y)) * 180.0 / std::numbers::pi);
   }
   return smallest;
 }
@@ -177,13 +175,11 @@ TEST(FittedMesh, CarriesAButtonAndAPocket) {
                      Vec3(0.1, 1.0, 1.0) * around(u, 0.01 * std::cos(tilt), 0.01 * std::sin(tilt));
             }),
       trimmed);
-  add(patch(10, 10, [](double u, double v) { return around(0.2 + 0.1 * u, 0.203, 0.1 + 0.12 * v); }),
-      trimmed);
+  add(patch(10, 10, [](double u, double v) { return around(0.2 + 0.1 * u, 0.203, 0.1 + 0.12 * v); }), trimmed);
   const Judged judged = fit(trimmed);
   EXPECT_EQ(judged.fitted.sheets, 1U);
   EXPECT_NEAR(judged.area_m2, tube_area_m2, 0.01 * tube_area_m2);
-  EXPECT_EQ(std::count(judged.fitted.is_simulated.begin(), judged.fitted.is_simulated.begin() + 4800, 1),
-            4800);
+  EXPECT_EQ(std::count(judged.fitted.is_simulated.begin(), judged.fitted.is_simulated.begin() + 4800, 1), 4800);
   EXPECT_EQ(std::count(judged.fitted.is_simulated.begin() + 4800, judged.fitted.is_simulated.end(), 1), 0);
 }
 
@@ -239,8 +235,8 @@ TEST(FittedMesh, KeepsBordersAndTheirCornersInPlace) {
 }
 
 TEST(FittedMesh, HasEdgesOfOneLengthAndFewerTriangles) {
-  const sim::Mesh model = patch(
-      200, 100, [](double u, double v) { return around(u, 0.2 + 0.01 * std::sin(50.0 * u) * v, v * 0.8); });
+  const sim::Mesh model =
+      patch(200, 100, [](double u, double v) { return around(u, 0.2 + 0.01 * std::sin(50.0 * u) * v, v * 0.8); });
   for (const std::size_t most : {2000U, 8000U}) {
     const Judged judged = fit(model, {.most_triangles = most});
     EXPECT_GT(judged.fitted.mesh.triangles.size(), most * 7 / 10);
@@ -264,9 +260,8 @@ TEST(FittedMesh, KeepsNarrowStraps) {
   EXPECT_EQ(judged.fitted.sheets, 1U);
   EXPECT_EQ(judged.topology.boundary_loops,
             4U);  // the hem, the neck between the straps and an armhole beside each
-  const auto highest =
-      std::max_element(judged.fitted.mesh.positions.begin(), judged.fitted.mesh.positions.end(),
-                       [](const Vec3& a, const Vec3& b) { return a.y < b.y; });
+  const auto highest = std::max_element(judged.fitted.mesh.positions.begin(), judged.fitted.mesh.positions.end(),
+                                        [](const Vec3& a, const Vec3& b) { return a.y < b.y; });
   EXPECT_GT(highest->y, 0.54);
 }
 
@@ -292,14 +287,17 @@ TEST(Remeshing, LeavesNoEdgeWithoutLength) {
   model.positions[t[2]] = model.positions[t[0]] + Vec3(0.0, 1e-6, 0.0);
   model.triangles.erase(model.triangles.begin() + static_cast<std::ptrdiff_t>(hole));
   constexpr double edge_m = 0.03;
-  const sim::Mesh mesh = remesh(model, edge_m);
+  const sim::Mesh mesh = remesh(model, edge_m, 1000000);
   for (const sim::Triangle& corners : mesh.triangles) {
     for (std::size_t k = 0; k < 3; ++k) {
-      EXPECT_GT(glm::distance(mesh.positions[corners[k]], mesh.positions[corners[(k + 1) % 3]]),
-                0.1 * edge_m);
+      EXPECT_GT(glm::distance(mesh.positions[corners[k]], mesh.positions[corners[(k + 1) % 3]]), 0.1 * edge_m);
     }
   }
   EXPECT_NEAR(sim::surface_area(mesh), 0.25, 0.01);
+}
+
+TEST(Remeshing, EndsWhenItsBudgetIsSpent) {
+  EXPECT_THROW(remesh(sheet(20, 20, 0.5, 0.5), 0.03, 500), std::invalid_argument);
 }
 
 // Two sheets that share a line, where four triangles meet at an edge, are two, and neither has a border
@@ -316,6 +314,18 @@ TEST(Sheets, BothOfTwoGoOnWhereTheyCross) {
   const Sheets sheets = cut_into_sheets(cross);
   EXPECT_EQ(sheets.count, 2U);
   EXPECT_EQ(std::count(sheets.beyond.begin(), sheets.beyond.end(), sim::no_vertex), 2 * 80);
+}
+
+TEST(Sheets, ManyTrianglesAtOneEdgeAreRefused) {
+  sim::Mesh fan{{{0.0, 0.0, 0.0}, {0.0, 1.0, 0.0}}, {}, {}};
+  for (Index k = 0; k < 3000; ++k) {
+    const double angle = 0.002 * k;
+    fan.positions.emplace_back(std::cos(angle), 0.5, std::sin(angle));
+    fan.triangles.push_back({0, 1, k + 2});
+  }
+  EXPECT_THROW(cut_into_sheets(fan), std::invalid_argument);
+  fan.triangles.resize(500);
+  EXPECT_EQ(cut_into_sheets(fan).count, 250U);
 }
 
 TEST(WhyNotFit, SaysWhatIsWrong) {

@@ -56,6 +56,19 @@ struct ModelFitting : testing::Test {
     return scene;
   }
 
+  /// Triangles 2 m long and 0.1 micrometres wide, of which no mesh is left.
+  Scene slivers() {
+    sim::Mesh model;
+    for (sim::Index k = 0; k < 40; ++k) {
+      model.positions.insert(model.positions.end(),
+                             {{0.01 * k, 0.0, 0.0}, {0.01 * k + 1.0, 1e-7, 0.0}, {0.01 * k + 2.0, 0.0, 1e-7}});
+      model.triangles.push_back({3 * k, 3 * k + 1, 3 * k + 2});
+    }
+    Scene scene;
+    scene.garment.file = folder.write("slivers.obj", obj_text(model, model.positions));
+    return scene;
+  }
+
   test::TemporaryFolder folder;
   std::size_t vertices = 0;
 };
@@ -204,6 +217,14 @@ TEST_F(ModelFitting, ThreadsRunAlongTheModelsTextureCoordinates) {
     const Vec3 warp = loaded.garment->warps[t].x * along + loaded.garment->warps[t].y * across;
     EXPECT_NEAR(std::abs(glm::dot(warp, Vec3(-sine, cosine, 0.0))), 1.0, 1e-6) << t;
   }
+}
+
+TEST_F(ModelFitting, SaysThatNoMeshIsLeft) {
+  Scene scene = slivers();
+  scene.garment.mesh = MeshChoice::fitted;
+  EXPECT_CONTAINS(test::message_of<InputError>([&] { load_garment(scene); }), "no mesh can be fitted to it");
+  scene.garment.mesh = MeshChoice::automatic;
+  EXPECT_EQ(load_garment(scene).following, nullptr);
 }
 
 }  // namespace

@@ -120,6 +120,14 @@ struct Untangle : testing::Test {
   test::TemporaryFolder folder;
 };
 
+// The file has five of these nine quads lie on each other, so that the model becomes a fitted mesh that crosses itself.
+TEST_F(Untangle, KeepsEveryCoordinateANumber) {
+  Scene scene;
+  scene.garment.file = TAUT_TESTS_FOLDER "/models/shapes/nine_quads_that_cross.obj";
+  const LoadedGarment loaded = load_garment(scene);
+  for (const sim::Vec3& p : surface_at_start(loaded).positions_m) EXPECT_TRUE(is_exactly_comparable(p));
+}
+
 TEST_F(Untangle, PartsTheWallsOfAThickTube) {
   const Scene scene = scene_of(tube_of_two_walls(0.003), true);
   const LoadedGarment loaded = load_garment(scene);
@@ -212,6 +220,31 @@ TEST_F(Untangle, LeavesWhatDoesNotCrossAsItIs) {
   EXPECT_TRUE(asked.garment->parted_m.empty());
   EXPECT_EQ(surface_at_start(asked).positions_m.size(), plain.garment->mesh.positions.size());
   EXPECT_TRUE(remarks_on_start(scene_of(tube, true), asked).lines.empty());
+}
+
+TEST(UntangleBudget, EndsWithTheBestShapeSoFar) {
+  const sim::Mesh mesh = sheet_and_tongue();
+  const sim::Garment garment = sim::make_garment(mesh, {}, sim::Material{});
+  int rounds = 0;
+  const auto find = [&](std::span<const sim::Vec3> positions_m) {
+    ++rounds;
+    std::vector<sim::TrianglePair> pairs;
+    for (const CrossingPair& pair : crossing_pairs({positions_m, mesh.triangles}))
+      pairs.push_back({pair.first, pair.second});
+    return pairs;
+  };
+  sim::UntangleSettings settings;
+  const sim::Untangled whole = sim::untangle(garment, mesh.positions, settings, find);
+  EXPECT_FALSE(whole.is_given_up);
+  const int all_rounds = std::exchange(rounds, 0);
+  settings.max_pairs = 3 * whole.pairs_before;
+  const sim::Untangled part = sim::untangle(garment, mesh.positions, settings, find);
+  EXPECT_TRUE(part.is_given_up);
+  EXPECT_LT(rounds, all_rounds);
+  EXPECT_LE(part.pairs_left, part.pairs_before);
+  EXPECT_NE(describe(part).find("untangling was given up"), std::string::npos);
+  settings.max_pairs = whole.pairs_before - 1;
+  EXPECT_EQ(sim::untangle(garment, mesh.positions, settings, find).positions_m, mesh.positions);
 }
 
 // Two sheets 10 micrometres apart, in one of which a vertex was moved until its triangles are flat.

@@ -19,8 +19,7 @@ using sim::Vec3;
 const std::string square = R"("vertices": [[0, 0], [10, 0], [10, 10], [0, 10]])";
 
 std::string edges(const std::string& first_curvature) {
-  return R"("edges": [{"endpoints": [0, 1])" +
-         (first_curvature.empty() ? "" : ", \"curvature\": " + first_curvature) +
+  return R"("edges": [{"endpoints": [0, 1])" + (first_curvature.empty() ? "" : ", \"curvature\": " + first_curvature) +
          R"(}, {"endpoints": [1, 2]}, {"endpoints": [2, 3]}, {"endpoints": [3, 0]}])";
 }
 
@@ -31,14 +30,10 @@ std::string pattern_of(const std::string& panels, const std::string& stitches = 
 }
 
 struct Pattern : testing::Test {
-  SewingPattern read(const std::string& text) const {
-    return read_sewing_pattern(folder.write("pattern.json", text));
-  }
+  SewingPattern read(const std::string& text) const { return read_sewing_pattern(folder.write("pattern.json", text)); }
   /// The first edge of a square, which goes from (0, 0) to (10, 0), in m.
   std::vector<Vec2> line(const std::string& curvature, const std::string& properties = "{}") const {
-    return read(pattern_of(R"("a": {)" + square + ", " + edges(curvature) + '}', "", properties))
-        .panels[0]
-        .edges_m[0];
+    return read(pattern_of(R"("a": {)" + square + ", " + edges(curvature) + '}', "", properties)).panels[0].edges_m[0];
   }
   std::string error(const std::string& text) const {
     return test::message_of<InputError>([&] { read(text); });
@@ -92,8 +87,7 @@ TEST_F(Pattern, PlacesPanelsAsMayaTurnsThem) {
 }
 
 TEST_F(Pattern, PassesOverComments) {
-  EXPECT_EQ(read("// a square\n" + pattern_of(R"("a": {)" + square + ", " + edges("") + "} /* alone */"))
-                .panels.size(),
+  EXPECT_EQ(read("// a square\n" + pattern_of(R"("a": {)" + square + ", " + edges("") + "} /* alone */")).panels.size(),
             1u);
 }
 
@@ -101,22 +95,18 @@ TEST_F(Pattern, SaysWhereAFileIsWrong) {
   const std::string panel = R"("a": {)" + square + ", " + edges("") + '}';
   EXPECT_NE(error("{\"pattern\": {").find("parse error at line 1"), std::string::npos);
   EXPECT_NE(error("[1, 2]").find("the file: found [1,2], expected a member 'pattern'"), std::string::npos);
-  EXPECT_NE(error(pattern_of("")).find("pattern.panels: found {}, expected 1 to 500 panels"),
-            std::string::npos);
+  EXPECT_NE(error(pattern_of("")).find("pattern.panels: found {}, expected 1 to 500 panels"), std::string::npos);
   EXPECT_NE(error(pattern_of(R"("a": {"vertices": [[0, 0], [1, "x"]], "edges": []})"))
                 .find("pattern.panels.a.vertices[1]: found [1,\"x\"], expected 2 numbers"),
             std::string::npos);
-  EXPECT_NE(error(pattern_of(R"("a": {)" + square +
-                             R"(, "edges": [{"endpoints": [0, 1]}, {"endpoints": [1, 9]}]})"))
+  EXPECT_NE(error(pattern_of(R"("a": {)" + square + R"(, "edges": [{"endpoints": [0, 1]}, {"endpoints": [1, 9]}]})"))
                 .find("pattern.panels.a.edges[1].endpoints[1]: found 9, expected the number of a vertex, "
                       "from 0 to 3"),
             std::string::npos);
-  EXPECT_NE(error(pattern_of(R"("a": {)" + square +
-                             R"(, "edges": [{"endpoints": [0, 1]}, {"endpoints": [2, 3]}]})"))
+  EXPECT_NE(error(pattern_of(R"("a": {)" + square + R"(, "edges": [{"endpoints": [0, 1]}, {"endpoints": [2, 3]}]})"))
                 .find("expected an edge from vertex 1"),
             std::string::npos);
-  EXPECT_NE(error(pattern_of(R"("a": {)" + square +
-                             R"(, "edges": [{"endpoints": [0, 1]}, {"endpoints": [1, 2]}]})"))
+  EXPECT_NE(error(pattern_of(R"("a": {)" + square + R"(, "edges": [{"endpoints": [0, 1]}, {"endpoints": [1, 2]}]})"))
                 .find("expected a closed outline"),
             std::string::npos);
   EXPECT_NE(error(pattern_of(panel, R"([{"panel": "b", "edge": 0}, {"panel": "a", "edge": 0}])"))
@@ -132,9 +122,8 @@ TEST_F(Pattern, SaysWhereAFileIsWrong) {
   EXPECT_NE(error(pattern_of(panel, "", R"({"units_in_meter": 0})"))
                 .find("properties.units_in_meter: found 0, expected how many units are a metre"),
             std::string::npos);
-  EXPECT_NE(
-      error(pattern_of(panel, "", R"({"units_in_meter": 0.1})")).find("expected a panel of at most 20 m"),
-      std::string::npos);
+  EXPECT_NE(error(pattern_of(panel, "", R"({"units_in_meter": 0.1})")).find("expected a panel of at most 20 m"),
+            std::string::npos);
   EXPECT_NE(error_of_edge(R"({"type": "spline", "params": []})")
                 .find("edges[0].curvature.type: found \"spline\", expected \"quadratic\""),
             std::string::npos);
@@ -142,6 +131,39 @@ TEST_F(Pattern, SaysWhereAFileIsWrong) {
             std::string::npos);
   EXPECT_NE(error_of_edge(R"({"type": "cubic", "params": [[1, 1]]})").find("a list of points, at least 2"),
             std::string::npos);
+}
+
+std::string nested(std::size_t depth) { return std::string(depth, '[') + std::string(depth, ']'); }
+
+TEST_F(Pattern, RefusesWhatIsNestedTooDeeply) {
+  const std::string panel = R"("a": {)" + square + ", " + edges("") + '}';
+  for (const std::size_t depth : {500U, 100000U}) {
+    EXPECT_CONTAINS(error(nested(depth)), "nested more than 100 deep");
+    EXPECT_CONTAINS(error(pattern_of(panel, nested(depth))), "nested more than 100 deep");
+    EXPECT_CONTAINS(error_of_edge(nested(depth)), "nested more than 100 deep");
+  }
+  EXPECT_LT(error_of_edge(nested(90)).size(), 400U);
+}
+
+TEST_F(Pattern, RefusesLengthsThatNobodyWears) {
+  EXPECT_CONTAINS(error_of_edge(R"({"type": "cubic", "params": [[1e9, 1e9], [2e9, 0]]})"), "a panel of at most 20 m");
+  EXPECT_CONTAINS(error_of_edge(R"({"type": "circle", "params": [1e300, 0, 1]})"),
+                  "a radius above 0 and up to 10000 m");
+  EXPECT_CONTAINS(error_of_edge(R"({"type": "cubic", "params": [[1e999, 1]]})"), "number overflow");
+  const auto error_of = [&](const std::string& corners, const std::string& more) {
+    return error(pattern_of(R"("a": {"vertices": )" + corners + ", " + edges("") + more + '}'));
+  };
+  EXPECT_CONTAINS(error_of("[[0, 0], [1e-9, 0], [1e-9, 1e-9], [0, 1e-9]]", ""), "at least 1e-05 m apart");
+  EXPECT_CONTAINS(error_of("[[0, 0], [0.01, 0], [0.01, 0.01], [0, 0.01]]", ""), "a panel of at least 0.001 m");
+  EXPECT_CONTAINS(error_of("[[0, 0], [10, 0], [10, 10], [0, 10]]", R"(, "translation": [1e300, 0, 0])"),
+                  "a place at most 100 m from the origin");
+}
+
+TEST_F(Pattern, SaysWhatIsWrongInItsOwnWords) {
+  for (const std::string text : {"{", "[1e999]", "\xff", "{\"pattern\": 1}"}) {
+    EXPECT_NE(error(text), "");
+    EXPECT_EQ(error(text).find("exception"), std::string::npos) << error(text);
+  }
 }
 
 /// Two squares of 20 and 30 cm, one behind the other, the second edge of one sewn to the fourth of the other.
@@ -163,9 +185,7 @@ TEST(Cutting, BothSidesOfASeamHaveTheSameNumberOfVerticesAndSpreadTheEase) {
   ASSERT_EQ(pieces.seams.size(), 2u);
   const Seam& seam = pieces.seams[0];
   for (std::size_t k = 1; k < seam.size(); ++k) {
-    const auto step = [&](sim::Index a, sim::Index b) {
-      return glm::distance(pieces.flat_m[a], pieces.flat_m[b]);
-    };
+    const auto step = [&](sim::Index a, sim::Index b) { return glm::distance(pieces.flat_m[a], pieces.flat_m[b]); };
     const double steps = static_cast<double>(seam.size() - 1);
     EXPECT_NEAR(step(seam[k - 1].first, seam[k].first), 0.2 / steps, 1e-6);
     EXPECT_NEAR(step(seam[k - 1].second, seam[k].second), 0.3 / steps, 1e-6);

@@ -106,6 +106,10 @@ TEST_F(SweepTest, AFolderThatHoldsNoSweepIsRefused) {
   EXPECT_CONTAINS(refused(), "there is no sweep.json; taut sweep plan makes one");
   folder.write("sweep.json", R"({"program": "0123", "runs": []})");
   EXPECT_CONTAINS(refused(), "sweep.json' names no run");
+  folder.write("sweep.json", std::string(100000, '[') + std::string(100000, ']'));
+  EXPECT_CONTAINS(refused(), "nested more than 100 deep");
+  folder.write("sweep.json", "{\"runs\": 1}");
+  EXPECT_EQ(refused().find("exception"), std::string::npos) << refused();
   folder.write("sweep.json", R"({"program": "0123", "runs": [{"values")");
   EXPECT_CONTAINS(refused(), "cannot read the sweep in '");
 }

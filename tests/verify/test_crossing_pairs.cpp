@@ -34,9 +34,7 @@ struct Soup {
 
   Surface surface() const { return {positions_m, triangles}; }
 
-  test::WholeCorners corners(const sim::Triangle& t) const {
-    return {places[t[0]], places[t[1]], places[t[2]]};
-  }
+  test::WholeCorners corners(const sim::Triangle& t) const { return {places[t[0]], places[t[1]], places[t[2]]}; }
 
   /// With what they share first.
   bool do_cross(sim::Triangle a, sim::Triangle b) const {
@@ -96,8 +94,7 @@ TEST(CrossingPairs, OfClothAndBodyAreThoseOfAllPairsOfTheirTriangles) {
 }
 
 TEST(CrossingPairs, AreDescribedByTheFirst) {
-  const std::vector<Vec3> positions = {{0, 0, 0}, {4, 0, 0}, {0, 4, 0},  {1, 1, -1},
-                                       {1, 1, 1}, {9, 9, 9}, {1, 1, 0.5}};
+  const std::vector<Vec3> positions = {{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {1, 1, -1}, {1, 1, 1}, {9, 9, 9}, {1, 1, 0.5}};
   const std::vector<sim::Triangle> triangles = {{0, 1, 2}, {3, 4, 5}, {3, 6, 5}};
   const Surface cloth = {positions, triangles};
   const std::vector<CrossingPair> pairs = crossing_pairs(cloth);
@@ -107,8 +104,7 @@ TEST(CrossingPairs, AreDescribedByTheFirst) {
             "3 pairs of triangles cross, the first: triangle 0 (vertices 0, 1, 2) and triangle 1 (vertices "
             "3, 4, 5) at "
             "[1.00000, 1.00000, 0.00000] m");
-  EXPECT_TRUE(
-      describe(cloth, std::span(pairs).first(1)).starts_with("1 pair of triangles crosses, the first"));
+  EXPECT_TRUE(describe(cloth, std::span(pairs).first(1)).starts_with("1 pair of triangles crosses, the first"));
 }
 
 TEST(CrossingPairs, AreNoneInASheetAndItsNeighbourhoods) {
@@ -127,6 +123,20 @@ TEST(CrossingPairs, AreNoneInASheetAndItsNeighbourhoods) {
   EXPECT_TRUE(crossing_pairs({positions, triangles}).empty());
   positions[30 * 15 + 15] = positions[30 * 15 + 17] + Vec3(0.002, 0.0, 0.0);
   EXPECT_FALSE(crossing_pairs({positions, triangles}).empty()) << "a vertex pulled across two others";
+}
+
+TEST(CrossingPairs, RefusesPlacesThatHaveNoRationalNumbers) {
+  for (const double wrong : {std::nan(""), std::numeric_limits<double>::infinity(), 1e200}) {
+    const std::vector<Vec3> positions_m = {{0, 0, 0},      {1, 0, 0},     {0, 1, 0},
+                                           {0.2, 0.2, -1}, {0.3, 0.2, 1}, {wrong, 1, 0}};
+    const std::vector<sim::Triangle> triangles = {{0, 1, 2}, {3, 4, 5}};
+    const Surface surface{positions_m, triangles};
+    EXPECT_THROW(crossing_pairs(surface), std::invalid_argument) << wrong;
+    EXPECT_THROW(
+        crossing_pairs({positions_m, std::span(triangles).first(1)}, {positions_m, std::span(triangles).last(1)}),
+        std::invalid_argument)
+        << wrong;
+  }
 }
 
 }  // namespace

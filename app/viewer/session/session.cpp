@@ -1,9 +1,7 @@
 #include "app/viewer/session/session.hpp"
 
-#include <nlohmann/json.hpp>
-
-#include "app/base/errors.hpp"
 #include "app/base/files.hpp"
+#include "app/base/json_reading.hpp"
 
 namespace taut::app {
 namespace {
@@ -63,11 +61,16 @@ struct EventWriter {
 
 std::string json_line(const Json& values) { return values.dump(-1, ' ', false, Json::error_handler_t::replace) + '\n'; }
 
+/// The values of a line; empty: it is no JSON.
+Json parse_line(const std::string& text) try { return parse_json<Json>(text, "", ""); } catch (const InputError&) {
+  return {};
+}
+
 /// One line, whose values are taken one after the other.
 class Line {
  public:
   Line(const std::string& file, int number, const std::string& text)
-      : file_(file), number_(number), text_(text), values_(Json::parse(text, nullptr, false)) {
+      : file_(file), number_(number), text_(text), values_(parse_line(text)) {
     if (!values_.is_array() || values_.empty() || !values_[0].is_string()) {
       fail(number == 1 ? forms[0].second : R"(a list [VERB, ...])");
     }
@@ -76,7 +79,9 @@ class Line {
   std::string verb() const { return values_[0]; }
 
   [[noreturn]] void fail(const std::string& expected) const {
-    throw InputError(file_ + ':' + std::to_string(number_) + ": found '" + text_ + "', expected " + expected);
+    constexpr std::size_t max_shown = 200;
+    const std::string found = text_.size() > max_shown ? text_.substr(0, max_shown) + "..." : text_;
+    throw InputError(file_ + ':' + std::to_string(number_) + ": found '" + found + "', expected " + expected);
   }
   [[noreturn]] void fail() const {
     const auto* const form = std::ranges::find_if(forms, [&](const auto& f) { return f.first == verb(); });

@@ -30,20 +30,31 @@ void save(const ContactMemory& memory, ByteWriter& bytes) {
   }
 }
 
+/// Numbers of triangles of the cloth and of the bodies that are meshes.
+std::vector<std::size_t> triangle_counts(const Frame& frame) {
+  std::vector<std::size_t> counts = {frame.garment.mesh.triangles.size()};
+  for (const Body& body : frame.surroundings.bodies) {
+    const auto* mesh = std::get_if<BodyMesh>(&body.shape);
+    counts.push_back(mesh != nullptr ? mesh->data->triangles.size() : 0);
+  }
+  return counts;
+}
+
 void restore(const Frame& frame, ByteReader& bytes, ContactMemory& memory) {
   const std::vector<Body>& bodies = frame.surroundings.bodies;
+  const std::vector<std::size_t> counts = triangle_counts(frame);
+  const std::size_t all = std::accumulate(counts.begin(), counts.end(), std::size_t{0});
   memory.may_have_crossed = bytes.get_bool("whether a crossing was accepted");
   if (bytes.get_bool("whether it is known what crosses")) memory.bodies = bodies;
-  const auto count = bytes.get<std::uint64_t>("the number of triangles that are left out");
+  const auto count = bytes.get<std::uint64_t>("the number of triangles that are left out", 0, all);
   memory.left_out.clear();
   for (std::uint64_t k = 0; k < count; ++k) {
     LeftOutTriangle t;
-    if (const auto body = bytes.get<std::uint64_t>("a body of a triangle that is left out", 0, bodies.size());
-        body > 0) {
-      t.body = body - 1;
-    }
-    t.triangle = bytes.get<Index>("a triangle that is left out");
-    t.group = bytes.get<Index>("the group of a triangle that is left out", 1);
+    const auto body = bytes.get<std::uint64_t>("a body of a triangle that is left out", 0, bodies.size());
+    if (body > 0) t.body = body - 1;
+    const std::size_t last = std::max<std::size_t>(counts[body], 1) - 1;
+    t.triangle = bytes.get<Index>("a triangle that is left out", 0, static_cast<Index>(last));
+    t.group = bytes.get<Index>("the group of a triangle that is left out", 1, static_cast<Index>(all));
     memory.left_out.push_back(t);
   }
 }

@@ -11,7 +11,7 @@ const char* const key_texts = "";  // of the help, which nobody can ask for
 
 std::filesystem::path own_file() { return {}; }
 
-sim::Mesh remesh(const sim::Mesh& /*surface*/, double /*edge_m*/) {
+sim::Mesh remesh(const sim::Mesh& /*surface*/, double /*edge_m*/, std::size_t /*max_looks*/) {
   throw InputError("garment.mesh: no mesh of its own is made in a page; expected 'model'");
 }
 

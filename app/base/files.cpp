@@ -149,9 +149,9 @@ std::string read_text_file(const fs::path& path, std::uint64_t max_bytes) {
   return text;
 }
 
-Descriptor create_file(const fs::path& path) {
-  ::unlink(path.c_str());
-  Descriptor file(::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666));
+Descriptor create_file(const fs::path& temporary, const fs::path& path) {
+  ::unlink(temporary.c_str());
+  Descriptor file(::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666));
   if (file.number() < 0) fail_to_write(path, reason_of(errno));
   return file;
 }
@@ -231,7 +231,7 @@ void write_file(const fs::path& path, std::span<const std::uint8_t> bytes) {
   // By which the temporary file is also found in a folder that somebody renames meanwhile.
   const Descriptor folder(::open(folder_of(path).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
   try {
-    write_all(create_file(temporary), bytes, path);
+    write_all(create_file(temporary, path), bytes, path);
     put_in_place(temporary, path);
   } catch (...) {
     ::unlinkat(folder.number() >= 0 ? folder.number() : AT_FDCWD,

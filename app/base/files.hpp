@@ -52,9 +52,10 @@ std::filesystem::path free_name(const std::filesystem::path& folder, const std::
 /// A name in the same folder for what will be renamed to `path` when it is complete.
 std::filesystem::path temporary_name(const std::filesystem::path& path);
 
-/// Makes an empty file of this name and returns it open for writing. A file or link that has the name is removed first, so
-/// that nothing is written through a link. Throws InputError that names `path` and the system's reason.
-Descriptor create_file(const std::filesystem::path& path);
+/// Makes an empty file, which will be renamed to `path`, and returns it open for writing. A file or link that has the
+/// temporary name is removed first, so that nothing is written through a link. Throws InputError that names `path` and the
+/// system's reason.
+Descriptor create_file(const std::filesystem::path& temporary, const std::filesystem::path& path);
 
 /// Renames a complete file of the same folder to `path`. Not before its bytes are on the disk, and returns
 /// when its name is: after a loss of power too, `path` is as it was before or complete. Throws InputError

@@ -19,7 +19,7 @@ class PointCacheSink final : public FrameSink {
       go_on(static_cast<std::size_t>(kept), start_m);
       return;
     }
-    create_file(part_);
+    create_file(part_, path_);
     file_.open(part_, std::ios::binary | std::ios::trunc);
     put(header(static_cast<std::size_t>(settings.frames.count())));
   }

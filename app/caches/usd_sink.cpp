@@ -95,7 +95,7 @@ class UsdSink final : public FrameSink {
  private:
   /// All that does not move, up to the points.
   void begin() {
-    create_file(incomplete_);
+    create_file(incomplete_, settings_.name);
     file_.open(incomplete_, std::ios::binary | std::ios::trunc);
     const FileFaces& faces = cloth_.faces();
     file_ << fmt::format(

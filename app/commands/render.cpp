@@ -28,14 +28,23 @@ std::vector<int> frames_to_draw(const RenderOptions& options, const RenderJob& j
   return frames;
 }
 
+/// Says which files the scene of a picture opens.
+void print_files(const std::string& picture, const DrawnScene& scene) {
+  std::vector<std::filesystem::path> files = input_files(scene);
+  if (names_image(scene.picture.texture)) files.push_back(scene.picture.texture);
+  for (const std::filesystem::path& file : files) {
+    std::error_code error;
+    if (file == picture || !std::filesystem::exists(file, error)) continue;
+    fmt::print("{}: its scene opens '{}'\n", picture, printable(file.string()));
+  }
+}
+
 RenderJob render_job_of(const RenderOptions& options) {
   RenderJob job;
   if (is_picture(options.scene)) {
     job.again = read_picture_record(options.scene, options.overrides, options.is_trusted);
     job.scene = job.again->scene;
-    for (const std::filesystem::path& file : input_files(job.scene)) {
-      if (file != options.scene) fmt::print("{}: its scene names '{}'\n", options.scene, printable(file.string()));
-    }
+    print_files(options.scene, job.scene);
   } else {
     job.scene = find_scene(options.scene, options.overrides);
   }

@@ -243,6 +243,7 @@ class Remesher {
 
   bool may_collapse(Halfedge h) {
     const Vertex from = net_.from_vertex_handle(h), to = net_.to_vertex_handle(h);
+    spend(net_.valence(from) + net_.valence(to));
     const bool border = net_.is_boundary(from);
     if (is_corner_[number(from)] != 0 || (border && !net_.is_boundary(net_.edge_handle(h)))) return false;
     for (auto out = net_.voh_iter(from); out.is_valid(); ++out) {

@@ -23,10 +23,10 @@ void limit(decltype(RLIMIT_AS) resource, std::size_t maximum) {
   ::setrlimit(resource, &both);
 }
 
-void set_limits(const ImportLimits& limits) {
+void set_limits(const std::filesystem::path& model, const ImportLimits& limits) {
   constexpr std::size_t max_descriptors = 64;
   if (memory_is_limited) limit(RLIMIT_AS, limits.memory_mib << 20U);
-  limit(RLIMIT_CPU, static_cast<std::size_t>(limits.seconds));
+  limit(RLIMIT_CPU, static_cast<std::size_t>(max_processor_s(model, limits)));
   limit(RLIMIT_CORE, 0);
   limit(RLIMIT_FSIZE, 0);
   limit(RLIMIT_NPROC, 0);
@@ -112,9 +112,17 @@ void refuse_calls() {
 
 }  // namespace
 
+int max_processor_s(const std::filesystem::path& model, const ImportLimits& limits) {
+  constexpr int small_file_s = 8;
+  constexpr std::uintmax_t bytes_per_s = std::uintmax_t{1} << 24U;
+  std::error_code error;
+  const std::uintmax_t bytes = std::filesystem::file_size(model, error);
+  return std::min(limits.seconds, small_file_s + (error ? 0 : static_cast<int>(bytes / bytes_per_s)));
+}
+
 bool confine_import(const std::filesystem::path& model, const ImportLimits& limits, int output) {
   close_descriptors(output);
-  set_limits(limits);
+  set_limits(model, limits);
   const std::vector<std::filesystem::path> readable = named_files(model);
   ::prctl(PR_SET_DUMPABLE, 0, 0, 0, 0);
   ::prctl(PR_SET_PDEATHSIG, SIGKILL, 0, 0, 0);

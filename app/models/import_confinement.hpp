@@ -4,6 +4,9 @@
 
 namespace taut::app {
 
+/// Limit on the processor time of reading a model, in s: eight, more for large files, at most that of the limits.
+int max_processor_s(const std::filesystem::path& model, const ImportLimits& limits);
+
 /// Descriptor to which a confined importer writes its answer.
 inline constexpr int import_output = 3;
 

@@ -11,6 +11,7 @@
 
 #include "app/base/errors.hpp"
 #include "app/base/files.hpp"
+#include "app/base/words.hpp"
 #include "app/models/import_confinement.hpp"
 
 namespace taut::app {
@@ -92,15 +93,13 @@ std::optional<std::string> read_all(const Descriptor& output, Clock::time_point 
   return std::nullopt;
 }
 
-std::string too_slow(const ImportLimits& limits) {
-  return fmt::format("reading it takes more than {} s", limits.seconds);
-}
+std::string too_slow(int seconds) { return fmt::format("reading it takes more than {} s", seconds); }
 
-std::string describe_failure(int status, const ImportLimits& limits) {
+std::string describe_failure(int status, const fs::path& path, const ImportLimits& limits) {
   if (!WIFSIGNALED(status)) {
     return "the library that reads models failed on it (" + describe_end(status) + "); it may be damaged";
   }
-  if (WTERMSIG(status) == SIGXCPU || WTERMSIG(status) == SIGKILL) return too_slow(limits);
+  if (WTERMSIG(status) == SIGXCPU || WTERMSIG(status) == SIGKILL) return too_slow(max_processor_s(path, limits));
   return fmt::format("the library that reads models crashed on it ({}); it may be damaged",
                      ::strsignal(WTERMSIG(status)));
 }
@@ -141,15 +140,6 @@ std::string reason_of(const std::exception& error, const ImportLimits& limits) {
   return memory ? too_big(limits) : reason;
 }
 
-/// What a reader of models says may hold anything of the file.
-std::string to_one_line(std::string text) {
-  constexpr std::size_t max_bytes = 2000;
-  text.resize(std::min(text.size(), max_bytes));
-  std::ranges::replace_if(
-      text, [](char letter) { return std::iscntrl(static_cast<unsigned char>(letter)) != 0; }, ' ');
-  return text;
-}
-
 }  // namespace
 
 ModelArrays read_model_in_process(const fs::path& path, const ImportLimits& limits, ReadParts parts) {
@@ -157,12 +147,12 @@ ModelArrays read_model_in_process(const fs::path& path, const ImportLimits& limi
   Importer importer = start_importer(path, limits, parts);
   const std::optional<std::string> bytes = read_all(importer.output, deadline);
   if (!bytes) {
-    throw InputError(Clock::now() < deadline ? "it is larger than anything that can be simulated" : too_slow(limits));
+    throw InputError(Clock::now() < deadline ? "it is larger than anything that can be simulated" : too_slow(limits.seconds));
   }
   const int status = importer.process.wait();
   const std::optional<std::string> content = unframed(*bytes);
-  if (!content) throw InputError(describe_failure(status, limits));
-  if (bytes->front() == static_cast<char>(ImportAnswer::reason)) throw InputError(to_one_line(*content));
+  if (!content) throw InputError(describe_failure(status, path, limits));
+  if (bytes->front() == static_cast<char>(ImportAnswer::reason)) throw InputError(printable(*content));
   return decode(*content);
 }
 

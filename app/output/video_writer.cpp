@@ -55,7 +55,7 @@ VideoWriter::VideoWriter(fs::path file, const VideoSettings& settings)
   }
   input_ = Descriptor(ends[0]);
   const Descriptor its_input(ends[1]);
-  create_file(temporary_);
+  create_file(temporary_, file_);
   try {
     ffmpeg_.emplace(ChildCommand{.arguments = ffmpeg_arguments(temporary_, settings),
                                  .input = its_input.number(),

@@ -7,6 +7,8 @@
 namespace taut::app {
 namespace {
 
+constexpr Range body_length = {.lowest = 0.0, .highest = 1e4, .above_lowest = true};
+
 constexpr double largest_offset_m = 1e6;
 constexpr Range friction = {.lowest = 0.0, .highest = 10.0};
 
@@ -200,13 +202,13 @@ std::vector<Key<BodyInScene>> shape_keys(const sim::Shape& shape) {
   }
   if (std::holds_alternative<sim::Sphere>(shape)) {
     return {vector_key<B>("centre", "m", MEMBER_OF(Sphere, centre_m)),
-            number_key<B>("radius", "m", positive, MEMBER_OF(Sphere, radius_m))};
+            number_key<B>("radius", "m", body_length, MEMBER_OF(Sphere, radius_m))};
   }
   if (std::holds_alternative<sim::Capsule>(shape)) {
     return {vector_key<B>("start", "m", MEMBER_OF(Capsule, start_m)),
             vector_key<B>("end", "m", MEMBER_OF(Capsule, end_m)),
-            number_key<B>("start_radius", "m", positive, MEMBER_OF(Capsule, start_radius_m)),
-            number_key<B>("end_radius", "m", positive, MEMBER_OF(Capsule, end_radius_m))};
+            number_key<B>("start_radius", "m", body_length, MEMBER_OF(Capsule, start_radius_m)),
+            number_key<B>("end_radius", "m", body_length, MEMBER_OF(Capsule, end_radius_m))};
   }
   return {body_file_key("file", &BodySource::file),
           number_key<B>("scale", "m", not_negative, MEMBER(source.scale)),

@@ -153,7 +153,7 @@ def scenes():
     yield scene('force_vertex', grid + '[[forces]]\nvertex = 4294967295\nforce = [0, 1, 0]\n', 'vertex')
     yield scene('force_vast', grid + '[[forces]]\nvertex = 1\nforce = [0, 1e300, 0]\n', 'force')
     yield scene('body_vast', grid + '[[bodies]]\nshape = "sphere"\nradius = 1e300\n', 'radius')
-    yield scene('pin_far', grid + '[pins]\nat = [{ nearest = [1e300, 0, 0] }]\n', 'pins')
+    yield scene('pin_far', grid + '[pins]\nat = [{ nearest = [1e300, 0, 0] }]\n', None)
 
 
 def patterns():
@@ -180,8 +180,8 @@ def patterns():
         yield changed('vertices_' + name, lambda p, q: q.update(vertices=value), 'vertices')
         yield changed('edges_' + name, lambda p, q: q.update(edges=value), 'edges')
         yield changed('stitches_' + name, lambda p, q: p.update(stitches=value), 'stitches')
-        yield changed('translation_' + name, lambda p, q: q.update(translation=value), 'translation')
-        yield changed('rotation_' + name, lambda p, q: q.update(rotation=value), 'rotation')
+        yield changed('translation_' + name, lambda p, q: q.update(translation=value), 'translation' if value is not None else None)
+        yield changed('rotation_' + name, lambda p, q: q.update(rotation=value), 'rotation' if value is not None else None)
     for name, value in (('vast', 1e300), ('huge', 1e9), ('far', 1e5)):
         yield changed('vertex_' + name, lambda p, q: q['vertices'][0].__setitem__(0, value), 'vertices|m|cm')
         yield changed('translation_at_' + name, lambda p, q: q['translation'].__setitem__(0, value), 'translation')

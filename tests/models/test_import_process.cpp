@@ -46,7 +46,7 @@ TEST(ImportProcess, EndsWhatHangs) {
   const auto start = std::chrono::steady_clock::now();
   EXPECT_CONTAINS(error_with("exec /bin/sleep 60", {.seconds = 1}), "dress.obj': reading it takes more than 1 s");
   EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(10));
-  EXPECT_CONTAINS(error_with("kill -XCPU $$"), "reading it takes more than 18 s");
+  EXPECT_CONTAINS(error_with("kill -XCPU $$"), "reading it takes more than 8 s");
 }
 
 TEST(ImportProcess, DoesNotBelieveWhatItIsTold) {
@@ -239,7 +239,7 @@ TEST(ModelArrays, MendColours) {
 }
 
 TEST(ImportProcess, SaysNothingRawOfAFile) {
-  EXPECT_CONTAINS(error_with("printf 'R\\010\\0\\0\\0\\0\\0\\0\\0Mo\\033[31m\\n'"), "dress.obj': Mo [31m ");
+  EXPECT_CONTAINS(error_with("printf 'R\\010\\0\\0\\0\\0\\0\\0\\0Mo\\033[31m\\n'"), "dress.obj': Mo\\x1b[31m");
 }
 
 TEST(ModelArrays, RefuseEveryPrefixAndAnythingBehind) {

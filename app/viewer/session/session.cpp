@@ -2,6 +2,7 @@
 
 #include "app/base/files.hpp"
 #include "app/base/json_reading.hpp"
+#include "app/base/words.hpp"
 
 namespace taut::app {
 namespace {
@@ -81,7 +82,7 @@ class Line {
   [[noreturn]] void fail(const std::string& expected) const {
     constexpr std::size_t max_shown = 200;
     const std::string found = text_.size() > max_shown ? text_.substr(0, max_shown) + "..." : text_;
-    throw InputError(file_ + ':' + std::to_string(number_) + ": found '" + found + "', expected " + expected);
+    throw InputError(file_ + ':' + std::to_string(number_) + ": found '" + printable(found) + "', expected " + expected);
   }
   [[noreturn]] void fail() const {
     const auto* const form = std::ranges::find_if(forms, [&](const auto& f) { return f.first == verb(); });

@@ -30,15 +30,6 @@ bool is_written_straight(const fs::path& path) {
   return fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status);
 }
 
-/// `path` is for messages.
-void write_all(const Descriptor& file, std::span<const std::uint8_t> bytes, const fs::path& path) {
-  while (!bytes.empty()) {
-    const ssize_t count = ::write(file.number(), bytes.data(), bytes.size());
-    if (count < 0 && errno != EINTR) fail_to_write(path, reason_of(errno));
-    bytes = bytes.subspan(count > 0 ? static_cast<std::size_t>(count) : 0);
-  }
-}
-
 [[noreturn]] void fail_to_read(const fs::path& path, const std::string& reason) {
   throw InputError("cannot read '" + path.string() + "': " + reason);
 }
@@ -217,6 +208,25 @@ fs::path free_name(const fs::path& folder, const std::string& stem, const std::s
   }
 }
 
+fs::path choose_free_name(const fs::path& name, bool own, std::span<const fs::path> files) {
+  std::error_code error;
+  const auto exists = [&](const fs::path& file) { return fs::exists(file, error); };
+  if (own || std::ranges::none_of(files, exists)) return name;
+  fs::path other = free_name(name.parent_path(), name.stem().string(), name.extension().string());
+  fmt::print(stderr, "taut: warning: '{}' is there and was not made by this program; writing '{}'\n",
+             std::ranges::find_if(files, exists)->string(), other.string());
+  return other;
+}
+
+bool write_bytes(int descriptor, std::span<const std::uint8_t> bytes) {
+  while (!bytes.empty()) {
+    const ssize_t count = ::write(descriptor, bytes.data(), bytes.size());
+    if (count < 0 && errno != EINTR) return false;
+    bytes = bytes.subspan(count > 0 ? static_cast<std::size_t>(count) : 0);
+  }
+  return true;
+}
+
 void write_text_file(const fs::path& path, const std::string& text) {
   write_file(path, {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
 }
@@ -225,13 +235,15 @@ void write_file(const fs::path& path, std::span<const std::uint8_t> bytes) {
   if (is_written_straight(path)) {
     const Descriptor file(::open(path.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC));
     if (file.number() < 0) fail_to_write(path, reason_of(errno));
-    return write_all(file, bytes, path);
+    if (!write_bytes(file.number(), bytes)) fail_to_write(path, reason_of(errno));
+    return;
   }
   const fs::path temporary = temporary_name(path);
   // By which the temporary file is also found in a folder that somebody renames meanwhile.
   const Descriptor folder(::open(folder_of(path).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
   try {
-    write_all(create_file(temporary, path), bytes, path);
+    const Descriptor file = create_file(temporary, path);
+    if (!write_bytes(file.number(), bytes)) fail_to_write(path, reason_of(errno));
     put_in_place(temporary, path);
   } catch (...) {
     ::unlinkat(folder.number() >= 0 ? folder.number() : AT_FDCWD,

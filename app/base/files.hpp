@@ -57,6 +57,14 @@ std::filesystem::path temporary_name(const std::filesystem::path& path);
 /// system's reason.
 Descriptor create_file(const std::filesystem::path& temporary, const std::filesystem::path& path);
 
+/// Returns `name` for files that nobody named; the next free name, which it prints on the standard error, where one of
+/// `files` is there and is not `own`.
+std::filesystem::path choose_free_name(const std::filesystem::path& name, bool own,
+                                       std::span<const std::filesystem::path> files);
+
+/// Writes all bytes to a file or a pipe. Returns false if that fails, with the reason in errno.
+bool write_bytes(int descriptor, std::span<const std::uint8_t> bytes);
+
 /// Renames a complete file of the same folder to `path`. Not before its bytes are on the disk, and returns
 /// when its name is: after a loss of power too, `path` is as it was before or complete. Throws InputError
 /// that names `path` and the system's reason; `complete` is left.

@@ -10,7 +10,7 @@ namespace taut::app {
 namespace {
 
 /// The share of the way to the bones. Not all of it: triangles keep an area.
-constexpr double thinness = 0.9;
+constexpr double max_thickness_ratio = 0.9;
 /// The share of its frames in which a body grows. In the rest cloth slides to where it has room.
 constexpr double ends_at = 0.8;
 /// Poses that a turn goes through. Between two of them vertices go straight.
@@ -376,7 +376,7 @@ std::vector<sim::Vec3> thin_shape(const Rig& rig, const RigPose& pose) {
     on_bones[influence.vertex] +=
         influence.weight * nearest_on_bones(place_of(pose, node), ends[node], full[influence.vertex]);
   }
-  for (std::size_t v = 0; v < full.size(); ++v) full[v] = glm::mix(full[v], on_bones[v], thinness);
+  for (std::size_t v = 0; v < full.size(); ++v) full[v] = glm::mix(full[v], on_bones[v], max_thickness_ratio);
   return full;
 }
 

@@ -30,9 +30,7 @@ std::vector<int> frames_to_draw(const RenderOptions& options, const RenderJob& j
 
 /// Says which files the scene of a picture opens.
 void print_files(const std::string& picture, const DrawnScene& scene) {
-  std::vector<std::filesystem::path> files = input_files(scene);
-  if (names_image(scene.picture.texture)) files.push_back(scene.picture.texture);
-  for (const std::filesystem::path& file : files) {
+  for (const std::filesystem::path& file : input_files(scene)) {
     std::error_code error;
     if (file == picture || !std::filesystem::exists(file, error)) continue;
     fmt::print("{}: its scene opens '{}'\n", picture, printable(file.string()));

@@ -40,14 +40,8 @@ DrawnScene scene_of(const SewOptions& options) {
 /// The name of a garment that nobody named: not that of a model that was not sewn.
 std::filesystem::path choose_garment_name(const std::string& stem) {
   const std::filesystem::path usual = stem + ".obj";
-  std::error_code error;
   const bool is_sewn = read_landmarks_file(usual)["is_cut"].value_or(false);
-  if (is_sewn || !(std::filesystem::exists(usual, error) || std::filesystem::exists(landmarks_path(usual), error))) {
-    return usual;
-  }
-  std::filesystem::path other = free_name("", stem, ".obj");
-  fmt::print(stderr, "taut: warning: '{}' is there and was not sewn; writing '{}'\n", usual.string(), other.string());
-  return other;
+  return choose_free_name(usual, is_sewn, std::array{usual, landmarks_path(usual)});
 }
 
 void write_picture(const std::filesystem::path& file, const DrawnScene& scene, const SewnGarment& sewn,

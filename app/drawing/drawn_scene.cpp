@@ -74,10 +74,15 @@ DrawnScene find_scene(const std::string& name, std::span<const Override> overrid
   return scene;
 }
 
+std::vector<std::filesystem::path> input_files(const DrawnScene& scene) {
+  std::vector<std::filesystem::path> files = input_files(static_cast<const Scene&>(scene));
+  if (names_image(scene.picture.texture)) files.push_back(scene.picture.texture);
+  return files;
+}
+
 void require_inputs_kept(const std::vector<std::filesystem::path>& outputs, const DrawnScene& scene,
                          const std::vector<std::filesystem::path>& read) {
   std::vector<std::filesystem::path> inputs = input_files(scene);
-  if (names_image(scene.picture.texture)) inputs.push_back(scene.picture.texture);
   inputs.insert(inputs.end(), read.begin(), read.end());
   require_apart(outputs, inputs);
 }

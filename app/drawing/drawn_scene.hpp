@@ -140,6 +140,8 @@ DrawnScene read_scene_file(const std::filesystem::path& path, std::span<const Ov
 DrawnScene read_scene_text(const std::string& text, const std::string& name, std::span<const Override> overrides = {});
 DrawnScene find_scene(const std::string& name, std::span<const Override> overrides);
 void apply_overrides(std::span<const Override> overrides, DrawnScene& scene);
+/// As that of a Scene, and the image that is printed on the cloth.
+std::vector<std::filesystem::path> input_files(const DrawnScene& scene);
 /// Throws UsageError if an output is a file that the scene was read from, or one of `read`, which its garment was made of.
 void require_inputs_kept(const std::vector<std::filesystem::path>& outputs, const DrawnScene& scene,
                          const std::vector<std::filesystem::path>& read);

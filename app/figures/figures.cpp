@@ -130,12 +130,11 @@ class FigureWriter {
     const Drawing drawing = figure.draw(offscreen_);
     renderer::Image picture = to_image(drawing, options_.scale);
     const std::vector<renderer::PngText> texts = {program_text()};
-    write_file(noted(figure.name + ".png"), renderer::encode_png(picture, texts));
-    write_pdf(noted(figure.name + ".pdf"), drawing, figure.title);
-    if (figure.csv) write_text_file(noted(figure.name + ".csv"), figure.csv());
-    if (figure.shapes_csv) {
-      write_text_file(noted(figure.name + "_shapes.csv"), figure.shapes_csv());
-    }
+    const std::string name = choose_stem(figure.name);
+    write_file(noted(name + ".png"), renderer::encode_png(picture, texts));
+    write_pdf(noted(name + ".pdf"), drawing, figure.title);
+    if (figure.csv) write_text_file(noted(name + ".csv"), figure.csv());
+    if (figure.shapes_csv) write_text_file(noted(name + "_shapes.csv"), figure.shapes_csv());
     drawn_.push_back({figure.name, figure.title, std::move(picture), figure.csv != nullptr});
     std::ranges::sort(drawn_, [](auto& a, auto& b) { return a.name < b.name; });
     tell();
@@ -144,6 +143,14 @@ class FigureWriter {
   DrawnFigures finish() && { return {std::move(drawn_), offscreen_.gl_renderer()}; }
 
  private:
+  /// Files of a figure belong to this program if the picture among them does.
+  std::string choose_stem(const std::string& name) const {
+    const std::filesystem::path picture = options_.output / (name + ".png");
+    const std::array files = {picture, options_.output / (name + ".pdf"), options_.output / (name + ".csv"),
+                              options_.output / (name + "_shapes.csv")};
+    return choose_free_name(picture, is_own_picture(picture), files).stem().string();
+  }
+
   std::filesystem::path noted(const std::string& name) {
     written_.push_back(options_.output / name);
     return written_.back();

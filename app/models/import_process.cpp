@@ -123,16 +123,6 @@ std::string framed(ImportAnswer kind, const std::string& content) {
   return bytes + content;
 }
 
-bool write_all(int file, const std::string& bytes) {
-  std::size_t done = 0;
-  while (done < bytes.size()) {
-    const ssize_t count = ::write(file, bytes.data() + done, bytes.size() - done);
-    if (count < 0 && errno != EINTR) return false;
-    done += count > 0 ? static_cast<std::size_t>(count) : 0;
-  }
-  return true;
-}
-
 std::string reason_of(const std::exception& error, const ImportLimits& limits) {
   const std::string reason = error.what();
   const bool memory =
@@ -181,7 +171,8 @@ void serve_import(const std::filesystem::path& path, const ImportLimits& limits,
     answer = framed(ImportAnswer::reason, reason_of(error, limits));
   }
   // Not through exit: what a reader left behind may crash while it is cleared away.
-  ::_exit(write_all(import_output, answer) ? 0 : 1);
+  const auto* bytes = reinterpret_cast<const std::uint8_t*>(answer.data());
+  ::_exit(write_bytes(import_output, {bytes, answer.size()}) ? 0 : 1);
 }
 
 }  // namespace taut::app

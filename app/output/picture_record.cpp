@@ -127,20 +127,18 @@ std::vector<renderer::PngText> picture_texts(const PictureOrigin& origin, const 
 
 renderer::PngText program_text() { return {program_keyword, "taut " + program_version()}; }
 
-std::filesystem::path choose_name(const std::filesystem::path& name) {
-  std::error_code error;
-  if (!std::filesystem::exists(name, error)) return name;
+bool is_own_picture(const std::filesystem::path& file) {
   try {
-    const std::vector<renderer::PngText> texts = texts_of(name);
+    const std::vector<renderer::PngText> texts = texts_of(file);
     const auto found = std::ranges::find(texts, program_keyword, &renderer::PngText::keyword);
-    if (found != texts.end() && found->text.starts_with("taut ")) return name;
+    return found != texts.end() && found->text.starts_with("taut ");
   } catch (const InputError&) {
-    // It is no picture that can be read, and so none of this program's.
+    return false;  // there is none, or none that can be read
   }
-  std::filesystem::path other = free_name(name.parent_path(), name.stem().string(), name.extension().string());
-  fmt::print(stderr, "taut: warning: '{}' is there and not from this program; writing '{}'\n", name.string(),
-             other.string());
-  return other;
+}
+
+std::filesystem::path choose_name(const std::filesystem::path& name) {
+  return choose_free_name(name, is_own_picture(name), std::array{name});
 }
 
 bool is_picture(const std::filesystem::path& file) { return file.extension() == ".png"; }

@@ -33,6 +33,9 @@ struct PictureRecord {
 /// The PNG text that says that this program made a picture.
 renderer::PngText program_text();
 
+/// Returns whether the file is a picture that this program made.
+bool is_own_picture(const std::filesystem::path& file);
+
 /// The file of a picture that nobody named: `name`, or the next free one where another program wrote that file, which is
 /// then said on the standard error.
 std::filesystem::path choose_name(const std::filesystem::path& name);

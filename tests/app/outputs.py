@@ -147,6 +147,16 @@ def chooses_free_names():
     for attempt in range(2):
         done = run('render', 'plain.obj', '--frames', '1', '--resolution', '64,64')
         expect('wrote plain.png' in done.stdout and done.stderr == '', 'its own picture is not replaced: ' + done.stderr)
+    (folder / 'own').mkdir()
+    (folder / 'own/fig1.pdf').write_text('of another')
+    for only, expected in (('fig1', 'own/fig1-1.png'), ('fig1', 'own/fig1-2.png')):
+        done = run('figures', '--only', only, '-o', 'own')
+        expect(f'wrote {expected}' in done.stdout, 'figures: %s%s' % (done.stdout, done.stderr))
+    expect((folder / 'own/fig1.pdf').read_text() == 'of another', "another's fig1.pdf has changed")
+    (folder / 'own/fig1.pdf').unlink()
+    for attempt in range(2):
+        done = run('figures', '--only', 'fig1', '-o', 'own')
+        expect('wrote own/fig1.png' in done.stdout and done.stderr == '', 'its own figure: ' + done.stderr)
 
 
 def opens_nothing_outside_of_a_pictures_folder():

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # Installs every system package Taut needs, on Debian 12 or newer and its relatives. Run it again at any
 # time: when all is there it does nothing. With --blender also Blender, for the tests behind TAUT_BLENDER_TESTS, and F3D,
-# both for pictures beside ours; with --bench Bullet, for the race behind TAUT_BENCH; with --farms GNU parallel, snakemake
-# and a Slurm, for the tests on farms, the last behind TAUT_SLURM_TESTS; with --web emscripten and Chromium, for the page.
+# both for pictures beside ours; with --bench Bullet, for the race behind TAUT_BENCH; with --sweeps Snakemake,
+# for assets/sweeps; with --web emscripten and Chromium, for the page.
 set -euo pipefail
 
 packages=(
@@ -80,20 +80,17 @@ packages_of_web=(
 packages_of_bench=(
   libbullet-dev       # what tests/bench compares with
 )
-packages_of_farms=(
-  parallel
-  snakemake
-  munge               # how the parts of Slurm know each other
-  slurm-wlm
+packages_of_sweeps=(
+  snakemake           # with what it needs 700 MB
 )
 for wanted in "$@"; do
   case $wanted in
     --blender) packages+=("${packages_of_blender[@]}") ;;
     --bench) packages+=("${packages_of_bench[@]}") ;;
-    --farms) packages+=("${packages_of_farms[@]}") ;;
+    --sweeps) packages+=("${packages_of_sweeps[@]}") ;;
     --web) packages+=("${packages_of_web[@]}") ;;
     *)
-      echo "usage: setup.sh [--blender] [--bench] [--farms] [--web]" >&2
+      echo "usage: setup.sh [--blender] [--bench] [--sweeps] [--web]" >&2
       exit 2
       ;;
   esac

@@ -108,25 +108,6 @@ void add_wind(CLI::App& command, std::vector<Override>& overrides) {
   });
 }
 
-void define_sweep(CLI::App& sweep, SweepOptions& options) {
-  sweep.require_subcommand(1);
-  const auto add = [&](const char* name, SweepAction action) {
-    CLI::App* command = sweep.add_subcommand(name);
-    command->callback([&options, action] { options.action = action; });
-    if (action != SweepAction::plan) command->add_option("DIR", options.folder)->required();
-    return command;
-  };
-  CLI::App* plan = add("plan", SweepAction::plan);
-  plan->add_option("STUDY", options.study)->required();
-  plan->add_option("--output,-o", options.folder)->required();
-  CLI::App* run_some = add("run", SweepAction::run);
-  run_some->add_option("--index", options.index)->check(CLI::NonNegativeNumber);
-  CLI::Option* all = run_some->add_flag("--all", options.all);
-  run_some->add_option("--jobs", options.jobs)->needs(all)->check(CLI::Range(1, 1024));
-  add("status", SweepAction::status)->add_flag("--missing", options.missing);
-  add("merge", SweepAction::merge);
-}
-
 /// The value of a key that is the unit of a model, in m: that of a symbol, or else the text itself.
 std::string unit_value(const std::string& text) {
   const auto* const unit = std::ranges::find(units, text, &Unit::symbol);
@@ -388,19 +369,15 @@ std::vector<std::string> option_names(const CLI::App& command) {
 
 /// For a command line that cannot be understood.
 std::string what_is_wrong(const CLI::App& app, const CLI::ParseError& error, std::span<const char* const> arguments) {
-  const CLI::App* command = &app;
-  std::string help = "taut";
-  while (!command->get_subcommands().empty()) {
-    command = command->get_subcommands().front();
-    help += ' ' + command->get_name();
-  }
-  help += " --help";
+  const bool has_command = !app.get_subcommands().empty();
+  const CLI::App& command = has_command ? *app.get_subcommands().front() : app;
+  const std::string help = (has_command ? "taut " + command.get_name() : "taut") + " --help";
   // A misspelt option comes before what is missing, which may be all that it stands for.
   const std::vector<std::string> unknown = app.remaining(true);
   const bool is_value = dynamic_cast<const CLI::RequiredError*>(&error) == nullptr &&
                         dynamic_cast<const CLI::ExtrasError*>(&error) == nullptr;
   if (is_value || unknown.empty()) return std::string(error.what()) + "; see " + help;
-  const std::vector<std::string> options = option_names(*command);
+  const std::vector<std::string> options = option_names(command);
   // In the order of the command line; the first option is wrong, or else what follows it.
   const auto is_unknown = [&](const char* argument) { return std::ranges::find(unknown, argument) != unknown.end(); };
   const auto is_option = [&](const char* argument) { return *argument == '-' && is_unknown(argument); };
@@ -440,7 +417,7 @@ void describe(CLI::App& command, const std::string& name, const toml::table& tex
     if (const auto text = own ? own : text_of("any", key)) option->description(filled_in(*text));
   }
   for (CLI::App* below : command.get_subcommands([](const CLI::App*) { return true; })) {
-    describe(*below, (name == "taut" ? "" : name + ' ') + below->get_name(), texts);
+    describe(*below, below->get_name(), texts);
   }
 }
 
@@ -449,7 +426,6 @@ void show_help_first(CLI::App& app) {
   const auto show = [](const std::string&) { throw CLI::CallForHelp(); };
   for (CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
     command->get_help_ptr()->each(show)->trigger_on_parse();
-    show_help_first(*command);
   }
 }
 
@@ -471,7 +447,6 @@ int run_command_line(std::span<const char* const> arguments) {
                                                       add_command(app, "bench", define_bench),
                                                       add_list(app, "scenes", "SCENE", list_scenes),
                                                       add_list(app, "fabrics", "FABRIC", list_fabrics),
-                                                      add_command(app, "sweep", define_sweep),
                                                       add_command(app, "import-model", define_import_model),
                                                       add_list(app, "help", "TOPIC", [&app](const auto& topic) {
                                                         fmt::print("{}", help_about(app, topic));

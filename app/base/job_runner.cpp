@@ -20,8 +20,8 @@ std::vector<std::size_t> most_expensive_first(std::span<const Job> jobs) {
 
 class JobRunner {
  public:
-  JobRunner(std::span<const Job> jobs, const std::string& what)
-      : progress_(what), jobs_(jobs), order_(most_expensive_first(jobs)), fractions_(jobs.size()) {}
+  explicit JobRunner(std::span<const Job> jobs)
+      : jobs_(jobs), order_(most_expensive_first(jobs)), fractions_(jobs.size()) {}
 
   ~JobRunner() {
     stop_ = true;
@@ -97,7 +97,7 @@ class JobRunner {
     progress_.show(fmt::format("{:.0f} % simulated{}", all > 0.0 ? 100.0 * done / all : 100.0, busy));
   }
 
-  Progress progress_;
+  Progress progress_{"figures"};
   std::span<const Job> jobs_;
   std::vector<std::size_t> order_;
   std::vector<std::atomic<double>> fractions_;
@@ -113,9 +113,8 @@ class JobRunner {
 
 }  // namespace
 
-void run_jobs(std::span<const Job> jobs, unsigned threads, const std::function<void(std::size_t)>& finished,
-              const std::string& what) {
-  JobRunner(jobs, what).run(threads, finished);
+void run_jobs(std::span<const Job> jobs, unsigned threads, const std::function<void(std::size_t)>& finished) {
+  JobRunner(jobs).run(threads, finished);
 }
 
 }  // namespace taut::app

@@ -19,9 +19,7 @@ struct Job {
 /// the calling thread, so it may draw while other jobs run.
 ///
 /// The first exception of a job, of `finished` or of an interruption stops all jobs at their next call of the
-/// progress callback. It is then thrown from here. Shows the total progress, with `what` in front, if
-/// standard error is a terminal.
-void run_jobs(std::span<const Job> jobs, unsigned threads, const std::function<void(std::size_t)>& finished,
-              const std::string& what = "figures");
+/// progress callback. It is then thrown from here. Shows the total progress if standard error is a terminal.
+void run_jobs(std::span<const Job> jobs, unsigned threads, const std::function<void(std::size_t)>& finished);
 
 }  // namespace taut::app

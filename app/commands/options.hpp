@@ -110,20 +110,6 @@ struct ImportModelOptions {
   int parts = 0;  ///< a ReadParts
 };
 
-/// The task of `taut sweep`.
-enum class SweepAction { plan, run, status, merge };
-
-/// Options of `taut sweep`. Each of its commands uses some.
-struct SweepOptions {
-  SweepAction action = SweepAction::status;
-  std::filesystem::path study;
-  std::filesystem::path folder;  ///< of the sweep
-  std::optional<std::size_t> index;
-  bool all = false;
-  unsigned jobs = 0;  ///< 0: one for each processor
-  bool missing = false;
-};
-
 /// Makes the folder of a picture. Throws UsageError unless its name ends in .png.
 void prepare_png(const std::filesystem::path& file);
 
@@ -144,6 +130,5 @@ inline int run(const ImportModelOptions& options) {
 int list_scenes(const std::string& scene);
 /// Prints the file of this fabric, or where it is empty a table of all.
 int list_fabrics(const std::string& fabric);
-int run(const SweepOptions& options);
 
 }  // namespace taut::app

@@ -36,10 +36,6 @@ printf '.SH COMMANDS\n'
 for command in $("$taut" --help | sed -n '/^Subcommands:/,/^$/s/^  \([a-z][a-z-]*\) .*/\1/p'); do
   printf '.SS taut %s\n' "$command"
   "$taut" "$command" --help | formatted
-  for inner in $("$taut" "$command" --help | sed -n '/^Subcommands:/,/^$/s/^  \([a-z][a-z-]*\) .*/\1/p'); do
-    printf '.SS taut %s %s\n' "$command" "$inner"
-    "$taut" "$command" "$inner" --help | formatted
-  done
 done
 cat <<'END'
 .SH ENVIRONMENT

@@ -8,8 +8,6 @@ _taut() {
     choices="--help --version $("$program" --help | sed -n "$commands")"
   elif [[ $command == help ]]; then
     choices="scene stats $("$program" --help | sed -n "$commands")"
-  elif ((COMP_CWORD == 2)) && choices=$("$program" "$command" --help | sed -n "$commands") && [[ -n $choices ]]; then
-    :
   elif [[ $previous == --set ]]; then
     choices=$("$program" help scene | sed -n 's/^  \([a-z_.]*\) = .*/\1=/p')
     compopt -o nospace
@@ -17,9 +15,6 @@ _taut() {
     choices=$("$program" fabrics | sed -n '3,$s/ .*//p')
   else
     help=$("$program" "$command" --help)
-    if grep -q '^Subcommands:' <<<"$help"; then
-      help=$("$program" "$command" "${COMP_WORDS[2]}" --help)
-    fi
     choices=$(sed -n "s/^  $previous [A-Z]*:{\([^}]*\)}.*/\1/p" <<<"$help" | tr , ' ')
     if [[ -z $choices && $word == -* ]]; then
       choices=$(sed -n 's/^  \(-[a-z],\)\{0,1\}\(--[a-z-]*\).*/\2/p' <<<"$help")

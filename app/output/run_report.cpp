@@ -66,6 +66,22 @@ Json record_json(const FrameRecord& record) {
 // File names can hold bytes that are no UTF-8.
 std::string line_of(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace) + '\n'; }
 
+/// The members of a summary that have a name there, and means.
+Json summary_json(const RunSummary& summary) {
+  Json json = Json::object();
+  for_each_field(summary, [&](const char* name, const auto& number) {
+    if (name == nullptr) return;
+    // Means stand before what they go with.
+    if (&number == static_cast<const void*>(&summary.final_rms_speed_m_per_s)) {
+      json["mean_substeps"] = summary.mean_substeps();
+    } else if (&number == static_cast<const void*>(&summary.total_sim_ms)) {
+      json["mean_sim_ms"] = summary.mean_sim_ms();
+    }
+    json[name] = number_json(number);
+  });
+  return json;
+}
+
 namespace fs = std::filesystem;
 
 // How many bytes there are up to the end of that frame's line.
@@ -92,21 +108,6 @@ std::uintmax_t end_of_frame(const fs::path& path, StatisticsFormat format, const
 }
 
 }  // namespace
-
-Json summary_json(const RunSummary& summary) {
-  Json json = Json::object();
-  for_each_field(summary, [&](const char* name, const auto& number) {
-    if (name == nullptr) return;
-    // Means stand before what they go with.
-    if (&number == static_cast<const void*>(&summary.final_rms_speed_m_per_s)) {
-      json["mean_substeps"] = summary.mean_substeps();
-    } else if (&number == static_cast<const void*>(&summary.total_sim_ms)) {
-      json["mean_sim_ms"] = summary.mean_sim_ms();
-    }
-    json[name] = number_json(number);
-  });
-  return json;
-}
 
 StatisticsFormat statistics_format(const std::filesystem::path& file) {
   // A file without an ending, such as /dev/stdout, is given JSON lines.

@@ -26,8 +26,6 @@ StatisticsFormat statistics_format(const std::filesystem::path& file);
 std::string statistics_header(StatisticsFormat format, const RunDescription& run);
 std::string statistics_line(StatisticsFormat format, const FrameRecord& record);
 std::string statistics_end(StatisticsFormat format, const RunSummary& summary);
-/// The members of a summary that have a name there, and means.
-Json summary_json(const RunSummary& summary);
 
 /// The beginning of a frame's line. No other line begins like this.
 std::string statistics_line_start(StatisticsFormat format, int frame);

@@ -53,36 +53,22 @@ void apply_fabric(const SceneFormat<S>& format, const toml::node& value, const S
   KeyReader(keys, {fabric.file.string(), false}, scene).read(fabric.keys);
 }
 
-/// A key of a scene with its value.
-struct KeyValue {
-  std::string key;
-  const toml::node* value;
-  Source source;
-};
-
-/// Sets keys of a scene, a fabric's first, and checks it. Throws by `fail` if a key or a value is not valid.
-template <class S> void set_values(const SceneFormat<S>& format, std::span<const KeyValue> values, S& scene) {
-  for (const auto& [key, value, source] : values) {
-    if (key == "cloth.fabric") apply_fabric(format, *value, source, scene);
+/// Sets the keys that options of the command line name, a fabric's first, and checks the scene. Throws UsageError.
+template <class S> void apply_overrides(const SceneFormat<S>& format, std::span<const Override> overrides, S& scene) {
+  for (const auto& [key, text, option] : overrides) {
+    const toml::table parsed = read_toml_value(text);
+    if (key == "cloth.fabric") apply_fabric(format, *parsed.get("value"), {option, true}, scene);
   }
-  for (const auto& [key, value, source] : values) {
-    if (!set_body_key(key, *value, source, scene)) KeyReader(format.keys, source, scene).read_value(key, *value);
+  for (const auto& [key, text, option] : overrides) {
+    const toml::table parsed = read_toml_value(text);
+    const toml::node& value = *parsed.get("value");
+    const Source source{option, true};
+    if (!set_body_key(key, value, source, scene)) KeyReader(format.keys, source, scene).read_value(key, value);
     for (const auto& [name, member] : garment_files) {
-      if (key == std::string("garment.") + name) require_named(name, scene.garment.*member, source, line_of(*value));
+      if (key == std::string("garment.") + name) require_named(name, scene.garment.*member, source, line_of(value));
     }
   }
-  if (!values.empty()) format.check(scene, values.back().source);
-}
-
-/// The same of options of the command line. Throws UsageError.
-template <class S> void apply_overrides(const SceneFormat<S>& format, std::span<const Override> overrides, S& scene) {
-  std::vector<toml::table> texts;
-  for (const Override& changed : overrides) texts.push_back(read_toml_value(changed.value));
-  std::vector<KeyValue> values;
-  for (std::size_t k = 0; k < texts.size(); ++k) {
-    values.push_back({overrides[k].key, texts[k].get("value"), {overrides[k].option, true}});
-  }
-  set_values<S>(format, values, scene);
+  if (!overrides.empty()) format.check(scene, {overrides.back().option, true});
 }
 
 /// Sets the keys of the fabric that the file beside the garment names, fabric = "denim", where no override names one,

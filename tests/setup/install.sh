@@ -33,7 +33,7 @@ without_sources() {
 
 bash "$sources/tests/library/installed.sh" "$cmake" "$sources" "$folder/usr" "${hiding[@]}"
 
-commands='figures render simulate view inspect fit sew bench scenes sweep help'
+commands='figures render simulate view inspect fit sew bench scenes help'
 without_sources taut scenes | grep -q '^tshirt-wind-10 ' || fail "taut scenes does not list them"
 cp "$folder/usr/share/taut/scenes/pinned-9x9-5.toml" "$folder/usr/share/taut/scenes/installed-alone.toml"
 without_sources taut scenes | grep -q '^installed-alone ' || fail "the scenes are others than those installed"
@@ -52,7 +52,6 @@ page=$folder/usr/share/man/man1/taut.1
 for command in $commands; do
   grep -qx ".SS taut $command" "$page" || fail "the manual page lacks taut $command"
 done
-grep -qx '.SS taut sweep merge' "$page" || fail "the manual page lacks the commands of taut sweep"
 grep -q '^\.B \\-\\-supersampling' "$page" || fail "the manual page lacks options"
 [ -s "$folder/usr/share/doc/taut/LICENSE" ] || fail "there is no licence"
 
@@ -76,7 +75,5 @@ completes taut render tshirt-gravity --s '--set --stats --stretch --samples --su
 completes taut render tshirt-gravity --set wind. 'wind.speed= wind.direction='
 completes taut render tshirt-gravity --fabric '' 'denim jersey silk'
 completes taut render tshirt-gravity --backend '' 'auto osmesa egl'
-completes taut sweep '' 'plan run status merge'
-completes taut sweep run --a --all
 completes taut help '' "$commands scene stats"
 completes taut help st stats

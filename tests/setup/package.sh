@@ -30,7 +30,7 @@ has() {
     fail "the package $name does without libtaut1 of its version"
 }
 has taut bin/taut share/man/man1/taut.1.gz share/bash-completion/completions/taut
-has libtaut1 lib/libtaut.so.1 libexec/taut/taut-import share/taut/scenes/tshirt.toml
+has libtaut1 lib/libtaut.so.1 libexec/taut/taut-import share/taut/scenes/tshirt.toml share/taut/sweeps/Snakefile
 has libtaut-dev include/taut.h lib/libtaut.so lib/pkgconfig/taut.pc lib/cmake/Taut/TautConfig.cmake share/taut/csharp/Taut.cs
 has python3-taut lib/python3/dist-packages/taut/__init__.py
 has blender-taut share/taut/taut_cloth.zip

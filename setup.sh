@@ -78,7 +78,7 @@ packages_of_web=(
   python3-selenium
 )
 packages_of_bench=(
-  libbullet-dev       # what tests/bench compares with
+  libbullet-dev       # what tests/study/bench compares with
 )
 packages_of_sweeps=(
   snakemake           # with what it needs 700 MB

@@ -5,9 +5,9 @@
 #include <CLI/CLI.hpp>
 
 #include "app/base/errors.hpp"
-#include "app/bodies/fit.hpp"
 #include "app/caches/frame_sink.hpp"
 #include "app/commands/options.hpp"
+#include "app/garments/dressing/fit.hpp"
 #include "app/output/run_report.hpp"
 
 namespace taut::app {
@@ -16,7 +16,7 @@ extern const char* const help_texts;  ///< assets/texts/help.toml
 
 namespace {
 
-constexpr int largest_side_px = 16384;
+constexpr int max_side_px = 16384;
 
 struct NamedSize {
   const char* name;
@@ -29,47 +29,46 @@ constexpr std::array<NamedSize, 6> named_sizes = {{{"720p", {1280, 720}},
                                                    {"4K", {3840, 2160}},
                                                    {"8K", {7680, 4320}}}};
 
-// Of each the name, which is a member or what a function makes of it.
-template <class Entries, class Name> std::vector<std::string> names_of(const Entries& entries, Name name) {
+// Returns the name of each entry. `name` is a member or a function of an entry.
+template <class Entries, class Name> std::vector<std::string> list_names(const Entries& entries, Name name) {
   std::vector<std::string> names;
   for (const auto& entry : entries) names.emplace_back(std::invoke(name, entry));
   return names;
 }
 
-// The entry with this name, in small or capital letters; null: none.
+// Returns the entry with this name, whatever its case, or null.
 template <class Names> auto find_named(const Names& entries, std::string_view text) {
   const auto found = std::ranges::find_if(
       entries, [&](const auto& entry) { return lower_case(entry.name) == lower_case(std::string(text)); });
   return found == entries.end() ? nullptr : &*found;
 }
 
-// Where the air goes that comes from this side. Angles go around as those of the camera do.
+// Returns the direction of a wind that comes from this azimuth. The camera counts its azimuth the same way.
 std::string direction_from(double angle_deg) {
   const double angle_rad = angle_deg * std::numbers::pi / 180.0;
   const auto rounded = [](double component) { return std::round(component * 1e9) / 1e9 + 0.0; };
   return fmt::format("[{}, 0.0, {}]", rounded(-std::sin(angle_rad)), rounded(-std::cos(angle_rad)));
 }
 
-/// Reads a size in pixels: "1280x720", "1280,720", or a name such as "1080p" or "4K". Throws UsageError with the
-/// option's name in front.
+/// Reads a size in pixels: "1280x720", "1280,720", or a name such as "1080p" or "4K". Throws UsageError that begins
+/// with the option's name.
 renderer::Resized parse_size(const std::string& text, const std::string& option) {
   if (const NamedSize* named = find_named(named_sizes, text)) return named->size;
   const std::size_t between = text.find_first_of(",xX");
   const bool is_pair = between != std::string::npos;
   const auto width = number_in<int>(std::string_view(text).substr(0, between));
   const auto height = is_pair ? number_in<int>(std::string_view(text).substr(between + 1)) : std::nullopt;
-  const auto is_side = [](std::optional<int> side) { return side && *side >= 1 && *side <= largest_side_px; };
+  const auto is_side = [](std::optional<int> side) { return side && *side >= 1 && *side <= max_side_px; };
   if (!is_side(width) || !is_side(height)) {
     throw UsageError("{} {}: expected WIDTHxHEIGHT in pixels, such as 1280x720, or a name: {}", option, text,
-                     joined(names_of(named_sizes, &NamedSize::name)));
+                     join(list_names(named_sizes, &NamedSize::name)));
   }
   return {*width, *height};
 }
 
-// Options that stand for keys of the scene, written as a person would say them. Each call adds one to the command;
-// `overrides` must live as long as it does.
+// The functions below add options that set keys of the scene in everyday words. `overrides` must outlive the command.
 
-/// `--resolution SIZE`, as parse_size reads it.
+/// Adds `--resolution SIZE`.
 void add_resolution(CLI::App& command, std::vector<Override>& overrides) {
   command.add_option_function<std::string>("--resolution", [&overrides](const std::string& text) {
     const renderer::Resized size = parse_size(text, "--resolution");
@@ -78,12 +77,12 @@ void add_resolution(CLI::App& command, std::vector<Override>& overrides) {
   });
 }
 
-std::string side_names() { return joined(names_of(sides, &Side::name)); }
+std::string side_names() { return join(list_names(sides, &ViewSide::name)); }
 
-/// `--view NAME`: from where.
+/// Adds `--view NAME`, a side to look from.
 void add_side(CLI::App& command, std::vector<Override>& overrides) {
   command.add_option_function<std::string>("--view", [&overrides](const std::string& text) {
-    const Side* const side = find_named(sides, text);
+    const ViewSide* const side = find_named(sides, text);
     if (side == nullptr) throw UsageError("--view " + text + ": expected one of " + side_names());
     for (const char* key : {"camera.box", "camera.eye", "camera.target"}) {
       overrides.push_back({key, "auto", "--view " + text});
@@ -93,7 +92,7 @@ void add_side(CLI::App& command, std::vector<Override>& overrides) {
   });
 }
 
-/// `--wind SPEED[@ANGLE]`.
+/// Adds `--wind SPEED[@ANGLE]`.
 void add_wind(CLI::App& command, std::vector<Override>& overrides) {
   command.add_option_function<std::string>("--wind", [&overrides](const std::string& text) {
     const std::string option = "--wind " + text;
@@ -108,20 +107,20 @@ void add_wind(CLI::App& command, std::vector<Override>& overrides) {
   });
 }
 
-/// The value of a key that is the unit of a model, in m: that of a symbol, or else the text itself.
+/// Returns the length of a unit in metres for its symbol, and any other text unchanged.
 std::string unit_value(const std::string& text) {
   const auto* const unit = std::ranges::find(units, text, &Unit::symbol);
   return unit != units.end() ? std::to_string(unit->metres) : text;
 }
 
-/// An option that stands for a key of the scene.
+/// An option that sets a key of the scene.
 struct KeyOption {
   const char* option;
   const char* key;
-  const char* value = nullptr;  ///< of an option without one
+  const char* value = nullptr;  ///< value that a flag sets; null: the option takes a value
 };
 
-// They take effect in the order in which they are added here.
+// Adds the options. They take effect in the order in which they are added.
 void add_keys(CLI::App& command, std::vector<Override>& overrides, std::initializer_list<KeyOption> options) {
   for (const KeyOption& o : options) {
     if (o.value != nullptr) {
@@ -136,7 +135,7 @@ void add_keys(CLI::App& command, std::vector<Override>& overrides, std::initiali
   }
 }
 
-/// To be added last: it is stronger than options that stand for keys.
+/// Adds `--set`. Call it last, so that it overrides the options that set keys.
 void add_set(CLI::App& command, std::vector<Override>& overrides) {
   const auto set = [&overrides](const std::vector<std::string>& texts) {
     std::ranges::transform(texts, std::back_inserter(overrides), parse_override);
@@ -185,7 +184,7 @@ void add_backend(CLI::App& command, std::string& backend) {
 }
 
 void define_figures(CLI::App& command, FiguresOptions& options) {
-  command.add_option("--only", options.only)->delimiter(',')->check(CLI::IsMember(figure_names()));
+  command.add_option("--only", options.selected_names)->delimiter(',')->check(CLI::IsMember(figure_names()));
   command.add_option("-o,--output", options.output)->capture_default_str();
   command.add_option("--scale", options.scale)->check(CLI::Range(0.1, 4.0))->capture_default_str();
   add_backend(command, options.backend);
@@ -226,13 +225,13 @@ void define_simulate(CLI::App& command, SimulateOptions& options) {
 }
 
 std::vector<std::string> solvers() {
-  return names_of(sim::all_solver_kinds, [](sim::SolverKind kind) { return sim::name_of(kind); });
+  return list_names(sim::all_solver_kinds, [](sim::SolverKind kind) { return sim::to_name(kind); });
 }
 
 void add_compare(CLI::App& command, std::optional<sim::SolverKind>& compared_with) {
   command.add_option_function<std::string>("--compare", [&compared_with](const std::string& text) {
     compared_with = solver_named(text);
-    if (!compared_with) throw UsageError("--compare " + text + ": expected one of " + joined(solvers()));
+    if (!compared_with) throw UsageError("--compare " + text + ": expected one of " + join(solvers()));
   });
 }
 
@@ -276,8 +275,8 @@ void define_fit(CLI::App& command, FitOptions& options) {
 
 void define_sew(CLI::App& command, SewOptions& options) {
   command.add_option("PATTERN", options.pattern)->required();
-  command.add_option("--over", options.over)->allow_extra_args(false);
-  command.add_option("--over-fabric", options.over_fabrics)->allow_extra_args(false);
+  command.add_option("--over", options.outer_patterns)->allow_extra_args(false);
+  command.add_option("--over-fabric", options.outer_fabrics)->allow_extra_args(false);
   add_keys(command, options.overrides, {{"--fabric", "cloth.fabric"}});
   add_body(command, options.overrides);
   add_set(command, options.overrides);
@@ -292,14 +291,14 @@ void define_sew(CLI::App& command, SewOptions& options) {
 }
 
 void define_import_model(CLI::App& command, ImportModelOptions& options) {
-  command.group("");  // not shown: nothing a person could read comes out
+  command.group("");  // hidden: its output is for the program alone
   command.add_option("MODEL", options.model)->required();
   command.add_option("--memory", options.limits.memory_mib)->check(CLI::Range(64, 1 << 20));
   command.add_option("--seconds", options.limits.seconds)->check(CLI::Range(1, 86400));
   command.add_option("--parts", options.parts)->check(CLI::Range(0, static_cast<int>(ReadParts::image)));
 }
 
-/// A command that runs with its options as they are defined.
+/// Adds a command and returns a function that runs it with its options.
 template <class Options>
 std::function<int()> add_command(CLI::App& app, const char* name, void (*define)(CLI::App&, Options&),
                                  const Options& asked = {}) {
@@ -308,7 +307,7 @@ std::function<int()> add_command(CLI::App& app, const char* name, void (*define)
   return [options] { return run(*options); };
 }
 
-/// A command that lists what comes with the program, or prints the one that is named.
+/// Adds a command that lists the built-in data of one kind, or prints the named entry.
 std::function<int()> add_list(CLI::App& app, const char* command, const char* name,
                               const std::function<int(const std::string&)>& list) {
   auto asked = std::make_shared<std::string>();
@@ -327,14 +326,14 @@ void define_bench(CLI::App& command, BenchOptions& options) {
   command.add_flag("--quiet", options.quiet);
 }
 
-// Without those that belong to no group, which are not shown.
+// Returns the names of the commands that help shows. Hidden commands belong to no group.
 std::vector<std::string> command_names(const CLI::App& app) {
   const auto is_shown = [](const CLI::App* command) { return !command->get_group().empty(); };
-  return names_of(app.get_subcommands(is_shown), &CLI::App::get_name);
+  return list_names(app.get_subcommands(is_shown), &CLI::App::get_name);
 }
 
 std::string help_about(CLI::App& app, const std::string& topic) {
-  // Else it would be the help of the command that was asked for, which is help.
+  // Forgets the parsed `help` command; its own help would be shown otherwise.
   app.clear();
   if (topic.empty()) return app.help();
   if (topic == "scene") return scene_help();
@@ -343,20 +342,19 @@ std::string help_about(CLI::App& app, const std::string& topic) {
   if (std::ranges::find(topics, topic) == topics.end()) {
     topics.insert(topics.end(), {"scene", "stats"});
     throw UsageError("there is no help about '" + topic + '\'' + did_you_mean(topic, topics) +
-                     " (topics: " + joined(topics) + ')');
+                     " (topics: " + join(topics) + ')');
   }
   return app.get_subcommand(topic)->help(app.get_name());
 }
 
-/// Throws UsageError, with a list of the commands, if the arguments begin neither with a command nor with an
-/// option.
+/// Throws UsageError, with a list of the commands, unless the first argument is a command or an option.
 void require_command(const CLI::App& app, std::span<const char* const> arguments) {
   const std::string first = arguments.size() > 1 ? arguments[1] : "";
   const std::vector<std::string> names = command_names(app);
   const auto is_asked_for = [&](const CLI::App* command) { return command->get_name() == first; };
   if (first.starts_with('-') || !app.get_subcommands(is_asked_for).empty()) return;
   throw UsageError((first.empty() ? "expected a command" : "there is no command '" + first + '\'') +
-                   did_you_mean(first, names) + " (commands: " + joined(names) + "; taut help says more)");
+                   did_you_mean(first, names) + " (commands: " + join(names) + "; taut help says more)");
 }
 
 std::vector<std::string> option_names(const CLI::App& command) {
@@ -367,18 +365,19 @@ std::vector<std::string> option_names(const CLI::App& command) {
   return names;
 }
 
-/// For a command line that cannot be understood.
-std::string what_is_wrong(const CLI::App& app, const CLI::ParseError& error, std::span<const char* const> arguments) {
+/// Returns the message for a command line that cannot be parsed.
+std::string parse_error_text(const CLI::App& app, const CLI::ParseError& error,
+                             std::span<const char* const> arguments) {
   const bool has_command = !app.get_subcommands().empty();
   const CLI::App& command = has_command ? *app.get_subcommands().front() : app;
   const std::string help = (has_command ? "taut " + command.get_name() : "taut") + " --help";
-  // A misspelt option comes before what is missing, which may be all that it stands for.
+  // A misspelt option is reported before a missing one, because the misspelt one may be the missing one.
   const std::vector<std::string> unknown = app.remaining(true);
   const bool is_value = dynamic_cast<const CLI::RequiredError*>(&error) == nullptr &&
                         dynamic_cast<const CLI::ExtrasError*>(&error) == nullptr;
   if (is_value || unknown.empty()) return std::string(error.what()) + "; see " + help;
   const std::vector<std::string> options = option_names(command);
-  // In the order of the command line; the first option is wrong, or else what follows it.
+  // Reports the first unknown option of the command line, or else its first unknown argument.
   const auto is_unknown = [&](const char* argument) { return std::ranges::find(unknown, argument) != unknown.end(); };
   const auto is_option = [&](const char* argument) { return *argument == '-' && is_unknown(argument); };
   auto wrong = std::find_if(arguments.begin() + 1, arguments.end(), is_option);
@@ -388,14 +387,14 @@ std::string what_is_wrong(const CLI::App& app, const CLI::ParseError& error, std
   return "not expected: " + name + did_you_mean(option, options) + "; see " + help;
 }
 
-/// The text with the names of what there is in the place of their kinds in braces.
-std::string filled_in(std::string text) {
+/// Replaces each kind in braces, such as "{solvers}", by the list of its names.
+std::string fill_in(std::string text) {
   const std::array<std::pair<const char*, std::string>, 6> lists = {
-      {{"{figures}", joined(figure_names(), ",")},
-       {"{solvers}", joined(solvers())},
+      {{"{figures}", join(figure_names(), ",")},
+       {"{solvers}", join(solvers())},
        {"{sides}", side_names()},
-       {"{backends}", joined(backends(), " or ")},
-       {"{units}", joined(names_of(units, &Unit::symbol))},
+       {"{backends}", join(backends(), " or ")},
+       {"{units}", join(list_names(units, &Unit::symbol))},
        {"{thresholds}", fit_thresholds()}}};
   for (const auto& [kind, names] : lists) {
     const std::size_t at = text.find(kind);
@@ -404,24 +403,25 @@ std::string filled_in(std::string text) {
   return text;
 }
 
-/// Says what commands and their options are for, by assets/texts/help.toml: an option of a command, or else of any.
+/// Sets the help texts of a command and its options from assets/texts/help.toml. A text for this command comes before
+/// the text for any command.
 void describe(CLI::App& command, const std::string& name, const toml::table& texts) {
   const auto text_of = [&](const std::string& section, const std::string& key) {
     return texts[section][key].value<std::string>();
   };
   command.description(text_of(name, "about").value_or(""));
-  command.footer(filled_in(text_of(name, "footer").value_or("")));
+  command.footer(fill_in(text_of(name, "footer").value_or("")));
   for (CLI::Option* option : command.get_options()) {
     const std::string key = option->get_name();
     const std::optional<std::string> own = text_of(name, key);
-    if (const auto text = own ? own : text_of("any", key)) option->description(filled_in(*text));
+    if (const auto text = own ? own : text_of("any", key)) option->description(fill_in(*text));
   }
   for (CLI::App* below : command.get_subcommands([](const CLI::App*) { return true; })) {
     describe(*below, below->get_name(), texts);
   }
 }
 
-// At once where it is asked for, before values are read: what is wrong with them may be why help is needed.
+// Shows help immediately when the user asks for it, before any value is checked: a bad value may be the reason to ask.
 void show_help_first(CLI::App& app) {
   const auto show = [](const std::string&) { throw CLI::CallForHelp(); };
   for (CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
@@ -459,7 +459,7 @@ int run_command_line(std::span<const char* const> arguments) {
     app.parse(static_cast<int>(arguments.size()), arguments.data());
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return app.exit(error);
-    throw UsageError(what_is_wrong(app, error, arguments));
+    throw UsageError(parse_error_text(app, error, arguments));
   }
   const std::vector<CLI::App*> all = app.get_subcommands([](const CLI::App*) { return true; });
   const auto asked = std::ranges::find_if(all, [](const CLI::App* command) { return command->parsed(); });

@@ -4,8 +4,8 @@
 
 namespace taut::app {
 
-/// Does what the arguments of the program ask for, the first of which is its name. Returns the exit code
-/// (errors.hpp). Throws UsageError, and what the commands throw.
+/// Runs the command that the arguments name; the first argument is the program's name. Returns the exit code
+/// (errors.hpp). Throws UsageError and the exceptions of the commands.
 int run_command_line(std::span<const char* const> arguments);
 
 }  // namespace taut::app

@@ -7,11 +7,11 @@
 namespace taut::app {
 namespace {
 
-// Frames that may wait between two stages. More even out frames of different cost better and take more
-// memory.
-constexpr std::size_t waiting_frames = 3;
+// Frames that may wait between two stages. A larger number evens out the different costs of frames better, and takes
+// more memory.
+constexpr std::size_t max_waiting_frames = 3;
 
-template <class Stage> std::exception_ptr error_of(const Stage& stage) {
+template <class Stage> std::exception_ptr catch_error(const Stage& stage) {
   try {
     stage();
   } catch (...) {
@@ -53,7 +53,7 @@ void require_promises_kept(const std::string& broken) {
   if (!broken.empty()) throw PromiseBroken(broken);
 }
 
-/// For a start that is not handed out.
+/// Verifies a start frame that is not handed out.
 void verify_start(const sim::Simulation& simulation, const FrameOutputs& outputs) {
   if (outputs.verify) {
     FrameRecord record = measure_frame(simulation, outputs.start_frame);
@@ -82,47 +82,48 @@ void run_in_turn(const FrameStages& stages) {
   }
 }
 
-void run_gathered(const FrameStages& stages, const std::function<void(std::span<const FrameInWork>)>& gathered) {
+void run_simulation_first(const FrameStages& stages,
+                          const std::function<void(std::span<const FrameInWork>)>& gathered) {
   std::vector<FrameInWork> frames;
   std::exception_ptr simulating_failed;
   try {
     while (std::optional<FrameInWork> frame = stages.simulate()) frames.push_back(std::move(*frame));
   } catch (const Interrupted&) {
-    // The frames took long, their pictures do not. A second signal ends the program at once.
+    // The frames took long; drawing them does not. A second signal ends the program at once.
     forget_interruption();
     simulating_failed = std::current_exception();
   } catch (...) {
     simulating_failed = std::current_exception();
   }
   gathered(frames);
-  FrameStages rest = stages;
-  rest.simulate = [next = std::size_t{0}, &frames]() mutable {
+  FrameStages other_stages = stages;
+  other_stages.simulate = [next = std::size_t{0}, &frames]() mutable {
     return next < frames.size() ? std::optional(std::move(frames[next++])) : std::nullopt;
   };
-  run_overlapped(rest);
+  run_overlapped(other_stages);
   if (simulating_failed != nullptr) std::rethrow_exception(simulating_failed);
 }
 
 void run_overlapped(const FrameStages& stages) {
-  BoundedQueue<FrameInWork> simulated(waiting_frames);
-  BoundedQueue<FrameInWork> drawn(waiting_frames);
+  BoundedQueue<FrameInWork> simulated(max_waiting_frames);
+  BoundedQueue<FrameInWork> drawn(max_waiting_frames);
   std::exception_ptr simulating_failed;
   std::exception_ptr writing_failed;
 
   std::thread simulating([&] {
-    simulating_failed = error_of([&] {
+    simulating_failed = catch_error([&] {
       std::optional<FrameInWork> frame = stages.simulate();
       while (frame && simulated.push(std::move(*frame))) frame = stages.simulate();
     });
     simulated.close();
   });
   std::thread writing([&] {
-    writing_failed = error_of([&] {
+    writing_failed = catch_error([&] {
       while (std::optional<FrameInWork> frame = drawn.pop()) stages.write(*frame);
     });
     drawn.abandon();
   });
-  const std::exception_ptr drawing_failed = error_of([&] {
+  const std::exception_ptr drawing_failed = catch_error([&] {
     std::optional<FrameInWork> frame = simulated.pop();
     while (frame) {
       stages.draw(*frame);
@@ -134,7 +135,7 @@ void run_overlapped(const FrameStages& stages) {
   simulating.join();
   writing.join();
 
-  // A later stage works on an earlier frame.
+  // Errors of later stages come first, because these stages work on earlier frames.
   for (const std::exception_ptr& error : std::array{writing_failed, drawing_failed, simulating_failed}) {
     if (error != nullptr) std::rethrow_exception(error);
   }
@@ -151,7 +152,7 @@ std::vector<FrameRecord> run_frames(sim::Simulation& simulation, int last_frame,
   int next_frame = outputs.start_frame + (hands_out_start ? 0 : 1);
   if (!hands_out_start) verify_start(simulation, outputs);
   const bool overlaps = outputs.overlap && outputs.pictures.size() > 1;
-  // Frames that wait between two stages are given up, but in turn there are none.
+  // An overlapped run drops the frames that wait between stages. A run in turn has none.
   const auto give_up_if_interrupted = [overlaps] {
     if (overlaps) throw_if_interrupted();
   };
@@ -178,7 +179,7 @@ std::vector<FrameRecord> run_frames(sim::Simulation& simulation, int last_frame,
     require_promises_kept(work.broken);
   };
   if (outputs.before_drawing) {
-    run_gathered(stages, outputs.before_drawing);
+    run_simulation_first(stages, outputs.before_drawing);
   } else if (overlaps) {
     run_overlapped(stages);
   } else {

@@ -4,57 +4,57 @@
 #include <mutex>
 
 #include "app/base/errors.hpp"
-#include "app/output/frame_record.hpp"
+#include "app/runs/frame_record.hpp"
 #include "renderer/page/png.hpp"
 
 namespace taut::app {
 
-/// A queue of limited length from one thread to another. A push into a full queue waits, so the faster thread
-/// never gets far ahead.
+/// A queue of limited length between two threads. A push into a full queue waits, so the faster thread never gets far
+/// ahead.
 template <class T> class BoundedQueue {
  public:
   explicit BoundedQueue(std::size_t capacity) : capacity_(capacity) {}
 
-  /// Waits until there is room. Returns false if the reader has called `abandon`; then the writer may stop.
+  /// Waits until there is space. Returns false if the reader has called `abandon`; the writer may then stop.
   bool push(T item) {
     std::unique_lock lock(mutex_);
-    room_.wait(lock, [this] { return items_.size() < capacity_ || abandoned_; });
+    not_full_.wait(lock, [this] { return items_.size() < capacity_ || abandoned_; });
     if (abandoned_) return false;
     items_.push_back(std::move(item));
-    filled_.notify_one();
+    not_empty_.notify_one();
     return true;
   }
 
-  /// Waits for an item. Empty if the writer has called `close` and all items were taken.
+  /// Waits for an item. Returns nothing once the writer has called `close` and all items were taken.
   std::optional<T> pop() {
     std::unique_lock lock(mutex_);
-    filled_.wait(lock, [this] { return !items_.empty() || closed_; });
+    not_empty_.wait(lock, [this] { return !items_.empty() || closed_; });
     if (items_.empty()) return std::nullopt;
     std::optional<T> item(std::move(items_.front()));
     items_.pop_front();
-    room_.notify_one();
+    not_full_.notify_one();
     return item;
   }
 
-  /// The writer has no more items.
+  /// Says that the writer has no more items.
   void close() {
     const std::scoped_lock lock(mutex_);
     closed_ = true;
-    filled_.notify_all();
+    not_empty_.notify_all();
   }
 
-  /// The reader takes no more items.
+  /// Says that the reader takes no more items.
   void abandon() {
     const std::scoped_lock lock(mutex_);
     abandoned_ = true;
-    room_.notify_all();
+    not_full_.notify_all();
   }
 
  private:
   const std::size_t capacity_;
   std::mutex mutex_;
-  std::condition_variable room_;
-  std::condition_variable filled_;
+  std::condition_variable not_full_;
+  std::condition_variable not_empty_;
   std::deque<T> items_;
   bool closed_ = false;
   bool abandoned_ = false;
@@ -63,9 +63,9 @@ template <class T> class BoundedQueue {
 /// A frame between two stages.
 struct FrameInWork {
   FrameRecord record;
-  std::vector<sim::Vec3> positions;  ///< in metres, per vertex; empty if the frame is not drawn
+  std::vector<sim::Vec3> positions;  ///< metres, per vertex; empty if the frame is not drawn
   renderer::Image picture;
-  std::string broken;  ///< the promise that the frame does not keep; empty: none
+  std::string broken;  ///< message about the promise that the frame breaks; empty: none
 };
 
 /// The work on one frame, in this order.
@@ -75,23 +75,22 @@ struct FrameStages {
   std::function<void(FrameInWork&)> write;
 };
 
-/// Simulates all frames, hands them to `gathered`, and then draws and writes them in their order. Of a
-/// simulation that fails or is interrupted the frames before are drawn and written, then its exception is thrown.
-/// Errors of the other stages are as in run_overlapped.
-void run_gathered(const FrameStages& stages, const std::function<void(std::span<const FrameInWork>)>& gathered);
+/// Simulates all frames, passes them to `gathered`, then draws and writes them in order. If the simulation fails or is
+/// interrupted, the frames before are drawn and written, then its exception is thrown. Other stages throw as in
+/// run_overlapped.
+void run_simulation_first(const FrameStages& stages, const std::function<void(std::span<const FrameInWork>)>& gathered);
 
-/// Does all stages of a frame before it begins the next frame.
+/// Finishes all stages of a frame before it begins the next frame.
 void run_in_turn(const FrameStages& stages);
 
-/// Same frames in the same order, but each stage has its own thread. So the run takes as long as its slowest
-/// stage, not as long as all stages together. Drawing stays on the calling thread, which has the OpenGL
-/// context.
+/// Runs each stage on its own thread. Frames and their order are the same as in run_in_turn, but the run takes only as
+/// long as its slowest stage. Drawing stays on the calling thread, which has the OpenGL context.
 ///
-/// If a stage throws, no new frame begins. Frames that had passed this stage are still finished, as in
-/// run_in_turn. Then the exception is thrown from here; of several, the one of the earliest frame.
+/// If a stage throws, no new frame begins. Frames that had passed this stage are still finished. Then the exception is
+/// thrown from here; if several stages threw, the exception of the earliest frame.
 void run_overlapped(const FrameStages& stages);
 
-/// A frame could not be made without a crossing (sim::ContactBlocked). The simulation is where it was before.
+/// A frame cannot be made without a crossing (sim::ContactBlocked). The simulation stays at the frame before.
 struct FrameBlocked : PromiseBroken {
   FrameBlocked(int blocked_frame, const sim::ContactBlocked& error);
 
@@ -102,34 +101,33 @@ struct FrameBlocked : PromiseBroken {
 /// Receivers of the frames of a run. Every member may be left empty.
 struct FrameOutputs {
   std::span<const int> pictures;  ///< numbers of the frames to draw, ascending
-  int start_frame = 0;            ///< frame the simulation is at
-  bool with_start = false;        ///< also hands out the start frame, drawn or not
+  int start_frame = 0;            ///< frame that the simulation is at
+  bool with_start = false;        ///< also hands out the start frame, even if it is not drawn
   Measured measured = Measured::all;
   /// Called on the thread that called run_frames.
   std::function<renderer::Image(const std::vector<sim::Vec3>& positions, double time_s)> draw_positions;
-  /// This and report are called frame after frame, but not always on the caller's thread. The record lacks
-  /// only `encode_ms`.
+  /// Called in the order of frames, as is `report`, but not always on the caller's thread. The record lacks only
+  /// `encode_ms`.
   std::function<void(const FrameRecord&, const renderer::Image&)> write_frame;
   std::function<void(int frame, const sim::Simulation&)> write_shape;  ///< called while the simulation waits
   std::function<void(const FrameRecord&)> report;
-  /// Called first of all, for the start frame too, handed out or not. Returns what promise the frame breaks;
-  /// empty: none. A frame that breaks one is reported, but neither drawn nor written.
+  /// Called first, also for a start frame that is not handed out. Returns a message about the promise that the frame
+  /// breaks; empty: none. A frame that breaks a promise is reported, but neither drawn nor written.
   std::function<std::string(const sim::Simulation&, FrameRecord&)> verify;
-  /// If set, all frames are simulated before the first is drawn, and handed to this in between; positions are
-  /// empty of frames that are not drawn. Called on the caller's thread.
+  /// If set, all frames are simulated before the first is drawn, then this is called with them on the caller's thread.
+  /// Frames that are not drawn have no positions.
   std::function<void(std::span<const FrameInWork>)> before_drawing;
   /// Called on the simulating thread for every frame, before it is drawn.
   std::function<void(const FrameRecord&)> simulated;
-  /// Later frames are simulated while earlier ones are drawn and written; never changes what comes out.
+  /// Simulates later frames while earlier ones are drawn and written. The outputs are the same.
   bool overlap = true;
 };
 
-/// Simulates the frames after the start frame up to `last_frame`; frame n is the cloth n / frame rate seconds
-/// after the clock started, frame 0 the cloth as it was modelled. Returns what was
-/// measured of these, and of the start frame where that is drawn or asked for. Throws sim::Diverged,
-/// FrameBlocked, PromiseBroken after the report of a frame that was not verified, Interrupted and what the
-/// outputs throw; the pictures written before are complete. Without overlap, an interrupted run has handed
-/// out every frame that it has simulated.
+/// Simulates the frames from the start frame to `last_frame`. Frame 0 is the cloth as modelled; frame n is n / frame
+/// rate seconds later. Returns the measurements of these frames, and of the start frame if it is handed out. Throws
+/// sim::Diverged, FrameBlocked, Interrupted and the exceptions of the outputs, and PromiseBroken after the report of a
+/// frame that failed verification. The pictures written before are complete. An interrupted run without overlap has
+/// handed out every frame that it simulated.
 std::vector<FrameRecord> run_frames(sim::Simulation& simulation, int last_frame, const FrameOutputs& outputs);
 
 }  // namespace taut::app

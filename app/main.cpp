@@ -3,8 +3,8 @@
 #include "app/command_line.hpp"
 #include "sim/simulation.hpp"
 
-// A command reads a scene (scene_file), loads its garment (garment_loading), and hands a
-// simulation to run_frames (frame_loop), which calls the outputs the command has chosen for it.
+// A command reads a scene (scene_file), loads its garment (garment_loading), and passes a simulation to run_frames
+// (frame_loop), which calls the outputs that the command chose.
 
 namespace {
 

@@ -6,24 +6,24 @@
 namespace taut::renderer {
 namespace {
 
-// Half the least side of a box, m. A smaller box counts as a cube of this size.
-constexpr float smallest_half_m = 0.0005F;
-// Least distance of the near plane, share of the eye's distance. Smaller shows what is closer to the eye,
-// larger keeps more depth precision.
-constexpr float least_near_share = 0.02F;
-// How far the near plane is in front of the target and the far plane behind it, radii of the box. More shows
-// more around the box, less keeps more depth precision.
+// Smallest half side of a box, m. A smaller box counts as a cube of this size.
+constexpr float min_half_side_m = 0.0005F;
+// Smallest distance of the near plane, as a fraction of the eye's distance. Lower values show points closer to the eye,
+// higher ones keep more depth precision.
+constexpr float min_near_fraction = 0.02F;
+// Distances of the near plane in front of the target and of the far plane behind it, in radii of the box. Higher values
+// show more around the box, lower ones keep more depth precision.
 constexpr float near_radii = 2.0F;
 constexpr float far_radii = 20.0F;
 
-// The axes of a camera that looks along -back.
-struct Axes {
+// Axes of a camera that looks along -back.
+struct CameraAxes {
   glm::vec3 right;
   glm::vec3 up;
   glm::vec3 back;
 };
 
-Axes axes_of(const Framing& framing) {
+CameraAxes camera_axes(const Framing& framing) {
   const float flat = std::cos(framing.elevation_rad);
   const glm::vec3 back{flat * std::sin(framing.azimuth_rad), std::sin(framing.elevation_rad),
                        flat * std::cos(framing.azimuth_rad)};
@@ -31,14 +31,14 @@ Axes axes_of(const Framing& framing) {
   return {right, glm::cross(back, right), back};
 }
 
-struct Fit {
-  float centre;    // across, where the two limits balance
-  float distance;  // along the view, from the origin of the axes
+struct LineFit {
+  float centre;    // centre across, halfway between the two limits
+  float distance;  // distance along the view, from the origin of the axes
 };
 
-// A point at `across` and `depth` (towards the camera) is inside the opening of tangent t when
-// |across - centre| <= t (distance - depth). The two tightest of these lines meet at the answer.
-Fit fit_across(std::span<const glm::vec3> points, const glm::vec3& axis, const glm::vec3& back, float tangent) {
+// Fits the opening across one axis. A point at `across` and `depth` (towards the camera) is inside an opening of
+// tangent t if |across - centre| <= t (distance - depth). The two tightest of these lines meet at the result.
+LineFit fit_across(std::span<const glm::vec3> points, const glm::vec3& axis, const glm::vec3& back, float tangent) {
   float right_most = -INFINITY, left_most = -INFINITY;
   for (const glm::vec3& point : points) {
     const float across = glm::dot(point, axis);
@@ -49,8 +49,8 @@ Fit fit_across(std::span<const glm::vec3> points, const glm::vec3& axis, const g
   return {0.5F * (right_most - left_most), 0.5F * (right_most + left_most) / tangent};
 }
 
-// Returns the half opening as a part of the picture's height; the width has `aspect` times as much.
-float opening_of(const Framing& framing) {
+// Returns the half opening as a fraction of the picture's height; the width has `aspect` times as much.
+float half_opening(const Framing& framing) {
   return std::tan(0.5F * framing.vertical_fov_rad) * (1.0F - 2.0F * framing.margin);
 }
 
@@ -66,13 +66,13 @@ void check(const Box& box, const Framing& framing, float aspect) {
   }
 }
 
-// Of points given from `middle`, all within `half` of it along every axis.
-Camera fitted(std::span<const glm::vec3> points, const glm::vec3& middle, const glm::vec3& half, const Framing& framing,
-              float aspect) {
-  const Axes axes = axes_of(framing);
-  const float opening = opening_of(framing);
-  const Fit vertical = fit_across(points, axes.up, axes.back, opening);
-  const Fit horizontal = fit_across(points, axes.right, axes.back, opening * aspect);
+// Returns a camera that fits points given relative to `middle`, all within `half` of it along every axis.
+Camera fit_camera(std::span<const glm::vec3> points, const glm::vec3& middle, const glm::vec3& half,
+                  const Framing& framing, float aspect) {
+  const CameraAxes axes = camera_axes(framing);
+  const float opening = half_opening(framing);
+  const LineFit vertical = fit_across(points, axes.up, axes.back, opening);
+  const LineFit horizontal = fit_across(points, axes.right, axes.back, opening * aspect);
   const float distance = std::max(vertical.distance, horizontal.distance);
 
   Camera camera;
@@ -80,18 +80,18 @@ Camera fitted(std::span<const glm::vec3> points, const glm::vec3& middle, const 
   camera.eye = camera.target + distance * axes.back;
   camera.vertical_fov_rad = framing.vertical_fov_rad;
   const float radius = glm::length(half);
-  camera.near_m = std::max(least_near_share * distance, distance - near_radii * radius);
+  camera.near_m = std::max(min_near_fraction * distance, distance - near_radii * radius);
   camera.far_m = distance + far_radii * radius;
   return camera;
 }
 
-// Where the lamps stand, relative to the camera: x right, y up, z from the scene towards the camera. Higher
-// makes shadows shorter, farther to the side shows more of the folds.
+// Positions of the lamps relative to the camera: x right, y up, z from the scene towards the camera. Higher lamps make
+// shorter shadows; lamps farther to the side show more of the folds.
 constexpr glm::vec3 key_lamp{-0.80F, 1.10F, 0.45F};
 constexpr glm::vec3 fill_lamp{0.95F, 0.30F, 0.55F};
 constexpr glm::vec3 rim_lamp{0.45F, 0.60F, -1.0F};
 
-constexpr int largest_side_px = 16384;
+constexpr int max_side_px = 16384;
 
 bool is_within(int number, int lowest, int highest) { return number >= lowest && number <= highest; }
 
@@ -100,7 +100,7 @@ bool are_finite(std::span<const glm::vec3> values) {
       values, [](const glm::vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); });
 }
 
-// Indices in whole groups, each below `count`.
+// Returns whether the indices form whole groups and are below `count`.
 bool are_indices(std::span<const std::uint32_t> indices, std::size_t group, std::size_t count) {
   return indices.size() % group == 0 &&
          std::ranges::all_of(indices, [=](std::uint32_t index) { return index < count; });
@@ -111,8 +111,8 @@ bool are_colours(std::span<const Colour> colours, std::size_t count) {
 }
 
 bool is_map(const BaseColourMap& map, const SurfaceView& surface) {
-  return map.rgba == nullptr || (!surface.corner_coordinates.empty() && is_within(map.width_px, 1, largest_side_px) &&
-                                 is_within(map.height_px, 1, largest_side_px) &&
+  return map.rgba == nullptr || (!surface.corner_coordinates.empty() && is_within(map.width_px, 1, max_side_px) &&
+                                 is_within(map.height_px, 1, max_side_px) &&
                                  map.rgba->size() == std::size_t{4} * static_cast<std::size_t>(map.width_px) *
                                                          static_cast<std::size_t>(map.height_px));
 }
@@ -155,8 +155,9 @@ bool is_sound(const SurfaceView& surface) {
           (surface.scalars->values.size() == count && surface.scalars->maximum > surface.scalars->minimum));
 }
 
-// Rings of a sphere around the axis `up`; the ring at the equator is doubled and moved apart by `axis`.
-TriangleMesh rounded(const glm::vec3& a, const glm::vec3& axis, const glm::vec3& up, float radius_m, int segments) {
+// Returns a sphere of rings around the axis `up`; the ring at the equator is doubled and moved apart by `axis`.
+TriangleMesh make_rounded_mesh(const glm::vec3& a, const glm::vec3& axis, const glm::vec3& up, float radius_m,
+                               int segments) {
   const int around = std::max(segments, 3);
   const int half_rings = std::max(around / 4, 1);
   const glm::vec3 other = std::abs(up.y) < 0.9F ? glm::vec3{0, 1, 0} : glm::vec3{1, 0, 0};
@@ -228,9 +229,9 @@ bool is_near(const Box& box) {
   return near;
 }
 
-Box united(const Box& a, const Box& b) { return {glm::min(a.lower, b.lower), glm::max(a.upper, b.upper)}; }
+Box unite(const Box& a, const Box& b) { return {glm::min(a.lower, b.lower), glm::max(a.upper, b.upper)}; }
 
-std::array<glm::vec3, 8> corners_of(const Box& box) {
+std::array<glm::vec3, 8> box_corners(const Box& box) {
   std::array<glm::vec3, 8> corners;
   for (unsigned i = 0; i < 8; ++i) {
     corners[i] = {(i & 1U) != 0 ? box.upper.x : box.lower.x, (i & 2U) != 0 ? box.upper.y : box.lower.y,
@@ -242,16 +243,16 @@ std::array<glm::vec3, 8> corners_of(const Box& box) {
 Camera fit_camera_to_box(const Box& box, const Framing& framing, float aspect) {
   check(box, framing, aspect);
   const glm::vec3 middle = 0.5F * (box.lower + box.upper);
-  const glm::vec3 half = glm::max(0.5F * (box.upper - box.lower), glm::vec3{smallest_half_m});
-  return fitted(corners_of({-half, half}), middle, half, framing, aspect);
+  const glm::vec3 half = glm::max(0.5F * (box.upper - box.lower), glm::vec3{min_half_side_m});
+  return fit_camera(box_corners({-half, half}), middle, half, framing, aspect);
 }
 
 std::array<glm::vec3, 4> outermost_points(std::span<const glm::vec3> points, const Framing& framing, float aspect) {
   const Box box = bounding_box(points);
   check(box, framing, aspect);
   const glm::vec3 middle = 0.5F * (box.lower + box.upper);
-  const Axes axes = axes_of(framing);
-  const float opening = opening_of(framing);
+  const CameraAxes axes = camera_axes(framing);
+  const float opening = half_opening(framing);
   const auto farthest = [&](const glm::vec3& axis, float tangent) {
     const glm::vec3 functional = axis + tangent * axes.back;
     return *std::ranges::max_element(points, [&](const glm::vec3& a, const glm::vec3& b) {
@@ -267,20 +268,20 @@ Camera fit_camera_to_points(std::span<const glm::vec3> points, const Framing& fr
   check(box, framing, aspect);
   const glm::vec3 middle = 0.5F * (box.lower + box.upper);
   const glm::vec3 half = 0.5F * (box.upper - box.lower);
-  if (std::max({half.x, half.y, half.z}) < smallest_half_m) return fit_camera_to_box(box, framing, aspect);
+  if (std::max({half.x, half.y, half.z}) < min_half_side_m) return fit_camera_to_box(box, framing, aspect);
   std::vector<glm::vec3> from_middle(points.begin(), points.end());
   for (glm::vec3& point : from_middle) point -= middle;
-  return fitted(from_middle, middle, half, framing, aspect);
+  return fit_camera(from_middle, middle, half, framing, aspect);
 }
 
-const char* name_of(WeaveKind kind) {
+const char* to_name(WeaveKind kind) {
   constexpr std::array names = {"knit", "plain", "twill", "satin"};
   return names[static_cast<std::size_t>(kind)];
 }
 
 Lighting studio_lighting(const Camera& camera) {
   const glm::vec3 back = camera.eye - camera.target;
-  // Lamps stand on the floor of the studio: they follow the camera around, not up and down.
+  // Lamps stand on the studio's floor: they follow the camera around but not up and down.
   glm::vec3 towards{back.x, 0.0F, back.z};
   towards = glm::length(towards) > 1e-4F * glm::length(back) ? glm::normalize(towards) : glm::vec3{0, 0, 1};
   const glm::vec3 right{towards.z, 0.0F, -towards.x};
@@ -314,7 +315,7 @@ bool is_sound(const FrameView& frame) {
 }
 
 bool is_sound(const PictureSettings& settings) {
-  return is_within(settings.width_px, 1, largest_side_px) && is_within(settings.height_px, 1, largest_side_px) &&
+  return is_within(settings.width_px, 1, max_side_px) && is_within(settings.height_px, 1, max_side_px) &&
          is_within(settings.samples, 1, 64) && is_within(settings.supersampling, 1, 8) &&
          is_within(settings.shadow_map_px, 256, 8192) && is_within(settings.shading_px, 1, 2) &&
          is_within(settings.shadow_taps, 1, 64) && is_within(settings.sky_directions, 0, 64);
@@ -331,14 +332,14 @@ void check(const FrameView& frame, const PictureSettings& settings) {
 }
 
 TriangleMesh make_sphere(const glm::vec3& centre, float radius_m, int segments) {
-  return rounded(centre, glm::vec3{0.0F}, glm::vec3{0.0F, 1.0F, 0.0F}, radius_m, segments);
+  return make_rounded_mesh(centre, glm::vec3{0.0F}, glm::vec3{0.0F, 1.0F, 0.0F}, radius_m, segments);
 }
 
 TriangleMesh make_capsule(const glm::vec3& a, const glm::vec3& b, float radius_m, int segments) {
   const glm::vec3 axis = b - a;
   const float length = glm::length(axis);
   if (!(length > 0.0F)) return make_sphere(a, radius_m, segments);
-  return rounded(a, axis, axis / length, radius_m, segments);
+  return make_rounded_mesh(a, axis, axis / length, radius_m, segments);
 }
 
 void vertex_normals(std::span<const glm::vec3> positions, std::span<const std::uint32_t> triangles,

@@ -19,23 +19,23 @@ bool has_marks(const FrameView& frame) {
          std::ranges::any_of(frame.surfaces, [](const SurfaceView& surface) { return surface.wireframe.has_value(); });
 }
 
-// Light has to be encoded after it is blended, which only the renderer's own target is sure to do.
+// Blended light has to be encoded after blending, which only the renderer's own target ensures.
 bool is_blended(const FrameView& frame, const PictureSettings& settings) {
   return settings.samples > 1 || settings.supersampling > 1 || has_marks(frame);
 }
 
-BackdropGrid grid_of(const PictureSettings& settings) {
+BackdropGrid choose_grid(const PictureSettings& settings) {
   if (settings.samples > 1) return BackdropGrid::fine;
   return settings.shading_px > 1 ? BackdropGrid::coarsest : BackdropGrid::coarse;
 }
 
-// OpenGL counts rows from the bottom.
-PixelRect place_of(const Tile& tile, const PictureSettings& settings) {
+// OpenGL counts pixel rows from the bottom.
+PixelRect tile_rect(const Tile& tile, const PictureSettings& settings) {
   return {tile.x_px, settings.height_px - tile.y_px - tile.height_px, tile.width_px, tile.height_px};
 }
 
-// Tiles of an area that fit into the visibility buffer.
-std::vector<Tile> tiles_of(const Tile& area, int supersampling) {
+// Returns the tiles of an area that fit into the visibility buffer.
+std::vector<Tile> split_tiles(const Tile& area, int supersampling) {
   const int side_px = VisibilityBuffer::max_side_px / supersampling;
   std::vector<Tile> tiles;
   for (int y = 0; y < area.height_px; y += side_px) {
@@ -49,7 +49,7 @@ std::vector<Tile> tiles_of(const Tile& area, int supersampling) {
 
 }  // namespace
 
-struct SceneRenderer::Parts {
+struct SceneRenderer::RendererResources {
   Context& context;
   const GladGLContext& gl;
   SurfacePass surface_pass;
@@ -59,13 +59,13 @@ struct SceneRenderer::Parts {
   PictureTarget picture;
   VisibilityBuffer visibility;
   ResolvePass resolve_pass;
-  PictureTarget large;  // a supersampled tile
+  PictureTarget large;  // target of a supersampled tile
   Buffer block_buffer;
   std::vector<TriangleMesh> sphere_meshes;
-  std::vector<SurfaceView> surfaces;  // those of the frame and the sphere meshes
-  std::vector<SurfaceView> casters;   // the same, coarser: nothing finer shows in a shadow
+  std::vector<SurfaceView> surfaces;  // surfaces of the frame and the sphere meshes
+  std::vector<SurfaceView> casters;   // their coarse meshes: finer detail does not show in shadows
 
-  explicit Parts(Context& made)
+  explicit RendererResources(Context& made)
       : context(made),
         gl(made.gl()),
         surface_pass(gl),
@@ -80,7 +80,8 @@ struct SceneRenderer::Parts {
     check_errors(gl, "starting the renderer");
   }
 
-  // To `picture` where no framebuffer is given; only what is not blended and not supersampled goes straight to one.
+  // Draws to `picture` if no framebuffer is given. A framebuffer requires a frame that is neither blended nor
+  // supersampled.
   void draw(std::optional<GLuint> framebuffer, const FrameView& frame, const PictureSettings& settings) {
     check(frame, settings);
     context.make_current();
@@ -101,7 +102,7 @@ struct SceneRenderer::Parts {
     check_errors(gl, "drawing a frame");
   }
 
-  // The future that is returned gathers the light meanwhile; it has to end before the frame's spans do.
+  // Begins a frame. The returned future gathers the light and must finish while the frame's spans live.
   std::future<void> begin(FrameBlock& block, const FrameView& frame, const PictureSettings& settings) {
     reset_state();
     sphere_meshes.clear();
@@ -109,10 +110,10 @@ struct SceneRenderer::Parts {
     sphere_meshes.reserve(frame.spheres.size());
     for (const SphereView& spheres : frame.spheres) {
       sphere_meshes.push_back(merged_spheres(spheres));
-      surfaces.push_back(view_of(sphere_meshes.back(), spheres));
+      surfaces.push_back(make_sphere_view(sphere_meshes.back(), spheres));
     }
     casters.clear();
-    std::ranges::transform(surfaces, std::back_inserter(casters), coarse_of);
+    std::ranges::transform(surfaces, std::back_inserter(casters), coarse_surface);
     light.begin(block, frame, casters, settings);
     std::future<void> light_gathered = std::async(std::launch::async, [this, own = block] {
       light.draw_maps(own);
@@ -130,7 +131,7 @@ struct SceneRenderer::Parts {
     light.bind();
   }
 
-  // The context may be shared with a user interface that leaves its own settings behind.
+  // A user interface may share the context and leave its own settings behind.
   void reset_state() const {
     for (const GLenum off : {GL_BLEND, GL_CULL_FACE, GL_SCISSOR_TEST, GL_STENCIL_TEST, GL_POLYGON_OFFSET_FILL,
                              GL_FRAMEBUFFER_SRGB, GL_RASTERIZER_DISCARD, GL_PRIMITIVE_RESTART}) {
@@ -147,47 +148,46 @@ struct SceneRenderer::Parts {
     light.unbind();
   }
 
-  void set_tile_of(FrameBlock& block, const FrameView& frame, const PictureSettings& settings, const Tile& tile) const {
+  void upload_tile(FrameBlock& block, const FrameView& frame, const PictureSettings& settings, const Tile& tile) const {
     set_tile(block, frame.camera, settings, tile);
     upload(gl, GL_UNIFORM_BUFFER, block_buffer, std::span<const FrameBlock>(&block, 1));
   }
 
-  // The background has no edges that more samples would smooth, and things seldom fill the picture: only the
-  // part that they can touch is drawn with many samples, and blended over.
-  // The first tile is looked at while the light is still being gathered.
+  // Draws the background with one sample, as it has no edges, and blends only the part covered by surfaces and marks
+  // over it with many samples. The visibility of the first tile is drawn while the light is still being gathered.
   void draw_whole(GLuint framebuffer, FrameBlock& block, const FrameView& frame, const PictureSettings& settings,
                   std::future<void>& light_gathered) {
     const Tile whole{0, 0, settings.width_px, settings.height_px};
     set_tile(block, frame.camera, settings, whole);
-    const std::vector<Tile> tiles = tiles_of(screen_bounds(frame, surfaces, block.world_to_clip, settings), 1);
+    const std::vector<Tile> tiles = split_tiles(screen_bounds(frame, surfaces, block.world_to_clip, settings), 1);
     if (!tiles.empty()) {
-      set_tile_of(block, frame, settings, tiles.front());
-      draw_visibility(place_of(tiles.front(), settings), frame, settings);
+      upload_tile(block, frame, settings, tiles.front());
+      draw_visibility(tile_rect(tiles.front(), settings), frame, settings);
       gl.Flush();
     }
     await(light_gathered);
-    set_tile_of(block, frame, settings, whole);
+    upload_tile(block, frame, settings, whole);
     draw_behind(framebuffer, block, frame, settings);
     for (std::size_t i = 0; i < tiles.size(); ++i) {
-      const PixelRect place = place_of(tiles[i], settings);
-      set_tile_of(block, frame, settings, tiles[i]);
+      const PixelRect place = tile_rect(tiles[i], settings);
+      upload_tile(block, frame, settings, tiles[i]);
       if (i > 0) draw_visibility(place, frame, settings);
       shade_surfaces_and_marks(framebuffer, place, block, frame, settings);
     }
   }
 
-  // The floor's shadow is noise at the size of a drawn pixel, so it is averaged like everything else.
+  // Averages the whole picture, as the floor's shadow is noise at the size of a drawn pixel.
   void draw_supersampled(FrameBlock& block, const FrameView& frame, const PictureSettings& settings) {
     const int factor = settings.supersampling;
-    for (const Tile& tile : tiles_of({0, 0, settings.width_px, settings.height_px}, factor)) {
+    for (const Tile& tile : split_tiles({0, 0, settings.width_px, settings.height_px}, factor)) {
       const glm::ivec2 large_px = factor * glm::ivec2{tile.width_px, tile.height_px};
-      set_tile_of(block, frame, settings, tile);
+      upload_tile(block, frame, settings, tile);
       large.begin(large_px.x, large_px.y);
       draw_behind(large.framebuffer(), block, frame, settings);
       const PixelRect all{0, 0, large_px.x, large_px.y};
       draw_visibility(all, frame, settings);
       shade_surfaces_and_marks(large.framebuffer(), all, block, frame, settings);
-      const PixelRect place = place_of(tile, settings);
+      const PixelRect place = tile_rect(tile, settings);
       gl.BindFramebuffer(GL_FRAMEBUFFER, picture.framebuffer());
       gl.Viewport(place.x_px, place.y_px, place.width_px, place.height_px);
       resolve_pass.draw(large.texture(), 1, factor, {place.x_px, place.y_px});
@@ -207,10 +207,10 @@ struct SceneRenderer::Parts {
       gl.Disable(GL_SCISSOR_TEST);
       return;
     }
-    backdrop_pass.draw(framebuffer, block, sees_floor(frame), grid_of(settings));
+    backdrop_pass.draw(framebuffer, block, sees_floor(frame), choose_grid(settings));
   }
 
-  // `place` is the tile's in the framebuffer.
+  // `place` is the tile's rectangle in the framebuffer.
   void draw_visibility(const PixelRect& place, const FrameView& frame, const PictureSettings& settings) {
     visibility.begin(place.width_px, place.height_px, settings.samples);
     if (sees_floor(frame) && reaches_below(*frame.ground_height_m, frame, surfaces)) {
@@ -219,8 +219,8 @@ struct SceneRenderer::Parts {
     surface_pass.draw_visibility(has_marks(frame));
   }
 
-  // Shades the surfaces that draw_visibility() saw last. Marks have edges of their own between pixels: they are
-  // drawn apart and blended over.
+  // Shades the surfaces of the last draw_visibility(). Marks have their own edges between pixels, so they are drawn
+  // separately and blended over.
   void shade_surfaces_and_marks(GLuint framebuffer, const PixelRect& place, const FrameBlock& block,
                                 const FrameView& frame, const PictureSettings& settings) {
     surface_pass.shade(visibility, framebuffer, block, place, settings.shading_px > 1);
@@ -232,8 +232,8 @@ struct SceneRenderer::Parts {
     resolve_pass.draw(visibility.marks(), visibility.samples(), 1, {place.x_px, place.y_px});
   }
 
-  // Blending has to happen in linear light, so marks are encoded by the framebuffer. Everything opaque encodes
-  // in its shader: once for each pixel instead of once for each sample.
+  // Marks are encoded by the framebuffer, as blending needs linear light. Opaque surfaces are encoded in their shader,
+  // once per pixel instead of once per sample.
   void draw_marks(const FrameView& frame) {
     gl.BlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
     gl.Enable(GL_FRAMEBUFFER_SRGB);
@@ -252,12 +252,12 @@ struct SceneRenderer::Parts {
 
 SceneRenderer::SceneRenderer(Context& context) {
   context.make_current();
-  parts_ = std::make_unique<Parts>(context);
+  parts_ = std::make_unique<RendererResources>(context);
 }
 
 SceneRenderer::~SceneRenderer() { delete_in_context(parts_->context, parts_); }
 
-// A ball above a larger one and a floor: their picture needs every shader that pictures of cloth need.
+// The picture of a ball above a larger one and a floor needs every shader that pictures of cloth need.
 void SceneRenderer::prepare(const PictureSettings& settings, bool scalars) {
   const std::array balls{make_sphere({0.0F, 0.0F, 0.0F}, 1.0F, 16), make_sphere({0.0F, 1.6F, 0.0F}, 0.4F, 16)};
   const std::vector<float> values(balls[0].positions.size());

@@ -4,12 +4,12 @@ noperspective in vec3 in_light;
 #ifdef SHADED
 noperspective in vec3 in_shadow;
 uniform sampler2D floor_shadow;
-uniform vec4 shaded_part;  // texture coordinates of the floor's shadow: xy: scale for a drawn pixel, zw: offset
+uniform vec4 shaded_part;  // texture coordinates of the floor's shadow: xy: scale per drawn pixel, zw: offset
 #endif
-layout(location = 0) out vec4 colour;  // encoded
+layout(location = 0) out vec4 colour;  // sRGB-encoded
 
-// Half a step of eight bits up or down, in a pattern of four by four pixels (Bayer 1973): gradients as slow as these
-// would show their steps as bands. A pattern that repeats packs better than noise.
+// Returns up to half a step of eight bits, in a pattern of four by four pixels (Bayer 1973): without it slow gradients
+// show bands. A repeating pattern compresses better than noise.
 float dither() {
   ivec2 place = ivec2(gl_FragCoord.xy) & 3;
   int mixed = place.x ^ place.y;
@@ -20,13 +20,13 @@ float dither() {
 void main() {
   vec3 seen = in_light;
 #ifdef SHADED
-  // Neighbours that look in other directions: their mean has less of the noise.
+  // The mean of neighbours with other sampling directions has less noise.
   vec2 place = gl_FragCoord.xy * shaded_part.xy + shaded_part.zw;
   vec2 near = 0.75 / vec2(textureSize(floor_shadow, 0));
   float lit = 0.25 * (textureLod(floor_shadow, place + near, 0.0).r + textureLod(floor_shadow, place - near, 0.0).r +
                       textureLod(floor_shadow, place + vec2(near.x, -near.y), 0.0).r +
                       textureLod(floor_shadow, place + vec2(-near.x, near.y), 0.0).r);
-  // Light adds up in linear light, for which squares do.
+  // Mixing needs linear light; squares approximate it.
   seen = sqrt(mix(in_shadow * in_shadow, seen * seen, lit));
 #endif
   seen += dither() * step(seen.g, 0.999);

@@ -1,4 +1,4 @@
-// The backdrop behind everything, in linear light, for a unit direction from the eye.
+// Returns the backdrop in linear light for a unit direction from the eye.
 vec3 backdrop_colour(vec3 direction) {
   float t = smoothstep(backdrop_horizon.x, backdrop_horizon.y, direction.y);
   return mix(lower_colour.rgb, upper_colour.rgb, lower_colour.w > 0.5 ? 0.0 : t);

@@ -2,13 +2,13 @@
 #include "frame.glsl"
 #include "backdrop.glsl"
 #include "floor.glsl"
-// Backdrop and floor, in the key light and in its shadow, at the corners of a grid over the tile. Nothing there changes
-// from pixel to pixel, and a software rasteriser blends colours faster than it looks them up. One instance a row.
-// Towards the lower edge and the sides of the picture shadows fade, so that nothing is cut; share of its height.
+// Backdrop and floor, in the key light and in its shadow, at the corners of a grid over the tile. They vary slowly, and
+// a software rasteriser interpolates colours faster than it samples them. One instance per row. Shadows fade towards
+// the lower edge and the sides of the picture, so that none is cut; the margin is a fraction of its height.
 const float shadow_fade = 0.14;
 uniform vec4 grid;  // xy: columns and rows, z: 1 with a floor
-noperspective out vec3 in_light;   // encoded
-noperspective out vec3 in_shadow;  // encoded
+noperspective out vec3 in_light;   // sRGB-encoded
+noperspective out vec3 in_shadow;  // sRGB-encoded
 
 void main() {
   vec2 corner = vec2(float(gl_VertexID >> 1), float(gl_InstanceID + (gl_VertexID & 1))) / grid.xy;

@@ -1,12 +1,13 @@
-// Images of base colours, laid on surfaces by the coordinates of their triangles' corners.
-uniform sampler2DArray base_colour_maps;  // one layer each; linear, premultiplied
+// Base colour maps on surfaces, placed by corner coordinates.
+uniform sampler2DArray base_colour_maps;  // one layer per map; linear, premultiplied
 
-// How much of a map is seen from the other side of the cloth.
+// Visible fraction of a map on the inside of the cloth.
 const float shines_through = 0.3;
-// Samples along the longer side of what a pixel covers. Fewer blur maps that are seen at grazing angles.
+// Samples along the longer side of a pixel's footprint. Fewer blur maps seen at grazing angles.
 const int most_taps = 4;
 
-// The shares of the triangle's second and third corner, and how they change from pixel to pixel.
+// Returns the colour; the arguments are the weights of the triangle's second and third corner, and their change per
+// pixel.
 vec4 base_colour(int triangle, vec2 share, vec2 share_across, vec2 share_up, float layer) {
   vec2 first = texelFetch(corner_data, 3 * triangle).xy;
   mat2 sides = mat2(texelFetch(corner_data, 3 * triangle + 1).xy - first, texelFetch(corner_data, 3 * triangle + 2).xy - first);

@@ -1,42 +1,42 @@
-// The studio's light as cloth reflects it.
+// Light of the studio reflected by cloth.
 
-// Share of the key light that cloth reflects.
+// Fraction of the key light that cloth reflects.
 const float key_reflected = 1.0;
-// How far light reaches around the edge of a form, cosine: larger lamps reach farther.
+// Cosine up to which light reaches around the edge of a form: larger lamps reach farther.
 const float key_wrap = 0.15;
 const float fill_wrap = 0.3;
-// Lamps are a little warm, the sky a little cold, and the floor gives back what is warm.
+// Colours of the lamps (slightly warm), the sky (slightly cold) and the floor's bounce (warm).
 const vec3 key_colour = vec3(1.02, 1.0, 0.97);
 const vec3 sky_colour = vec3(0.965, 1.0, 1.055);
 const vec3 floor_bounce = vec3(1.13, 1.10, 1.04);
-// Light of lit cloth on what is closed to the sky, share of the key light.
+// Light of lit cloth on parts occluded from the sky, as a fraction of the key light.
 const float key_bounce = 0.22;
-// The rim lamp is for fibres, and this much brighter there.
+// Factor of the rim lamp on fibres, for which it is meant.
 const float rim_fringe = 2.0;
-// Cloth that gave back all light would glow where it closes the sky.
+// Largest reflectance: cloth that reflected all light would glow where it occludes the sky.
 const float whitest = 0.95;
-// How far the fringe has the cloth's own colour: fibres are dyed through, and what stays white looks like plastic.
+// Fraction of the cloth's own colour in the fringe: fibres are dyed through, and a white fringe looks like plastic.
 const float fringe_dyed = 0.75;
 
-// Light from all around with nothing in the way, as SkyLight has it: x: of the sky, y: of the floor.
+// Returns unoccluded ambient light, as in SkyLight: x: from the sky, y: from the floor.
 vec2 open_light(float upwards) { return vec2(0.5 + 0.5 * upwards, 0.25 - 0.25 * upwards); }
 
-// A lamp with some extent: light reaches a little around the edge of a form.
+// Returns the light of an extended lamp, which reaches slightly around the edge of a form.
 float wrapped(float cosine, float wrap) {
   float light = max((cosine + wrap) / (1.0 + wrap), 0.0);
   return light * light * (1.0 - 0.5 * wrap) + light * 0.5 * wrap;
 }
 
-// How a satin's floats shine, which lie side by side along its warp: round across it, so that light is spread by this
-// factor there, and with some of their own colour, as light goes in and out of fibres that are clear.
+// Gloss of a satin's floats, which lie side by side along its warp. They are round across it, which spreads light by
+// this factor, and they tint it with some of their own colour, as light passes through clear fibres.
 const float spread_across = 3.5;
 const float satin_gloss = 4.2;
 const float satin_dyed = 0.5;
-// Share of light that floats mirror does not reach what is below.
+// Fraction of light that floats mirror and so keep from the layers below.
 const float satin_dark = 0.22;
 
-// GGX (Walter et al. 2007), anisotropic as by Burley (2012), with the visibility approximated after Kelemen and
-// Szirmay-Kalos (2001). `warp`: of length 1 across the normal, or 0 where threads do not matter.
+// Returns the highlight by GGX (Walter et al. 2007), anisotropic as by Burley (2012), with the visibility approximated
+// after Kelemen and Szirmay-Kalos (2001). `warp`: unit vector across the normal, or 0 if threads do not matter.
 float highlight(vec3 normal, vec3 towards_light, vec3 towards_eye, float roughness, vec3 warp) {
   vec3 halfway = normalize(towards_light + towards_eye);
   float along = roughness * roughness;
@@ -48,8 +48,8 @@ float highlight(vec3 normal, vec3 towards_light, vec3 towards_eye, float roughne
   return 0.04 / (4.0 * along * across * d * d * lh * lh);
 }
 
-// Share of even light that fibres which stand off reflect towards the eye: the integral over all directions of what
-// fringes() has, to 0.04 for a roughness from 0.4 to 1.
+// Returns the fraction of uniform light that the fringe reflects towards the eye: the integral of fringes() over all
+// directions, to 0.04 for a roughness from 0.4 to 1.
 float fringe_albedo(float facing, float roughness) {
   vec3 powers = vec3(1.0, roughness, roughness * roughness);
   vec4 c = vec4(dot(powers, vec3(-0.1328, 0.3579, -0.0861)), dot(powers, vec3(0.4436, 0.1929, -0.2730)),
@@ -58,8 +58,8 @@ float fringe_albedo(float facing, float roughness) {
   return max(c.x + x * (c.y + x * (c.z + x * c.w)), 0.0);
 }
 
-// Their reflection of each lamp, for a Lambertian's 1: the distribution of Estevez and Kulla (2017), the visibility
-// of Neubelt and Pettineo (2013). glTF's KHR_materials_sheen means the same.
+// Returns the fringe's reflection of each lamp, relative to a Lambertian surface: the distribution of Estevez and Kulla
+// (2017), the visibility of Neubelt and Pettineo (2013). glTF's KHR_materials_sheen is the same.
 vec3 fringes(vec3 cosines, vec3 to_eye, float facing, float roughness) {
   float a = roughness * roughness;
   vec3 lit = max(cosines, 0.0);
@@ -77,13 +77,13 @@ struct Finish {
 };
 
 struct Light {
-  vec3 diffuse;  // times the surface's own colour
-  vec3 fringe;   // of fibres that stand off
+  vec3 diffuse;  // to be multiplied by the surface's own colour
+  vec3 fringe;   // light of fibres that stand off
   vec3 gloss;
 };
 
-// `key`: how much of the key light arrives; `open`: how much of the sky; `base`: of the cloth around, which gives back
-// what the sky does not.
+// Returns the light on a spot. `key`: fraction of the key light that arrives; `open`: visible fraction of the sky;
+// `base`: colour of surrounding cloth, which reflects light where it occludes the sky.
 Light gathered(vec3 normal, vec3 towards_eye, float key, float open, vec3 base, Finish finish) {
   float key_cosine = dot(normal, towards_key.xyz);
   vec3 key_light = towards_key.w * key * key_colour;
@@ -92,10 +92,10 @@ Light gathered(vec3 normal, vec3 towards_eye, float key, float open, vec3 base, 
   float openness = clamp(open / max(unhindered.x + unhindered.y, 0.05), 0.0, 1.0);
   vec3 direct = key_reflected * key_light * wrapped(key_cosine, key_wrap);
   vec3 through = key_reflected * key_light * finish.translucency * max(-key_cosine, 0.0);
-  // The fill has no shadow map; what is closed to the sky is closed to it too.
+  // The fill light has no shadow map; occlusion of the sky occludes it too.
   float fill = towards_fill.w * wrapped(dot(normal, towards_fill.xyz), fill_wrap) * openness;
   vec3 around = upper_colour.w * (unhindered.x * sky_colour + unhindered.y * floor_bounce * lower_colour.rgb);
-  // Cloth that closes the sky gives light back, again and again: a geometric series.
+  // Cloth that occludes the sky reflects light again and again: a geometric series.
   vec3 closed = (1.0 - openness) * min(base, whitest);
   vec3 ambient = (around * openness + closed * key_bounce * towards_key.w * key_colour) / (1.0 - closed);
   mat3 towards_lamps = mat3(towards_key.xyz, towards_fill.xyz, towards_rim.xyz);
@@ -108,7 +108,7 @@ Light gathered(vec3 normal, vec3 towards_eye, float key, float open, vec3 base, 
   light.fringe = finish.sheen * (key_reflected * key_light * lamps.x + beside_key + albedo * ambient);
   light.gloss = key_light * max(key_cosine, 0.0) *
                 highlight(normal, towards_key.xyz, towards_eye, finish.roughness, finish.warp);
-  // Satin shows the softer lamp too, and the sky.
+  // Satin also mirrors the softer lamp and the sky.
   float mirrored = 2.0 * facing * normal.y - towards_eye.y;
   float grazing = (1.0 - facing) * (1.0 - facing);
   vec3 sky = upper_colour.w * openness * (0.045 + 0.3 * grazing * grazing) * smoothstep(-0.3, 0.9, mirrored) * sky_colour;
@@ -116,7 +116,7 @@ Light gathered(vec3 normal, vec3 towards_eye, float key, float open, vec3 base, 
   return light;
 }
 
-// Film: highlights lose some of their colour before they are white. Exact below the knee.
+// Maps tones like film: highlights lose some colour before they are white. Exact below the knee.
 vec3 filmed(vec3 linear) {
   vec3 over = max(linear - knee, 0.0) / (1.0 - knee);
   vec3 each = min(linear, knee) + (1.0 - knee) * over / (1.0 + over);

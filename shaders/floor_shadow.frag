@@ -1,9 +1,9 @@
 #version 330 core
 #include "frame.glsl"
 #include "shadow.glsl"
-// How much of the key light reaches the floor, for two by two drawn pixels at a time: what throws the shadow is far
-// enough away for its edge to be no sharper, and backdrop.frag smooths between.
-uniform vec4 coarse;  // xy: drawn pixels left of and below the part that is drawn, z: drawn pixels for one here
+// Fraction of the key light that reaches the floor, for two by two drawn pixels at a time: casters are far enough away
+// for no sharper edge, and backdrop.frag interpolates.
+uniform vec4 coarse;  // xy: drawn pixels left of and below the drawn part, z: drawn pixels per pixel here
 layout(location = 0) out float lit;
 
 void main() {

@@ -1,4 +1,4 @@
-// Data that every shader of a frame shares; mirrored by FrameBlock in renderer/gl/frame_block.hpp. Linear light throughout.
+// Data shared by all shaders of a frame; mirrored by FrameBlock in renderer/gl/gl_objects.hpp. Linear light throughout.
 layout(std140) uniform Frame {
   mat4 world_to_clip;
   mat4 world_to_shadow;     // to texture coordinates and depth, each 0..1
@@ -9,34 +9,34 @@ layout(std140) uniform Frame {
   vec4 upper_colour;        // rgb; w: ambient strength
   vec4 lower_colour;        // rgb; w: 1 for a plain backdrop
   vec4 ground;              // x, z: middle of the lit floor, m; y: height, m; w: its radius, m
-  vec4 viewport;            // xy: size of this tile in drawn pixels; z: drawn pixels for one of the picture; w: its
-                            // height, in drawn pixels
+  vec4 viewport;            // xy: size of this tile in drawn pixels; z: drawn pixels per picture pixel; w: height of
+                            // the picture in drawn pixels
   vec4 shadow;              // x: side of a texel, m; y: 1 / texels; z: depth range, m; w: tangent of the light's
                             // angular radius, 0 for no shadows
-  vec4 shadow_blur;         // x: radius of the widest blur of a shadow, texels of the map; taps that blur it, y: on
-                            // surfaces, z: on the floor; w: how far surfaces may be from those that cast it, m
-  vec4 shadow_bounds;       // xy: lower, zw: upper corner of all that casts it, in the shadow map
+  vec4 shadow_blur;         // x: radius of the widest blur of a shadow, texels of the map; y: blur taps on surfaces,
+                            // z: on the floor; w: largest distance of surfaces from their casters' meshes, m
+  vec4 shadow_bounds;       // xy: lower, zw: upper corner of all casters, in the shadow map
   vec4 ground_light_area;   // xy: lower x and z, m; zw: 1 / extent, 1/m
-  vec4 backdrop_horizon;    // x: sine of the elevation where the backdrop starts to change; y: where it ends;
-                            // z: 1 where nothing but shadows is drawn of backdrop and floor
-  vec4 ray_corner;          // xyz: direction from the eye to the tile's lower left corner; w: how far that is from the
-                            // left of the picture, drawn pixels
-  vec4 ray_across;          // xyz: what is added to it for a drawn pixel to the right; w: width of the picture
-  vec4 ray_up;              // xyz: for a drawn pixel upwards; w: as of ray_corner, from below
+  vec4 backdrop_horizon;    // x, y: sines of the elevations at the start and end of the backdrop's gradient;
+                            // z: 1 if only shadows are drawn of backdrop and floor
+  vec4 ray_corner;          // xyz: direction from the eye to the tile's lower left corner; w: distance of that corner
+                            // from the left of the picture, drawn pixels
+  vec4 ray_across;          // xyz: change of that direction per drawn pixel to the right; w: width of the picture
+  vec4 ray_up;              // xyz: change per drawn pixel upwards; w: distance from the bottom, drawn pixels
 };
 
-// Direction from the eye through a place of the tile in drawn pixels; not of unit length.
+// Returns the direction from the eye through a position in the tile, in drawn pixels; not of unit length.
 vec3 ray_through(vec2 place) { return ray_corner.xyz + place.x * ray_across.xyz + place.y * ray_up.xyz; }
 
-// Linear light above which highlights are compressed. Lower keeps more of them, and shows less true colours.
+// Linear light above which highlights are compressed. Lower values keep more of them but show fewer true colours.
 const float knee = 0.65;
 
 vec3 srgb_to_linear(vec3 encoded) {
   return mix(encoded / 12.92, pow((encoded + 0.055) / 1.055, vec3(2.4)), step(vec3(0.04045), encoded));
 }
 
-// Exact to a fifth of a step of 255 (coefficients: I. Taylor, "sRGB approximations for HLSL", 2012); square roots are
-// machine instructions where powers are long polynomials.
+// Returns the encoded colour to a fifth of a step of 255 (coefficients: I. Taylor, "sRGB approximations for HLSL",
+// 2012). Square roots are machine instructions; powers are long polynomials.
 vec3 linear_to_srgb_fast(vec3 linear) {
   vec3 c = clamp(linear, 0.0, 1.0);
   vec3 root2 = sqrt(c);
@@ -51,8 +51,8 @@ vec3 linear_to_srgb(vec3 linear) {
   return mix(c * 12.92, 1.055 * pow(c, vec3(1.0 / 2.4)) - 0.055, step(vec3(0.0031308), c));
 }
 
-// Exact below the knee, so that colours that carry data stay what the legend says; above it the brightest channel
-// approaches 1 and takes the others along, so that highlights keep their hue.
+// Maps tones, exact below the knee, so that data colours match the legend. Above it the brightest channel approaches 1
+// and scales the others, so that highlights keep their hue.
 vec3 tone_mapped(vec3 linear) {
   float peak = max(max(linear.r, linear.g), max(linear.b, 1e-4));
   float over = max(peak - knee, 0.0) / (1.0 - knee);

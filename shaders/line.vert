@@ -1,16 +1,16 @@
 #version 330 core
 #include "frame.glsl"
-// One instance for each segment, drawn as a strip of two triangles.
+// One instance per segment, drawn as a strip of two triangles.
 layout(location = 0) in vec3 start;
 layout(location = 1) in vec3 end;
 layout(location = 2) in vec3 start_colour;
 layout(location = 3) in vec3 end_colour;
-uniform vec4 mark;  // x: width, picture pixels; y: opacity; z: lift towards the eye, share of the distance
+uniform vec4 mark;  // x: width, picture pixels; y: opacity; z: lift towards the eye, fraction of the distance
 out vec3 line_colour;
 out float across_px;
 flat out float half_width_px;
 
-// Behind the eye there is nothing to project: the segment is cut where it passes the near side.
+// Segments are clipped at the near plane, as points behind the eye cannot be projected.
 vec4 cut(vec4 from, vec4 to) {
   const float nearest = 1e-3;
   return from.w >= nearest ? from : mix(from, to, clamp((nearest - from.w) / (to.w - from.w), 0.0, 1.0));

@@ -1,5 +1,5 @@
 #version 330 core
-uniform sampler2D sheet;  // letters, white, and small pictures
+uniform sampler2D sheet;  // white letters and small pictures
 in vec2 place;
 in vec4 shade;
 layout(location = 0) out vec4 colour;

@@ -2,7 +2,7 @@
 #include "frame.glsl"
 layout(location = 0) in vec3 centre;
 layout(location = 1) in vec3 point_colour;
-uniform vec4 mark;  // x: diameter, picture pixels; y: opacity; z: lift towards the eye, share of the distance
+uniform vec4 mark;  // x: diameter, picture pixels; y: opacity; z: lift towards the eye, fraction of the distance
 out vec3 disc_colour;
 out vec2 from_centre_px;
 

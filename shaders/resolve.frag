@@ -1,6 +1,6 @@
 #version 330 core
 // Averages samples and supersampled pixels in linear light.
-uniform ivec4 resolve;  // x: samples, y: supersampling, zw: where the tile starts in the picture, px
+uniform ivec4 resolve;  // x: samples, y: supersampling, zw: lower left corner of the tile in the picture, px
 #ifdef MULTISAMPLED
 uniform sampler2DMS drawn;
 #else

@@ -3,16 +3,16 @@
 #include "surface_buffers.glsl"
 #include "weave.glsl"
 #include "trims.glsl"
-#ifdef PARTIAL_SHADOW  // some triangle here may be in light and shadow
+#ifdef PARTIAL_SHADOW  // some triangles here may be partly in shadow
 #include "shadow.glsl"
 #endif
 #include "cloth_light.glsl"
-// Shades what is seen, once for every surface in a pixel: most triangles are so small that shading them while they
-// are drawn would work on more pixels outside than inside.
-uniform ivec4 corner;  // xy: where the tile starts in the framebuffer, px
+// Shades visible triangles, once for every surface in a pixel: most triangles are so small that shading during
+// rasterisation would process more pixels outside than inside.
+uniform ivec4 corner;  // xy: lower left corner of the tile in the framebuffer, px
 #ifdef MULTISAMPLED
 uniform usampler2DMS visibility_buffer;  // four samples
-uniform vec4 samples_x;         // where they are in a pixel, 0..1
+uniform vec4 samples_x;         // positions of the samples in a pixel, 0..1
 uniform vec4 samples_y;
 #else
 uniform usampler2D visibility_buffer;
@@ -23,7 +23,7 @@ uniform sampler2D scalar_maps;  // one row each
 #endif
 layout(location = 0) out vec4 colour;  // linear, premultiplied; encoded with one sample
 
-// One spot of a triangle, and how its material moves from pixel to pixel.
+// Spot of a triangle, with the change of its material coordinate per pixel.
 struct Spot {
   vec3 world;
   vec3 normal;
@@ -33,18 +33,18 @@ struct Spot {
   vec2 sky;  // x: outside, y: inside
   vec3 ab;   // sides of the triangle
   vec3 ac;
-  vec2 warp;  // along ab and ac: where the material's second coordinate grows
-  float weft_turn;  // 1 where the first one, or the third, grows to the right of that, seen from outside; or -1
-  mat3x2 place;  // on the triangle, and what is added to the right and upwards
+  vec2 warp;  // direction along ab and ac in which the material's second coordinate grows
+  float weft_turn;  // 1 if the first or third coordinate grows to its right, seen from outside; otherwise -1
+  mat3x2 place;  // position on the triangle, and its change to the right and upwards
 };
 
 #ifdef HALVED
-const float shaded_px = 2.0;  // side of the square that is shaded as one, drawn pixels
+const float shaded_px = 2.0;  // side of the squares shaded as one, drawn pixels
 #else
 const float shaded_px = 1.0;
 #endif
 
-// Where a ray meets the triangle (Moeller and Trumbore 1997).
+// Returns the intersection of a ray and a triangle (Moeller and Trumbore 1997).
 Spot spot_on(uvec3 corners, vec3 ray) {
   ivec3 first = 3 * ivec3(corners);
   vec4 a = texelFetch(vertex_data, first.x);
@@ -63,7 +63,7 @@ Spot spot_on(uvec3 corners, vec3 ray) {
   Spot spot;
   spot.ab = ab;
   spot.ac = ac;
-  // It does, but for rounding.
+  // The ray hits the triangle; clamping removes rounding errors.
   place = clamp(place, 0.0, 1.0);
   place /= max(place.x + place.y, 1.0);
 
@@ -84,7 +84,7 @@ Spot spot_on(uvec3 corners, vec3 ray) {
   spot.sky = vec2(n.w, m.w);
   float bb = dot(mb.xyz, mb.xyz), bc = dot(mb.xyz, mc.xyz), cc = dot(mc.xyz, mc.xyz);
   spot.warp = vec2(cc * mb.y - bc * mc.y, bb * mc.y - bc * mb.y);
-  // The weft's direction in the plane that the material faces most.
+  // Direction of the weft in the plane that the material faces most.
   vec3 turn = cross(mb.xyz, mc.xyz);
   spot.weft_turn = sign(abs(turn.z) > abs(turn.x) ? turn.z : -turn.x);
   return spot;
@@ -96,7 +96,7 @@ vec3 scalar_colour(float scalar, float row) {
   return scalar < -0.5 ? vec3(0.21) : textureLod(scalar_maps, place / size, 0.0).rgb;
 }
 
-// Linear light.
+// Returns the colour of a triangle in linear light.
 vec3 shaded(int triangle, bool front, vec3 ray) {
   uvec4 corners = texelFetch(triangle_data, triangle);
   Spot spot = spot_on(corners.xyz, ray);
@@ -106,12 +106,12 @@ vec3 shaded(int triangle, bool front, vec3 ray) {
   vec4 inside = texelFetch(material_data, material + 1);
   vec4 rest = texelFetch(material_data, material + 2);
   Sewing sewing = Sewing(vec3(0.0), 1.0, 0.0, 0.0);
-  // A loop, as in weave.glsl.
+  // A loop instead of a branch, as in weave.glsl.
   for (int i = 0; i < (trim_of(corners.w) > 0 ? 1 : 0); ++i) {
     sewing = sewn(trim_of(corners.w), front, spot.ab, spot.ac, spot.place[0], spot.place[1], spot.place[2]);
   }
   vec3 towards_eye = normalize(eye.xyz - spot.world);
-  // A hem is folded to the inside: what is seen of it there is the cloth's outside.
+  // A hem is folded to the inside and shows the cloth's outside there.
   vec4 thread = texelFetch(material_data, material + 3);
   vec3 warp = spot.warp.x * spot.ab + spot.warp.y * spot.ac;
   warp *= inversesqrt(max(dot(warp, warp), 1e-30));
@@ -131,7 +131,7 @@ vec3 shaded(int triangle, bool front, vec3 ray) {
   vec4 stitch = texelFetch(material_data, material + 4);
   base = mix(base * sewing.brightness, stitch.rgb, sewing.thread * stitch.w);
   vec3 normal = normalize((front ? spot.normal : -spot.normal) - sewing.slope);
-  // Near a silhouette an interpolated normal can turn away from the eye; it is brought back to grazing.
+  // Interpolated normals near a silhouette can face away from the eye; they are turned to grazing.
   normal = normalize(normal - towards_eye * min(dot(normal, towards_eye), 0.0));
   float lit = float(key);
 #ifdef PARTIAL_SHADOW
@@ -147,8 +147,8 @@ vec3 shaded(int triangle, bool front, vec3 ray) {
   vec3 cloth = (base * light.diffuse + mix(vec3(1.0), base, fringe_dyed) * light.fringe) * weave.brightness +
                light.gloss * mix(vec3(1.0), satin_gloss * mix(vec3(1.0), base, satin_dyed), satin);
 #ifdef SCALARS
-  // Colours that carry numbers: enough shading to see the form, little enough to look up the number.
-  // A dark colour cannot show form by getting darker, so a little light from the edges is added.
+  // Data colours get enough shading to show the form, but little enough to read the number. A dark colour cannot show
+  // form by darkening, so some light from the edges is added.
   vec3 shown = scalar_colour(spot.material.x, rest.z) * mix(1.0, light.diffuse.g / 1.15, 0.5) + 0.1 * light.fringe.g;
   return rest.z < 0.0 ? filmed(cloth) : tone_mapped(shown);
 #else
@@ -161,7 +161,7 @@ bool share_a_corner(uvec3 a, uvec3 b) {
   return any(equal(a, b)) || any(equal(a, b.yzx)) || any(equal(a, b.zxy));
 }
 
-// Whether a sample shows the surface that `first` is part of: triangles around one vertex, from the same side.
+// Returns whether a sample shows the surface of `first`: triangles around one vertex, from the same side.
 bool continues(uint sample_visible, uint first, uvec3 corners) {
   uvec3 others = texelFetch(triangle_data, max(triangle_of(sample_visible), 0)).xyz;
   return sample_visible != 0u && is_front(sample_visible) == is_front(first) && share_a_corner(others, corners);
@@ -176,7 +176,7 @@ void main() {
     bvec3 none = equal(left.xyz, uvec3(0u));
     int i = !none.x ? 0 : !none.y ? 1 : !none.z ? 2 : 3;
     uint first = left[i];
-    // Through the sample, not the pixel's middle, which the triangle may miss.
+    // The ray passes through the sample, as the triangle may miss the pixel's middle.
     vec3 ray = ray_through(vec2(pixel) + vec2(samples_x[i], samples_y[i]));
     uvec4 corners = texelFetch(triangle_data, max(triangle_of(first), 0));
     bvec4 same = bvec4(continues(left.x, first, corners.xyz), continues(left.y, first, corners.xyz),
@@ -190,7 +190,7 @@ void main() {
 void main() {
   ivec2 pixel = ivec2(gl_FragCoord.xy) - corner.xy;
 #ifdef HALVED
-  // Whichever of the four sees something stands for all that do; surface_halved.frag keeps their outline.
+  // The first non-empty pixel of the four represents all of them; surface_halved.frag keeps their outline.
   pixel *= 2;
   uvec4 four = uvec4(texelFetch(visibility_buffer, pixel, 0).r, texelFetch(visibility_buffer, pixel + ivec2(1, 0), 0).r,
                      texelFetch(visibility_buffer, pixel + ivec2(0, 1), 0).r, texelFetch(visibility_buffer, pixel + ivec2(1, 1), 0).r);

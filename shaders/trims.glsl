@@ -1,42 +1,41 @@
-// Hems, ribbed bands and seams: where cloth is sewn. Parts narrower than a drawn pixel fade into what covers the
-// pixel on the mean, so that nothing aliases.
-uniform samplerBuffer trim_data;  // four texels for each triangle near what is sewn: at its corners the distance from
-                                  // the border (m), the place along it (stitches), and the same of a seam; width of
-                                  // the hem (m), 1 where it is ribbed, thickness of the cloth and stitch (m)
+// Hems, ribbed bands and seams. Features narrower than a drawn pixel fade to the mean, so that nothing aliases.
+uniform samplerBuffer trim_data;  // four texels per trimmed triangle: at its corners the distance from the border
+                                  // (m), the position along it (stitches), and the same for a seam; then width of
+                                  // the hem (m), 1 if it is ribbed, thickness of the cloth and stitch (m)
 
-// Rows of stitches of a hem, shares of its width, and of a ribbed band beyond it.
+// Rows of stitches of a hem, as fractions of its width, and of a ribbed band, beyond it.
 const vec2 hem_rows = vec2(0.90, 0.68);
 const float band_row = 1.13;
-// Beside a seam, stitches; and how far its groove reaches.
+// Distance of the row of stitches beside a seam, and width of its groove, in stitches.
 const float seam_row = 0.55;
 const float groove = 0.3;
-// A thread's width, stitches; its share of a stitch; how much lighter it is than the cloth.
+// Width of a thread, in stitches; its fraction of a stitch; its added brightness.
 const float thread_width = 0.2;
 const float thread_length = 0.75;
 const float thread_light = 0.35;
-// How steeply cloth goes down to a row of stitches, to a seam, and how steep ribs are; ribs for a stitch.
+// Slopes of the cloth at a row of stitches, at a seam and of ribs; ribs per stitch.
 const float row_slope = 0.22;
 const float groove_slope = 0.55;
 const float rib_slope = 0.42;
 const float ribs_per_stitch = 2.0;
-// Light that is lost in a groove, beside a step and between ribs.
+// Fraction of light lost in a groove, beside a step and between ribs.
 const float lost_light = 0.22;
 
-// How a spot differs from plain cloth: how it rises towards the eye, m for each m.
+// Difference of a spot from plain cloth: slope towards the eye, in m per m, and more.
 struct Sewing {
   vec3 slope;
   float brightness;
-  float doubled;  // share that is double
-  float thread;   // share that is sewing thread
+  float doubled;  // fraction of double cloth
+  float thread;   // fraction of sewing thread
 };
 
-// Share of a pixel's extent around `place` that a line covers.
+// Returns the fraction of a pixel's extent around `place` that a line covers.
 float covered(float place, float middle, float width, float pixel) {
   float upper = min(place + 0.5 * pixel, middle + 0.5 * width);
   return clamp((upper - max(place - 0.5 * pixel, middle - 0.5 * width)) / pixel, 0.0, 1.0);
 }
 
-// x: slope across a row of stitches, y: its brightness, z: share of its thread. Lengths in stitches.
+// Returns x: slope across a row of stitches, y: its brightness, z: its fraction of thread. Lengths in stitches.
 vec3 row_of_stitches(float place, float middle, float along, float pixel, float pixel_along) {
   float dip = 1.8 * thread_width;
   float down = covered(place, middle - 0.5 * dip, dip, pixel);
@@ -48,7 +47,7 @@ vec3 row_of_stitches(float place, float middle, float along, float pixel, float 
   return vec3(row_slope * (up - down), brightness, thread);
 }
 
-// Slope and brightness of a rib's cross-section, and how much of it shows.
+// Returns slope and brightness of a rib's cross-section, faded to its mean.
 vec2 rib(float along, float pixel_along) {
   float shown = clamp(2.0 - 4.0 * ribs_per_stitch * pixel_along, 0.0, 1.0);
   float phase = 6.2831853 * ribs_per_stitch * along;
@@ -56,7 +55,8 @@ vec2 rib(float along, float pixel_along) {
          (1.0 - shown) * vec2(0.0, -0.5 * lost_light);
 }
 
-// `ab`, `ac`: sides of the triangle; `place`, `across`, `up`: where in it, and what is added from pixel to pixel.
+// Returns the sewing of a spot. `ab`, `ac`: sides of the triangle; `place`: position in it; `across`, `up`: its change
+// per pixel.
 Sewing sewn(int trim, bool front, vec3 ab, vec3 ac, vec2 place, vec2 across, vec2 up) {
   vec4 a = texelFetch(trim_data, 4 * trim);
   vec4 b = texelFetch(trim_data, 4 * trim + 1) - a;

@@ -1,7 +1,7 @@
 #version 330 core
 #include "frame.glsl"
-// Which triangle is seen where.
-layout(location = 0) in vec3 position;  // m; three for each triangle, so that its number needs no geometry stage
+// Draws triangle numbers.
+layout(location = 0) in vec3 position;  // m; three per triangle, so that its number needs no geometry stage
 flat out uint triangle;
 
 void main() {

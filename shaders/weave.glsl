@@ -1,39 +1,39 @@
-// How the threads of cloth change its brightness around 1, and mix in the colour of its other side. They are tied to
-// the cloth's own material, and each part of them fades before a period gets shorter than two drawn pixels: there is
-// nothing left to alias, and the mean stays as it was.
+// Threads of cloth: they vary its brightness around 1 and mix in the colour of its other side. They are fixed in the
+// cloth's material. Each detail fades before its period gets shorter than two drawn pixels, so that nothing aliases and
+// the mean stays.
 const float thread_contrast = 0.15;
 const float thread_relief = 0.2;
-// In the order of WeaveKind: knit, plain, twill, satin.
+// Arrays below are in the order of WeaveKind: knit, plain, twill, satin.
 const int satin_kind = 3;
-// Shares of what one sees of a period: threads of the warp, of the weft, and where they cross over and under.
+// Weights of a period's details: threads of the warp, of the weft, and their crossings.
 const vec3 parts[4] = vec3[4](vec3(0.5, 0.5, 0.0), vec3(0.3, 0.3, 0.4), vec3(0.25, 0.1, 0.0), vec3(0.5, 0.0, 0.0));
-// Lines across both: threads of the warp and the weft in a period of them, and their share.
+// Diagonal lines: their frequency per thread of the warp and the weft, and their weight.
 const vec3 lines[4] = vec3[4](vec3(0.0), vec3(0.0), vec3(0.25, -0.25, 0.75), vec3(0.4, 0.2, 0.5));
-// A knit's rows: how many for a column, and how far the two legs of a stitch lean.
+// Rows of a knit per column, and the lean of the two legs of a stitch.
 const vec2 rows[4] = vec2[4](vec2(1.3, 0.8), vec2(1.0, 0.0), vec2(1.0, 0.0), vec2(1.0, 0.0));
-// How much of the other side's colour comes and goes with the lines.
+// Amplitude of the other side's colour along the lines.
 const float dyed[4] = float[4](0.0, 0.0, 0.16, 0.0);
-// Yarn: width and length over which it stays the same, m, fine and coarse; shares of it along warp and weft.
+// Width and length, m, over which fine and coarse yarn stays the same; weights of yarn along warp and weft.
 const vec4 yarn = vec4(0.0012, 0.014, 0.005, 0.045);
 const vec2 runs[4] = vec2[4](vec2(0.15, 0.85), vec2(0.5, 0.5), vec2(0.8, 0.2), vec2(0.7, 0.3));
 const float yarn_contrast = 0.3;
 
 struct Weave {
   float brightness;
-  float other_side;  // share of its colour; below 0 where there is less of it than elsewhere
+  float other_side;  // fraction of its colour; below 0 where it is less than elsewhere
 };
 
-// A period of 1, mean 0, -1 to 1; a cosine without its cost.
+// Returns a cheap cosine of period 1, -1 to 1, with mean 0.
 vec4 wave(vec4 phase) {
   vec4 q = abs(2.0 * fract(phase) - 1.0);
   return 2.0 * q * q * (3.0 - 2.0 * q) - 1.0;
 }
 
-// 1 while a period covers four pixels, 0 from two downwards.
+// Returns 1 while a period covers at least four pixels, 0 from two downwards.
 vec4 fade(vec4 phase_per_pixel) { return clamp(2.0 - 4.0 * phase_per_pixel, 0.0, 1.0); }
 
-// One plane's threads. `place`: in threads, x across the warp, y along it; `extent`: how many of them a pixel covers.
-// x: height, y: lines; both -1 to 1.
+// Returns one plane's threads: x: height, y: lines; both -1 to 1. `place`: in threads, x across the warp, y along it;
+// `extent`: threads per pixel.
 vec2 threads(int kind, vec2 place, vec2 extent) {
   // Legs of stitches are half as wide as a column.
   float leg = abs(2.0 * fract(place.x) - 1.0);
@@ -46,7 +46,7 @@ vec2 threads(int kind, vec2 place, vec2 extent) {
   return vec2(dot(parts[kind], vec3(shown.xy, over.x * over.y)) + along, along);
 }
 
-// -1 to 1, without a pattern.
+// Returns a pseudo-random number, -1 to 1.
 float scattered(ivec2 cell) {
   uint h = uint(cell.x) * 0x9E3779B1u ^ uint(cell.y) * 0x85EBCA77u;
   h = (h ^ (h >> 15u)) * 0x2C1B3C6Du;
@@ -61,11 +61,11 @@ float uneven(vec2 place) {
              mix(scattered(cell + ivec2(0, 1)), scattered(cell + ivec2(1, 1)), part.x), part.y);
 }
 
-// How yarns differ, -1 to 1. Lengths in m.
+// Returns the variation between yarns, -1 to 1. Lengths in m.
 float yarns(int kind, vec2 place, vec2 extent) {
   vec4 shown = fade(vec4(extent / yarn.x, extent / yarn.z));
   float sum = 0.0;
-  // A software rasteriser ends a loop early: from afar the fine ones are not seen.
+  // A software rasteriser ends loops early: fine yarns are skipped from afar.
   for (int i = shown.x + shown.y > 0.0 ? 0 : 1; i < (shown.z + shown.w > 0.0 ? 2 : 0); ++i) {
     vec2 size = i == 0 ? yarn.xy : yarn.zw;
     vec2 share = runs[kind] * (i == 0 ? shown.xy : 0.5 * shown.zw);
@@ -74,11 +74,12 @@ float yarns(int kind, vec2 place, vec2 extent) {
   return sum;
 }
 
-// `across`, `up`: how the material moves from pixel to pixel; `towards_key`: of the key light, along weft and warp;
-// `count`: threads in a metre.
+// Returns the weave. `across`, `up`: change of the material coordinate per pixel; `towards_key`: direction of the key
+// light along weft and warp; `count`: threads per metre.
 Weave weave_at(vec3 material, vec3 across, vec3 up, vec2 towards_key, int kind, float strength, float count,
                float unevenness) {
-  // Three planes, each where the material faces it: a garment's rest shape does not tell how its cloth was cut.
+  // Three planes are blended by how much the material faces them, as a garment's rest shape does not tell how its cloth
+  // was cut.
   vec3 facing = abs(cross(across, up));
   vec3 share = max(facing - 0.4 * max(facing.x, max(facing.y, facing.z)), 0.0);
   share /= max(share.x + share.y + share.z, 1e-30);
@@ -86,7 +87,7 @@ Weave weave_at(vec3 material, vec3 across, vec3 up, vec2 towards_key, int kind, 
   vec3 extent = abs(across) + abs(up);
   mat3x2 extents = mat3x2(extent.zy, extent.xz, extent.xy);
   Weave weave = Weave(1.0, 0.0);
-  // A software rasteriser ends a loop early and skips no branch: most places face one plane.
+  // A software rasteriser ends loops early but skips no branch: most places face one plane.
   for (int left = 3; left > 0 && share.x + share.y + share.z > 0.01; --left) {
     int plane = share.z > 0.01 ? 2 : share.x > 0.01 ? 0 : 1;
     vec2 place = places[plane];

@@ -5,33 +5,33 @@
 
 namespace taut::sim {
 
-/// A part of the garment, or of a body.
+/// One vertex, edge or triangle of the garment, or a body.
 struct ContactSide {
-  std::vector<Index> vertices = {};      ///< of the garment: one, those of an edge or of a triangle
-  std::optional<std::size_t> body = {};  ///< its place among the surroundings' bodies; then no vertices
+  std::vector<Index> vertices = {};      ///< garment vertices: one, or the corners of an edge or a triangle
+  std::optional<std::size_t> body = {};  ///< index into the surroundings' bodies; `vertices` is then empty
 
   bool operator==(const ContactSide&) const = default;
 };
 
-/// Two things that could not be kept apart, the first ones that were found.
+/// The first two sides found that could not be kept apart.
 struct BlockedContact {
-  /// The second has neither vertices nor a body where it is not known what the first would meet: where
-  /// contact throws cloth further than anything was looked for.
+  /// The second side is empty if the obstacle is unknown: contact then throws the cloth beyond the searched range.
   std::array<ContactSide, 2> sides = {};
-  std::optional<ContactSide> behind = {};  ///< pins or a body that keep them from giving way
-  Vec3 place_m = {0.0, 0.0, 0.0};          ///< between the two, where they are nearest
-  double distance_m = 0.0;                 ///< of the two there; not above 0 where they touch
+  std::optional<ContactSide> behind = {};  ///< pins or a body that prevent them from giving way
+  Vec3 place_m = {0.0, 0.0, 0.0};          ///< point between the two closest points
+  double distance_m = 0.0;                 ///< distance of the closest points; 0 or less if the sides touch
 
   bool operator==(const BlockedContact&) const = default;
 };
 
-/// Returns what closes in on what, how far apart they were and where, for people.
+/// Returns a message for users: which side closes in on which, their distance and the place.
 std::string describe(const BlockedContact& blocked, const Pins& pins, std::span<const Body> bodies);
 
-/// A frame could not be made without something crossing. The cloth is as it was when the frame began.
+/// Thrown if every attempt at a frame would let something cross. The cloth stays in its state at the start of the
+/// frame.
 class ContactBlocked : public std::runtime_error {
  public:
-  /// In the frame that would have ended at `time_s`.
+  /// `time_s` is the time at which the failed frame would have ended.
   ContactBlocked(BlockedContact blocked, const Pins& pins, std::span<const Body> bodies, double time_s);
 
   const BlockedContact& blocked() const { return blocked_; }

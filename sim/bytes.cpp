@@ -32,9 +32,9 @@ std::string_view ByteReader::get_text(const char* what) {
 
 void ByteReader::require_text(const char* what, std::string_view expected) {
   const std::size_t at = at_;
-  const std::string_view found = take(what, expected.size());
-  if (found != expected) {
-    refuse(at, what, '\'' + std::string(found) + "', expected '" + std::string(expected) + '\'');
+  const std::string_view found_text = take(what, expected.size());
+  if (found_text != expected) {
+    refuse(at, what, '\'' + std::string(found_text) + "', expected '" + std::string(expected) + '\'');
   }
 }
 
@@ -51,6 +51,7 @@ void ByteReader::require_seal() {
 }
 
 std::string_view ByteReader::take(const char* what, std::size_t size) {
+  assert(what != nullptr);
   if (size > bytes_.size() - at_) {
     refuse(at_, what, std::to_string(bytes_.size() - at_) + " bytes, expected at least " + std::to_string(size));
   }

@@ -4,7 +4,7 @@
 
 namespace taut::sim {
 
-/// Returns the bytes of a number as they are written on every machine: the lowest byte first.
+/// Returns the bytes of a number, lowest byte first on every machine.
 template <typename T> constexpr std::array<char, sizeof(T)> little_endian(T value) {
   auto bytes = std::bit_cast<std::array<char, sizeof(T)>>(value);
   if constexpr (std::endian::native == std::endian::big) {
@@ -13,8 +13,7 @@ template <typename T> constexpr std::array<char, sizeof(T)> little_endian(T valu
   return bytes;
 }
 
-/// Returns the 64-bit FNV-1a hash (Fowler, Noll and Vo 1991) of more bytes. `hash` is that of the bytes
-/// before.
+/// Extends a 64-bit FNV-1a hash (Fowler, Noll and Vo 1991) by more bytes. `hash` is the hash of the bytes so far.
 constexpr std::uint64_t fnv1a(std::uint64_t hash, std::string_view bytes) {
   constexpr std::uint64_t prime = 0x100000001B3ULL;
   for (const char byte : bytes) hash = (hash ^ static_cast<std::uint8_t>(byte)) * prime;
@@ -24,10 +23,10 @@ constexpr std::uint64_t fnv1a(std::uint64_t hash, std::string_view bytes) {
 /// The hash of no bytes.
 inline constexpr std::uint64_t fnv1a_of_nothing = 0xCBF29CE484222325ULL;
 
-/// The largest counter that is accepted. Counting on from it does not overflow.
-inline constexpr int most_counted = 1 << 30;
+/// Largest accepted counter. Counting on from it does not overflow.
+inline constexpr int max_counter = 1 << 30;
 
-/// The bytes are not what was written. The message says where, what was found and what was expected.
+/// Thrown if bytes are not what a ByteWriter wrote. The message gives the place, the found and the expected value.
 struct BadBytes : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
@@ -53,14 +52,14 @@ class ByteWriter {
   std::string bytes_;
 };
 
-/// Reads what a ByteWriter wrote, in the same order. `what` names the value in messages. It never reads
-/// beyond the end of the bytes. Every function throws BadBytes if the bytes are not as expected.
+/// Reads the values of a ByteWriter in the same order. `what` names the value in messages. No function reads beyond the
+/// end of the bytes. Every function throws BadBytes if the bytes are not as expected.
 class ByteReader {
  public:
   /// `bytes` must outlive this object.
   explicit ByteReader(std::string_view bytes) : bytes_(bytes) {}
 
-  /// Reads a number. Throws if it is not from `least` to `most`, both included, or not a number.
+  /// Reads a number. Throws if it is not a number or outside `least` to `most`, both included.
   template <typename T>
   T get(const char* what, T least = std::numeric_limits<T>::lowest(), T most = std::numeric_limits<T>::max()) {
     std::array<char, sizeof(T)> raw = {};
@@ -69,10 +68,10 @@ class ByteReader {
     std::copy(taken.begin(), taken.end(), raw.begin());
     const T value = std::bit_cast<T>(little_endian(raw));
     if (!(value >= least && value <= most)) {
-      std::ostringstream found;
-      found << +value << ", expected " << +least;
-      if (least != most) found << " to " << +most;
-      refuse(at, what, found.str());
+      std::ostringstream found_text;
+      found_text << +value << ", expected " << +least;
+      if (least != most) found_text << " to " << +most;
+      refuse(at, what, found_text.str());
     }
     return value;
   }
@@ -84,7 +83,7 @@ class ByteReader {
   void require_text(const char* what, std::string_view expected);
   /// Requires that all bytes have been read.
   void require_end() const;
-  /// Requires the hash that seal() writes, and then the end.
+  /// Requires the hash written by seal(), and then the end.
   void require_seal();
 
  private:

@@ -1,9 +1,11 @@
 #include "sim/forces.hpp"
 
+#include "sim/mesh/preconditions.hpp"
+
 namespace taut::sim {
 namespace {
 
-/// A value in [-1, 1] for each whole number (the finaliser of MurmurHash3 by Appleby).
+/// Returns a pseudo-random value in [-1, 1] for a whole number (the finaliser of MurmurHash3 by Appleby).
 double lattice_value(std::int64_t cell, std::uint64_t seed) {
   std::uint64_t h = static_cast<std::uint64_t>(cell) * 0x9E3779B97F4A7C15ULL + seed;
   h = (h ^ (h >> 33)) * 0xFF51AFD7ED558CCDULL;
@@ -12,7 +14,7 @@ double lattice_value(std::int64_t cell, std::uint64_t seed) {
   return static_cast<double>(h >> 11) * 0x1.0p-52 - 1.0;
 }
 
-/// Value noise, twice continuously differentiable (Perlin 2002's quintic).
+/// Returns value noise that is twice continuously differentiable (Perlin 2002's quintic).
 double smooth_noise(double x, std::uint64_t seed) {
   const double cell = std::floor(x);
   const double t = x - cell;
@@ -22,21 +24,23 @@ double smooth_noise(double x, std::uint64_t seed) {
   return left + (lattice_value(i + 1, seed) - left) * blend;
 }
 
-/// Two directions at right angles to `direction` and to each other.
+/// Sets two directions at right angles to `direction` and to each other.
 void make_perpendicular(const Vec3& direction, Vec3& sideways, Vec3& upwards) {
   const Vec3 helper = std::abs(direction.y) < 0.9 ? Vec3(0.0, 1.0, 0.0) : Vec3(1.0, 0.0, 0.0);
   sideways = glm::normalize(glm::cross(direction, helper));
   upwards = glm::cross(sideways, direction);
 }
 
-/// The three functions below add to `forces_n`, in newtons, one entry per vertex of the garment.
+/// Adds to `forces_n`, in newtons, one entry per vertex of the garment, like the two functions below.
 void add_gravity(const Garment& garment, const Vec3& gravity_m_per_s2, std::span<Vec3> forces_n) {
+  assert(is_finite(gravity_m_per_s2));
   assert(forces_n.size() == garment.masses_kg.size());
   for (std::size_t v = 0; v < forces_n.size(); ++v) forces_n[v] += garment.masses_kg[v] * gravity_m_per_s2;
 }
 
-/// The force on a vertex is -mass * air_drag_per_s * velocity.
+/// Adds -mass * air_drag_per_s * velocity to every vertex.
 void add_air_drag(const Garment& garment, const State& state, double air_drag_per_s, std::span<Vec3> forces_n) {
+  assert(air_drag_per_s >= 0.0);
   assert(forces_n.size() == garment.masses_kg.size() && state.current.size() == forces_n.size());
   if (air_drag_per_s == 0.0) return;
   for (std::size_t v = 0; v < forces_n.size(); ++v) {
@@ -44,7 +48,7 @@ void add_air_drag(const Garment& garment, const State& state, double air_drag_pe
   }
 }
 
-/// Requires that the vertex of every force exists (require_possible checks it).
+/// Requires that every vertex exists (require_possible checks it).
 void add_artificial_forces(std::span<const PointForce> artificial, std::span<Vec3> forces_n) {
   for (const PointForce& f : artificial) {
     assert(f.vertex < forces_n.size());
@@ -54,8 +58,10 @@ void add_artificial_forces(std::span<const PointForce> artificial, std::span<Vec
 
 }  // namespace
 
-Vec3 hand_force(const HeldVertex& held, double mass_kg, const Vec3& position_m, const Vec3& velocity_m_per_s,
+Vec3 hand_force(const GrabbedVertex& held, double mass_kg, const Vec3& position_m, const Vec3& velocity_m_per_s,
                 double time_step_s) {
+  assert(mass_kg > 0.0);
+  assert(time_step_s > 0.0);
   const double k = held.stiffness_n_per_m;
   const double c = 2.0 * std::sqrt(k * mass_kg);
   const Vec3 pull = k * (held.point_m - position_m - time_step_s * velocity_m_per_s) - c * velocity_m_per_s;
@@ -64,9 +70,11 @@ Vec3 hand_force(const HeldVertex& held, double mass_kg, const Vec3& position_m, 
   return size > held.max_force_n ? force * (held.max_force_n / size) : force;
 }
 
-void add_hand_forces(const Garment& garment, const State& state, std::span<const HeldVertex> held, double time_step_s,
-                     std::span<Vec3> forces_n) {
-  for (const HeldVertex& h : held) {
+void add_hand_forces(const Garment& garment, const State& state, std::span<const GrabbedVertex> held,
+                     double time_step_s, std::span<Vec3> forces_n) {
+  assert(time_step_s > 0.0);
+  assert(forces_n.size() == state.current.size());
+  for (const GrabbedVertex& h : held) {
     assert(h.vertex < forces_n.size());
     const double mass_kg = garment.masses_kg[h.vertex];
     if (mass_kg > 0.0) {
@@ -76,6 +84,7 @@ void add_hand_forces(const Garment& garment, const State& state, std::span<const
 }
 
 Vec3 wind_velocity(const Wind& wind, double time_s) {
+  assert(std::isfinite(time_s));
   const double length = glm::length(wind.direction);
   if (!(wind.speed_m_per_s != 0.0) || !(length > 0.0)) return Vec3(0.0);
   const Vec3 direction = wind.direction / length;
@@ -91,6 +100,8 @@ Vec3 wind_velocity(const Wind& wind, double time_s) {
 
 void add_wind_forces(const Garment& garment, const State& state, const Wind& wind, double time_step_s,
                      std::span<Vec3> forces_n) {
+  assert(time_step_s > 0.0);
+  assert(state.current.size() == garment.mesh.positions.size());
   assert(forces_n.size() == state.current.size());
   const Vec3 air_velocity = wind_velocity(wind, state.time_s);
   const double half_rho = 0.5 * air_density_kg_per_m3;
@@ -104,7 +115,7 @@ void add_wind_forces(const Garment& garment, const State& state, const Wind& win
     const Vec3 u_n = normal * glm::dot(u, normal);
     const double normal_drag = half_rho * wind.pressure_coefficient * glm::length(u_n);
     const double tangential_drag = half_rho * wind.friction_coefficient * glm::length(u);
-    // F' / m of the linearised drag; per area, so that it holds for every triangle of the cloth.
+    // F' / m of the linearised drag, per area so that it holds for every triangle.
     const double per_density = time_step_s / garment.material.areal_density_kg_per_m2;
     const Vec3 pressure = u_n * (normal_drag / (1.0 + 2.0 * per_density * normal_drag)) +
                           (u - u_n) * (tangential_drag / (1.0 + 2.0 * per_density * tangential_drag));
@@ -117,21 +128,23 @@ Vec3 gravity_at(const ExternalForces& external, double time_s) {
   return external.gravity_m_per_s2 + offset_at(external.gravity_path, time_s);
 }
 
-double largest_gravity_m_per_s2(const ExternalForces& external) {
-  double largest = external.gravity_path.empty() ? glm::length(external.gravity_m_per_s2) : 0.0;
+double max_gravity_m_per_s2(const ExternalForces& external) {
+  double max_m_per_s2 = external.gravity_path.empty() ? glm::length(external.gravity_m_per_s2) : 0.0;
   for (const PathPoint& point : external.gravity_path) {
-    largest = std::max(largest, glm::length(external.gravity_m_per_s2 + point.offset));
+    max_m_per_s2 = std::max(max_m_per_s2, glm::length(external.gravity_m_per_s2 + point.offset));
   }
-  return largest;
+  return max_m_per_s2;
 }
 
 void add_external_forces(const Garment& garment, const State& state, const ExternalForces& external, double time_step_s,
                          std::span<Vec3> forces_n) {
+  assert(time_step_s > 0.0);
+  assert(state.current.size() == garment.mesh.positions.size());
   add_gravity(garment, gravity_at(external, state.time_s), forces_n);
   add_wind_forces(garment, state, external.wind, time_step_s, forces_n);
   add_air_drag(garment, state, external.air_drag_per_s, forces_n);
   add_artificial_forces(external.artificial_forces, forces_n);
-  add_hand_forces(garment, state, external.held_vertices, time_step_s, forces_n);
+  add_hand_forces(garment, state, external.grabbed_vertices, time_step_s, forces_n);
 }
 
 }  // namespace taut::sim

@@ -5,66 +5,64 @@
 
 namespace taut::sim {
 
-/// No cloth is thinner than this: planes leave a tenth of it, which is more than single precision rounds away
-/// from vertices a metre from each other.
-inline constexpr double least_thickness_m = 1e-5;
+/// Smallest thickness of cloth. Contact planes leave a tenth of it, which exceeds the single-precision rounding of
+/// vertices a metre apart.
+inline constexpr double min_thickness_m = 1e-5;
 
-/// The physical properties of the cloth. They do not depend on how fine the mesh is.
+/// Physical properties of cloth, independent of the mesh resolution.
 struct Material {
   /// Must be above 0. The default is a light jersey. Wind moves heavier cloth less.
   double areal_density_kg_per_m2 = 0.15;
-  /// Used by `bounded` and `implicit`. The default is a soft jersey. Denim has about ten times this value and
-  /// folds less.
+  /// Used by `bounded` and `implicit`. The default is a soft jersey. Denim has about ten times this value and folds
+  /// less.
   double bending_rigidity_n_m = 5e-6;
-  /// Used by `bounded` only: the stiffness of springs that are shorter than their rest length. A lower value
-  /// lets the cloth crumple sooner. For its upper limit see FrameReport::followed_compression_n_per_m.
+  /// Stiffness of springs shorter than their rest length, used by `bounded` only. Lower values let the cloth crumple
+  /// sooner. FrameReport::followed_compression_n_per_m is its effective upper limit.
   double compression_stiffness_n_per_m = 30.0;
-  /// Used by `bounded` where it holds the surface: tension over strain along the warp and the weft, and
-  /// against shear per radian. All are 0 in cloth that has no such law, which gives as far as its bound lets
-  /// it, or all above 0.
+  /// Tension over strain along warp and weft, and against shear per radian. `bounded` uses them if it bounds the
+  /// surface. Either all are above 0, or all are 0: such cloth has no tension law and stretches up to its bound.
   double tensile_warp_n_per_m = 0.0;
   double tensile_weft_n_per_m = 0.0;
   double shear_n_per_m = 0.0;
-  /// The strains at which threads lock.
+  /// Largest strains along warp and weft: threads lock there.
   double warp_limit = 10.0;
   double weft_limit = 10.0;
-  /// The thickness of a single layer by a gauge. It is the distance kept between layers and to bodies. Solvers
-  /// other than `bounded` do not keep layers apart.
+  /// Thickness of a single layer by a gauge. It is the distance kept between layers and to bodies. Only `bounded` keeps
+  /// layers apart.
   double thickness_m = 0.001;
-  /// Coulomb's coefficient, between layers and for bodies that have none of their own.
+  /// Coulomb's coefficient between layers, and for bodies without their own.
   double friction = 0.3;
 
   bool operator==(const Material&) const = default;
 };
 
-/// Whether its tension depends on its strain.
+/// Returns whether tension depends on strain.
 inline bool has_law(const Material& material) {
   return material.tensile_warp_n_per_m > 0.0 && material.tensile_weft_n_per_m > 0.0 && material.shear_n_per_m > 0.0;
 }
 
-/// The cloth itself. Nothing here changes while the cloth is simulated.
+/// Constant data of the cloth in a simulation.
 struct Garment {
-  Mesh mesh;  ///< at rest; its edge lengths are the rest lengths of the springs
+  Mesh mesh;  ///< mesh at rest; its edge lengths are the rest lengths of the springs
   Adjacency adjacency;
   Springs springs;
   std::vector<TriangleAtRest> triangles_at_rest;  ///< per triangle
   std::vector<double> masses_kg;                  ///< per vertex, all above 0
   Material material;
-  /// Where a mesh that crosses itself at rest has been moved apart, in m, one entry per vertex; empty: it
-  /// does not cross itself, or has not. How near parts of the cloth lie to each other is measured there, and
-  /// nothing else.
-  std::vector<Vec3> parted_m = {};
-  /// Per triangle, the direction of the warp in the plane of TriangleAtRest, of length 1. Empty: as upright as
-  /// it can be.
+  /// Positions in m, one per vertex, of an untangled copy of a mesh that crosses itself at rest. Only distances at rest
+  /// between parts of the cloth are measured there. Empty: the mesh has no such copy.
+  std::vector<Vec3> untangled_m = {};
+  /// Unit direction of the warp per triangle, in the plane of TriangleAtRest. Empty: the direction nearest to upright.
   std::vector<Vec2> warps = {};
-  /// Cloth of several materials, as layers that are worn over each other are: per vertex, the number of its own
-  /// in `others`, from 1, or 0 for `material`. Empty: all is of `material`. `bounded` tells them apart by weight,
-  /// bending and tension; distance, of the thickest, friction and resistance to compression are those of `material`.
-  std::vector<std::uint8_t> material_of = {};
-  std::vector<Material> others = {};
+  /// Material index per vertex: 0 is `material`, k is entry k - 1 of `others`. Empty: all vertices have `material`.
+  /// `bounded` uses weight, bending and tension per vertex. `material` gives friction, compression stiffness and
+  /// thickness; the latter is the largest of all.
+  std::vector<std::uint8_t> material_indices = {};
+  std::vector<Material> other_materials = {};
 
   const Material& material_at(Index vertex) const {
-    return material_of.empty() || material_of[vertex] == 0 ? material : others[material_of[vertex] - 1];
+    return material_indices.empty() || material_indices[vertex] == 0 ? material
+                                                                     : other_materials[material_indices[vertex] - 1];
   }
 };
 
@@ -74,17 +72,17 @@ struct Garment {
 /// density is not above 0 or if any other value of the material is below 0.
 Garment make_garment(Mesh mesh, const MappingSettings& mapping = {}, const Material& material = {});
 
-/// The same garment made of another material. Throws as make_garment does.
+/// Returns the garment with another material. Throws as make_garment does.
 Garment with_material(Garment garment, const Material& material);
 
-/// The same garment with vertices of other materials. Throws as make_garment does, and if one of them has a law and
-/// another has none, or if the garment's own bends by itself.
-Garment with_others(Garment garment, std::vector<std::uint8_t> material_of, std::vector<Material> others);
+/// Returns the garment with several materials. Throws as make_garment does. Also throws if only some materials have a
+/// tension law, or if the first one has no bending rigidity.
+Garment with_other_materials(Garment garment, std::vector<std::uint8_t> material_of, std::vector<Material> others);
 
-/// The least areal density of any of its cloth.
-double least_density_kg_per_m2(const Garment& garment);
+/// Returns the smallest areal density of all materials.
+double min_density_kg_per_m2(const Garment& garment);
 
-/// Moves the garment to where several simulations and observers can share it without copies.
+/// Returns a shared garment, so that simulations and observers need no copies.
 inline std::shared_ptr<const Garment> share(Garment garment) {
   return std::make_shared<const Garment>(std::move(garment));
 }

@@ -1,20 +1,26 @@
 #include "sim/measures.hpp"
 
+#include "sim/mesh/preconditions.hpp"
+
 namespace taut::sim {
 namespace {
 
-double stretch_of(const Springs& springs, std::size_t s, std::span<const Vec3> positions) {
+double spring_stretch(const Springs& springs, std::size_t s, std::span<const Vec3> positions) {
+  assert(s < springs.ends.size());
+  assert(springs.ends[s][1] < positions.size());
   const auto [i, j] = springs.ends[s];
   return glm::length(positions[i] - positions[j]) / springs.rest_lengths_m[s] - 1.0;
 }
 
-double surface_stretch_of(const Garment& garment, std::size_t t, std::span<const Vec3> positions) {
-  const auto corners = corners_of(garment.mesh.triangles[t], positions);
-  return principal_stretches(deformation_gradient(garment.triangles_at_rest[t], corners)).largest - 1.0;
+double triangle_stretch(const Garment& garment, std::size_t t, std::span<const Vec3> positions) {
+  assert(t < garment.mesh.triangles.size());
+  assert(positions.size() == garment.mesh.positions.size());
+  const auto corners = corner_positions(garment.mesh.triangles[t], positions);
+  return principal_stretches(deformation_gradient(garment.triangles_at_rest[t], corners)).max_ratio - 1.0;
 }
 
-/// By the nearest rank: of the values, of which there is at least one, 99 of 100 are at or below it. Changes
-/// their order.
+/// Returns the nearest-rank percentile: the smallest value that at least 99 % of the values do not exceed. Requires a
+/// value. Changes their order.
 double percentile_99(std::vector<double>& values) {
   const auto rank = values.begin() + static_cast<std::ptrdiff_t>((99 * values.size() + 99) / 100 - 1);
   std::nth_element(values.begin(), rank, values.end());
@@ -26,11 +32,13 @@ constexpr double none = -std::numeric_limits<double>::infinity();
 }  // namespace
 
 Stretch measure_stretch(const Springs& springs, std::span<const Vec3> positions) {
+  assert(are_below(springs.ends, positions.size()));
+  assert(springs.ends.size() == springs.rest_lengths_m.size());
   if (springs.structural_count == 0) return {};
   std::vector<double> stretches(springs.structural_count);
   double sum = 0.0;
   for (std::size_t s = 0; s < stretches.size(); ++s) {
-    stretches[s] = stretch_of(springs, s, positions);
+    stretches[s] = spring_stretch(springs, s, positions);
     sum += stretches[s];
   }
   const auto [smallest, largest] = std::minmax_element(stretches.begin(), stretches.end());
@@ -43,9 +51,10 @@ Stretch measure_stretch(const Springs& springs, std::span<const Vec3> positions)
 }
 
 std::vector<double> vertex_stretch(const Springs& springs, std::span<const Vec3> positions) {
+  assert(are_below(springs.ends, positions.size()));
   std::vector<double> stretch(positions.size(), none);
   for (std::size_t s = 0; s < springs.structural_count; ++s) {
-    const double value = stretch_of(springs, s, positions);
+    const double value = spring_stretch(springs, s, positions);
     for (const Index v : springs.ends[s]) stretch[v] = std::max(stretch[v], value);
   }
   std::replace(stretch.begin(), stretch.end(), none, 0.0);
@@ -53,32 +62,35 @@ std::vector<double> vertex_stretch(const Springs& springs, std::span<const Vec3>
 }
 
 SurfaceStretch measure_surface_stretch(const Garment& garment, std::span<const Vec3> positions) {
+  assert(positions.size() == garment.mesh.positions.size());
   std::vector<double> stretches;
   stretches.reserve(garment.mesh.triangles.size());
   for (std::size_t t = 0; t < garment.mesh.triangles.size(); ++t) {
     if (garment.triangles_at_rest[t].has_surface()) {
-      stretches.push_back(surface_stretch_of(garment, t, positions));
+      stretches.push_back(triangle_stretch(garment, t, positions));
     }
   }
   if (stretches.empty()) return {};
-  const double largest = *std::max_element(stretches.begin(), stretches.end());
-  return {largest, percentile_99(stretches)};
+  const double max_stretch = *std::max_element(stretches.begin(), stretches.end());
+  return {max_stretch, percentile_99(stretches)};
 }
 
 std::vector<double> triangle_surface_stretch(const Garment& garment, std::span<const Vec3> positions) {
+  assert(positions.size() == garment.mesh.positions.size());
   std::vector<double> stretch(garment.mesh.triangles.size(), none);
   for (std::size_t t = 0; t < stretch.size(); ++t) {
-    if (garment.triangles_at_rest[t].has_surface()) stretch[t] = surface_stretch_of(garment, t, positions);
+    if (garment.triangles_at_rest[t].has_surface()) stretch[t] = triangle_stretch(garment, t, positions);
   }
   std::replace(stretch.begin(), stretch.end(), none, 0.0);
   return stretch;
 }
 
 std::vector<double> vertex_surface_stretch(const Garment& garment, std::span<const Vec3> positions) {
+  assert(positions.size() == garment.mesh.positions.size());
   std::vector<double> stretch(positions.size(), none);
   for (std::size_t t = 0; t < garment.mesh.triangles.size(); ++t) {
     if (garment.triangles_at_rest[t].has_surface()) {
-      const double value = surface_stretch_of(garment, t, positions);
+      const double value = triangle_stretch(garment, t, positions);
       for (const Index v : garment.mesh.triangles[t]) stretch[v] = std::max(stretch[v], value);
     }
   }
@@ -86,7 +98,9 @@ std::vector<double> vertex_surface_stretch(const Garment& garment, std::span<con
   return stretch;
 }
 
-double convergence_of(const ShapeChange& change, Index vertex) {
+double vertex_convergence_m(const ShapeChange& change, Index vertex) {
+  assert(vertex < change.now.size());
+  assert(change.before.size() == change.now.size());
   return glm::length(change.now[vertex] - change.before[vertex]);
 }
 
@@ -95,7 +109,7 @@ Convergence measure_convergence(const ShapeChange& change) {
   Convergence result;
   double sum_of_squares = 0.0;
   for (std::size_t v = 0; v < change.now.size(); ++v) {
-    const double moved_m = convergence_of(change, static_cast<Index>(v));
+    const double moved_m = vertex_convergence_m(change, static_cast<Index>(v));
     result.max_m = std::max(result.max_m, moved_m);
     sum_of_squares += moved_m * moved_m;
   }
@@ -117,7 +131,7 @@ Energy measure_energy(const Garment& garment, const ShapeChange& change, const V
 }
 
 std::size_t first_lost(std::span<const Vec3> positions) {
-  const auto is_near = [](double coordinate_m) { return std::abs(coordinate_m) <= lost_at_m; };
+  const auto is_near = [](double coordinate_m) { return std::abs(coordinate_m) <= max_coordinate_m; };
   std::size_t v = 0;
   while (v < positions.size() && is_near(positions[v].x) && is_near(positions[v].y) && is_near(positions[v].z)) {
     ++v;

@@ -4,7 +4,7 @@
 
 namespace taut::sim {
 
-/// The vertices that cannot move freely.
+/// Vertices that do not move freely.
 struct Pins {
   std::vector<Index> vertices;                ///< ascending, each once
   std::vector<double> inverse_masses_per_kg;  ///< per vertex; 0 at a pin, whose mass is infinite

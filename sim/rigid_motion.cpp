@@ -5,12 +5,12 @@
 namespace taut::sim {
 namespace {
 
-/// Returns how long the shift or the spin has lasted, in s.
+/// Returns the elapsed time of a shift or a spin, in s.
 template <typename Part> double lasted_s(const Part& part, double time_s) {
   return std::max(0.0, std::min(time_s, part.until_s) - part.from_s);
 }
 
-/// Rodrigues' formula: a turn about an axis of length 1 through the origin.
+/// Returns the rotation about a unit axis through the origin (Rodrigues' formula).
 glm::dmat3 rotation(const Vec3& axis, double turns) {
   const double c = cosine_of_turns(turns);
   const Vec3 s = sine_of_turns(turns) * axis;
@@ -27,6 +27,7 @@ template <typename Part> bool lasts_after(const Part& part, double time_s) {
 }  // namespace
 
 Vec3 offset_at(const std::vector<PathPoint>& path, double time_s) {
+  assert(!std::isnan(time_s));
   const auto next = std::find_if(path.begin(), path.end(), [&](const PathPoint& p) { return p.time_s > time_s; });
   if (next == path.begin() || next == path.end()) {
     return path.empty() ? Vec3(0.0) : next == path.end() ? path.back().offset : next->offset;
@@ -43,6 +44,7 @@ bool changes_after(const std::vector<PathPoint>& path, double time_s) {
 }
 
 Pose pose_at(const RigidMotion& motion, double time_s) {
+  assert(!std::isnan(time_s));
   const Spin& spin = motion.spin;
   Pose pose;
   const double turns = spin.turns_per_s * lasted_s(spin, time_s);
@@ -57,7 +59,7 @@ Pose pose_at(const RigidMotion& motion, double time_s) {
 
 Vec3 RigidMove::displacement_m(const Vec3& point_m) const {
   if (from_.rotation == to_.rotation) return to_.offset_m - from_.offset_m;
-  return to_(from_.modelled(point_m)) - point_m;
+  return to_(from_.to_modelled(point_m)) - point_m;
 }
 
 bool is_moving_after(const RigidMotion& motion, double time_s) {
@@ -72,6 +74,9 @@ double off_chord_per_jump(double at_s, const TimeSpan& time) {
 }
 
 double off_chord_m(const RigidMotion& motion, double radius_m, double speed_m_per_s, const TimeSpan& time) {
+  assert(radius_m >= 0.0);
+  assert(speed_m_per_s >= 0.0);
+  assert(time.from_s <= time.to_s);
   const Shift& shift = motion.shift;
   const Spin& spin = motion.spin;
   const auto& path = motion.path;
@@ -84,7 +89,7 @@ double off_chord_m(const RigidMotion& motion, double radius_m, double speed_m_pe
     off_m += radians_per_s * (radians_per_s * radius_m + 2.0 * speed_m_per_s) * off_chord_per_acceleration(time) +
              radians_per_s * radius_m * begins_and_ends(spin);
   }
-  const auto velocity = [&](std::size_t k) {  // from one point of the path to the next
+  const auto velocity = [&](std::size_t k) {  // velocity between points k and k + 1 of the path
     return k + 1 < path.size() ? (path[k + 1].offset - path[k].offset) / (path[k + 1].time_s - path[k].time_s)
                                : Vec3(0.0);
   };

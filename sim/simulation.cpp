@@ -28,12 +28,12 @@ void require_equal(const char* what, std::size_t found, std::size_t expected) {
 }
 
 constexpr std::string_view magic = "TAUTSAVE";
-/// Raised whenever something is written otherwise, or a solver remembers otherwise.
+/// Raised with every change of the format or of a solver's memory.
 constexpr std::uint32_t version = 7;
 
-constexpr double largest = std::numeric_limits<double>::max();
-/// No run lasts for thirty years. Gusts count their periods.
-constexpr double longest_s = 1e9;
+constexpr double max_finite = std::numeric_limits<double>::max();
+/// Largest time: about thirty years. The number of gust periods still fits.
+constexpr double max_interval_s = 1e9;
 
 std::uint64_t hash_of_rest(const Garment& garment) {
   ByteWriter rest;
@@ -52,7 +52,7 @@ struct Identity {
   std::uint64_t value;
 };
 
-std::array<Identity, 4> identity_of(const Garment& garment) {
+std::array<Identity, 4> garment_identity(const Garment& garment) {
   return {{{"the garment's number of vertices", garment.mesh.positions.size()},
            {"the garment's number of triangles", garment.mesh.triangles.size()},
            {"the garment's number of springs", garment.springs.ends.size()},
@@ -69,22 +69,22 @@ void put_state(const State& state, ByteWriter& out) {
   out.put_positions(state.current);
 }
 
-/// Where cloth can be.
+/// Reads positions and requires that none is lost.
 std::vector<Vec3> get_shape(const char* what, std::size_t count, ByteReader& in) {
   std::vector<Vec3> positions_m = in.get_positions(what, count);
   if (const std::size_t lost = first_lost(positions_m); lost < count) {
     throw BadBytes(std::string(what) + ": found vertex " + std::to_string(lost) + " further away than " +
-                   std::to_string(lost_at_m) + " m, expected nearer ones");
+                   std::to_string(max_coordinate_m) + " m, expected nearer ones");
   }
   return positions_m;
 }
 
 State get_state(std::size_t vertex_count, ByteReader& in) {
   State state;
-  state.time_s = in.get("the time", 0.0, longest_s);
-  state.time_step_s = in.get("the time step", 0.0, longest_s);
+  state.time_s = in.get("the time", 0.0, max_interval_s);
+  state.time_step_s = in.get("the time step", 0.0, max_interval_s);
   state.step_count = in.get<std::uint64_t>("the number of steps");
-  state.quiet_frames = in.get("the number of quiet frames", 0, most_counted);
+  state.quiet_frames = in.get("the number of quiet frames", 0, max_counter);
   state.asleep = in.get_bool("whether the cloth sleeps");
   state.previous = get_shape("the previous positions", vertex_count, in);
   state.current = get_shape("the current positions", vertex_count, in);
@@ -100,31 +100,31 @@ void put_report(const FrameReport& report, ByteWriter& out) {
   out.put(report.followed_compression_n_per_m);
   out.put(report.contact.detections);
   out.put(report.contact.partial_detections);
-  out.put(report.contact.most_pairs);
-  out.put(report.contact.smallest_distance_m);
+  out.put(report.contact.max_pairs);
+  out.put(report.contact.min_distance_m);
   out.put<std::uint64_t>(report.contact.crossing_pairs);
-  out.put(report.contact.left_out_share);
+  out.put(report.contact.excluded_area_fraction);
 }
 
 ContactReport get_contact(ByteReader& in) {
   ContactReport contact;
-  contact.detections = in.get("the number of detections", 0, most_counted);
-  contact.partial_detections = in.get("the number of partial detections", 0, most_counted);
-  contact.most_pairs = in.get("the number of near pairs", 0, most_counted);
-  contact.smallest_distance_m = in.get("the smallest distance", -largest, std::numeric_limits<double>::infinity());
+  contact.detections = in.get("the number of detections", 0, max_counter);
+  contact.partial_detections = in.get("the number of partial detections", 0, max_counter);
+  contact.max_pairs = in.get("the number of near pairs", 0, max_counter);
+  contact.min_distance_m = in.get("the smallest distance", -max_finite, std::numeric_limits<double>::infinity());
   contact.crossing_pairs = in.get<std::uint64_t>("the number of crossing pairs");
-  contact.left_out_share = in.get("the part of the area that is left out", 0.0, 1.0);
+  contact.excluded_area_fraction = in.get("the part of the area that is left out", 0.0, 1.0);
   return contact;
 }
 
 FrameReport get_report(ByteReader& in) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   FrameReport report;
-  report.substeps = in.get("the number of substeps", 0, most_counted);
+  report.substeps = in.get("the number of substeps", 0, max_counter);
   report.bound_promised = in.get_bool("whether a bound was promised");
   report.bound_kept = in.get_bool("whether the bound was kept");
-  report.raw_max_stretch = in.get("the stretch before the last correction", -1.0, largest);
-  report.sweeps = in.get("the number of sweeps", 0.0, largest);
+  report.raw_max_stretch = in.get("the stretch before the last correction", -1.0, max_finite);
+  report.sweeps = in.get("the number of sweeps", 0.0, max_finite);
   report.followed_compression_n_per_m = in.get("the stiffness that was followed", 0.0, infinity);
   report.contact = get_contact(in);
   return report;
@@ -188,7 +188,7 @@ void Simulation::advance_frame(const std::function<void()>& poll) {
 const FrameReport& Simulation::frame_report() const {
   if (!is_contact_measured_) {
     const MeasuredContact measured = measure_contact();
-    report_.contact.smallest_distance_m = measured.nearest_m;
+    report_.contact.min_distance_m = measured.min_distance_m;
     report_.contact.crossing_pairs = measured.crossing_pairs;
     is_contact_measured_ = true;
   }
@@ -219,8 +219,8 @@ Checkpoint Simulation::save() const {
   if (is_rest_judged(state_)) saved.quiet_since_m = quiet_since_m_;
   saved.report = frame_report();
   saved.report.blocked.reset();
-  saved.report.left_out.clear();
-  saved.solver = name_of(kind_of(settings_.solver.method));
+  saved.report.excluded_triangles.clear();
+  saved.solver = to_name(solver_kind(settings_.solver.method));
   saved.solver_memory = memory.bytes();
   return saved;
 }
@@ -231,7 +231,7 @@ void Simulation::restore(const Checkpoint& checkpoint) {
   require_equal("previous positions", checkpoint.state.previous.size(), count);
   require_equal("positions one frame ago", checkpoint.before_m.size(), count);
   require_equal("positions of rest", checkpoint.quiet_since_m.size(), is_rest_judged(checkpoint.state) ? count : 0);
-  const std::string solver = name_of(kind_of(settings_.solver.method));
+  const std::string solver = to_name(solver_kind(settings_.solver.method));
   if (checkpoint.solver != solver) {
     throw BadBytes("what the solver '" + checkpoint.solver + "' remembers, expected '" + solver + '\'');
   }
@@ -268,7 +268,7 @@ void Simulation::set_surroundings(const Surroundings& surroundings) {
 void Simulation::set_settings(const SimulationSettings& settings) {
   if (settings != settings_) {
     require_frame_rate(settings);
-    // Refuses what is wrong before anything has changed.
+    // Throws before anything has changed.
     make_solver(settings.solver)->require_promised(*garment_, surroundings_);
     frame_report();
     settings_ = settings;
@@ -298,7 +298,7 @@ void Simulation::wake() {
 }
 
 void Simulation::fall_asleep_at_rest() {
-  const RestSettings& rest = settings_.rest;
+  const RestSettings& rest = settings_.rest_settings;
   if (!is_steady(surroundings_, state_.time_s)) {
     state_.quiet_frames = 0;
     return;
@@ -320,7 +320,7 @@ std::string encode(const Checkpoint& checkpoint, const Garment& garment) {
   ByteWriter out;
   for (const char c : magic) out.put(c);
   out.put(version);
-  for (const Identity& part : identity_of(garment)) out.put(part.value);
+  for (const Identity& part : garment_identity(garment)) out.put(part.value);
   put_state(checkpoint.state, out);
   out.put_positions(checkpoint.before_m);
   out.put_positions(checkpoint.quiet_since_m);
@@ -335,7 +335,7 @@ Checkpoint decode(std::string_view bytes, const Garment& garment) {
   ByteReader in(bytes);
   in.require_text("what the bytes are", magic);
   in.get("the version", version, version);
-  for (const Identity& part : identity_of(garment)) in.get(part.what, part.value, part.value);
+  for (const Identity& part : garment_identity(garment)) in.get(part.what, part.value, part.value);
   const std::size_t count = garment.mesh.positions.size();
   Checkpoint checkpoint;
   checkpoint.state = get_state(count, in);

@@ -14,11 +14,11 @@ void sort_and_deduplicate(std::vector<Edge>& edges) {
   edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
 }
 
-std::vector<Edge> without(const std::vector<Edge>& edges, const std::vector<Edge>& sorted_unwanted) {
-  std::vector<Edge> rest;
-  std::copy_if(edges.begin(), edges.end(), std::back_inserter(rest),
+std::vector<Edge> remove_edges(const std::vector<Edge>& edges, const std::vector<Edge>& sorted_unwanted) {
+  std::vector<Edge> remaining_edges;
+  std::copy_if(edges.begin(), edges.end(), std::back_inserter(remaining_edges),
                [&](const Edge& e) { return !std::binary_search(sorted_unwanted.begin(), sorted_unwanted.end(), e); });
-  return rest;
+  return remaining_edges;
 }
 
 std::vector<Edge> cell_diagonals(const Mesh& mesh) {
@@ -34,18 +34,19 @@ std::vector<Edge> cell_diagonals(const Mesh& mesh) {
 
 struct Neighbour {
   Index vertex;
-  Vec3 direction;  ///< of length 1
+  Vec3 direction;  ///< unit vector
 };
 
-/// Returns the neighbour in the direction closest to opposite that of neighbour a. Returns a itself if the
-/// angle to every other neighbour is too small.
-Index straightest_neighbour(const Neighbour& a, std::span<const Neighbour> neighbours, double largest_cosine) {
+/// Returns the neighbour in the direction closest to opposite of neighbour a's. Returns a itself if the angle to every
+/// other neighbour is too small.
+Index find_opposite_neighbour(const Neighbour& a, std::span<const Neighbour> neighbours, double max_cosine) {
+  assert(std::abs(max_cosine) <= 1.0);
   Index best = a.vertex;
-  double best_cosine = largest_cosine;
+  double best_cosine = max_cosine;
   for (const Neighbour& b : neighbours) {
     if (b.vertex == a.vertex) continue;
     const double cosine = glm::dot(a.direction, b.direction);
-    // The smaller index wins a tie, so that the mapping does not depend on the order of the edges.
+    // The smaller index wins a tie: the order of the edges must not matter.
     if (cosine < best_cosine || (cosine == best_cosine && (best == a.vertex || b.vertex < best))) {
       best = b.vertex;
       best_cosine = cosine;
@@ -54,9 +55,9 @@ Index straightest_neighbour(const Neighbour& a, std::span<const Neighbour> neigh
   return best;
 }
 
-std::vector<Edge> angular_pairs(const Mesh& mesh, const std::vector<Edge>& structural, double smallest_angle_rad) {
+std::vector<Edge> angular_pairs(const Mesh& mesh, const std::vector<Edge>& structural, double min_angle_rad) {
   const CompressedRows edges_at = at_vertices(mesh.positions.size(), structural);
-  const double largest_cosine = sine_of_turns(0.25 - smallest_angle_rad * turns_per_radian);
+  const double max_cosine = sine_of_turns(0.25 - min_angle_rad * turns_per_radian);
   std::vector<Edge> pairs;
   std::vector<Neighbour> neighbours;
   for (Index v = 0; v < mesh.positions.size(); ++v) {
@@ -66,7 +67,7 @@ std::vector<Edge> angular_pairs(const Mesh& mesh, const std::vector<Edge>& struc
       neighbours.push_back({other, glm::normalize(mesh.positions[other] - mesh.positions[v])});
     }
     for (const Neighbour& a : neighbours) {
-      const Index b = straightest_neighbour(a, neighbours, largest_cosine);
+      const Index b = find_opposite_neighbour(a, neighbours, max_cosine);
       if (b != a.vertex) pairs.push_back(make_edge(a.vertex, b));
     }
   }
@@ -97,7 +98,7 @@ std::vector<Edge> flexural_pairs(const Mesh& mesh, const Adjacency& adjacency, c
   if (settings.flexural_rule == FlexuralRule::none) return {};
   return settings.flexural_rule == FlexuralRule::opposite_vertex
              ? opposite_vertex_pairs(mesh, adjacency)
-             : angular_pairs(mesh, structural, settings.smallest_flexural_angle_rad);
+             : angular_pairs(mesh, structural, settings.min_flexural_angle_rad);
 }
 
 void append(Springs& springs, const std::vector<Edge>& ends, const std::vector<Vec3>& positions) {
@@ -107,8 +108,8 @@ void append(Springs& springs, const std::vector<Edge>& ends, const std::vector<V
   }
 }
 
-/// Where both sides of a seam are not equally long, the shorter one holds its edges.
-void take_lengths_of_pieces(const Mesh& mesh, const Adjacency& adjacency, Springs& springs) {
+/// Sets rest lengths from the cut panels. Where the sides of a seam differ in length, the shorter one counts.
+void shorten_to_panels(const Mesh& mesh, const Adjacency& adjacency, Springs& springs) {
   for (std::size_t s = 0; s < springs.structural_count; ++s) {
     const auto edge = std::lower_bound(adjacency.edges.begin(), adjacency.edges.end(), springs.ends[s]);
     const auto e = static_cast<std::size_t>(edge - adjacency.edges.begin());
@@ -126,7 +127,7 @@ void take_lengths_of_pieces(const Mesh& mesh, const Adjacency& adjacency, Spring
 
 }  // namespace
 
-const char* name_of(SpringKind kind) {
+const char* to_name(SpringKind kind) {
   constexpr std::array names = {"structural", "shear", "flexural"};
   return names[static_cast<std::size_t>(kind)];
 }
@@ -137,21 +138,21 @@ double mean_edge_m(const Springs& springs) {
   return sum_m / static_cast<double>(std::max<std::size_t>(springs.structural_count, 1));
 }
 
-std::size_t Springs::begin_of(SpringKind kind) const {
+std::size_t Springs::begin_index(SpringKind kind) const {
   return std::array{std::size_t{0}, structural_count, structural_count + shear_count}[static_cast<std::size_t>(kind)];
 }
 
-std::size_t Springs::end_of(SpringKind kind) const {
+std::size_t Springs::end_index(SpringKind kind) const {
   return std::array{structural_count, structural_count + shear_count, size()}[static_cast<std::size_t>(kind)];
 }
 
 Springs map_to_springs(const Mesh& mesh, const Adjacency& adjacency, const MappingSettings& settings) {
   const std::vector<Edge> shear = cell_diagonals(mesh);
-  const std::vector<Edge> structural = without(adjacency.edges, shear);
+  const std::vector<Edge> structural = remove_edges(adjacency.edges, shear);
   std::vector<Edge> flexural = flexural_pairs(mesh, adjacency, structural, settings);
   sort_and_deduplicate(flexural);
-  // In a small ring two neighbours of a vertex can be neighbours themselves: these already have a spring.
-  flexural = without(without(flexural, structural), shear);
+  // Two neighbours of a vertex can be joined already, in a small ring.
+  flexural = remove_edges(remove_edges(flexural, structural), shear);
 
   Springs springs;
   append(springs, structural, mesh.positions);
@@ -159,7 +160,7 @@ Springs map_to_springs(const Mesh& mesh, const Adjacency& adjacency, const Mappi
   append(springs, shear, mesh.positions);
   springs.shear_count = springs.size() - springs.structural_count;
   append(springs, flexural, mesh.positions);
-  if (!mesh.cut_m.empty()) take_lengths_of_pieces(mesh, adjacency, springs);
+  if (!mesh.cut_m.empty()) shorten_to_panels(mesh, adjacency, springs);
   return springs;
 }
 

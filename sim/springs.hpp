@@ -9,12 +9,11 @@ enum class SpringKind { structural, shear, flexural };
 
 inline constexpr std::array all_spring_kinds = {SpringKind::structural, SpringKind::shear, SpringKind::flexural};
 
-/// The name used in files and messages.
-const char* name_of(SpringKind kind);
+/// Returns the name in files and messages.
+const char* to_name(SpringKind kind);
 
-/// The springs of a garment as flat arrays, one entry per spring. All structural springs come first, then all
-/// shear springs, then all flexural springs. Each kind is in lexicographic order of its ends. Two vertices
-/// are joined by at most one spring.
+/// Springs as flat arrays, one entry per spring. All structural springs come first, then all shear springs, then all
+/// flexural springs. Each kind is in lexicographic order of its ends. At most one spring joins two vertices.
 struct Springs {
   /// The vertices i and j of eqs. (2) and (3).
   std::vector<Edge> ends;
@@ -23,38 +22,37 @@ struct Springs {
   std::size_t shear_count = 0;
 
   std::size_t size() const { return ends.size(); }
-  /// The springs of a kind have the indices from begin_of(kind) up to, not including, end_of(kind).
-  std::size_t begin_of(SpringKind kind) const;
-  std::size_t end_of(SpringKind kind) const;
-  std::size_t count(SpringKind kind) const { return end_of(kind) - begin_of(kind); }
+  /// The springs of a kind have the indices from begin_index(kind) up to, not including, end_index(kind).
+  std::size_t begin_index(SpringKind kind) const;
+  std::size_t end_index(SpringKind kind) const;
+  std::size_t count(SpringKind kind) const { return end_index(kind) - begin_index(kind); }
 };
 
 /// Returns the mean rest length of the structural springs, in m; 0 without any.
 double mean_edge_m(const Springs& springs);
 
-/// How triangle models get their flexural springs.
+/// Rule for the flexural springs of triangle models.
 enum class FlexuralRule {
-  /// Around each vertex v, a neighbour a is joined to the neighbour b whose direction from v is closest to
-  /// opposite that of a. They are joined only if the angle a-v-b is large enough. On a regular grid this
-  /// gives the springs of the paper's Figure 1 that skip one mass point ("according to the angular
-  /// distribution", section V).
+  /// Joins each neighbour a of a vertex v to the neighbour b whose direction from v is closest to opposite, if the
+  /// angle a-v-b is large enough. On a regular grid this gives the springs of the paper's Figure 1 that skip one mass
+  /// point ("according to the angular distribution", section V).
   angular,
   /// Joins the two vertices opposite each interior edge (Provot 1995 on triangles; Baraff and Witkin 1998).
   opposite_vertex,
   none,
 };
 
-/// How a mesh is mapped to springs.
+/// Settings of the mapping from a mesh to springs.
 struct MappingSettings {
   FlexuralRule flexural_rule = FlexuralRule::angular;
-  /// Used by the angular rule only: a and b are joined if the angle a-v-b is at least this, in radians. A
-  /// smaller value gives more springs and stiffer cloth. The default is 150 degrees.
-  double smallest_flexural_angle_rad = 2.6179938779914944;
+  /// Smallest angle a-v-b that the angular rule joins, in radians. Smaller values give more springs and stiffer cloth.
+  /// The default is 150 degrees.
+  double min_flexural_angle_rad = 2.6179938779914944;
 };
 
-/// Maps a mesh to springs (Step 1 of the paper). Structural springs are all mesh edges except the diagonals
-/// of grid cells. Shear springs are both diagonals of every grid cell. Flexural springs follow the rule of
-/// `settings`; one that coincides with another spring is left out. `adjacency` must be that of `mesh`.
+/// Maps a mesh to springs (Step 1 of the paper). Structural springs are all mesh edges except the diagonals of grid
+/// cells. Shear springs are both diagonals of every grid cell. Flexural springs follow the rule of `settings`; one that
+/// coincides with another spring is left out. Requires the adjacency of `mesh`.
 Springs map_to_springs(const Mesh& mesh, const Adjacency& adjacency, const MappingSettings& settings);
 
 }  // namespace taut::sim

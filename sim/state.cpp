@@ -29,6 +29,7 @@ void rotate_positions(State& state) {
 }
 
 void set_time_step(State& state, double time_step_s) {
+  assert(time_step_s > 0.0);
   if (state.time_step_s > 0.0 && state.time_step_s != time_step_s) {
     const double ratio = time_step_s / state.time_step_s;
     for (std::size_t v = 0; v < state.current.size(); ++v) {
@@ -39,6 +40,7 @@ void set_time_step(State& state, double time_step_s) {
 }
 
 Vec3 velocity(const State& state, Index vertex) {
+  assert(vertex < state.current.size());
   if (!(state.time_step_s > 0.0)) return Vec3(0.0);
   return (state.current[vertex] - state.previous[vertex]) / state.time_step_s;
 }

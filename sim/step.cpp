@@ -4,6 +4,7 @@ namespace taut::sim {
 
 void predict_positions(std::span<const Vec3> previous, std::span<const Vec3> current, std::span<const Vec3> forces_n,
                        std::span<const double> inverse_masses_per_kg, double time_step_s, std::span<Vec3> predicted) {
+  assert(time_step_s > 0.0);
   const std::size_t n = current.size();
   assert(previous.size() == n && forces_n.size() == n && inverse_masses_per_kg.size() == n);
   assert(predicted.size() == n);
@@ -38,6 +39,8 @@ void constrain(const Garment& garment, const Pins& pins, const SpringResponse& s
 }  // namespace
 
 void move_pins(const Pins& pins, const Surroundings& surroundings, double time_step_s, State& state) {
+  assert(time_step_s > 0.0);
+  assert(state.current.size() == pins.inverse_masses_per_kg.size());
   if (surroundings.pin_motion.amplitude_m == Vec3(0.0) && !has_pins_of_their_own(surroundings)) return;
   std::vector<Vec3> from_m;
   for (const Index pin : pins.vertices) from_m.push_back(state.current[pin]);
@@ -48,6 +51,7 @@ void move_pins(const Pins& pins, const Surroundings& surroundings, double time_s
 
 void finish_step(const Garment& garment, const Pins& pins, const Surroundings& surroundings, double time_step_s,
                  State& state) {
+  assert(time_step_s > 0.0);
   const Material& cloth = garment.material;
   push_out_of_bodies(surroundings.bodies, {cloth.thickness_m, cloth.friction},
                      {state.time_s, state.time_s + time_step_s}, pins.inverse_masses_per_kg, state.current,
@@ -60,6 +64,8 @@ void finish_step(const Garment& garment, const Pins& pins, const Surroundings& s
 
 void step(const Garment& garment, const Pins& pins, const Surroundings& surroundings, const SpringResponse& springs,
           double time_step_s, State& state, std::span<Vec3> forces_n) {
+  assert(time_step_s > 0.0);
+  assert(forces_n.size() == state.current.size());
   set_time_step(state, time_step_s);
 
   // Step 2: impose the forces on the mass points ...

@@ -12,7 +12,7 @@ namespace taut::sim {
 void predict_positions(std::span<const Vec3> previous, std::span<const Vec3> current, std::span<const Vec3> forces_n,
                        std::span<const double> inverse_masses_per_kg, double time_step_s, std::span<Vec3> predicted);
 
-/// How the springs of one solver act: by forces before the prediction, by corrections after it, or by both.
+/// Response of one solver's springs: forces before the prediction, corrections after it, or both.
 class SpringResponse {
  public:
   virtual ~SpringResponse() = default;
@@ -20,19 +20,19 @@ class SpringResponse {
   /// Adds the springs' forces in the current state to `forces_n`, in newtons, one entry per vertex.
   virtual void add_spring_forces(const Garment& garment, const State& state, std::span<Vec3> forces_n) const = 0;
 
-  /// Corrects the predicted positions; pinned vertices stay where they are.
+  /// Corrects the predicted positions of free vertices.
   virtual void compensate(const Garment& garment, const Pins& pins, State& state) const = 0;
 };
 
-/// Does one time step: Steps 2 and 3 of the paper. Cloth is pushed out of bodies (push_out_of_bodies); its
-/// layers pass through each other. `time_step_s` must be above 0. `forces_n` is memory to work in, one entry
-/// per vertex: all zero before and after a step.
+/// Does one time step: Steps 2 and 3 of the paper. Cloth is pushed out of bodies (push_out_of_bodies); its layers pass
+/// through each other. `time_step_s` must be above 0. `forces_n` is scratch memory, one entry per vertex, all zero
+/// before and after.
 void step(const Garment& garment, const Pins& pins, const Surroundings& surroundings, const SpringResponse& springs,
           double time_step_s, State& state, std::span<Vec3> forces_n);
 
-/// A part of the above: predicts that pins move as the surroundings have it.
+/// Part of step(): sets the predicted positions of pins to their prescribed motion.
 void move_pins(const Pins& pins, const Surroundings& surroundings, double time_step_s, State& state);
-/// The end of the above: pushes what is predicted out of bodies and makes it current.
+/// Last part of step(): pushes the predicted positions out of bodies and makes them current.
 void finish_step(const Garment& garment, const Pins& pins, const Surroundings& surroundings, double time_step_s,
                  State& state);
 

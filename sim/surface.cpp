@@ -1,21 +1,23 @@
 #include "sim/surface.hpp"
 
+#include "sim/mesh/preconditions.hpp"
+
 namespace taut::sim {
 namespace {
 
-/// The smallest height of a triangle with a surface, in parts of its longest edge.
-constexpr double thinnest = 1e-3;
+/// Smallest height of a triangle with a surface, as a fraction of its longest edge.
+constexpr double min_height_ratio = 1e-3;
 
-/// The upright part of the normal of a triangle that lies flat.
-constexpr double flat = 0.99;
+/// Smallest |y| of the unit normal of a triangle that lies flat.
+constexpr double max_upright_cosine = 0.99;
 
-TriangleAtRest at_rest(const std::array<Vec3, 3>& corners) {
+TriangleAtRest lay_flat(const std::array<Vec3, 3>& corners) {
   const Vec3 e1 = corners[1] - corners[0];
   const Vec3 e2 = corners[2] - corners[0];
   const double base_m = glm::length(e1);
-  const double longest_m = std::max({base_m, glm::length(e2), glm::distance(corners[1], corners[2])});
+  const double max_length_m = std::max({base_m, glm::length(e2), glm::distance(corners[1], corners[2])});
   const double doubled_area_m2 = glm::length(glm::cross(e1, e2));
-  if (!(doubled_area_m2 >= thinnest * longest_m * longest_m && base_m > 0.0)) return {};
+  if (!(doubled_area_m2 >= min_height_ratio * max_length_m * max_length_m && base_m > 0.0)) return {};
   TriangleAtRest rest;
   rest.along_per_m = 1.0 / base_m;
   rest.across_per_m = base_m / doubled_area_m2;
@@ -25,11 +27,12 @@ TriangleAtRest at_rest(const std::array<Vec3, 3>& corners) {
 
 }  // namespace
 
-std::array<Vec3, 3> corners_of(const Triangle& t, std::span<const Vec3> positions) {
+std::array<Vec3, 3> corner_positions(const Triangle& t, std::span<const Vec3> positions) {
+  assert(are_below(std::span(&t, 1), positions.size()));
   return {positions[t[0]], positions[t[1]], positions[t[2]]};
 }
 
-double smallest_height_m(const TriangleAtRest& rest) {
+double min_height_m(const TriangleAtRest& rest) {
   const double base_m = 1.0 / rest.along_per_m;
   const double height_m = 1.0 / rest.across_per_m;
   const double foot_m = rest.skew_per_m * base_m * height_m;
@@ -44,9 +47,10 @@ std::array<Vec2, 3> gradients_by_corners(const TriangleAtRest& rest) {
 }
 
 std::vector<TriangleAtRest> triangles_at_rest(const Mesh& mesh) {
+  assert(are_below(mesh.triangles, mesh.positions.size()));
   std::vector<TriangleAtRest> rest;
   rest.reserve(mesh.triangles.size());
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) rest.push_back(at_rest(corners_at_rest(mesh, t)));
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) rest.push_back(lay_flat(corners_at_rest(mesh, t)));
   return rest;
 }
 
@@ -69,25 +73,26 @@ PrincipalStretches principal_stretches(const DeformationGradient& gradient) {
 Vec2 principal_direction(const DeformationGradient& gradient) {
   const double product = glm::dot(gradient.along, gradient.across);
   const double half = (glm::dot(gradient.along, gradient.along) - glm::dot(gradient.across, gradient.across)) / 2.0;
-  const double larger = std::sqrt(half * half + product * product) + std::abs(half);
-  if (!(larger > 0.0)) return {1.0, 0.0};
-  return glm::normalize(half >= 0.0 ? Vec2(larger, product) : Vec2(product, larger));
+  const double larger_component = std::sqrt(half * half + product * product) + std::abs(half);
+  if (!(larger_component > 0.0)) return {1.0, 0.0};
+  return glm::normalize(half >= 0.0 ? Vec2(larger_component, product) : Vec2(product, larger_component));
 }
 
-Vec2 upright_in(const std::array<Vec3, 3>& corners) {
+Vec2 upright_direction(const std::array<Vec3, 3>& corners) {
   const Vec3 first = glm::normalize(corners[1] - corners[0]);
   const Vec3 normal = glm::normalize(glm::cross(first, corners[2] - corners[0]));
   const Vec3 second = glm::cross(normal, first);
-  const Vec3 up = std::abs(normal.y) < flat ? Vec3(0.0, 1.0, 0.0) : Vec3(0.0, 0.0, 1.0);
+  const Vec3 up = std::abs(normal.y) < max_upright_cosine ? Vec3(0.0, 1.0, 0.0) : Vec3(0.0, 0.0, 1.0);
   return glm::normalize(Vec2(glm::dot(up, first), glm::dot(up, second)));
 }
 
-std::vector<Vec2> warps_of(const Mesh& mesh, std::span<const glm::vec2> corner_coordinates) {
+std::vector<Vec2> warps_from_coordinates(const Mesh& mesh, std::span<const glm::vec2> corner_coordinates) {
+  assert(corner_coordinates.size() == 3 * mesh.triangles.size());
   std::vector<Vec2> warps;
   warps.reserve(mesh.triangles.size());
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     const std::array<Vec3, 3> corners = corners_at_rest(mesh, t);
-    const TriangleAtRest rest = at_rest(corners);
+    const TriangleAtRest rest = lay_flat(corners);
     if (!rest.has_surface()) {
       warps.emplace_back(1.0, 0.0);
       continue;
@@ -96,7 +101,7 @@ std::vector<Vec2> warps_of(const Mesh& mesh, std::span<const glm::vec2> corner_c
     const double second = corner_coordinates[3 * t + 2].x - corner_coordinates[3 * t].x;
     const Vec2 across = {rest.along_per_m * first, rest.across_per_m * second - rest.skew_per_m * first};
     const double length = glm::length(across);
-    warps.push_back(length > 0.0 ? Vec2(-across.y, across.x) / length : upright_in(corners));
+    warps.push_back(length > 0.0 ? Vec2(-across.y, across.x) / length : upright_direction(corners));
   }
   return warps;
 }

@@ -12,13 +12,13 @@ void require_vertex(const char* acts_on, Index vertex, std::size_t vertex_count)
   }
 }
 
-/// Returns the offset of a swinging pin from its first position, in m: none before 0 s.
+/// Returns the offset of a swinging pin from its first position, in m; 0 before 0 s.
 Vec3 pin_offset(const PinMotion& motion, double time_s) {
   return motion.amplitude_m * sine_of_turns(motion.frequency_hz * std::max(time_s, 0.0));
 }
 
-/// Returns a bound on how far swinging pins are off their chord within the time, in m. A sine's slope is at
-/// most 1, so that between the span's ends it is at most their mean and half of the angle more.
+/// Returns a bound in m on the distance of swinging pins from their chord. A sine's slope is at most 1, so within the
+/// span the sine is at most the mean of its end values plus half of the angle.
 double swing_off_chord_m(const PinMotion& motion, const TimeSpan& time) {
   const double radians_per_s = 2.0 * std::numbers::pi * std::abs(motion.frequency_hz);
   const auto size = [&](double time_s) { return std::abs(sine_of_turns(motion.frequency_hz * time_s)); };
@@ -28,10 +28,10 @@ double swing_off_chord_m(const PinMotion& motion, const TimeSpan& time) {
          (radians_per_s * largest_sine * off_chord_per_acceleration(time) + off_chord_per_jump(0.0, time));
 }
 
-/// Returns what part of their way led pins go within the time.
-double share_of(const LedPins& led, const TimeSpan& time) {
+/// Returns the fraction of their path that led pins cover within the time.
+double path_fraction(const PrescribedPins& prescribed, const TimeSpan& time) {
   const auto share_at = [&](double time_s) {
-    return std::clamp((time_s - led.from_s) / (led.until_s - led.from_s), 0.0, 1.0);
+    return std::clamp((time_s - prescribed.from_s) / (prescribed.until_s - prescribed.from_s), 0.0, 1.0);
   };
   return share_at(time.to_s) - share_at(time.from_s);
 }
@@ -51,6 +51,7 @@ Vec3 pin_displacement(const PinMotion& motion, const TimeSpan& time) {
 
 std::vector<Vec3> pin_displacements(const Surroundings& surroundings, std::span<const Index> pins,
                                     std::span<const Vec3> from_m, const TimeSpan& time) {
+  assert(time.from_s <= time.to_s);
   assert(from_m.size() == pins.size());
   std::vector<Vec3> moved_m(pins.size(), pin_displacement(surroundings.pin_motion, time));
   for (const MovingPins& group : surroundings.moving_pins) {
@@ -61,11 +62,12 @@ std::vector<Vec3> pin_displacements(const Surroundings& surroundings, std::span<
       }
     }
   }
-  const LedPins& led = surroundings.led_pins;
-  for (std::size_t k = 0; k < pins.size() && !led.vertices.empty(); ++k) {
-    const auto found = std::lower_bound(led.vertices.begin(), led.vertices.end(), pins[k]);
-    if (found != led.vertices.end() && *found == pins[k]) {
-      moved_m[k] = led.by_m[static_cast<std::size_t>(found - led.vertices.begin())] * share_of(led, time);
+  const PrescribedPins& prescribed = surroundings.prescribed_pins;
+  for (std::size_t k = 0; k < pins.size() && !prescribed.vertices.empty(); ++k) {
+    const auto found = std::lower_bound(prescribed.vertices.begin(), prescribed.vertices.end(), pins[k]);
+    if (found != prescribed.vertices.end() && *found == pins[k]) {
+      moved_m[k] = prescribed.by_m[static_cast<std::size_t>(found - prescribed.vertices.begin())] *
+                   path_fraction(prescribed, time);
     }
   }
   return moved_m;
@@ -73,6 +75,7 @@ std::vector<Vec3> pin_displacements(const Surroundings& surroundings, std::span<
 
 double pins_off_chord_m(const Surroundings& surroundings, std::span<const Index> pins, std::span<const Vec3> at_m,
                         double at_s, const TimeSpan& time) {
+  assert(time.from_s <= time.to_s);
   assert(at_m.size() == pins.size());
   double off_m = pins.empty() ? 0.0 : swing_off_chord_m(surroundings.pin_motion, time);
   for (const MovingPins& group : surroundings.moving_pins) {
@@ -80,22 +83,22 @@ double pins_off_chord_m(const Surroundings& surroundings, std::span<const Index>
     double radius_m = 0.0;
     for (std::size_t k = 0; k < pins.size(); ++k) {
       if (std::binary_search(group.vertices.begin(), group.vertices.end(), pins[k])) {
-        radius_m = std::max(radius_m, distance_from_axis_m(group.motion.spin, pose.modelled(at_m[k])));
+        radius_m = std::max(radius_m, distance_from_axis_m(group.motion.spin, pose.to_modelled(at_m[k])));
       }
     }
     off_m = std::max(off_m, off_chord_m(group.motion, radius_m, 0.0, time));
   }
-  const LedPins& led = surroundings.led_pins;
-  for (const Vec3& by_m : led.by_m) {
-    const double jump_m_per_s = glm::length(by_m) / (led.until_s - led.from_s);
-    off_m =
-        std::max(off_m, jump_m_per_s * (off_chord_per_jump(led.from_s, time) + off_chord_per_jump(led.until_s, time)));
+  const PrescribedPins& prescribed = surroundings.prescribed_pins;
+  for (const Vec3& by_m : prescribed.by_m) {
+    const double jump_m_per_s = glm::length(by_m) / (prescribed.until_s - prescribed.from_s);
+    off_m = std::max(off_m, jump_m_per_s * (off_chord_per_jump(prescribed.from_s, time) +
+                                            off_chord_per_jump(prescribed.until_s, time)));
   }
   return off_m;
 }
 
 bool has_pins_of_their_own(const Surroundings& surroundings) {
-  return !surroundings.moving_pins.empty() || !surroundings.led_pins.vertices.empty();
+  return !surroundings.moving_pins.empty() || !surroundings.prescribed_pins.vertices.empty();
 }
 
 void require_possible(const Surroundings& surroundings, std::size_t vertex_count) {
@@ -105,7 +108,7 @@ void require_possible(const Surroundings& surroundings, std::size_t vertex_count
   for (const PointForce& force : surroundings.forces.artificial_forces) {
     require_vertex("a force acts on", force.vertex, vertex_count);
   }
-  for (const HeldVertex& held : surroundings.forces.held_vertices) {
+  for (const GrabbedVertex& held : surroundings.forces.grabbed_vertices) {
     require_vertex("a hand holds", held.vertex, vertex_count);
   }
   for (const Body& body : surroundings.bodies) {
@@ -117,9 +120,10 @@ void require_possible(const Surroundings& surroundings, std::size_t vertex_count
   for (const MovingPins& group : surroundings.moving_pins) {
     require_ascending("moving pins", group.vertices, vertex_count);
   }
-  const LedPins& led = surroundings.led_pins;
-  require_ascending("led pins", led.vertices, vertex_count);
-  if (led.by_m.size() != led.vertices.size() || (!led.vertices.empty() && !(led.until_s > led.from_s))) {
+  const PrescribedPins& prescribed = surroundings.prescribed_pins;
+  require_ascending("led pins", prescribed.vertices, vertex_count);
+  if (prescribed.by_m.size() != prescribed.vertices.size() ||
+      (!prescribed.vertices.empty() && !(prescribed.until_s > prescribed.from_s))) {
     throw std::invalid_argument("led pins need a way for each vertex and a time to go it");
   }
 }
@@ -129,7 +133,7 @@ bool is_steady(const Surroundings& s, double time_s) {
   const bool gusts = wind.speed_m_per_s != 0.0 && (wind.gust_amplitude != 0.0 || wind.gust_turn != 0.0);
   const auto moves = [&](const Body& body) { return is_moving_after(body, time_s); };
   const auto move = [&](const MovingPins& group) { return is_moving_after(group.motion, time_s); };
-  const bool leads = !s.led_pins.vertices.empty() && s.led_pins.until_s > time_s;
+  const bool leads = !s.prescribed_pins.vertices.empty() && s.prescribed_pins.until_s > time_s;
   return !gusts && !leads && !changes_after(s.forces.gravity_path, time_s) && s.pin_motion.amplitude_m == Vec3(0.0) &&
          std::none_of(s.bodies.begin(), s.bodies.end(), moves) &&
          std::none_of(s.moving_pins.begin(), s.moving_pins.end(), move);

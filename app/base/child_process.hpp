@@ -23,18 +23,19 @@ class Descriptor {
   int number_;
 };
 
-/// How a program is started.
+/// Command line, environment and standard streams of a program to start.
 struct ChildCommand {
-  std::vector<std::string> arguments;  ///< the program first, looked for in $PATH where its name has no slash
-  std::string variable = {};           ///< "NAME=VALUE" beside this program's environment; empty: none
-  int input = -1;                      ///< descriptors for its standard streams; -1: nothing is there
+  std::vector<std::string> arguments;  ///< program first; searched in $PATH if its name has no slash
+  std::string variable = {};           ///< "NAME=VALUE", added to this program's environment; empty: none
+  int input = -1;                      ///< descriptors of the standard streams; -1: /dev/null
   int output = -1;
   int errors = -1;
-  /// A Ctrl-C at the terminal reaches this program alone, which then decides what becomes of the child.
+  /// Puts the child in a process group of its own. Ctrl-C then interrupts this program alone, which decides about the
+  /// child.
   bool own_group = false;
 };
 
-/// A running program; killed with this object.
+/// A running program. The destructor kills it.
 class ChildProcess {
  public:
   /// Starts the program. Throws std::system_error if that fails.
@@ -43,16 +44,16 @@ class ChildProcess {
   ChildProcess(const ChildProcess&) = delete;
   ChildProcess& operator=(const ChildProcess&) = delete;
 
-  /// Waits for the end and returns the status of waitpid. Must be called only once.
+  /// Waits for the end and returns the status of waitpid. Call it only once.
   int wait();
-  /// Whether `wait` would return at once.
+  /// Returns true if `wait` would return at once.
   bool has_ended() const;
 
  private:
   pid_t process_ = -1;  ///< -1: ended
 };
 
-/// A status of waitpid in words: "exit code 1" or "signal 9".
+/// Describes a status of waitpid: "exit code 1" or "signal 9".
 std::string describe_end(int status);
 
 }  // namespace taut::app

@@ -19,7 +19,7 @@ void watch_for_interruption() {
   action.sa_flags = static_cast<int>(SA_RESETHAND | SA_RESTART);
   sigaction(SIGINT, &action, nullptr);
   sigaction(SIGTERM, &action, nullptr);
-  // A file that may not grow any more is an error of writing like others, not the end at once.
+  // A file at its size limit then fails to write with an error, instead of ending the program.
   std::signal(SIGXFSZ, SIG_IGN);
 }
 

@@ -6,17 +6,17 @@
 
 namespace taut::app {
 
-/// Exit codes of the program. A scheduler can decide by them what to run again. 0 means done.
+/// Exit codes of the program, by which a scheduler can decide what to run again. 0: done.
 inline constexpr int exit_bad_input = 1;
 inline constexpr int exit_wrong_usage = 2;
-/// A frame exceeds the bound its solver promised or cannot be made without a crossing, a frame that was to be
-/// verified does not keep a promise, or a run diverged.
+/// A run diverged, or a frame exceeds the bound that its solver promised, cannot be made without a crossing, or failed
+/// verification.
 inline constexpr int exit_promise_broken = 3;
 
 /// The run was stopped and can be resumed (EX_TEMPFAIL of sysexits.h).
 inline constexpr int exit_can_be_resumed = 75;
 
-/// An error whose message may be formatted by fmt: a format and its arguments.
+/// An exception whose message is a format of fmt and its arguments.
 template <class Base> struct Formatted : Base {
   using Base::Base;
   template <class First, class... Rest>
@@ -24,7 +24,7 @@ template <class Base> struct Formatted : Base {
       : Base(fmt::format(format, std::forward<First>(first), std::forward<Rest>(rest)...)) {}
 };
 
-/// A file or a scene cannot be used. The message names where, what was found and what was expected.
+/// A file or a scene cannot be used. The message names the place, the value found and the value expected.
 struct InputError : Formatted<std::runtime_error> {
   using Formatted::Formatted;
 };
@@ -34,7 +34,7 @@ struct UsageError : Formatted<std::runtime_error> {
   using Formatted::Formatted;
 };
 
-/// A frame does not keep a promise that it was to be verified for. The message names the frame and the place.
+/// A frame failed verification of a promise. The message names the frame and the place.
 struct PromiseBroken : Formatted<std::runtime_error> {
   using Formatted::Formatted;
 };
@@ -45,14 +45,14 @@ struct Interrupted : std::runtime_error {
   int signal;
 };
 
-/// Call once at the start. From then on the first SIGINT or SIGTERM is only noted, so that a file being
-/// written can be finished. The second one ends the program at once.
+/// Records the first SIGINT or SIGTERM, so that a file being written can be finished; the second one ends the program
+/// at once. Call it once, at the program's start.
 void watch_for_interruption();
 
-/// Throws Interrupted if a signal has been noted.
+/// Throws Interrupted if a signal was recorded.
 void throw_if_interrupted();
 
-/// Takes a noted signal as answered: the work that is left is finished.
+/// Forgets a recorded signal, so that the remaining work is finished.
 void forget_interruption();
 
 /// Ends the program with the signal's default action, so that a shell sees which signal ended it.

@@ -16,13 +16,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string reason_of(int error_number) { return std::generic_category().message(error_number); }
+std::string system_error_text(int error_number) { return std::generic_category().message(error_number); }
 
-fs::path folder_of(const fs::path& file) { return file.has_parent_path() ? file.parent_path() : fs::path("."); }
+fs::path parent_folder(const fs::path& file) { return file.has_parent_path() ? file.parent_path() : fs::path("."); }
 
-/// Such as /dev/stdout and named pipes: a rename would put a file in their place. Where the standard output
-/// is a regular file, it still is one to be written on and not to be replaced.
-bool is_written_straight(const fs::path& path) {
+/// Returns true for paths that a rename must not replace, such as /dev/stdout and named pipes. /dev/stdout stays one of
+/// them when it is redirected to a regular file.
+bool is_special_file(const fs::path& path) {
   std::error_code error;
   const fs::path link = fs::read_symlink(path, error);
   if (link.string().starts_with("/proc/") || path.string().starts_with("/proc/")) return true;
@@ -49,7 +49,7 @@ void require_readable(const fs::path& path, const struct stat& status, std::uint
 }
 
 /// Waits for the next bytes of a pipe. Returns false at its end.
-bool append_part(const Descriptor& pipe, const fs::path& path, std::string& text) {
+bool append_bytes(const Descriptor& pipe, const fs::path& path, std::string& text) {
   constexpr int look_up_after_ms = 100;
   std::array<char, 65536> part;
   for (int waits = 0; waits < max_silence_s * 1000 / look_up_after_ms; ++waits) {
@@ -57,7 +57,7 @@ bool append_part(const Descriptor& pipe, const fs::path& path, std::string& text
     pollfd ready{pipe.number(), POLLIN, 0};
     if (::poll(&ready, 1, look_up_after_ms) <= 0) continue;
     const ssize_t count = ::read(pipe.number(), part.data(), part.size());
-    if (count < 0 && errno != EINTR && errno != EAGAIN) fail_to_read(path, reason_of(errno));
+    if (count < 0 && errno != EINTR && errno != EAGAIN) fail_to_read(path, system_error_text(errno));
     if (count < 0) continue;
     text.append(part.data(), static_cast<std::size_t>(count));
     return count > 0;
@@ -67,14 +67,14 @@ bool append_part(const Descriptor& pipe, const fs::path& path, std::string& text
 
 std::string read_pipe(const Descriptor& pipe, const fs::path& path, std::uint64_t max_bytes) {
   std::string text;
-  while (append_part(pipe, path, text)) {
+  while (append_bytes(pipe, path, text)) {
     if (text.size() > max_bytes) fail_to_read(path, fmt::format("the pipe brought more than {} bytes", max_bytes));
   }
   if (text.empty()) throw InputError("the pipe '" + path.string() + "' is empty");
   return text;
 }
 
-/// Waits until a file or a folder is on the disk. Some file systems know no such thing of folders.
+/// Waits until a file or a folder is on the disk. Some file systems cannot wait for folders.
 bool is_on_disk(const fs::path& path, int flags) {
   const Descriptor opened(::open(path.c_str(), O_RDONLY | O_CLOEXEC | flags));
   return opened.number() >= 0 && (::fsync(opened.number()) == 0 || errno == EINVAL || errno == ENOTSUP);
@@ -84,15 +84,15 @@ bool is_on_disk(const fs::path& path, int flags) {
 
 fs::path temporary_name(const fs::path& path) {
   fs::path name = path;
-  // Other machines that share the folder count their processes too.
+  // The host is in the name because a machine that shares the folder may have a process of the same number.
   name += ".part-" + host_name() + '-' + std::to_string(::getpid());
   return name;
 }
 
-void put_in_place(const fs::path& complete, const fs::path& path) {
+void rename_complete(const fs::path& complete, const fs::path& path) {
   if (!is_on_disk(complete, 0) || ::rename(complete.c_str(), path.c_str()) != 0 ||
-      (!is_on_disk(folder_of(path), O_DIRECTORY) && errno != EACCES)) {  // a folder may be closed to readers
-    fail_to_write(path, reason_of(errno));
+      (!is_on_disk(parent_folder(path), O_DIRECTORY) && errno != EACCES)) {  // a folder may be closed to readers
+    fail_to_write(path, system_error_text(errno));
   }
 }
 
@@ -111,13 +111,13 @@ OpenInput open_input(const fs::path& path, std::uint64_t max_bytes, InputKind ki
   const auto look = [&](int failed) {
     if (failed == 0) return require_readable(path, status, max_bytes, kind);
     if (errno == ENOENT || errno == ENOTDIR) throw InputError("there is no file '" + path.string() + "'");
-    fail_to_read(path, reason_of(errno));
+    fail_to_read(path, system_error_text(errno));
   };
   look(::stat(path.c_str(), &status));
-  // Without waiting: a pipe that nobody writes to would hold the program up.
+  // O_NONBLOCK: opening a pipe that has no writer would wait for ever otherwise.
   OpenInput input{Descriptor(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY))};
-  if (input.file.number() < 0) fail_to_read(path, reason_of(errno));
-  look(::fstat(input.file.number(), &status));  // it may have been replaced meanwhile
+  if (input.file.number() < 0) fail_to_read(path, system_error_text(errno));
+  look(::fstat(input.file.number(), &status));  // the file may have been replaced meanwhile
   input.is_pipe = S_ISFIFO(status.st_mode);
   input.bytes = input.is_pipe ? 0 : static_cast<std::uint64_t>(status.st_size);
   return input;
@@ -132,8 +132,8 @@ std::string read_text_file(const fs::path& path, std::uint64_t max_bytes) {
   std::size_t done = 0;
   while (done < text.size()) {
     const ssize_t count = ::read(input.file.number(), text.data() + done, text.size() - done);
-    if (count < 0 && errno != EINTR) fail_to_read(path, reason_of(errno));
-    if (count == 0) break;  // it was made shorter meanwhile
+    if (count < 0 && errno != EINTR) fail_to_read(path, system_error_text(errno));
+    if (count == 0) break;  // the file was made shorter meanwhile
     done += count > 0 ? static_cast<std::size_t>(count) : 0;
   }
   text.resize(done);
@@ -143,15 +143,15 @@ std::string read_text_file(const fs::path& path, std::uint64_t max_bytes) {
 Descriptor create_file(const fs::path& temporary, const fs::path& path) {
   ::unlink(temporary.c_str());
   Descriptor file(::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666));
-  if (file.number() < 0) fail_to_write(path, reason_of(errno));
+  if (file.number() < 0) fail_to_write(path, system_error_text(errno));
   return file;
 }
 
 OutputClaim::OutputClaim(const fs::path& path) {
   struct stat folder {};
-  if (is_written_straight(path) || ::stat(folder_of(path).c_str(), &folder) != 0) return;
+  if (is_special_file(path) || ::stat(parent_folder(path).c_str(), &folder) != 0) return;
   socket_ = Descriptor(::socket(AF_UNIX, SOCK_DGRAM | SOCK_CLOEXEC, 0));
-  // Names that begin with a zero are in no folder and end with the program.
+  // A name that begins with a zero byte is in no folder (abstract socket); the system frees it when the program ends.
   const std::string name = std::string(1, '\0') + fmt::format("taut-output-{}-{}-{:016x}", folder.st_dev, folder.st_ino,
                                                               std::hash<std::string>()(path.filename().string()));
   sockaddr_un address{.sun_family = AF_UNIX, .sun_path = {}};
@@ -162,26 +162,27 @@ OutputClaim::OutputClaim(const fs::path& path) {
   }
 }
 
-void prepare_folder_of(const fs::path& file) {
-  const fs::path folder = folder_of(file);
+void prepare_parent_folder(const fs::path& file) {
+  const fs::path folder = parent_folder(file);
   std::error_code error;
   fs::create_directories(folder, error);
   if (error) throw InputError("cannot make the output folder '" + folder.string() + "': " + error.message());
   if (fs::is_directory(file, error)) {
     throw InputError("cannot write '" + file.string() + "': there is a folder of this name");
   }
-  if (is_written_straight(file)) return;
-  // Asking for permissions is not enough: a read-only file system, a full quota. Another thread may ask too.
+  if (is_special_file(file)) return;
+  // Permissions do not show a read-only file system or a full quota. The name is unique because other threads may probe
+  // too.
   std::string probe = folder / ".taut.part-XXXXXX";
   const int descriptor = ::mkostemp(probe.data(), O_CLOEXEC);
   if (descriptor < 0) {
-    throw InputError("cannot write to the output folder '" + folder.string() + "': " + reason_of(errno));
+    throw InputError("cannot write to the output folder '" + folder.string() + "': " + system_error_text(errno));
   }
   ::close(descriptor);
   ::unlink(probe.c_str());
 }
 
-void require_apart(std::span<const fs::path> outputs, std::span<const fs::path> inputs) {
+void require_distinct_files(std::span<const fs::path> outputs, std::span<const fs::path> inputs) {
   struct stat status {};
   std::map<std::pair<dev_t, ino_t>, fs::path> read;
   for (const fs::path& input : inputs) {
@@ -189,7 +190,7 @@ void require_apart(std::span<const fs::path> outputs, std::span<const fs::path> 
   }
   std::set<fs::path> written;
   for (const fs::path& output : outputs) {
-    if (!is_written_straight(output) && !written.insert(fs::absolute(output).lexically_normal()).second) {
+    if (!is_special_file(output) && !written.insert(fs::absolute(output).lexically_normal()).second) {
       throw UsageError("output '{}': two outputs have this name; expected another for each", output.string());
     }
     const auto found = ::stat(output.c_str(), &status) == 0 ? read.find({status.st_dev, status.st_ino}) : read.end();
@@ -232,19 +233,19 @@ void write_text_file(const fs::path& path, const std::string& text) {
 }
 
 void write_file(const fs::path& path, std::span<const std::uint8_t> bytes) {
-  if (is_written_straight(path)) {
+  if (is_special_file(path)) {
     const Descriptor file(::open(path.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC));
-    if (file.number() < 0) fail_to_write(path, reason_of(errno));
-    if (!write_bytes(file.number(), bytes)) fail_to_write(path, reason_of(errno));
+    if (file.number() < 0) fail_to_write(path, system_error_text(errno));
+    if (!write_bytes(file.number(), bytes)) fail_to_write(path, system_error_text(errno));
     return;
   }
   const fs::path temporary = temporary_name(path);
-  // By which the temporary file is also found in a folder that somebody renames meanwhile.
-  const Descriptor folder(::open(folder_of(path).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  // The open folder still leads to the temporary file if somebody renames the folder meanwhile.
+  const Descriptor folder(::open(parent_folder(path).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
   try {
     const Descriptor file = create_file(temporary, path);
-    if (!write_bytes(file.number(), bytes)) fail_to_write(path, reason_of(errno));
-    put_in_place(temporary, path);
+    if (!write_bytes(file.number(), bytes)) fail_to_write(path, system_error_text(errno));
+    rename_complete(temporary, path);
   } catch (...) {
     ::unlinkat(folder.number() >= 0 ? folder.number() : AT_FDCWD,
                (folder.number() >= 0 ? temporary.filename() : temporary).c_str(), 0);

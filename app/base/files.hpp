@@ -19,95 +19,95 @@ enum class InputKind { file, file_or_pipe };
 /// A file that is open for reading.
 struct OpenInput {
   Descriptor file;
-  std::uint64_t bytes = 0;  ///< 0: a pipe, which does not say
+  std::uint64_t bytes = 0;  ///< 0 for a pipe, whose size is unknown
   bool is_pipe = false;
 };
 
-/// Opens an input. Whatever reads a file opens it by this function. Throws InputError that names the file and the
-/// reason: missing, a folder, a device, a pipe where `kind` takes none, unreadable, empty, or larger than `max_bytes`.
+/// Opens an input; every reader of files opens them by this function. Throws InputError that names the file and the
+/// reason: missing, a folder, a device, a pipe although `kind` excludes pipes, unreadable, empty, or larger than
+/// `max_bytes`.
 OpenInput open_input(const std::filesystem::path& path, std::uint64_t max_bytes, InputKind kind = InputKind::file);
 
-/// Returns the content of a file or a pipe. Throws InputError as open_input() does, also for a pipe that brings
-/// nothing for `max_silence_s` or more than `max_bytes`; Interrupted while it waits for a pipe.
+/// Returns the content of a file or a pipe. Throws InputError as open_input() does, and for a pipe that sends nothing
+/// for `max_silence_s` or more than `max_bytes`. Throws Interrupted while it waits for a pipe.
 std::string read_text_file(const std::filesystem::path& path, std::uint64_t max_bytes = max_text_bytes);
 
-/// Longest time in which a pipe brings nothing, in s.
+/// Longest time in seconds for which a pipe may send nothing.
 inline constexpr int max_silence_s = 10;
 
 /// Throws InputError as open_input() does.
 void require_file(const std::filesystem::path& path, std::uint64_t max_bytes = max_model_bytes);
 
-/// Makes the folder of `file`, with its parents, and tests that it can be written to. Call it before a long
-/// run, so that the run does not end in an error. Throws InputError that names the folder and the system's
-/// reason.
-void prepare_folder_of(const std::filesystem::path& file);
+/// Makes the folder of `file`, with its parents, and tests that it can be written to. Call it before a long run, which
+/// would otherwise fail at its end. Throws InputError that names the folder and the system's reason.
+void prepare_parent_folder(const std::filesystem::path& file);
 
-/// Throws UsageError if one of the outputs is one of the inputs, whatever its name, or another output.
-void require_apart(std::span<const std::filesystem::path> outputs, std::span<const std::filesystem::path> inputs);
+/// Throws UsageError if an output is the same file as an input or another output, even under another name.
+void require_distinct_files(std::span<const std::filesystem::path> outputs,
+                            std::span<const std::filesystem::path> inputs);
 
-/// `folder`/STEM-N.EXTENSION, with the smallest N from 1 that is not taken.
+/// Returns `folder`/STEM-N.EXTENSION, with the smallest N from 1 that is not taken.
 std::filesystem::path free_name(const std::filesystem::path& folder, const std::string& stem,
                                 const std::string& extension);
 
-/// A name in the same folder for what will be renamed to `path` when it is complete.
+/// Returns a name in the same folder for a file that is renamed to `path` when it is complete.
 std::filesystem::path temporary_name(const std::filesystem::path& path);
 
-/// Makes an empty file, which will be renamed to `path`, and returns it open for writing. A file or link that has the
-/// temporary name is removed first, so that nothing is written through a link. Throws InputError that names `path` and the
+/// Makes an empty file, to be renamed to `path` later, and returns it open for writing. Removes a file or link of the
+/// temporary name first, so that nothing is written through a link. Throws InputError that names `path` and the
 /// system's reason.
 Descriptor create_file(const std::filesystem::path& temporary, const std::filesystem::path& path);
 
-/// Returns `name` for files that nobody named; the next free name, which it prints on the standard error, where one of
-/// `files` is there and is not `own`.
+/// Returns `name`, a default that the user did not choose. If one of `files` exists and is not this program's (`own`),
+/// returns the next free name instead and prints a warning with it.
 std::filesystem::path choose_free_name(const std::filesystem::path& name, bool own,
                                        std::span<const std::filesystem::path> files);
 
 /// Writes all bytes to a file or a pipe. Returns false if that fails, with the reason in errno.
 bool write_bytes(int descriptor, std::span<const std::uint8_t> bytes);
 
-/// Renames a complete file of the same folder to `path`. Not before its bytes are on the disk, and returns
-/// when its name is: after a loss of power too, `path` is as it was before or complete. Throws InputError
-/// that names `path` and the system's reason; `complete` is left.
-void put_in_place(const std::filesystem::path& complete, const std::filesystem::path& path);
+/// Renames a complete file to `path` in the same folder, once its bytes are on the disk, and returns when its name is
+/// too. Even after a loss of power `path` is unchanged or complete. Throws InputError that names `path` and the
+/// system's reason; the file `complete` stays.
+void rename_complete(const std::filesystem::path& complete, const std::filesystem::path& path);
 
 /// Throws InputError that names the path and the reason.
 [[noreturn]] void fail_to_write(const std::filesystem::path& path, const std::string& reason);
 
-/// Writes to a temporary name in the same folder, then puts it in place. So `path` is never half written: it
-/// is absent, as it was before, or complete. Throws InputError that names the path and the system's reason;
-/// the temporary file is removed.
+/// Writes a file under a temporary name in the same folder, then renames it. So `path` is always absent, unchanged or
+/// complete. Throws InputError that names the path and the system's reason; the temporary file is removed.
 void write_text_file(const std::filesystem::path& path, const std::string& text);
-/// As write_text_file, for bytes.
+/// Writes bytes as write_text_file writes text.
 void write_file(const std::filesystem::path& path, std::span<const std::uint8_t> bytes);
 
-/// The file that this code is in: the program, or libtaut in a program of someone else. Empty if the system
-/// does not say.
+/// Returns the file that holds this code: the program, or libtaut in another program. Empty if the system does not
+/// know.
 std::filesystem::path own_file();
 
-/// The two folders above that of a file, the nearer first: what is installed has its bin, its lib or its
-/// lib/ARCH in one of them. None of an empty path.
+/// Returns the two folders above the folder of a file, the nearer first. One of them is the prefix of an installation
+/// in bin, lib or lib/ARCH. Returns none for an empty path.
 std::vector<std::filesystem::path> folders_above(const std::filesystem::path& file);
 
-/// Keeps other programs of this machine from writing a file as long as it lives, if they claim it too.
+/// Keeps other programs on this machine from claiming the same output file, as long as this object lives.
 class OutputClaim {
  public:
-  /// The folder of `path` must be there. Throws InputError if another program has claimed the same file.
+  /// Claims `path`, whose folder must exist. Throws InputError if another program has claimed the same file.
   explicit OutputClaim(const std::filesystem::path& path);
 
  private:
-  Descriptor socket_;  ///< bound to a name that stands for the file; the system frees it when a program ends
+  Descriptor socket_;  ///< bound to a name derived from the file; the system frees it when a program ends
 };
 
-/// A file of which parts are read, by several threads at once if need be.
+/// A file that can be read in any order, by several threads at once.
 class SeekableFile {
  public:
   /// Throws InputError as open_input() does.
   explicit SeekableFile(std::filesystem::path path);
 
   const std::filesystem::path& path() const { return path_; }
-  /// Returns how many bytes it had when it was opened.
+  /// Size in bytes when the file was opened.
   std::uint64_t size() const { return size_; }
-  /// Fills `bytes` with what begins at `offset`. Throws InputError if the file does not have as much.
+  /// Fills `bytes` from the file, starting at `offset`. Throws InputError if the file ends before.
   void read(std::uint64_t offset, std::span<char> bytes) const;
 
  private:

@@ -8,7 +8,7 @@
 namespace taut::app {
 namespace {
 
-// Thrown at a report of progress when another job has failed; no error of its own.
+// Thrown from a job's progress callback after another job has failed; not an error of its own.
 struct GivenUp {};
 
 std::vector<std::size_t> most_expensive_first(std::span<const Job> jobs) {
@@ -107,7 +107,7 @@ class JobRunner {
   std::condition_variable changed_;
   std::deque<std::size_t> finished_;
   std::exception_ptr error_;
-  // Last: the threads end before what they use.
+  // Declared last, so that the threads end before the members that they use.
   std::vector<std::jthread> threads_;
 };
 

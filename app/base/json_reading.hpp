@@ -6,10 +6,10 @@
 
 namespace taut::app {
 
-/// Deepest nesting of JSON that is read. What prints, copies and compares values nests as deep on the stack.
+/// Maximum nesting depth of JSON. Printing, copying and comparing values recurses as deep on the stack.
 inline constexpr int max_json_depth = 100;
 
-/// The reason in words, without the library's own name of the error and without bytes of the text.
+/// Returns the reason without the library's name of the error and without the last bytes that it read.
 inline std::string plain_reason(const nlohmann::json::exception& error) {
   const std::string what = error.what();
   const std::size_t name_end = what.starts_with("[json.exception") ? what.find("] ") : std::string::npos;
@@ -17,7 +17,7 @@ inline std::string plain_reason(const nlohmann::json::exception& error) {
   return reason.substr(0, reason.find("; last read"));
 }
 
-/// Parses JSON. Throws InputError that begins with `where`, for text that is not JSON or is nested too deeply.
+/// Parses JSON. Throws InputError that begins with `where` if the text is not JSON or is nested too deeply.
 template <class Json>
 Json parse_json(const std::string& text, const std::string& where, const std::string& expected,
                 bool may_have_comments = false) {

@@ -8,10 +8,10 @@
 namespace taut::app {
 namespace {
 
-// A stage must last this long before its line appears. A smaller value makes the line flicker.
-constexpr std::chrono::milliseconds soon{300};
-// From here on the line also shows the elapsed time.
-constexpr std::chrono::seconds long_time{2};
+// Time that a stage must last before its line appears. A smaller value makes the line flicker.
+constexpr std::chrono::milliseconds show_after{300};
+// Time after which the line also shows the elapsed time.
+constexpr std::chrono::seconds show_time_after{2};
 
 }  // namespace
 
@@ -52,7 +52,7 @@ void Progress::hide() {
 void Progress::draw() {
   const auto since = Clock::now() - began_;
   fmt::print(stderr, "\r\033[K{}: {}", printable(what_), printable(stage_));
-  if (since >= long_time) {
+  if (since >= show_time_after) {
     fmt::print(stderr, " ({} s)", std::chrono::duration_cast<std::chrono::seconds>(since).count());
   }
   std::fflush(stderr);
@@ -76,8 +76,8 @@ std::string time_left(double elapsed_s, int done, int all) {
 
 void Progress::keep_drawing() {
   std::unique_lock lock(mutex_);
-  while (!ended_.wait_for(lock, soon, [this] { return is_ended_; })) {
-    if (!stage_.empty() && Clock::now() - began_ >= soon) draw();
+  while (!ended_.wait_for(lock, show_after, [this] { return is_ended_; })) {
+    if (!stage_.empty() && Clock::now() - began_ >= show_after) draw();
   }
 }
 

@@ -10,12 +10,12 @@
 
 namespace taut::app {
 
-/// Measures time from its construction: the wall's, or a processor's. Other programs do not add to a processor's
-/// directly. They can still lengthen it, because they displace data from the caches.
+/// Measures wall-clock or CPU time since its construction. Other programs do not count as CPU time, but they can
+/// lengthen it because they displace data from the caches.
 class Stopwatch {
  public:
-  /// `clock` is CLOCK_MONOTONIC for the wall's, CLOCK_THREAD_CPUTIME_ID for the processor's time of this thread, or
-  /// CLOCK_PROCESS_CPUTIME_ID for that of all threads of the program.
+  /// `clock` is CLOCK_MONOTONIC (wall clock), CLOCK_THREAD_CPUTIME_ID (CPU time of this thread) or
+  /// CLOCK_PROCESS_CPUTIME_ID (CPU time of all threads of the program).
   explicit Stopwatch(clockid_t clock = CLOCK_MONOTONIC) : clock_(clock) {}
 
   double elapsed_ms() const { return now_ms() - start_ms_; }
@@ -31,37 +31,37 @@ class Stopwatch {
   double start_ms_ = now_ms();
 };
 
-/// The value at place `fraction` (0 to 1) of the sorted values, between two places the lower. It is always
-/// one of the values, as a count of steps must be. `values` must not be empty.
-template <class Number> Number ranked(std::vector<Number> values, double fraction) {
+/// Returns the value at position `fraction` (0 to 1) of the sorted values; between two positions the lower. The result
+/// is always one of the values, as a count of steps must be. `values` must not be empty.
+template <class Number> Number quantile(std::vector<Number> values, double fraction) {
   const auto rank = static_cast<std::ptrdiff_t>(fraction * static_cast<double>(values.size() - 1));
   std::nth_element(values.begin(), values.begin() + rank, values.end());
   return values[static_cast<std::size_t>(rank)];
 }
 
-/// The median of the values, which must not be empty. For an even number of values it is the mean of the two
-/// in the middle. `ranked(values, 0.5)` is the lower of the two.
+/// Returns the median of the values, which must not be empty. For an even number of values it is the mean of the two in
+/// the middle; `quantile(values, 0.5)` is the lower of the two.
 inline double median(std::vector<double> values) {
   std::ranges::sort(values);
   return 0.5 * (values[(values.size() - 1) / 2] + values[values.size() / 2]);
 }
 
-/// One line on the terminal that says what the program is doing. If that takes long, it also says for how
-/// long. Prints nothing if standard error is not a terminal. All functions may be called from any thread.
+/// A line on the terminal that says what the program is doing and, for a long stage, since when. Prints nothing if
+/// standard error is not a terminal. All functions may be called from any thread.
 class Progress {
  public:
-  /// `what` stands at the beginning of the line.
+  /// `what` begins the line.
   explicit Progress(std::string what);
   ~Progress();
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  /// Sets the text of the line, such as "reading dress.fbx". It appears after a moment, so short work shows
+  /// Sets the text of the line, such as "reading dress.fbx". The line appears after a moment, so a short stage shows
   /// nothing.
   void begin(std::string stage);
-  /// As `begin`, but the line appears at once: "frame 3 of 240".
+  /// Sets the text as `begin` does and shows it at once: "frame 3 of 240".
   void show(std::string stage);
-  /// Clears the line, so that other text can be printed. It returns with the next `begin` or `show`.
+  /// Clears the line, so that other text can be printed, until the next `begin` or `show`.
   void hide();
 
  private:
@@ -76,13 +76,13 @@ class Progress {
   std::mutex mutex_;
   std::condition_variable ended_;
   bool is_ended_ = false;
-  std::string stage_;  ///< empty: nothing is shown
+  std::string stage_;  ///< empty: the line is hidden
   Clock::time_point began_;
   bool shown_ = false;
   std::thread ticker_;
 };
 
-/// Returns ", 12 s left", by what was done of all of it in this time; empty if that says too little.
+/// Returns ", 12 s left", extrapolated from `done` of `all` units of work; empty if too little is done to tell.
 std::string time_left(double elapsed_s, int done, int all);
 
 }  // namespace taut::app

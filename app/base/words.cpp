@@ -7,8 +7,8 @@
 namespace taut::app {
 namespace {
 
-/// Characters of the beginning of a name that stand for all of it.
-constexpr std::size_t least_begun = 3;
+/// Number of first letters that may stand for a name.
+constexpr std::size_t min_prefix_length = 3;
 
 std::size_t edit_distance(std::string_view a, std::string_view b) {
   std::vector<std::size_t> row(b.size() + 1);
@@ -25,13 +25,12 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
   return row.back();
 }
 
-/// Returns the first of `names` that begins with `name`, which has three characters or more, or else the one that is
-/// nearest to it, or an empty text. Nearest means the smallest edit distance (Levenshtein 1966), which may be at most a
-/// third of the length of `name`.
+/// Returns the first of `names` that begins with `name` (3 characters or more). Otherwise returns the name with the
+/// smallest edit distance (Levenshtein 1966), at most a third of the length of `name`; empty if there is none.
 std::string nearest_name(std::string_view name, std::span<const std::string> names) {
   const auto is_begun = [&](const std::string& candidate) { return candidate.starts_with(name); };
   const auto begun = std::ranges::find_if(names, is_begun);
-  if (begun != names.end() && name.size() >= least_begun) return *begun;
+  if (begun != names.end() && name.size() >= min_prefix_length) return *begun;
   std::string best;
   std::size_t best_distance = std::max<std::size_t>(1, name.size() / 3) + 1;
   for (const std::string& candidate : names) {
@@ -56,7 +55,7 @@ std::string printable(std::string_view text) {
   unsigned char before = 0;
   for (const char letter : text) {
     const auto byte = static_cast<unsigned char>(letter);
-    // The second block of control characters, U+0080 to U+009F, ends so in UTF-8.
+    // These bytes end the control characters U+0080 to U+009F in UTF-8.
     const bool is_long_control = before == 0xC2 && byte >= 0x80 && byte <= 0x9F;
     const bool is_control = (byte < 0x20 && byte != '\n') || byte == 0x7F || is_long_control;
     shown += is_control ? fmt::format("\\x{:02x}", byte) : std::string(1, letter);
@@ -68,13 +67,13 @@ std::string printable(std::string_view text) {
                      shown.substr(shown.size() - half));
 }
 
-std::string joined(std::span<const std::string> names, std::string_view separator) {
+std::string join(std::span<const std::string> names, std::string_view separator) {
   return fmt::format("{}", fmt::join(names, separator));
 }
 
 std::string did_you_mean(std::string_view name, std::span<const std::string> names) {
-  const std::string nearest = nearest_name(name, names);
-  return nearest.empty() ? "" : "; did you mean '" + nearest + "'?";
+  const std::string suggestion = nearest_name(name, names);
+  return suggestion.empty() ? "" : "; did you mean '" + suggestion + "'?";
 }
 
 std::string program_version() { return TAUT_VERSION; }

@@ -5,16 +5,16 @@
 #include "app/base/errors.hpp"
 #include "app/base/progress.hpp"
 #include "app/drawing/drawn_scene.hpp"
-#include "app/output/csv.hpp"
-#include "app/output/frame_verifier.hpp"
-#include "app/output/run_checkpoint.hpp"
+#include "app/runs/csv.hpp"
+#include "app/runs/frame_verifier.hpp"
+#include "app/runs/run_checkpoint.hpp"
 #include "app/scene/scene_format.hpp"
 
 namespace taut::app {
 namespace {
 
-// From -1 to 1. Distributions of the standard library differ from one to the next.
-double random_share(std::mt19937_64& random) {
+// Returns a random number from -1 to 1. Distributions of the standard library differ between implementations.
+double random_component(std::mt19937_64& random) {
   return 2.0 * std::ldexp(static_cast<double>(random() >> 11U), -53) - 1.0;
 }
 
@@ -25,19 +25,19 @@ void end_early(const std::exception& reason, ContactRun& run) {
 }
 
 void add(const ContactFrame& frame, ContactFacts& facts) {
-  facts.most_pairs = std::max(facts.most_pairs, frame.contact.most_pairs);
-  facts.smallest_distance_m = std::min(facts.smallest_distance_m, frame.contact.smallest_distance_m);
+  facts.max_pairs = std::max(facts.max_pairs, frame.contact.max_pairs);
+  facts.min_distance_m = std::min(facts.min_distance_m, frame.contact.min_distance_m);
   facts.crossing_pairs += frame.crossing_pairs;
   facts.broken_frames += frame.is_broken ? 1 : 0;
 }
 
-// No distance is known beyond the range of the search.
+// The solver knows no distance beyond the range of its search.
 std::string millimetres(double distance_m) {
   return std::isfinite(distance_m) ? fmt::format("{:.4f}", 1e3 * distance_m) : "-";
 }
 
-/// The mean of the slowest 60 frames in a row, or of all where there are fewer.
-double slowest_second(std::span<const double> times_ms) {
+/// Returns the mean time of the slowest 60 consecutive frames, or of all frames if there are fewer.
+double slowest_second_ms(std::span<const double> times_ms) {
   const std::size_t length = std::min<std::size_t>(times_ms.size(), 60);
   double slowest_ms = 0.0;
   for (std::size_t first = 0; first + length <= times_ms.size(); ++first) {
@@ -55,8 +55,8 @@ std::vector<sim::Vec3> jittered_start(const GarmentInScene& cloth, double thickn
   for (const sim::Index pin : cloth.pins) is_pinned[pin] = true;
   std::mt19937_64 random(seed);
   for (std::size_t v = 0; v < start_m.size(); ++v) {
-    const double x = random_share(random), y = random_share(random), z = random_share(random);
-    if (!is_pinned[v]) start_m[v] += jitter_part * thickness_m * sim::Vec3(x, y, z);
+    const double x = random_component(random), y = random_component(random), z = random_component(random);
+    if (!is_pinned[v]) start_m[v] += jitter_fraction * thickness_m * sim::Vec3(x, y, z);
   }
   return start_m;
 }
@@ -68,7 +68,7 @@ ContactRun run_contact(const Scene& scene, const GarmentInScene& cloth, int fram
   GarmentInScene begun = cloth;
   if (seed != 0) begun.start_m = jittered_start(cloth, cloth.garment->material.thickness_m, seed);
   sim::Simulation simulation = make_simulation(awake, begun);
-  // Threads that wait for each other use their processors too.
+  // Wall-clock time counts with several threads: their CPU time includes waiting for each other.
   const bool is_alone = awake.simulation.solver.bounded.threads == 1;
   ContactRun run;
   run.seed = seed;
@@ -106,20 +106,20 @@ ContactRun run_contact(const Scene& scene, const GarmentInScene& cloth, int fram
   return run;
 }
 
-void drag_wind(int frame, int frames, double most_m_per_s, sim::Simulation& simulation) {
+void drag_wind(int frame, int frames, double max_m_per_s, sim::Simulation& simulation) {
   sim::Surroundings surroundings = simulation.surroundings();
   const double part = 2.0 * frame / frames;
-  surroundings.forces.wind.speed_m_per_s = most_m_per_s * std::min(part, 2.0 - part);
+  surroundings.forces.wind.speed_m_per_s = max_m_per_s * std::min(part, 2.0 - part);
   simulation.set_surroundings(surroundings);
 }
 
-ContactFacts facts_of(std::span<const ContactRun> runs) {
+ContactFacts summarise_contact(std::span<const ContactRun> runs) {
   ContactFacts facts;
   std::vector<double> medians_ms;
   double all_ms = 0.0, search_ms = 0.0;
   for (const ContactRun& run : runs) {
     std::vector<double> times_ms;
-    facts.passed += run.first_broken.empty() ? 1 : 0;
+    facts.passed_runs += run.first_broken.empty() ? 1 : 0;
     facts.stretch = std::max(facts.stretch, run.stretch);
     add(run.start, facts);
     for (const ContactFrame& frame : run.frames) {
@@ -132,10 +132,10 @@ ContactFacts facts_of(std::span<const ContactRun> runs) {
     }
     facts.frames += times_ms.size();
     if (!times_ms.empty()) {
-      medians_ms.push_back(ranked(times_ms, 0.5));
-      facts.p99_ms = std::max(facts.p99_ms, ranked(times_ms, 0.99));
-      facts.worst_ms = std::max(facts.worst_ms, ranked(times_ms, 1.0));
-      facts.second_ms = std::max(facts.second_ms, slowest_second(times_ms));
+      medians_ms.push_back(quantile(times_ms, 0.5));
+      facts.p99_ms = std::max(facts.p99_ms, quantile(times_ms, 0.99));
+      facts.worst_ms = std::max(facts.worst_ms, quantile(times_ms, 1.0));
+      facts.slowest_second_ms = std::max(facts.slowest_second_ms, slowest_second_ms(times_ms));
     }
   }
   if (facts.frames > 0) {
@@ -202,15 +202,15 @@ std::string contact_head(const std::string& vector_unit, int threads) {
 }
 
 std::string contact_row(const ContactTrial& trial) {
-  const ContactFacts facts = facts_of(trial.runs);
+  const ContactFacts facts = summarise_contact(trial.runs);
   std::string text = fmt::format(
       "{:<30}{:>6}{:>8}{:>9.1f}{:>8.0f}{:>8.0f}{:>8.0f}{:>8.0f}{:>8.1f}{:>8.1f}{:>9}{:>10}{:>10.5f}{:>7}{:>"
       "10}{:>8}  "
       "{}\n",
-      trial.scene, trial.triangles, facts.frames, facts.median_ms, facts.second_ms, facts.p99_ms, facts.worst_ms,
-      100.0 * facts.search_share, facts.detections, facts.partial_detections, facts.most_pairs,
-      millimetres(facts.smallest_distance_m), 100.0 * facts.stretch, fmt::format("{:g} %", 100.0 * trial.bound),
-      facts.crossing_pairs, facts.broken_frames, fmt::format("{} of {}", facts.passed, trial.runs.size()));
+      trial.scene, trial.triangles, facts.frames, facts.median_ms, facts.slowest_second_ms, facts.p99_ms,
+      facts.worst_ms, 100.0 * facts.search_share, facts.detections, facts.partial_detections, facts.max_pairs,
+      millimetres(facts.min_distance_m), 100.0 * facts.stretch, fmt::format("{:g} %", 100.0 * trial.bound),
+      facts.crossing_pairs, facts.broken_frames, fmt::format("{} of {}", facts.passed_runs, trial.runs.size()));
   for (const ContactRun& run : trial.runs) {
     if (run.first_broken.empty()) continue;
     const std::string start = run.seed == 0 ? "" : fmt::format(", start {}", run.seed);
@@ -225,11 +225,11 @@ std::string contact_csv(std::span<const ContactTrial> trials) {
                   "max_stretch", "crossing_pairs", "broken_frames", "first_broken"});
   for (const ContactTrial& trial : trials) {
     for (const ContactRun& run : trial.runs) {
-      const ContactFacts facts = facts_of({&run, 1});
+      const ContactFacts facts = summarise_contact({&run, 1});
       table.add({trial.scene, std::to_string(run.seed), std::to_string(trial.triangles), cell(trial.bound),
-                 std::to_string(facts.frames), cell(facts.median_ms), cell(facts.second_ms), cell(facts.p99_ms),
+                 std::to_string(facts.frames), cell(facts.median_ms), cell(facts.slowest_second_ms), cell(facts.p99_ms),
                  cell(facts.worst_ms), cell(facts.search_share), cell(facts.detections), cell(facts.partial_detections),
-                 std::to_string(facts.most_pairs), cell(facts.smallest_distance_m), cell(facts.stretch),
+                 std::to_string(facts.max_pairs), cell(facts.min_distance_m), cell(facts.stretch),
                  std::to_string(facts.crossing_pairs), std::to_string(facts.broken_frames), cell(run.first_broken)});
     }
   }

@@ -8,8 +8,8 @@
 namespace taut::app {
 namespace {
 
-/// Where the body's x, y and z are found in a file: the axis of each, and its sign.
-struct Axes {
+/// Axes of a file: the axis and the sign of each of the body's x, y and z.
+struct AxisSystem {
   const char* name;
   std::array<int, 3> axis;
   sim::Vec3 sign;
@@ -17,19 +17,20 @@ struct Axes {
   sim::Vec3 operator()(const sim::Vec3& p) const { return sign * sim::Vec3(p[axis[0]], p[axis[1]], p[axis[2]]); }
 };
 
-/// The body's own first.
-const std::array<Axes, 5> systems = {{{"x, y, z", {0, 1, 2}, {1, 1, 1}},
-                                      {"x, z, -y", {0, 2, 1}, {1, 1, -1}},
-                                      {"x, -z, y", {0, 2, 1}, {1, -1, 1}},
-                                      {"x, y, -z", {0, 1, 2}, {1, 1, -1}},
-                                      {"x, z, y", {0, 2, 1}, {1, 1, 1}}}};
+/// Known systems of axes; the body's own is the first.
+const std::array<AxisSystem, 5> axis_systems = {{{"x, y, z", {0, 1, 2}, {1, 1, 1}},
+                                                 {"x, z, -y", {0, 2, 1}, {1, 1, -1}},
+                                                 {"x, -z, y", {0, 2, 1}, {1, -1, 1}},
+                                                 {"x, y, -z", {0, 1, 2}, {1, 1, -1}},
+                                                 {"x, z, y", {0, 2, 1}, {1, 1, 1}}}};
 
-/// Square of how many times nearer a first frame has to be for its axes to be taken.
-constexpr double clearly_nearer = 9.0;
+/// Square of the factor by which other axes must bring the first frame nearer to the body to be chosen.
+constexpr double min_squared_distance_ratio = 9.0;
 
 class TurnedFrames final : public FrameSource {
  public:
-  TurnedFrames(std::unique_ptr<const FrameSource> motion, const Axes& axes) : motion_(std::move(motion)), axes_(axes) {}
+  TurnedFrames(std::unique_ptr<const FrameSource> motion, const AxisSystem& axes)
+      : motion_(std::move(motion)), axes_(axes) {}
 
   std::size_t frames() const override { return motion_->frames(); }
   std::size_t vertices() const override { return motion_->vertices(); }
@@ -41,11 +42,11 @@ class TurnedFrames final : public FrameSource {
 
  private:
   std::unique_ptr<const FrameSource> motion_;
-  Axes axes_;
+  AxisSystem axes_;
 };
 
-/// The sum of the squares, in m^2.
-double distance_from(const LoadedMesh& body, const std::vector<sim::Vec3>& in_file, const Axes& axes) {
+/// Returns the sum of the squared distances, in m^2.
+double distance_from(const LoadedMesh& body, const std::vector<sim::Vec3>& in_file, const AxisSystem& axes) {
   double sum = 0.0;
   for (std::size_t v = 0; v < body.mesh.positions.size(); ++v) {
     const sim::Vec3 apart = body.places.placement(axes(in_file[body.places.file_vertex[v]])) - body.mesh.positions[v];
@@ -54,37 +55,36 @@ double distance_from(const LoadedMesh& body, const std::vector<sim::Vec3>& in_fi
   return sum;
 }
 
-/// Returns a motion of vertices in the axes of its body's file. Programs write caches in axes of their own:
-/// Blender with z up beside OBJ with y up, others in a left-handed system. Of such systems the one
-/// is taken in which the first frame is nearest to the body, if that is clearly nearer; it is said in
-/// `remarks`. A motion of joints is returned as it is. Requires a frame source with the vertices of the
-/// body's file.
-std::unique_ptr<const FrameSource> in_axes_of(const LoadedMesh& body, std::unique_ptr<const FrameSource> motion,
-                                              std::vector<std::string>& remarks) {
+/// Returns a motion of vertices in the axes of its body's file. Programs write caches in axes of their own: Blender
+/// with z up beside OBJ with y up, others in a left-handed system. The system in which the first frame is nearest to
+/// the body is chosen if it is clearly nearer than the file's own, and reported in `remarks`. A motion of joints is
+/// returned unchanged. Requires a frame source with the vertices of the body's file.
+std::unique_ptr<const FrameSource> turn_into_axes(const LoadedMesh& body, std::unique_ptr<const FrameSource> motion,
+                                                  std::vector<std::string>& remarks) {
   if (motion->pose(0)) return motion;
   std::vector<sim::Vec3> in_file(motion->vertices());
   motion->read(0, in_file);
-  const double own = distance_from(body, in_file, systems.front());
-  const Axes* nearest = &systems.front();
-  double distance = own / clearly_nearer;
-  for (const Axes& axes : systems) {
+  const double file_distance = distance_from(body, in_file, axis_systems.front());
+  const AxisSystem* best_axes = &axis_systems.front();
+  double distance = file_distance / min_squared_distance_ratio;
+  for (const AxisSystem& axes : axis_systems) {
     if (const double here = distance_from(body, in_file, axes); here < distance) {
-      nearest = &axes;
+      best_axes = &axes;
       distance = here;
     }
   }
-  if (nearest == &systems.front()) return motion;
+  if (best_axes == &axis_systems.front()) return motion;
   remarks.push_back(std::string("its motion is in other axes than it, guessed from its first frame: there (") +
-                    nearest->name + ") are its x, y and z");
-  return std::make_unique<TurnedFrames>(std::move(motion), *nearest);
+                    best_axes->name + ") are its x, y and z");
+  return std::make_unique<TurnedFrames>(std::move(motion), *best_axes);
 }
 
-// The heights of people: a body beyond them is none.
-constexpr double lowest_person_m = 0.5;
-constexpr double highest_person_m = 2.5;
-/// In which parts of a body may close in on each other. Garments over each other take more room, which parts lack in
-/// more of the motion.
-constexpr int poses_looked_at = 6, poses_looked_at_for_layers = 25;
+// Range of people's heights.
+constexpr double min_person_height_m = 0.5;
+constexpr double max_person_height_m = 2.5;
+/// Numbers of poses in which the clearance between parts of a body is measured. Layered garments need more clearance,
+/// which is missing in more frames of the motion.
+constexpr int pose_count = 6, layered_pose_count = 25;
 
 std::shared_ptr<const Rig> take_rig(const std::filesystem::path& file, ImportedModel& model) {
   auto rig = std::make_shared<Rig>(std::move(model.rig));
@@ -99,14 +99,14 @@ std::shared_ptr<const Rig> take_rig(const std::filesystem::path& file, ImportedM
   return rig;
 }
 
-/// Empty of what is as high as a person.
+/// Returns an empty text if the body is as high as a person.
 std::string remark_on_height(const sim::Mesh& mesh) {
-  const double height_m = sim::extent_of(mesh.positions).size().y;
-  const bool is_person = height_m >= lowest_person_m && height_m <= highest_person_m;
+  const double height_m = sim::compute_extent(mesh.positions).size().y;
+  const bool is_person = height_m >= min_person_height_m && height_m <= max_person_height_m;
   return is_person ? "" : fmt::format("it is {:.3g} m high (scale, --body-units)", height_m);
 }
 
-double rate_of(const BodySource& source, const FrameSource& motion, std::vector<std::string>& remarks) {
+double frame_rate(const BodySource& source, const FrameSource& motion, std::vector<std::string>& remarks) {
   const std::optional<double> own_hz = motion.rate_hz();
   if (!source.frame_rate_hz && !own_hz) {
     remarks.push_back(
@@ -127,8 +127,8 @@ std::size_t first_frame(const BodySource& source, const std::filesystem::path& f
   return static_cast<std::size_t>(first);
 }
 
-/// So that what is wrong with them is said before the run.
-void look_at_frames(const sim::BodyFrames& frames, std::size_t vertices, double duration_s) {
+/// Reads the frames that the run shows, so that their errors are reported before it begins.
+void preload_frames(const sim::BodyFrames& frames, std::size_t vertices, double duration_s) {
   const double last = std::min(std::ceil(duration_s * frames.rate_hz()) + 1.0, static_cast<double>(frames.count() - 1));
   std::vector<sim::Vec3> positions_m(vertices);
   for (std::size_t frame = 0; frame <= static_cast<std::size_t>(last); ++frame) {
@@ -140,27 +140,28 @@ void look_at_frames(const sim::BodyFrames& frames, std::size_t vertices, double 
 void require_vertices(const BodySource& source, const LoadedMesh& loaded, const OpenedMotion& motion) {
   if (motion.frames->vertices() != loaded.file_vertices) {
     throw InputError("'{}': found {}, expected the {} of '{}', in their order", motion.file.string(),
-                     counted(motion.frames->vertices(), "vertex", "vertices"), loaded.file_vertices,
+                     count_text(motion.frames->vertices(), "vertex", "vertices"), loaded.file_vertices,
                      source.file.string());
   }
 }
 
-std::shared_ptr<const sim::BodyFrames> repeated(const std::filesystem::path& file,
-                                                std::shared_ptr<const sim::BodyFrames> motion, const LoopBegin& begin,
-                                                std::size_t first) try {
-  return looped(std::move(motion), begin, first);
+std::shared_ptr<const sim::BodyFrames> load_repeated(const std::filesystem::path& file,
+                                                     std::shared_ptr<const sim::BodyFrames> motion,
+                                                     const LoopBegin& begin, std::size_t first) try {
+  return make_loop(std::move(motion), begin, first);
 } catch (const InputError& error) {
   throw InputError('\'' + file.string() + "': " + error.what());
 }
 
-/// `pose` is that of the joints in the first frame.
-std::shared_ptr<const sim::BodyFrames> frames_of(const BodySource& source, const LoadedMesh& loaded,
-                                                 OpenedMotion motion, double duration_s,
-                                                 std::vector<std::string>& remarks, std::optional<RigPose>& pose) {
+/// Sets `pose` to the joints in the first frame.
+std::shared_ptr<const sim::BodyFrames> load_body_frames(const BodySource& source, const LoadedMesh& loaded,
+                                                        OpenedMotion motion, double duration_s,
+                                                        std::vector<std::string>& remarks,
+                                                        std::optional<RigPose>& pose) {
   require_vertices(source, loaded, motion);
-  motion.frames = in_axes_of(loaded, std::move(motion.frames), remarks);
+  motion.frames = turn_into_axes(loaded, std::move(motion.frames), remarks);
   if (motion.frames->frames() == 1) remarks.emplace_back("its motion has 1 frame, in which it stays");
-  const double rate_hz = rate_of(source, *motion.frames, remarks);
+  const double rate_hz = frame_rate(source, *motion.frames, remarks);
   const std::size_t first = first_frame(source, motion.file, *motion.frames, rate_hz);
   pose = motion.frames->pose(first);
   std::shared_ptr<const sim::BodyFrames> frames =
@@ -168,9 +169,9 @@ std::shared_ptr<const sim::BodyFrames> frames_of(const BodySource& source, const
   if (source.loop) {
     const LoopBegin begin = find_loop_begin(*frames, loaded.mesh.positions.size());
     if (!begin.meets) remarks.push_back(describe(begin));
-    frames = repeated(motion.file, std::move(frames), begin, first);
+    frames = load_repeated(motion.file, std::move(frames), begin, first);
   }
-  look_at_frames(*frames, loaded.mesh.positions.size(), duration_s);
+  preload_frames(*frames, loaded.mesh.positions.size(), duration_s);
   return frames;
 }
 
@@ -180,11 +181,11 @@ std::shared_ptr<const sim::BodyFrames> frames_of(const BodySource& source, const
                    "animation of its own or a BVH motion; or one that stands still, arms off its trunk");
 }
 
-/// Gives a body that has no joints those that its shape shows.
-void take_joints_of_shape(const BodySource& source, const LoadedMesh& loaded, const BodyMeasures& measures,
-                          bool is_still, FileVertexPlaces& places, ReadBody& body) {
+/// Gives joints to a body without any, guessed from its shape.
+void guess_joints(const BodySource& source, const LoadedMesh& loaded, const BodyMeasures& measures, bool is_still,
+                  FileVertexPlaces& places, ReadBody& body) {
   std::optional<Rig> rig =
-      !is_still ? std::nullopt : rig_by_shape({loaded.mesh.positions, loaded.mesh.triangles}, measures);
+      !is_still ? std::nullopt : guess_rig({loaded.mesh.positions, loaded.mesh.triangles}, measures);
   if (!rig) refuse_to_dress(source, "without joints");
   body.rig = std::make_shared<const Rig>(std::move(*rig));
   places.placement = {};
@@ -193,10 +194,10 @@ void take_joints_of_shape(const BodySource& source, const LoadedMesh& loaded, co
   body.remarks.emplace_back("it has no joints: those that it grows from are guessed from its shape");
 }
 
-/// Poses that are shown, spread over the motion; the stored one of a body that does not move.
+/// Returns poses spread over the shown time of the motion, or the stored pose of a body that does not move.
 std::vector<RigPose> poses_shown(const BodySource& source, const Rig& rig, const FrameSource* motion,
                                  const ShownTime& shown) {
-  const int count = shown.garments > 1 ? poses_looked_at_for_layers : poses_looked_at;
+  const int count = shown.garments > 1 ? layered_pose_count : pose_count;
   std::vector<RigPose> poses;
   if (motion != nullptr) {
     const double rate_hz = source.frame_rate_hz.value_or(motion->rate_hz().value_or(usual_frame_rate_hz));
@@ -212,25 +213,25 @@ std::vector<RigPose> poses_shown(const BodySource& source, const Rig& rig, const
   return poses;
 }
 
-/// Keeps parts of the body apart that close in on each other, so that cloth has room between them. Returns
-/// whether any do.
-bool make_room(std::span<const RigPose> poses, const FileVertexPlaces& places, int garments, LoadedMesh& loaded,
-               ReadBody& body) {
-  std::optional<RoomForCloth> room =
-      poses.empty() ? std::nullopt : leave_room(*body.rig, poses, places, loaded.mesh.triangles, garments);
+/// Moves parts of the body apart that close in on each other, so that cloth fits between them. Returns whether there
+/// are any.
+bool add_cloth_clearance(std::span<const RigPose> poses, const FileVertexPlaces& places, int garments,
+                         LoadedMesh& loaded, ReadBody& body) {
+  std::optional<ClearanceResult> room =
+      poses.empty() ? std::nullopt : leave_clearance(*body.rig, poses, places, loaded.mesh.triangles, garments);
   if (room) {
     body.remarks.push_back(
         fmt::format("parts of it come near each other: {} stay back by up to {:.1f} cm, so that cloth has room",
-                    counted(room->vertices, "vertex", "vertices"), 100.0 * room->most_m));
+                    count_text(room->vertices, "vertex", "vertices"), 100.0 * room->max_distance_m));
     body.rig = std::make_shared<const Rig>(std::move(room->rig));
     loaded.mesh.positions = placed_m(places, posed_vertices(*body.rig, stored_pose(*body.rig)));
   }
   return room.has_value();
 }
 
-std::shared_ptr<const Wearer> wearer_of(const BodySource& source, const LoadedMesh& loaded, FileVertexPlaces places,
-                                        const std::optional<RigPose>& pose, double frame_rate_hz, BodyMeasures measures,
-                                        const ReadBody& body) {
+std::shared_ptr<const Wearer> make_wearer(const BodySource& source, const LoadedMesh& loaded, FileVertexPlaces places,
+                                          const std::optional<RigPose>& pose, double frame_rate_hz,
+                                          BodyMeasures measures, const ReadBody& body) {
   if (!pose) refuse_to_dress(source, "whose motion moves vertices and no joints");
   Wearer wearer{.rig = body.rig, .places = std::move(places), .pose = *pose, .full_m = loaded.mesh.positions};
   wearer.motion = body.mesh.frames;
@@ -238,16 +239,16 @@ std::shared_ptr<const Wearer> wearer_of(const BodySource& source, const LoadedMe
   wearer.rate_hz = wearer.motion ? wearer.motion->rate_hz() : frame_rate_hz;
   wearer.duration_s = source.dress / frame_rate_hz;
   wearer.measures = std::move(measures);
-  wearer.stored_joints = joint_places(*wearer.rig, stored_pose(*wearer.rig), wearer.places.placement);
-  wearer.joints = joint_places(*wearer.rig, wearer.pose, wearer.places.placement);
-  wearer.frames = growing(wearer);
+  wearer.stored_joints = compute_joint_positions(*wearer.rig, stored_pose(*wearer.rig), wearer.places.placement);
+  wearer.joints = compute_joint_positions(*wearer.rig, wearer.pose, wearer.places.placement);
+  wearer.frames = make_growing_frames(wearer);
   return std::make_shared<const Wearer>(std::move(wearer));
 }
 
-/// Frames in which crossings are looked for. All would take minutes.
-constexpr std::size_t most_looked_at = 20;
+/// Number of frames that are examined for crossings. All frames would take minutes.
+constexpr std::size_t max_examined_frames = 20;
 
-double volume_of(const sim::BodyMeshData& mesh) {
+double enclosed_volume(const sim::BodyMeshData& mesh) {
   double sum = 0.0;
   for (const auto& [a, b, c] : mesh.triangles) {
     sum += glm::dot(mesh.positions_m[a], glm::cross(mesh.positions_m[b], mesh.positions_m[c]));
@@ -255,7 +256,7 @@ double volume_of(const sim::BodyMeshData& mesh) {
   return sum / 6.0;
 }
 
-std::vector<std::string> joints_of(const Rig& rig) {
+std::vector<std::string> joint_names(const Rig& rig) {
   std::set<sim::Index> nodes;
   for (const RigInfluence& influence : rig.influences) {
     nodes.insert(influence.weight > 0.0 ? rig.bones[influence.bone].node : no_node);
@@ -266,21 +267,21 @@ std::vector<std::string> joints_of(const Rig& rig) {
   return names;
 }
 
-Json json_of(const sim::Vec3& p) { return Json::array({p.x, p.y, p.z}); }
+Json to_json_list(const sim::Vec3& p) { return Json::array({p.x, p.y, p.z}); }
 
-/// The motion, or the clip that is played.
-Json motion_of(const sim::BodyMesh& body) {
+/// Describes the motion, or the clip that is played.
+Json describe_motion(const sim::BodyMesh& body) {
   const LoopBegin loop = find_loop_begin(*body.frames, body.data->positions_m.size());
   return {{"frames", body.frames->count()},
           {"frame_rate_hz", body.frames->rate_hz()},
           {"repeats_from_frame", loop.frame},
-          {"repeats_from_m_away", loop.furthest_m},
+          {"repeats_from_m_away", loop.max_distance_m},
           {"repeats", describe(loop)}};
 }
 
-Json crossings_of(const sim::BodyMesh& body) {
+Json describe_crossings(const sim::BodyMesh& body) {
   const std::size_t frames = body.frames ? body.frames->count() : 1;
-  const std::size_t looked_at = std::min(frames, most_looked_at);
+  const std::size_t looked_at = std::min(frames, max_examined_frames);
   Json json = {{"frames_looked_at", looked_at}, {"frames", Json::array()}};
   std::vector<sim::Vec3> positions_m = body.data->positions_m;
   for (std::size_t k = 0; k < looked_at; ++k) {
@@ -302,13 +303,13 @@ std::shared_ptr<const Rig> read_rig(const std::filesystem::path& file) {
 }
 
 ReadBody read_body(const BodySource& source, const ShownTime& shown) {
-  return body_of(source, import_garment(source.file, {.program = source.importer}), shown);
+  return make_body(source, import_garment(source.file, {.program = source.importer}), shown);
 }
 
-ReadBody body_of(const BodySource& source, ImportedModel model, const ShownTime& shown) {
+ReadBody make_body(const BodySource& source, ImportedModel model, const ShownTime& shown) {
   ReadBody body{{}, take_rig(source.file, model), {}, {}, model.format, model.files};
   LoadedMesh loaded = make_body_mesh(source, model);
-  body.joints = joint_places(*body.rig, stored_pose(*body.rig), loaded.places.placement);
+  body.joints = compute_joint_positions(*body.rig, stored_pose(*body.rig), loaded.places.placement);
   body.remarks = loaded.remarks;
   OpenedMotion motion = open_motion(source, body.rig, loaded.places.placement.up);
   body.remarks.insert(body.remarks.end(), motion.remarks.begin(), motion.remarks.end());
@@ -321,24 +322,25 @@ ReadBody body_of(const BodySource& source, ImportedModel model, const ShownTime&
   BodyMeasures measures;
   FileVertexPlaces places = loaded.places;
   if (source.dress > 0) {
-    measures = measures_of({loaded.mesh.positions, loaded.mesh.triangles}, body.joints);
+    measures = measure_body_and_arms({loaded.mesh.positions, loaded.mesh.triangles}, body.joints);
     if (body.rig->influences.empty() && (!motion.frames || motion.frames->pose(0))) {
-      take_joints_of_shape(source, loaded, measures, !motion.frames, places, body);
+      guess_joints(source, loaded, measures, !motion.frames, places, body);
     }
-    if (make_room(poses_shown(source, *body.rig, motion.frames.get(), shown), places, shown.garments, loaded, body)) {
+    if (add_cloth_clearance(poses_shown(source, *body.rig, motion.frames.get(), shown), places, shown.garments, loaded,
+                            body)) {
       motion = open_motion(source, body.rig, loaded.places.placement.up);
     }
   }
   std::optional<RigPose> pose = stored_pose(*body.rig);
   if (motion.frames) {
     try {
-      body.mesh.frames = frames_of(source, loaded, std::move(motion), shown.duration_s, body.remarks, pose);
+      body.mesh.frames = load_body_frames(source, loaded, std::move(motion), shown.duration_s, body.remarks, pose);
     } catch (const InputError& error) {
       throw InputError(error.what() + (height.empty() ? "" : "; " + height));
     }
   }
   if (source.dress > 0) {
-    body.wearer = wearer_of(source, loaded, std::move(places), pose, shown.frame_rate_hz, std::move(measures), body);
+    body.wearer = make_wearer(source, loaded, std::move(places), pose, shown.frame_rate_hz, std::move(measures), body);
     body.mesh.frames = body.wearer->frames;
   }
   body.mesh.data = std::make_shared<const sim::BodyMeshData>(
@@ -382,20 +384,20 @@ std::vector<std::string> load_bodies(Scene& scene, std::span<const Override> ove
   if (!is_unsaid || scene.garment.is_grid() || scene.garment.has_start() || !scene.checkpoint.empty()) {
     return load_bodies(scene);
   }
-  Scene worn = scene;
-  worn.body_sources.back().dress = usual_dressing_frames;
-  worn.pins.reset();
+  Scene dressed_scene = scene;
+  dressed_scene.body_sources.back().dress = usual_dressing_frames;
+  dressed_scene.pins.reset();
   try {
-    std::vector<std::string> remarks = load_bodies(worn);
-    if (worn.wearers.back() && !worn.wearers.back()->measures.girths.empty()) {
+    std::vector<std::string> remarks = load_bodies(dressed_scene);
+    if (dressed_scene.wearers.back() && !dressed_scene.wearers.back()->measures.girths.empty()) {
       remarks.push_back(
           fmt::format("it is put on the body '{}' in {} frames before frame 0; --dress 0 leaves both where they are",
-                      worn.surroundings.bodies.back().name, usual_dressing_frames));
-      scene = std::move(worn);
+                      dressed_scene.surroundings.bodies.back().name, usual_dressing_frames));
+      scene = std::move(dressed_scene);
       return remarks;
     }
   } catch (const InputError&) {
-    // It is no one who wears clothes, or it cannot be read, which is said below.
+    // The body cannot be dressed or cannot be read. The call below reports the latter.
   }
   return load_bodies(scene);
 }
@@ -417,17 +419,17 @@ Json inspect_body(const BodySource& source) {
                {"vertices", mesh.positions_m.size()},
                {"triangles", mesh.triangles.size()},
                {"closed_surfaces", sim::first_vertices_of_parts(mesh.positions_m.size(), mesh.triangles).size()},
-               {"size_m", json_of(sim::extent_of(mesh.positions_m).size())},
-               {"volume_m3", volume_of(mesh)},
-               {"joints", joints_of(*body.rig)},
+               {"size_m", to_json_list(sim::compute_extent(mesh.positions_m).size())},
+               {"volume_m3", enclosed_volume(mesh)},
+               {"joints", joint_names(*body.rig)},
                {"shapes", body.rig->targets.size()},
                {"animations", describe_clips(*body.rig)},
                {"girths", Json::array()}};
-  for (const Girth& girth : measures_of({mesh.positions_m, mesh.triangles}, body.joints).girths) {
+  for (const Girth& girth : measure_body_and_arms({mesh.positions_m, mesh.triangles}, body.joints).girths) {
     json["girths"].push_back({{"name", girth.name}, {"girth_m", girth.girth_m}, {"height_m", girth.height_m}});
   }
-  if (body.mesh.frames) json["motion"] = motion_of(body.mesh);
-  json["crossings"] = crossings_of(body.mesh);
+  if (body.mesh.frames) json["motion"] = describe_motion(body.mesh);
+  json["crossings"] = describe_crossings(body.mesh);
   json["remarks"] = body.remarks;
   return json;
 }

@@ -2,7 +2,7 @@
 
 #include "app/base/errors.hpp"
 #include "app/base/words.hpp"
-#include "app/fitting/fitted_mesh.hpp"
+#include "app/garments/fitting/fitted_mesh.hpp"
 #include "app/verify/crossing_pairs.hpp"
 #include "sim/mesh/extent.hpp"
 #include "sim/mesh/topology.hpp"
@@ -11,10 +11,9 @@
 namespace taut::app {
 namespace {
 
-/// A hole that was closed.
 struct ClosedHole {
-  double around = 0.0;    ///< length of its border, in the unit of the mesh
-  sim::Index vertex = 0;  ///< one of its border
+  double border_length = 0.0;  ///< length of its border, in the unit of the mesh
+  sim::Index vertex = 0;  ///< index of a vertex of its border
 };
 
 using Loop = std::vector<sim::Index>;
@@ -27,7 +26,7 @@ double length_around(const sim::Mesh& mesh, const Loop& loop) {
   return length;
 }
 
-/// The triangles of the fan from one vertex of the loop, turned against the border.
+/// Returns a fan of triangles from one vertex of the loop, oriented against the border.
 std::vector<sim::Triangle> fan_from(std::size_t apex, const Loop& loop) {
   std::vector<sim::Triangle> fan;
   for (std::size_t k = 1; k + 1 < loop.size(); ++k) {
@@ -42,7 +41,7 @@ bool has_edge_from(sim::Index vertex, const Loop& loop, const sim::Adjacency& ad
     const sim::Index other = sim::other_end(adjacency.edges[e], vertex);
     shared += std::ranges::find(loop, other) != loop.end() ? 1 : 0;
   }
-  return shared > 2;  // besides the two of the border
+  return shared > 2;  // the other two are edges of the border
 }
 
 std::vector<sim::Triangle> best_fan(const sim::Mesh& mesh, const sim::Adjacency& adjacency, const Loop& loop) {
@@ -64,17 +63,17 @@ std::vector<sim::Triangle> best_fan(const sim::Mesh& mesh, const sim::Adjacency&
   return best;
 }
 
-/// A triangle by itself has a border like a hole of three edges.
+/// Returns whether the loop is the border of a single triangle, which looks like a hole of three edges.
 bool is_lone_triangle(const Loop& loop, const sim::Adjacency& adjacency) {
   return loop.size() == 3 &&
          std::ranges::all_of(loop, [&](sim::Index v) { return adjacency.vertex_edges[v].size() == 2; });
 }
 
-/// Closes each hole of the mesh whose border is at most `longest` long, in the unit of the mesh, by a fan of
-/// triangles from the vertex of the border that gives its smallest triangle the largest area. No vertex is
-/// added. A hole is left open if its border touches itself, or if each fan would have a triangle without
-/// area or an edge that the mesh has. Returns what was closed, the largest hole first. Requires a mesh whose
-/// triangles are turned to the side of their neighbours.
+/// Closes each hole of the mesh whose border is at most `longest` long, in the unit of the mesh, by a fan of triangles.
+/// The fan starts at the vertex of the border for which the smallest triangle has the largest area. No vertex is added.
+/// A hole is left open if its border touches itself, or if each fan would have a triangle without area or an edge that
+/// the mesh has. Returns the closed holes, the largest first. Requires a mesh whose triangles are oriented like their
+/// neighbours.
 std::vector<ClosedHole> close_small_holes(double longest, sim::Mesh& mesh) {
   const sim::Adjacency adjacency = sim::make_adjacency(mesh);
   std::vector<ClosedHole> closed;
@@ -87,23 +86,22 @@ std::vector<ClosedHole> close_small_holes(double longest, sim::Mesh& mesh) {
       closed.push_back({around, loop.front()});
     }
   }
-  std::ranges::stable_sort(closed, std::greater{}, &ClosedHole::around);
+  std::ranges::stable_sort(closed, std::greater{}, &ClosedHole::border_length);
   return closed;
 }
 
-/// Counts of triangles without area, by what became of them.
 struct FlatFaces {
-  std::size_t left_out = 0;  ///< two corners or all three were at one place
-  std::size_t turned = 0;    ///< the corners were in a line
+  std::size_t drop_degenerate = 0;  ///< triangles with two or three corners at one position, which are left out
+  std::size_t turned = 0;    ///< triangles with their corners in a line, whose long edge was flipped
 };
 
 using Places = std::vector<sim::Index>;
 
-/// Several in a row need several rounds.
-constexpr int most_rounds = 8;
+/// Passes of edge flips; adjacent flat triangles need several.
+constexpr int max_passes = 8;
 
-/// The triangle with the corner first that its longest edge does not touch.
-sim::Triangle from_middle(const sim::Mesh& soup, const sim::Triangle& t) {
+/// Returns the triangle rotated so that the corner opposite its longest edge comes first.
+sim::Triangle rotate_to_middle_corner(const sim::Mesh& soup, const sim::Triangle& t) {
   const auto across = [&](std::size_t k) {
     return glm::distance(soup.positions[t[(k + 1) % 3]], soup.positions[t[(k + 2) % 3]]);
   };
@@ -111,8 +109,8 @@ sim::Triangle from_middle(const sim::Mesh& soup, const sim::Triangle& t) {
   return {t[k], t[(k + 1) % 3], t[(k + 2) % 3]};
 }
 
-/// Makes one vertex of the ends of each edge without length, and leaves out the triangles at it.
-std::size_t left_out(const Places& places, sim::Mesh& soup) {
+/// Merges the ends of each edge without length and leaves out the triangles at it. Returns how many were left out.
+std::size_t drop_degenerate(const Places& places, sim::Mesh& soup) {
   sim::Groups same(soup.positions.size());
   for (const auto& [a, b, c] : soup.triangles) {
     for (const auto& [from, to] : {std::pair(a, b), std::pair(b, c), std::pair(c, a)}) {
@@ -130,11 +128,11 @@ std::size_t turn_once(const Places& places, sim::Mesh& soup) {
     if (!sim::has_area(soup.positions, soup.triangles[t])) flat.push_back(t);
   }
   if (flat.empty()) return 0;
-  const sim::Adjacency adjacency = sim::make_adjacency(sim::renumbered(soup, places));
+  const sim::Adjacency adjacency = sim::make_adjacency(sim::renumber_corners(soup, places));
   std::vector<char> is_changed(soup.triangles.size(), 0);
   std::size_t turned = 0;
   for (const std::size_t t : flat) {
-    const auto [middle, from, to] = from_middle(soup, soup.triangles[t]);
+    const auto [middle, from, to] = rotate_to_middle_corner(soup, soup.triangles[t]);
     const auto both = adjacency.edge_triangles[sim::edge_between(adjacency, places[from], places[to])];
     if (both.size() != 2 || is_changed[both[0]] || is_changed[both[1]]) continue;
     const sim::Index across = both[0] == t ? both[1] : both[0];
@@ -154,15 +152,15 @@ std::size_t turn_once(const Places& places, sim::Mesh& soup) {
   return turned;
 }
 
-/// Mends triangles without area, as remeshing, the splitting of polygons and few digits leave them. The ends
-/// of an edge without length become one vertex, and its triangles are left out. Of a triangle with its
-/// corners in a line the long edge is turned: it and the triangle across become two that meet at the corner
-/// in the middle. It stays where that edge has not two triangles, or if turning does not help. No vertex is
-/// moved, nothing is opened.
+/// Mends triangles without area, which remeshing, splitting of polygons and rounded numbers cause. The ends of an edge
+/// without length become one vertex, and its triangles are left out. If the corners of a triangle lie in a line, its
+/// long edge is flipped: the triangle and its neighbour become two triangles that meet at the middle corner. The
+/// triangle stays if that edge has not two triangles, or if a flip does not help. No vertex is moved and no hole is
+/// made.
 FlatFaces mend_flat_faces(sim::Mesh& soup) {
   const Places places = sim::first_at_same_position(soup.positions);
-  FlatFaces mended{left_out(places, soup), 0};
-  for (int round = 0; round < most_rounds; ++round) {
+  FlatFaces mended{drop_degenerate(places, soup), 0};
+  for (int round = 0; round < max_passes; ++round) {
     const std::size_t now = turn_once(places, soup);
     mended.turned += now;
     if (now == 0) break;
@@ -170,15 +168,15 @@ FlatFaces mend_flat_faces(sim::Mesh& soup) {
   return mended;
 }
 
-// A body whose file names no unit is in metres, unless it would then be larger than any and a person in
-// another unit.
-constexpr double largest_m = 20.0;
-constexpr double smallest_person_m = 0.5;
-constexpr double largest_person_m = 2.5;
-// Longer along z by this factor, with y up, it probably lies on its back.
-constexpr double clearly_longer = 2.0;
+// A body whose file names no unit is in metres, unless that would exceed `max_size_m` and another unit would give it
+// the size of a person.
+constexpr double max_size_m = 20.0;
+constexpr double min_person_m = 0.5;
+constexpr double max_person_m = 2.5;
+// A body longer along z than along the other axes by this factor, with y up, probably lies on its back.
+constexpr double lying_length_ratio = 2.0;
 
-/// Places in messages are in the file's unit and axes, where they can be looked up.
+/// Reports positions in the file's unit and axes, where they can be looked up.
 void require_area(const sim::Mesh& soup) {
   for (const sim::Triangle& t : soup.triangles) {
     if (!sim::has_area(soup.positions, t)) {
@@ -196,7 +194,8 @@ void require_closed(const sim::Mesh& mesh) {
     const std::string edge =
         "the edge from " + describe_point(mesh.positions[a]) + " to " + describe_point(mesh.positions[b]);
     if (triangles.size() != 2) {
-      throw InputError("found {} with {}, expected two at every edge: {}", edge, counted(triangles.size(), "triangle"),
+      throw InputError("found {} with {}, expected two at every edge: {}", edge,
+                       count_text(triangles.size(), "triangle"),
                        triangles.size() == 1 ? "a body has no holes" : "a body has one surface");
     }
     if (sim::is_misoriented(mesh, adjacency, e)) {
@@ -206,9 +205,9 @@ void require_closed(const sim::Mesh& mesh) {
   }
 }
 
-/// Turns each part that encloses a negative volume inside out.
+/// Flips the triangles of each component that encloses a negative volume.
 void face_outwards(sim::Mesh& mesh) {
-  sim::Groups parts = sim::connected(mesh.positions.size(), mesh.triangles);
+  sim::Groups parts = sim::connect_vertices(mesh.positions.size(), mesh.triangles);
   std::vector<double> volumes(mesh.positions.size(), 0.0);
   for (const auto& [a, b, c] : mesh.triangles) {
     const sim::Index part = parts.find(a);
@@ -221,12 +220,13 @@ void face_outwards(sim::Mesh& mesh) {
   }
 }
 
-double unit_of(const BodySource& source, const ImportedModel& model, double size, std::vector<std::string>& remarks) {
-  if (source.scale || model.metres_per_unit || size <= largest_m) {
+double choose_unit(const BodySource& source, const ImportedModel& model, double size,
+                   std::vector<std::string>& remarks) {
+  if (source.scale || model.metres_per_unit || size <= max_size_m) {
     return source.scale.value_or(model.metres_per_unit.value_or(1.0));
   }
   for (const Unit& unit : units) {
-    if (size * unit.metres >= smallest_person_m && size * unit.metres <= largest_person_m) {
+    if (size * unit.metres >= min_person_m && size * unit.metres <= max_person_m) {
       remarks.push_back(fmt::format(
           "its unit is the {}, guessed: in metres it would be {:.3g} m large (scale, --body-units)", unit.name, size));
       return unit.metres;
@@ -235,13 +235,13 @@ double unit_of(const BodySource& source, const ImportedModel& model, double size
   return 1.0;
 }
 
-Placement placement_of(const BodySource& source, const ImportedModel& model, const sim::Mesh& mesh,
-                       std::vector<std::string>& remarks) {
-  const sim::Vec3 size = sim::extent_of(mesh.positions).size();
-  const double scale = unit_of(source, model, std::max({size.x, size.y, size.z}), remarks);
+Placement choose_placement(const BodySource& source, const ImportedModel& model, const sim::Mesh& mesh,
+                           std::vector<std::string>& remarks) {
+  const sim::Vec3 size = sim::compute_extent(mesh.positions).size();
+  const double scale = choose_unit(source, model, std::max({size.x, size.y, size.z}), remarks);
   Placement placement = place_model(mesh, {scale, source.up.value_or(model.up.value_or(ModelAxis::y)), {}, {}});
   placement.moved_m = sim::Vec3(0.0);
-  if (!source.up && !model.up && size.z > clearly_longer * size.y && size.z > clearly_longer * size.x) {
+  if (!source.up && !model.up && size.z > lying_length_ratio * size.y && size.z > lying_length_ratio * size.x) {
     remarks.push_back(fmt::format("it is {:.3g} m along z and {:.3g} m along y, which is taken as up (up, --body-up)",
                                   size.z * scale, size.y * scale));
   }
@@ -253,11 +253,11 @@ sim::ValidatedMesh closed_mesh(const sim::Mesh& soup, const Placement& placement
   if (valid.report.duplicate_triangles > 0) {
     throw InputError("found a triangle that is there twice, expected each once");
   }
-  const std::vector<ClosedHole> closed = close_small_holes(longest_border_m / placement.scale, valid.mesh);
+  const std::vector<ClosedHole> closed = close_small_holes(max_border_m / placement.scale, valid.mesh);
   if (!closed.empty()) {
     remarks.push_back(
-        fmt::format("{} closed, {} {:.3g} m around at {}", counted(closed.size(), "hole was", "holes were"),
-                    closed.size() == 1 ? "it is" : "the largest is", closed.front().around * placement.scale,
+        fmt::format("{} closed, {} {:.3g} m around at {}", count_text(closed.size(), "hole was", "holes were"),
+                    closed.size() == 1 ? "it is" : "the largest is", closed.front().border_length * placement.scale,
                     describe_place(placement(valid.mesh.positions[closed.front().vertex]))));
   }
   require_closed(valid.mesh);
@@ -272,18 +272,19 @@ LoadedMesh make_body_mesh(const BodySource& source, const ImportedModel& model) 
   if (!model.is_importer_confined) loaded.remarks.emplace_back(importer_remark);
   sim::Mesh soup{model.positions, model.triangles, {}};
   const FlatFaces mended = mend_flat_faces(soup);
-  if (mended.left_out + mended.turned > 0) {
+  if (mended.drop_degenerate + mended.turned > 0) {
     loaded.remarks.push_back(
-        fmt::format("of its faces without area {} left out and {} turned", mended.left_out, mended.turned));
+        fmt::format("of its faces without area {} left out and {} turned", mended.drop_degenerate, mended.turned));
   }
   require_area(soup);
-  loaded.places.placement = placement_of(source, model, soup, loaded.remarks);
+  loaded.places.placement = choose_placement(source, model, soup, loaded.remarks);
   sim::ValidatedMesh valid = closed_mesh(soup, loaded.places.placement, loaded.remarks);
   loaded.mesh = std::move(valid.mesh);
   loaded.places.file_vertex.resize(loaded.mesh.positions.size());
-  loaded.file_vertices = model.position_of_vertex.empty() ? valid.kept.size() : model.position_of_vertex.size();
+  loaded.file_vertices =
+      model.position_of_vertex.empty() ? valid.result_vertices.size() : model.position_of_vertex.size();
   for (std::size_t v = loaded.file_vertices; v-- > 0;) {
-    const sim::Index vertex = valid.kept[model.position_of_vertex.empty() ? v : model.position_of_vertex[v]];
+    const sim::Index vertex = valid.result_vertices[model.position_of_vertex.empty() ? v : model.position_of_vertex[v]];
     if (vertex != sim::no_vertex) loaded.places.file_vertex[vertex] = v;
   }
   for (sim::Vec3& position : loaded.mesh.positions) position = loaded.places.placement(position);

@@ -6,39 +6,37 @@
 namespace taut::app {
 namespace {
 
-/// Positions and rotations, by axes.
 constexpr std::array<std::string_view, 6> channel_names = {"Xposition", "Yposition", "Zposition",
                                                            "Xrotation", "Yrotation", "Zrotation"};
 
-constexpr std::size_t deepest = 200;
+constexpr std::size_t max_depth = 200;
 constexpr std::size_t max_joints = 10'000;
-constexpr std::size_t most_frames = 10'000'000;
+constexpr std::size_t max_frames = 10'000'000;
 constexpr double min_frame_s = 1e-5;
 constexpr double max_frame_s = 1e4;
-constexpr double max_number = 1e9;  ///< a length in the file's unit, or degrees
+constexpr double max_number = 1e9;  ///< limit of a length in the file's unit, or of an angle in degrees
 
-/// A joint of a BVH file, or the end of a limb.
 struct BvhJoint {
-  std::string name;                   ///< empty: the end of a limb
-  std::size_t parent = 0;             ///< the index of a joint before this one; of the root its own
-  sim::Vec3 offset = sim::Vec3(0.0);  ///< from the joint above, in the file's unit
-  std::vector<int> channels;     ///< indices of channel_names, in the order in which they are applied, the last first
-  std::size_t first_number = 0;  ///< of a frame
+  std::string name;                   ///< empty at the end of a limb
+  std::size_t parent = 0;             ///< index of a joint before this one; the root's own index for the root
+  sim::Vec3 offset = sim::Vec3(0.0);  ///< offset from the joint above, in the file's unit
+  std::vector<int> channels;     ///< indices of channel_names in file order; the last one is applied first
+  std::size_t first_number = 0;  ///< index of its first number in a frame
 };
 
-/// A motion of joints (Biovision hierarchy). In its zero pose nothing is rotated, so that the frames of all
-/// joints have the axes of the file.
+/// A motion of joints (Biovision hierarchy). In its zero pose nothing is rotated, so that each joint has the axes of
+/// the file.
 struct BvhMotion {
-  std::vector<BvhJoint> joints;  ///< the root first
+  std::vector<BvhJoint> joints;  ///< the root is the first
   std::size_t frames = 0;
   double frame_time_s = 0.0;
-  std::size_t numbers = 0;     ///< of a frame
-  std::vector<double> values;  ///< lengths in the file's unit and degrees, by frame, then as the joints have them
+  std::size_t numbers = 0;     ///< count of numbers in a frame
+  std::vector<double> values;  ///< lengths in the file's unit and angles in degrees, by frame and then by joint
 };
 
-/// The joints at one moment.
+/// Joints at one moment.
 struct BvhPose {
-  std::vector<glm::dmat3> rotations;  ///< per joint, from the zero pose, in the axes of the file
+  std::vector<glm::dmat3> rotations;  ///< per joint, relative to the zero pose, in the axes of the file
   std::vector<sim::Vec3> positions;   ///< per joint, in the file's unit
 };
 
@@ -52,14 +50,14 @@ class BvhReader {
     read_joint(name_until_brace(), 0, 0);
     require("MOTION");
     require("Frames:");
-    motion_.frames = whole_number("the number of frames", 1, most_frames);
+    motion_.frames = whole_number("the number of frames", 1, max_frames);
     require("Frame");
     require("Time:");
     motion_.frame_time_s = number("the time of a frame in seconds");
     if (!(motion_.frame_time_s >= min_frame_s && motion_.frame_time_s <= max_frame_s)) {
       reject(fmt::format("a time of a frame from {:g} to {:g} s", min_frame_s, max_frame_s));
     }
-    const std::string what = counted(motion_.frames, "frame") + " of " + counted(motion_.numbers, "number");
+    const std::string what = count_text(motion_.frames, "frame") + " of " + count_text(motion_.numbers, "number");
     while (motion_.values.size() < motion_.frames * motion_.numbers) motion_.values.push_back(number(what));
     if (!next().empty()) reject("the end of the file after " + what);
     return std::move(motion_);
@@ -67,7 +65,7 @@ class BvhReader {
 
  private:
   void read_joint(std::string name, std::size_t parent, std::size_t depth) {
-    if (depth > deepest) reject(fmt::format("at most {} joints below each other", deepest));
+    if (depth > max_depth) reject(fmt::format("at most {} joints below each other", max_depth));
     const std::size_t joint = motion_.joints.size();
     if (joint == max_joints) reject(fmt::format("at most {} joints", max_joints));
     motion_.joints.push_back({std::move(name), parent, sim::Vec3(0.0), {}, motion_.numbers});
@@ -111,7 +109,7 @@ class BvhReader {
   }
   static bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
 
-  /// Names may have spaces.
+  /// Reads a name, which may contain spaces.
   std::string name_until_brace() {
     std::string name;
     for (std::string_view word = next(); word != "{"; word = next()) {
@@ -150,7 +148,7 @@ class BvhReader {
   BvhMotion motion_;
 };
 
-glm::dmat3 turned_about(int axis, double degrees) {
+glm::dmat3 make_axis_rotation(int axis, double degrees) {
   const double turns = degrees / 360.0;
   const double c = sim::cosine_of_turns(turns);
   const double s = sim::sine_of_turns(turns);
@@ -163,8 +161,9 @@ glm::dmat3 turned_about(int axis, double degrees) {
   return rotation;
 }
 
-/// Returns the joints in a frame, or with nothing rotated and the root at its offset. Requires a frame that there is.
-BvhPose pose_in(const BvhMotion& motion, std::optional<std::size_t> frame) {
+/// Returns the joints in a frame; without a frame, the zero pose with the root at its offset. Requires an existing
+/// frame.
+BvhPose compute_pose(const BvhMotion& motion, std::optional<std::size_t> frame) {
   BvhPose pose;
   for (std::size_t j = 0; j < motion.joints.size(); ++j) {
     const BvhJoint& joint = motion.joints[j];
@@ -176,7 +175,7 @@ BvhPose pose_in(const BvhMotion& motion, std::optional<std::size_t> frame) {
       if (kind < 3) {
         place[kind] = numbers[k];
       } else {
-        rotation = rotation * turned_about(kind - 3, numbers[k]);
+        rotation = rotation * make_axis_rotation(kind - 3, numbers[k]);
       }
     }
     const bool is_root = j == 0;
@@ -186,23 +185,23 @@ BvhPose pose_in(const BvhMotion& motion, std::optional<std::size_t> frame) {
   return pose;
 }
 
-constexpr std::size_t unmatched = static_cast<std::size_t>(-1);
-constexpr std::size_t most_named = 12;
+constexpr std::size_t no_joint = static_cast<std::size_t>(-1);
+constexpr std::size_t max_names = 12;
 
-/// Nodes that assimp puts in for the pivots of FBX have the name of the joint and this in it.
+/// Mark in the names of nodes that assimp inserts for the pivots of FBX; the joint's name stands before it.
 constexpr std::string_view pivot_mark = "_$AssimpFbx$_";
 
-/// Turns directions of a model whose `up` is up into those of the scene.
+/// Returns the rotation from the axes of a model with this axis up to the scene's axes.
 glm::dmat3 into_scene(ModelAxis up) {
   Placement placement;
   placement.up = up;
   return {placement({1, 0, 0}), placement({0, 1, 0}), placement({0, 0, 1})};
 }
 
-std::string some_of(std::vector<std::string> names) {
+std::string join_some_names(std::vector<std::string> names) {
   const std::size_t count = names.size();
-  names.resize(std::min(count, most_named));
-  return joined(names) + (count > most_named ? fmt::format(" and {} more", count - most_named) : "");
+  names.resize(std::min(count, max_names));
+  return join(names) + (count > max_names ? fmt::format(" and {} more", count - max_names) : "");
 }
 
 struct Skeletons {
@@ -210,7 +209,7 @@ struct Skeletons {
   std::vector<std::string> joint_parts;
 };
 
-Skeletons skeletons_of(const Rig& rig, const BvhMotion& motion) {
+Skeletons match_skeletons(const Rig& rig, const BvhMotion& motion) {
   std::vector<std::string> nodes;
   std::vector<std::string> joints;
   for (const RigNode& node : rig.nodes) {
@@ -220,7 +219,7 @@ Skeletons skeletons_of(const Rig& rig, const BvhMotion& motion) {
   return {parts_of_joints(nodes), parts_of_joints(joints)};
 }
 
-/// Per node of the rig, the joint of the motion, or `unmatched`. Each joint moves the first node of its part.
+/// Returns, per node of the rig, the joint of the motion, or `no_joint`. Each joint moves the first node of its part.
 std::vector<std::size_t> matched_joints(const Skeletons& skeletons) {
   std::map<std::string, std::size_t> joint_of;
   for (std::size_t j = 0; j < skeletons.joint_parts.size(); ++j) {
@@ -230,17 +229,16 @@ std::vector<std::size_t> matched_joints(const Skeletons& skeletons) {
   std::vector<std::size_t> matched;
   for (const std::string& part : skeletons.node_parts) {
     const auto found = joint_of.find(part);
-    matched.push_back(found == joint_of.end() ? unmatched : found->second);
+    matched.push_back(found == joint_of.end() ? no_joint : found->second);
     if (found != joint_of.end()) joint_of.erase(found);
   }
   return matched;
 }
 
-/// The motion of the hips.
 struct HipsMotion {
-  sim::Index node = no_node;  ///< no_node: nothing
+  sim::Index node = no_node;  ///< no_node if the hips are not moved
   std::size_t joint = 0;
-  sim::Vec3 zero = sim::Vec3(0.0);  ///< where the motion's hips are when the body's are where they were stored
+  sim::Vec3 zero = sim::Vec3(0.0);  ///< position of the motion's hips that corresponds to the body's stored hips
   double ratio = 1.0;               ///< units of the body per unit of the motion
 };
 
@@ -261,11 +259,11 @@ class BvhFrames final : public FrameSource {
   void read(std::size_t frame, std::span<sim::Vec3> positions) const override {
     pose_vertices(*rig_, *pose(frame), positions);
   }
-  std::optional<RigPose> pose(std::size_t frame) const override { return pose_of(pose_in(motion_, frame)); }
+  std::optional<RigPose> pose(std::size_t frame) const override { return pose_of(compute_pose(motion_, frame)); }
 
  private:
-  /// How a node has moved since the stored pose: a point that was at x is at to + rotation * (x - from).
-  struct Moved {
+  /// Motion of a node since the stored pose: a point x moves to `to` + `rotation` * (x - `from`).
+  struct NodeTransform {
     glm::dmat3 rotation = glm::dmat3(1.0);
     sim::Vec3 from = sim::Vec3(0.0);
     sim::Vec3 to = sim::Vec3(0.0);
@@ -273,16 +271,16 @@ class BvhFrames final : public FrameSource {
 
   RigPose pose_of(const BvhPose& joints) const {
     RigPose posed = stored_;
-    std::vector<Moved> moved(rig_->nodes.size());
+    std::vector<NodeTransform> moved(rig_->nodes.size());
     for (sim::Index n = 0; n < moved.size(); ++n) {
       const sim::Index parent = rig_->nodes[n].parent;
-      Moved& here = moved[n];
+      NodeTransform& here = moved[n];
       here.from = here.to = sim::Vec3(stored_.to_model[n][3]);
       if (parent != no_node) {
         here.rotation = moved[parent].rotation;
         here.to = moved[parent].to + here.rotation * (here.from - moved[parent].from);
       }
-      if (joint_of_[n] != unmatched) {
+      if (joint_of_[n] != no_joint) {
         here.rotation = into_body_ * joints.rotations[joint_of_[n]] * glm::transpose(into_body_);
       }
       if (n == hips_.node) {
@@ -303,9 +301,9 @@ class BvhFrames final : public FrameSource {
   RigPose stored_;
 };
 
-/// Which way is up in the motion: from its hips to its head.
-ModelAxis up_of(const BvhMotion& motion, const Skeletons& skeletons) {
-  const BvhPose zero = pose_in(motion, std::nullopt);
+/// Returns the axis of the motion that is up, from its hips and its head.
+ModelAxis find_up_axis(const BvhMotion& motion, const Skeletons& skeletons) {
+  const BvhPose zero = compute_pose(motion, std::nullopt);
   const auto place_of = [&](const char* part) {
     const auto found = std::ranges::find(skeletons.joint_parts, part);
     return found == skeletons.joint_parts.end()
@@ -316,8 +314,8 @@ ModelAxis up_of(const BvhMotion& motion, const Skeletons& skeletons) {
   return upwards.z > std::abs(upwards.y) && upwards.z > std::abs(upwards.x) ? ModelAxis::z : ModelAxis::y;
 }
 
-/// The height of the lowest vertex, in the body's unit.
-double floor_under(const Rig& rig, const RigPose& pose, const glm::dmat3& into_scene) {
+/// Returns the height of the lowest vertex, in the body's unit.
+double find_lowest_height(const Rig& rig, const RigPose& pose, const glm::dmat3& into_scene) {
   double lowest = std::numeric_limits<double>::infinity();
   for (const sim::Vec3& position : posed_vertices(rig, pose)) lowest = std::min(lowest, (into_scene * position).y);
   return lowest;
@@ -328,41 +326,41 @@ HipsMotion hips_motion(const Rig& rig, ModelAxis up, const BvhMotion& motion, co
                        std::size_t first) {
   const auto found = std::ranges::find(skeletons.node_parts, "hips");
   const auto node = static_cast<std::size_t>(found - skeletons.node_parts.begin());
-  if (found == skeletons.node_parts.end() || joint_of[node] == unmatched) return {};
+  if (found == skeletons.node_parts.end() || joint_of[node] == no_joint) return {};
   HipsMotion hips{static_cast<sim::Index>(node), joint_of[node]};
   const RigPose stored = stored_pose(rig);
-  const BvhPose zero = pose_in(motion, std::nullopt);
+  const BvhPose zero = compute_pose(motion, std::nullopt);
   const glm::dmat3 body_into_scene = into_scene(up);
   const auto body_height = [&](std::size_t n) { return (body_into_scene * sim::Vec3(stored.to_model[n][3])).y; };
   const auto height = [&](std::size_t j) { return (motion_into_scene * zero.positions[j]).y; };
   double body_hips = 0.0, motion_hips = 0.0;
   for (std::size_t n = 0; n < joint_of.size(); ++n) {
-    if (joint_of[n] != unmatched) {
+    if (joint_of[n] != no_joint) {
       body_hips = std::max(body_hips, body_height(node) - body_height(n));
       motion_hips = std::max(motion_hips, height(hips.joint) - height(joint_of[n]));
     }
   }
   if (!(body_hips > 0.0 && motion_hips > 0.0)) return {};
   hips.ratio = body_hips / motion_hips;
-  // Many files have the root's zero pose at the origin and its frames over a floor there, as the body is over
-  // its lowest vertex.
-  sim::Vec3 zero_in_scene = motion_into_scene * pose_in(motion, first).positions[hips.joint];
+  // Many files have the root's zero pose at the origin, while its frames stand on a floor there. The body stands on its
+  // lowest vertex.
+  sim::Vec3 zero_in_scene = motion_into_scene * compute_pose(motion, first).positions[hips.joint];
   zero_in_scene.y = height(hips.joint) > 0.5 * motion_hips
                         ? height(hips.joint)
-                        : (body_height(node) - floor_under(rig, stored, body_into_scene)) / hips.ratio;
+                        : (body_height(node) - find_lowest_height(rig, stored, body_into_scene)) / hips.ratio;
   hips.zero = glm::transpose(motion_into_scene) * zero_in_scene;
   return hips;
 }
 
 void require_match(const Rig& rig, const BvhMotion& motion, const std::vector<std::size_t>& joint_of) {
-  if (std::ranges::any_of(joint_of, [](std::size_t joint) { return joint != unmatched; })) return;
+  if (std::ranges::any_of(joint_of, [](std::size_t joint) { return joint != no_joint; })) return;
   std::vector<std::string> joints;
   std::vector<std::string> nodes;
   for (const BvhJoint& joint : motion.joints) joints.push_back(joint.name);
   for (const RigBone& bone : rig.bones) nodes.push_back(rig.nodes[bone.node].name);
   std::erase(joints, "");
-  throw InputError("found the joints " + some_of(joints) + ", none of which is one of the body's; expected " +
-                   some_of(nodes));
+  throw InputError("found the joints " + join_some_names(joints) + ", none of which is one of the body's; expected " +
+                   join_some_names(nodes));
 }
 
 std::vector<std::string> remarks_on(const Rig& rig, const BvhMotion& motion, const Skeletons& skeletons,
@@ -370,7 +368,7 @@ std::vector<std::string> remarks_on(const Rig& rig, const BvhMotion& motion, con
   std::vector<std::string> still;
   std::vector<std::string> without;
   for (std::size_t n = 0; n < joint_of.size(); ++n) {
-    if (joint_of[n] == unmatched && is_main_part(skeletons.node_parts[n])) still.push_back(rig.nodes[n].name);
+    if (joint_of[n] == no_joint && is_main_part(skeletons.node_parts[n])) still.push_back(rig.nodes[n].name);
   }
   for (std::size_t j = 0; j < motion.joints.size(); ++j) {
     if (is_main_part(skeletons.joint_parts[j]) && std::ranges::find(joint_of, j) == joint_of.end()) {
@@ -378,15 +376,15 @@ std::vector<std::string> remarks_on(const Rig& rig, const BvhMotion& motion, con
     }
   }
   std::vector<std::string> remarks;
-  if (!still.empty()) remarks.push_back("joints that its motion does not turn: " + some_of(still));
-  if (!without.empty()) remarks.push_back("joints of its motion that it does not have: " + some_of(without));
+  if (!still.empty()) remarks.push_back("joints that its motion does not turn: " + join_some_names(still));
+  if (!without.empty()) remarks.push_back("joints of its motion that it does not have: " + join_some_names(without));
   if (hips.node == no_node) {
     remarks.emplace_back("it stays where it is, as its motion and it have no hips in common");
   }
   return remarks;
 }
 
-/// Reads a BVH file. Throws InputError that names the file, the line, what was found and what was expected.
+/// Reads a BVH file. Throws InputError that names the file, the line, the found and the expected word.
 BvhMotion read_bvh(const std::filesystem::path& file) {
   const std::string text = read_text_file(file);
   try {
@@ -396,24 +394,23 @@ BvhMotion read_bvh(const std::filesystem::path& file) {
   }
 }
 
-/// Moves a body as a BVH motion says. Joints are matched by their names (rig_pose.hpp). The stored pose of
-/// the body is taken as the zero pose of the motion: a matched joint is turned from there as the motion's
-/// joint is turned from its zero pose, in the axes of the scene; others keep their place under the joint
-/// above. The hips go as those of the motion do, times the ratio of the heights of the hips over the lowest
-/// joint that both have: sideways from where they are in frame `first`; up from where they are in the
-/// zero pose, or, where that has its hips near the ground, from as high over the ground as the body's are
-/// over its lowest vertex. Throws InputError if the body's vertices follow no joints, or if no joint is
-/// matched, with the names of both.
+/// Moves a body by a BVH motion. Joints are matched by their names (rig_pose.hpp). The stored pose of the body
+/// corresponds to the zero pose of the motion: a matched joint is rotated from there like the motion's joint from its
+/// zero pose, in the axes of the scene. Other joints move rigidly with the joint above them. The hips move like the
+/// motion's, times the ratio of the heights of the hips over the lowest joint that both have. Sideways they start from
+/// their position in frame `first`. Vertically they start from their zero pose. If the zero pose has its hips near the
+/// ground, they start from the height of the body's hips over its lowest vertex. Throws InputError if the body's
+/// vertices follow no joints, or if no joint is matched, with the names of both.
 OpenedMotion retarget(std::shared_ptr<const Rig> rig, ModelAxis up, BvhMotion motion, std::size_t first) {
   if (rig->influences.empty()) {
     throw InputError(
         "found a motion of joints, and a body whose vertices follow no joints; expected one with a skin, "
         "such as glTF, FBX or Collada may have");
   }
-  const Skeletons skeletons = skeletons_of(*rig, motion);
+  const Skeletons skeletons = match_skeletons(*rig, motion);
   std::vector<std::size_t> joint_of = matched_joints(skeletons);
   require_match(*rig, motion, joint_of);
-  const ModelAxis motion_up = up_of(motion, skeletons);
+  const ModelAxis motion_up = find_up_axis(motion, skeletons);
   const glm::dmat3 motion_into_scene = into_scene(motion_up);
   const HipsMotion hips =
       hips_motion(*rig, up, motion, skeletons, joint_of, motion_into_scene, std::min(first, motion.frames - 1));

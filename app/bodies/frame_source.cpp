@@ -9,8 +9,9 @@
 namespace taut::app {
 namespace {
 
-/// A step of the simulation needs two frames at its begin and two at its end, and a picture two more.
-constexpr std::size_t most_remembered = 6;
+/// Number of frames that are cached. A step of the simulation needs two at its start and two at its end, a picture
+/// needs two more.
+constexpr std::size_t max_cached_frames = 6;
 
 constexpr std::string_view pc2_signature{"POINTCACHE2", 12};  // with the zero at its end
 constexpr std::size_t number_bytes = 4;
@@ -58,18 +59,18 @@ class PointCache final : public FrameSource {
   std::size_t vertices_;
 };
 
-/// The frames of a clip, looked at `rate_hz` times a second: the last frame is its end or the first moment
-/// after it. `clip` is an index into the clips of the rig.
+/// Frames of a clip at `rate_hz`. The last frame is the end of the clip or the first moment after it. `clip` is an
+/// index into the clips of the rig.
 class ClipFrames final : public FrameSource {
  public:
   ClipFrames(std::shared_ptr<const Rig> rig, std::size_t clip, double rate_hz)
       : rig_(std::move(rig)), clip_(clip), rate_hz_(rate_hz) {}
 
   std::size_t frames() const override {
-    // Times in files are of single precision: an end that is a frame must not become two.
+    // Files store times in single precision. A clip that ends at a frame must not get another one by rounding.
     constexpr double rounded_off = 1e-3;
     const double frames = std::ceil(std::max(0.0, rig_->clips[clip_].duration_s * rate_hz_ - rounded_off));
-    return 1 + static_cast<std::size_t>(std::min(frames, double{sim::most_counted}));
+    return 1 + static_cast<std::size_t>(std::min(frames, double{sim::max_counter}));
   }
   std::size_t vertices() const override { return rig_->in_part.size(); }
   std::optional<double> rate_hz() const override { return rate_hz_; }
@@ -86,12 +87,12 @@ class ClipFrames final : public FrameSource {
   double rate_hz_;
 };
 
-std::string name_of(const Rig& rig, std::size_t clip) {
+std::string clip_name(const Rig& rig, std::size_t clip) {
   const std::string& name = rig.clips[clip].name;
   return name.empty() ? fmt::format("{}", clip + 1) : name;
 }
 
-/// Per node whether a vertex goes with it, or with one below it.
+/// Returns, per node, whether a vertex follows it or a node below it.
 std::vector<bool> followed_nodes(const Rig& rig) {
   std::vector<bool> followed(rig.nodes.size(), false);
   for (const RigPart& part : rig.parts) {
@@ -104,18 +105,17 @@ std::vector<bool> followed_nodes(const Rig& rig) {
   return followed;
 }
 
-/// Returns the clip that a body's source asks for by name: the first if it asks for none, and no_clip if
-/// there is none or it asks for "none". Throws InputError that lists the clips there are.
+/// Returns the clip that a body's source names. Returns the first if it names none; no_clip if there is none or it
+/// names "none". Throws InputError that lists the clips of the rig.
 std::size_t clip_asked_for(const Rig& rig, const std::string& name) {
   if (name == "none" || (name.empty() && rig.clips.empty())) return no_clip;
   for (std::size_t clip = 0; clip < rig.clips.size(); ++clip) {
-    if (name.empty() || name_of(rig, clip) == name) return clip;
+    if (name.empty() || clip_name(rig, clip) == name) return clip;
   }
   throw InputError("it has no animation '" + name + "'; expected one of those it has: " + describe_clips(rig));
 }
 
-/// Returns the rig with one clip, of all of its clips at once; of a node that several move the last of them
-/// holds.
+/// Returns the rig with one clip that plays all of its clips at once. If several move a node, the last one applies.
 std::shared_ptr<const Rig> with_all_clips(const Rig& rig) {
   auto whole = std::make_shared<Rig>(rig);
   RigClip all{"all", 0.0, {}, {}, {}};
@@ -129,10 +129,10 @@ std::shared_ptr<const Rig> with_all_clips(const Rig& rig) {
   return whole;
 }
 
-/// Requires that the clip moves something and nothing that the model does not have. Throws InputError.
+/// Requires that the clip moves vertices, and no node that the model lacks. Throws InputError.
 void require_playable(const Rig& rig, std::size_t clip) {
   const RigClip& asked = rig.clips[clip];
-  const std::string animation = "its animation '" + name_of(rig, clip) + '\'';
+  const std::string animation = "its animation '" + clip_name(rig, clip) + '\'';
   if (!asked.unknown.empty()) {
     throw InputError(animation + " moves '" + asked.unknown.front() + "', which it does not have");
   }
@@ -147,9 +147,9 @@ void require_playable(const Rig& rig, std::size_t clip) {
 }
 
 constexpr double meets_within_m = 1e-3;
-constexpr double longest_lead_in_s = 2.0;
+constexpr double max_lead_in_s = 2.0;
 
-/// More frames than any run shows, which a number of 32 bits still counts.
+/// Number of frames beyond any run that still fits into 32 bits.
 constexpr std::size_t endless = std::size_t{1} << 31U;
 
 class LoopedFrames final : public sim::BodyFrames {
@@ -198,7 +198,7 @@ class PlacedFrames final : public sim::BodyFrames {
     Positions positions_m = {};
   };
 
-  // Reading is left unlocked: two threads may read the same frame, and both get the same.
+  // Reads without a lock: two threads may read the same frame, and both get the same positions.
   Positions placed(std::size_t frame) const {
     if (Positions known = remembered(frame)) return known;
     Positions positions_m = read(frame);
@@ -207,7 +207,7 @@ class PlacedFrames final : public sim::BodyFrames {
     }
     if (const Positions after_m = remembered(frame + 1)) require_near(frame + 1, positions_m, after_m);
     const std::lock_guard lock(mutex_);
-    if (remembered_.size() == most_remembered) remembered_.erase(remembered_.begin());
+    if (remembered_.size() == max_cached_frames) remembered_.erase(remembered_.begin());
     remembered_.push_back({frame, positions_m});
     return positions_m;
   }
@@ -235,10 +235,10 @@ class PlacedFrames final : public sim::BodyFrames {
   void require_near(std::size_t frame, const Positions& before_m, const Positions& after_m) const {
     for (std::size_t v = 0; v < after_m->size(); ++v) {
       const double moved_m = glm::distance((*before_m)[v], (*after_m)[v]);
-      if (!(moved_m <= furthest_in_frame_m)) {
+      if (!(moved_m <= max_motion_per_frame_m)) {
         refuse(frame, places_.file_vertex[v],
                fmt::format("found at {} m, {:.3g} m from where it is in the frame before, expected at most {:g} m",
-                           describe_point((*after_m)[v]), moved_m, furthest_in_frame_m));
+                           describe_point((*after_m)[v]), moved_m, max_motion_per_frame_m));
       }
     }
   }
@@ -290,10 +290,10 @@ std::unique_ptr<const FrameSource> open_pc2(const std::filesystem::path& path) {
     sim::ByteReader in(header);
     in.require_text("what the file is", pc2_signature);
     in.get<std::int32_t>("the version", 1, 1);
-    vertices = in.get<std::int32_t>("the number of vertices", 1, sim::most_counted);
+    vertices = in.get<std::int32_t>("the number of vertices", 1, sim::max_counter);
     in.get<float>("the first frame");
     in.get<float>("the rate");
-    frames = in.get<std::int32_t>("the number of frames", 1, sim::most_counted);
+    frames = in.get<std::int32_t>("the number of frames", 1, sim::max_counter);
   } catch (const sim::BadBytes& error) {
     refuse(file, error.what());
   }
@@ -323,28 +323,28 @@ std::optional<std::size_t> pc2_frames(const SeekableFile& file) {
   if (file.size() < pc2_header_bytes) return std::nullopt;
   file.read(pc2_header_bytes - bytes.size(), bytes);
   const std::size_t frames = number_at(bytes.data());
-  return frames <= sim::most_counted ? std::optional(frames) : std::nullopt;
+  return frames <= sim::max_counter ? std::optional(frames) : std::nullopt;
 }
 
 std::vector<std::string> names_of_clips(const Rig& rig) {
   std::vector<std::string> names;
-  for (std::size_t clip = 0; clip < rig.clips.size(); ++clip) names.push_back(name_of(rig, clip));
+  for (std::size_t clip = 0; clip < rig.clips.size(); ++clip) names.push_back(clip_name(rig, clip));
   return names;
 }
 
 std::string describe_clips(const Rig& rig) {
   std::vector<std::string> texts;
   for (std::size_t clip = 0; clip < rig.clips.size(); ++clip) {
-    texts.push_back(fmt::format("'{}' ({:.3g} s)", name_of(rig, clip), rig.clips[clip].duration_s));
+    texts.push_back(fmt::format("'{}' ({:.3g} s)", clip_name(rig, clip), rig.clips[clip].duration_s));
   }
-  return texts.empty() ? "none" : joined(texts);
+  return texts.empty() ? "none" : join(texts);
 }
 
 LoopBegin find_loop_begin(const sim::BodyFrames& motion, std::size_t vertices) {
   std::vector<sim::Vec3> last_m(vertices);
   std::vector<sim::Vec3> frame_m(vertices);
   motion.positions_in(motion.count() - 1, last_m);
-  const auto lead_in = static_cast<std::size_t>(longest_lead_in_s * motion.rate_hz());
+  const auto lead_in = static_cast<std::size_t>(max_lead_in_s * motion.rate_hz());
   const std::size_t latest = std::min((motion.count() - 1) / 2, lead_in);
   LoopBegin first;
   for (std::size_t frame = 0; frame <= latest; ++frame) {
@@ -363,16 +363,16 @@ std::string describe(const LoopBegin& begin) {
                      : fmt::format(
                            "repeated, its motion goes on from its first frame, from which its last is up to {:.3g} m "
                            "away",
-                           begin.furthest_m);
+                           begin.max_distance_m);
 }
 
-std::shared_ptr<const sim::BodyFrames> looped(std::shared_ptr<const sim::BodyFrames> motion, const LoopBegin& begin,
-                                              std::size_t first) {
-  if (begin.furthest_m > furthest_in_frame_m) {
+std::shared_ptr<const sim::BodyFrames> make_loop(std::shared_ptr<const sim::BodyFrames> motion, const LoopBegin& begin,
+                                                 std::size_t first) {
+  if (begin.max_distance_m > max_motion_per_frame_m) {
     throw InputError(
         "found a motion to be repeated (loop, --body-loop) whose last frame is up to {:.3g} m from its "
         "first, expected at most {:g} m",
-        begin.furthest_m, furthest_in_frame_m);
+        begin.max_distance_m, max_motion_per_frame_m);
   }
   return std::make_shared<const LoopedFrames>(std::move(motion), begin, first);
 }

@@ -8,7 +8,7 @@
 namespace taut::app {
 namespace {
 
-/// Names of parts that have no sides.
+/// Names of parts in the middle of the body.
 constexpr std::array<std::pair<std::string_view, std::string_view>, 20> middle_parts = {{
     {"hip", "hips"},          {"hips", "hips"},     {"pelvis", "hips"},     {"spine", "spine"},   {"spine0", "spine"},
     {"spine01", "spine"},     {"abdomen", "spine"}, {"torso", "spine"},     {"waist", "spine"},   {"spine1", "spine1"},
@@ -16,7 +16,7 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 20> middle_p
     {"upperchest", "spine2"}, {"neck", "neck"},     {"neck01", "neck"},     {"neck1", "neck"},    {"head", "head"},
 }};
 
-/// Names of parts that there are on both sides.
+/// Names of parts on both sides of the body.
 constexpr std::array<std::pair<std::string_view, std::string_view>, 34> side_parts = {{
     {"shoulder", "shoulder"}, {"collar", "shoulder"}, {"clavicle", "shoulder"}, {"collarbone", "shoulder"},
     {"arm", "arm"},           {"uparm", "arm"},       {"upperarm", "arm"},      {"shldr", "arm"},
@@ -32,16 +32,16 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 34> side_par
 constexpr std::array<std::string_view, 10> main_parts = {"hips", "spine", "spine1", "arm",  "forearm",
                                                          "hand", "upleg", "leg",    "foot", "head"};
 
-/// Blender puts the name of the armature before those of joints in Collada, "Armature" if nobody gave
-/// another.
+/// Prefixes of joint names. Blender puts the name of the armature before the names of joints in Collada; by default it
+/// is "Armature".
 constexpr std::array<std::string_view, 5> prefixes = {"armature", "mixamorig", "bip", "def", "ccbase"};
 
 bool is_upper(char c) { return std::isupper(static_cast<unsigned char>(c)) != 0; }
 bool is_lower(char c) { return std::islower(static_cast<unsigned char>(c)) != 0; }
 bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
 
-/// "mixamorig:LeftUpLeg" as "left", "up", "leg"; "RShin" as "r", "shin"; "thigh.L" as "thigh", "l".
-std::vector<std::string> words_of(std::string_view name) {
+/// Splits "mixamorig:LeftUpLeg" into "left", "up", "leg"; "RShin" into "r", "shin"; "thigh.L" into "thigh", "l".
+std::vector<std::string> split_words(std::string_view name) {
   const std::size_t space = name.find_last_of(":|");
   name.remove_prefix(space == std::string_view::npos ? 0 : space + 1);
   std::vector<std::string> words(1);
@@ -58,9 +58,9 @@ std::vector<std::string> words_of(std::string_view name) {
   return words;
 }
 
-/// A joint's name taken apart.
+/// A joint's name without its side, and the side.
 struct SidedName {
-  std::string side;  ///< "left ", "right " or nothing
+  std::string side;  ///< "left ", "right " or empty
   std::string rest;
 };
 
@@ -72,7 +72,7 @@ bool take_prefix(std::string& text, std::string_view prefix) {
 
 SidedName taken_apart(std::string_view name) {
   SidedName joint;
-  for (const std::string& word : words_of(name)) {
+  for (const std::string& word : split_words(name)) {
     const bool is_left = word == "left" || word == "l";
     if (joint.side.empty() && (is_left || word == "right" || word == "r")) {
       joint.side = is_left ? "left " : "right ";
@@ -98,18 +98,18 @@ template <class Table> std::string_view look_up(const Table& table, const std::s
   return found == table.end() ? std::string_view(name) : found->second;
 }
 
-/// Translation, rotation (x, y, z, w) and scale of a node, of which its transform is the product.
+/// Translation, rotation (x, y, z, w) and scale whose product is a node's transform.
 struct NodeMotion {
   sim::Vec3 translation;
   glm::dvec4 rotation;
   sim::Vec3 scale;
 };
 
-glm::dmat3 matrix_of(const glm::dvec4& rotation) {
+glm::dmat3 to_matrix(const glm::dvec4& rotation) {
   return glm::mat3_cast(glm::dquat(rotation.w, rotation.x, rotation.y, rotation.z));
 }
 
-NodeMotion motion_of(const glm::dmat4& transform) {
+NodeMotion to_node_motion(const glm::dmat4& transform) {
   glm::dmat3 axes(transform);
   sim::Vec3 scale(glm::length(axes[0]), glm::length(axes[1]), glm::length(axes[2]));
   if (glm::determinant(axes) < 0.0) scale.x = -scale.x;
@@ -120,15 +120,15 @@ NodeMotion motion_of(const glm::dmat4& transform) {
   return {sim::Vec3(transform[3]), {q.x, q.y, q.z, q.w}, scale};
 }
 
-glm::dmat4 transform_of(const NodeMotion& motion) {
-  glm::dmat3 axes = matrix_of(motion.rotation);
+glm::dmat4 to_transform(const NodeMotion& motion) {
+  glm::dmat3 axes = to_matrix(motion.rotation);
   for (int axis = 0; axis < 3; ++axis) axes[axis] *= motion.scale[axis];
   glm::dmat4 transform(axes);
   transform[3] = glm::dvec4(motion.translation, 1.0);
   return transform;
 }
 
-/// The keys around a time, and how far it is from the first of them to the second, 0 to 1.
+/// The keys around a time, and the fraction of the way from the first of them to the second.
 struct BetweenKeys {
   std::size_t before = 0;
   std::size_t after = 0;
@@ -154,16 +154,16 @@ glm::dvec4 rotation_at(const RigKeys& keys, double time_s) {
 }
 
 glm::dmat4 transform_at(const RigNode& node, const RigChannel& channel, double time_s) {
-  NodeMotion motion = motion_of(node.to_parent);
+  NodeMotion motion = to_node_motion(node.to_parent);
   if (!channel.positions.times_s.empty()) {
     motion.translation = sim::Vec3(straight_at(channel.positions, time_s));
   }
   if (!channel.rotations.times_s.empty()) motion.rotation = rotation_at(channel.rotations, time_s);
   if (!channel.scales.times_s.empty()) motion.scale = sim::Vec3(straight_at(channel.scales, time_s));
-  return transform_of(motion);
+  return to_transform(motion);
 }
 
-/// The pose in which the model was stored, with each node in the frame of the one above it.
+/// Returns the stored pose, with the transform of each node relative to the node above it.
 RigPose stored_in_parents(const Rig& rig) {
   RigPose pose;
   for (const RigNode& node : rig.nodes) pose.to_model.push_back(node.to_parent);
@@ -171,7 +171,7 @@ RigPose stored_in_parents(const Rig& rig) {
   return pose;
 }
 
-// Nodes come after those above them.
+// Requires each node after those above it.
 void multiply_down(const Rig& rig, std::vector<glm::dmat4>& transforms) {
   for (std::size_t n = 0; n < rig.nodes.size(); ++n) {
     if (rig.nodes[n].parent != no_node) transforms[n] = transforms[rig.nodes[n].parent] * transforms[n];
@@ -190,7 +190,7 @@ std::vector<sim::Vec3> mixed_in_part(const Rig& rig, const std::vector<double>& 
   return mixed;
 }
 
-sim::Vec3 applied(const glm::dmat4& transform, const sim::Vec3& point) {
+sim::Vec3 transform_point(const glm::dmat4& transform, const sim::Vec3& point) {
   return sim::Vec3(transform * glm::dvec4(point, 1.0));
 }
 
@@ -217,7 +217,7 @@ bool is_main_part(const std::string& part) {
 }
 
 glm::dvec4 rotation_between(const glm::dvec4& from, glm::dvec4 to, double share) {
-  // After this many halvings a chord differs from its arc in the last bit alone.
+  // A chord differs from its arc in the last bit alone after this many halvings.
   constexpr int halvings = 20;
   if (glm::dot(from, to) < 0.0) {
     to = -to;  // the same rotation, nearer
@@ -263,13 +263,13 @@ RigPose pose_between(const Rig& rig, const RigPose& from, const RigPose& to, dou
   for (sim::Index n = 0; n < rig.nodes.size(); ++n) {
     const auto under_parent = [&](const RigPose& whole) {
       const sim::Index parent = rig.nodes[n].parent;
-      return motion_of(parent == no_node ? whole.to_model[n]
-                                         : glm::inverse(whole.to_model[parent]) * whole.to_model[n]);
+      return to_node_motion(parent == no_node ? whole.to_model[n]
+                                              : glm::inverse(whole.to_model[parent]) * whole.to_model[n]);
     };
     const NodeMotion a = under_parent(from);
     const NodeMotion b = under_parent(to);
     pose.to_model[n] =
-        transform_of({glm::mix(a.translation, b.translation, share), rotation_between(a.rotation, b.rotation, share),
+        to_transform({glm::mix(a.translation, b.translation, share), rotation_between(a.rotation, b.rotation, share),
                       glm::mix(a.scale, b.scale, share)});
   }
   multiply_down(rig, pose.to_model);
@@ -283,13 +283,13 @@ void pose_vertices(const Rig& rig, const RigPose& pose, std::span<sim::Vec3> pos
   const std::vector<sim::Vec3> mixed = mixed_in_part(rig, pose.target_weights);
   for (const RigPart& part : rig.parts) {
     for (std::size_t v = part.first_vertex; v < part.first_vertex + part.vertices; ++v) {
-      positions[v] = part.is_skinned ? sim::Vec3(0.0) : applied(pose.to_model[part.node], mixed[v]);
+      positions[v] = part.is_skinned ? sim::Vec3(0.0) : transform_point(pose.to_model[part.node], mixed[v]);
     }
   }
   std::vector<glm::dmat4> joints;
   for (const RigBone& bone : rig.bones) joints.push_back(pose.to_model[bone.node] * bone.from_mesh);
   for (const RigInfluence& influence : rig.influences) {
-    positions[influence.vertex] += influence.weight * applied(joints[influence.bone], mixed[influence.vertex]);
+    positions[influence.vertex] += influence.weight * transform_point(joints[influence.bone], mixed[influence.vertex]);
   }
 }
 

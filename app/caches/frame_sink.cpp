@@ -15,7 +15,7 @@ constexpr std::array<const char*, 4> endings = {".obj", ".pc2", ".glb", ".usda"}
   throw UsageError("output '" + name + "': " + reason);
 }
 
-/// One OBJ of the last frame, or one of each.
+/// Writes an OBJ of the last frame, or an OBJ of each frame.
 class ObjSink final : public FrameSink {
  public:
   ObjSink(const ExportSettings& settings, const GarmentInScene& loaded)
@@ -41,7 +41,7 @@ class ObjSink final : public FrameSink {
   OutputPattern pattern_;
   FrameRange range_;
   WrittenCloth cloth_;
-  int last_ = 0;  ///< frame that was written
+  int last_ = 0;  ///< last frame that was written
 };
 
 }  // namespace
@@ -65,7 +65,7 @@ std::vector<fs::path> require_export(const ExportSettings& settings) {
   }
   const OutputPattern pattern(settings.name, ending);
   std::vector<fs::path> files = {pattern.path_of(settings.frames.first)};
-  prepare_folder_of(files.front());
+  prepare_parent_folder(files.front());
   for (int frame = settings.frames.first + 1; pattern.has_field() && frame <= settings.frames.last; ++frame) {
     files.push_back(pattern.path_of(frame));
   }
@@ -90,12 +90,12 @@ WrittenCloth::WrittenCloth(const GarmentInScene& loaded) : loaded_(loaded) {
     mesh_vertex_ = loaded.following ? loaded.following->file_vertices.mesh_vertex : loaded.file_vertices.mesh_vertex;
     return;
   }
-  faces_ = faces_of(loaded.shown_mesh(), loaded.colours.corner_uv);
+  faces_ = make_faces(loaded.shown_mesh(), loaded.colours.corner_uv);
   mesh_vertex_.resize(loaded.shown_mesh().positions.size());
   std::iota(mesh_vertex_.begin(), mesh_vertex_.end(), 0U);
 }
 
-std::vector<sim::Vec3> WrittenCloth::written(std::span<const sim::Vec3> shown_m) const {
+std::vector<sim::Vec3> WrittenCloth::file_positions(std::span<const sim::Vec3> shown_m) const {
   std::vector<sim::Vec3> written_m(vertices());
   for (std::size_t v = 0; v < written_m.size(); ++v) {
     const sim::Index vertex = mesh_vertex_[v];
@@ -112,7 +112,7 @@ std::string WrittenCloth::text(std::span<const sim::Vec3> shown_m) const {
       normals.push_back(vertex == sim::no_vertex ? glm::vec3(0.0F, 1.0F, 0.0F) : of_mesh[vertex]);
     }
   }
-  return obj_text(faces_, written(shown_m), normals);
+  return obj_text(faces_, file_positions(shown_m), normals);
 }
 
 std::vector<glm::vec3> mesh_normals(const sim::Mesh& mesh, std::span<const sim::Vec3> mesh_m) {

@@ -7,64 +7,64 @@
 
 namespace taut::app {
 
-/// Things to be written.
+/// Settings of an export.
 struct ExportSettings {
-  std::string name;   ///< of the file; the pattern of several OBJ files
-  FrameRange frames;  ///< those that will be handed out, in this order; earlier runs' frames included
+  std::string name;   ///< file name, or the pattern of several OBJ files
+  FrameRange frames;  ///< frames to export, in this order; includes the frames of earlier runs
   double frame_rate_hz = 60.0;
-  bool can_be_resumed = false;        ///< what is incomplete stays for a run that goes on
-  std::optional<int> last_kept = {};  ///< goes on after this frame of an earlier run
-  renderer::SurfaceStyle look = {};   ///< for formats that say it
+  bool can_be_resumed = false;        ///< keeps incomplete files, so that another run can continue them
+  std::optional<int> last_kept = {};  ///< last frame of the earlier run that this run continues
+  renderer::SurfaceStyle look = {};   ///< used by formats that have materials
 };
 
-/// Where the frames of a run go: files that other programs read. All functions throw InputError if something
-/// cannot be written. A sink that is destroyed before `finish` leaves complete files alone, and what
-/// `can_be_resumed` asks for.
+/// Writes the frames of a run to files for other programs. All functions throw InputError if writing fails. If a sink
+/// is destroyed before `finish`, only complete files remain; incomplete ones remain if `can_be_resumed` is set.
 class FrameSink {
  public:
   virtual ~FrameSink() = default;
 
-  /// Takes the next frame: where the vertices of the simulated mesh are, in m.
+  /// Adds the next frame. `mesh_m`: positions of the simulated vertices, in metres.
   virtual void write(int frame, std::span<const sim::Vec3> mesh_m) = 0;
-  /// Called before a checkpoint of the frame is written: what came so far must survive the program.
-  virtual void keep() {}
-  /// Completes what was written, of all frames or of those before the run ended. Returns what that is, for
-  /// people, or nothing.
+  /// Saves the frames so far, so that they outlive the program. Called before a checkpoint is written.
+  virtual void save_frames() {}
+  /// Completes the files, which hold all frames or the frames before the run ended early. Returns a message about them,
+  /// or an empty text.
   virtual std::string finish() = 0;
 };
 
-/// Whether one file of this name holds all frames, to be played.
+/// Returns true if one file of this name holds all frames as an animation.
 bool is_clip(const std::string& name);
 
-/// Returns every file that will be written. Throws UsageError if a name has another ending than .obj, .pc2, .glb or
-/// .usda, or if its format cannot be resumed and shall be. Makes the folder; throws InputError if that cannot be
+/// Returns every file that will be written, and makes their folder. Throws UsageError if the name does not end in .obj,
+/// .pc2, .glb or .usda, or if the run can be resumed but the format cannot. Throws InputError if the folder cannot be
 /// written to. Call it before a long run.
 std::vector<std::filesystem::path> require_export(const ExportSettings& settings);
 
-/// Opens what the name's ending says. `loaded` must outlive the sink. `start_m` is where the run begins or goes
-/// on. Throws InputError if what an earlier run left is not of this one.
+/// Opens a sink of the format that the name's ending gives. `loaded` must outlive the sink. `start_m`: positions of the
+/// start or of the frame that an earlier run ended with. Throws InputError if the earlier run's file does not match
+/// this run.
 std::unique_ptr<FrameSink> open_sink(const ExportSettings& settings, const GarmentInScene& loaded,
                                      std::span<const sim::Vec3> start_m);
 
-// The formats behind open_sink(), which see. `loaded` must outlive them.
+// Makers of the formats that open_sink() chooses from. `loaded` must outlive the sink.
 
-/// PC2, and beside it an OBJ of the same vertices at rest.
+/// Makes a sink for PC2, with an OBJ of the same vertices at rest beside it.
 std::unique_ptr<FrameSink> make_point_cache_sink(const ExportSettings& settings, const GarmentInScene& loaded,
                                                  std::span<const sim::Vec3> start_m);
 
-/// One binary glTF 2.0 with a morph target for each frame and an animation that plays them. It holds them in
-/// memory until the end. Throws InputError if they would be more than a gibibyte.
+/// Makes a sink for one binary glTF 2.0 file with a morph target for each frame and an animation that plays them. It
+/// keeps all frames in memory until the end. Throws InputError if they would take more than a gibibyte.
 std::unique_ptr<FrameSink> make_gltf_sink(const ExportSettings& settings, const GarmentInScene& loaded);
 
-/// USD as text: the faces of the model's file, their points as time samples, the first of its materials. It is under
-/// another name until the end.
+/// Makes a sink for USD text: the faces of the model's file, their points as time samples, and the first of its
+/// materials. The file has a temporary name until it is complete.
 std::unique_ptr<FrameSink> make_usd_sink(const ExportSettings& settings, const GarmentInScene& loaded);
 
-/// NAME.obj beside NAME.pc2.
+/// Returns NAME.obj for NAME.pc2.
 std::filesystem::path obj_beside(const std::filesystem::path& cache);
 
-/// A garment with the vertices and faces of its file, in their order, as other programs know it. Of a grid,
-/// and of a garment that was subdivided, those of the simulated mesh.
+/// A garment with the vertices and faces of its file, in the file's order. A grid or a subdivided garment has the
+/// vertices and faces of the simulated mesh.
 class WrittenCloth {
  public:
   /// `loaded` must outlive this object.
@@ -72,24 +72,26 @@ class WrittenCloth {
 
   std::size_t vertices() const { return mesh_vertex_.size(); }
   const FileFaces& faces() const { return faces_; }
-  /// Returns the position of every vertex, in m, from those of the mesh. A vertex that no remaining triangle
-  /// uses is where the file has it.
-  std::vector<sim::Vec3> positions(std::span<const sim::Vec3> mesh_m) const { return written(loaded_.shown_m(mesh_m)); }
-  /// Returns the garment as an OBJ file, with normals of this shape where the file has some.
+  /// Returns the position of every vertex in metres, from the positions of the mesh. A vertex that no remaining
+  /// triangle uses keeps its position in the file.
+  std::vector<sim::Vec3> positions(std::span<const sim::Vec3> mesh_m) const {
+    return file_positions(loaded_.shown_m(mesh_m));
+  }
+  /// Returns the garment as an OBJ file, with normals of this shape if the file has normals.
   std::string obj(std::span<const sim::Vec3> mesh_m) const { return text(loaded_.shown_m(mesh_m)); }
-  /// Returns it at rest.
+  /// Returns the garment at rest as an OBJ file.
   std::string obj_at_rest() const { return text(loaded_.shown_mesh().positions); }
 
  private:
-  std::vector<sim::Vec3> written(std::span<const sim::Vec3> shown_m) const;
+  std::vector<sim::Vec3> file_positions(std::span<const sim::Vec3> shown_m) const;
   std::string text(std::span<const sim::Vec3> shown_m) const;
 
   const GarmentInScene& loaded_;
   FileFaces faces_;
-  std::vector<sim::Index> mesh_vertex_;  ///< per vertex written; sim::no_vertex: none
+  std::vector<sim::Index> mesh_vertex_;  ///< mesh vertex of each written vertex; sim::no_vertex: none
 };
 
-/// Returns unit normals per vertex of the mesh in this shape, in m.
+/// Returns the unit normals of the mesh's vertices for these positions in metres.
 std::vector<glm::vec3> mesh_normals(const sim::Mesh& mesh, std::span<const sim::Vec3> mesh_m);
 
 }  // namespace taut::app

@@ -11,14 +11,14 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr double most_bytes = double{1U << 30U};
-// Of glTF 2.0, section 5.
+constexpr double max_bytes = double{1U << 30U};
+// Constants of glTF 2.0, section 5.
 constexpr int float_type = 5126;
 constexpr int index_type = 5125;
 constexpr int vertex_data = 34962;
 constexpr int index_data = 34963;
 
-/// A vertex of the mesh with each of its texture coordinates: glTF has one of these for a vertex.
+/// One vertex for each pair of a mesh vertex and a texture coordinate: a glTF vertex has only one texture coordinate.
 struct SplitVertices {
   std::vector<sim::Index> mesh_vertex;
   std::vector<glm::vec2> uv;
@@ -43,7 +43,7 @@ struct SplitVertices {
   }
 };
 
-/// The binary part with what describes it.
+/// Binary data of the file, with the descriptions of its parts.
 class Buffer {
  public:
   template <class Numbers> int add(const Numbers& numbers, const char* type, int components, int target = 0) {
@@ -62,7 +62,7 @@ class Buffer {
     return static_cast<int>(accessors_.size()) - 1;
   }
 
-  /// The same with the least and the most of each component, which glTF asks of positions and times.
+  /// Adds numbers with the minimum and maximum of each component, which glTF requires for positions and times.
   int add_bounded(const std::vector<float>& numbers, const char* type, std::size_t components, int target = 0) {
     const int accessor = add(numbers, type, static_cast<int>(components), target);
     std::vector<float> least(numbers.begin(), numbers.begin() + static_cast<std::ptrdiff_t>(components));
@@ -76,7 +76,7 @@ class Buffer {
     return accessor;
   }
 
-  /// Returns the view of an image.
+  /// Adds an image and returns the index of its buffer view.
   std::size_t add_png(const TextureImage& image) {
     const std::vector<std::uint8_t> png =
         renderer::encode_png({static_cast<int>(image.width_px), static_cast<int>(image.height_px), 4, *image.rgba});
@@ -86,7 +86,7 @@ class Buffer {
     return views_.size() - 1;
   }
 
-  /// The whole file.
+  /// Returns the whole file.
   std::string glb(Json description) const {
     description["buffers"] = {{{"byteLength", bytes_.size()}}};
     description["bufferViews"] = views_;
@@ -105,7 +105,7 @@ class Buffer {
   }
 
  private:
-  std::string bytes_;  ///< a multiple of four, as all numbers have four
+  std::string bytes_;  ///< length is a multiple of 4, because all numbers have 4 bytes
   std::vector<Json> views_;
   std::vector<Json> accessors_;
 };
@@ -115,14 +115,14 @@ class GltfSink final : public FrameSink {
   GltfSink(const ExportSettings& settings, const GarmentInScene& loaded)
       : settings_(settings), loaded_(loaded), vertices_(loaded) {
     const double frames = settings.frames.count();
-    // Positions and normals of the rest and of each frame, and of each frame the weights of all.
+    // Counts positions and normals of the rest shape and of each frame, and for each frame one weight per frame.
     const double bytes = 24.0 * (frames + 1.0) * static_cast<double>(vertices_.uv.size()) + 4.0 * frames * frames;
-    if (bytes > most_bytes) {
+    if (bytes > max_bytes) {
       throw InputError(
           "cannot write '{}': {:.0f} frames of {} vertices are {:.1f} GiB, and a .glb is held in "
           "memory until it "
           "is written; expected at most 1 GiB: fewer --frames, or .pc2",
-          settings.name, frames, vertices_.uv.size(), bytes / most_bytes);
+          settings.name, frames, vertices_.uv.size(), bytes / max_bytes);
     }
     const sim::Mesh& mesh = loaded.shown_mesh();
     rest_positions_ = flat_numbers(to_float(mesh.positions));
@@ -161,11 +161,11 @@ class GltfSink final : public FrameSink {
     put_surface(description);
     description["animations"] = Json::array({animation()});
     write_text_file(settings_.name, buffer_.glb(std::move(description)));
-    return fmt::format("wrote {}, {}", settings_.name, counted(frames, "frame"));
+    return fmt::format("wrote {}, {}", settings_.name, count_text(frames, "frame"));
   }
 
  private:
-  /// The mesh's vectors per vertex written.
+  /// Returns the components of the mesh's vectors, for each vertex of the file.
   std::vector<float> flat_numbers(std::span<const glm::vec3> of_mesh) const {
     std::vector<float> numbers;
     for (const sim::Index vertex : vertices_.mesh_vertex) {
@@ -175,7 +175,7 @@ class GltfSink final : public FrameSink {
     return numbers;
   }
 
-  /// A primitive for each material that is used, of the same vertices.
+  /// Adds a primitive for each used material. All share the same vertices.
   void put_surface(Json& description) {
     std::map<sim::Index, std::vector<sim::Index>> corners_of_material;
     const std::vector<sim::Index>& material_of_face = loaded_.colours.material_of_face;
@@ -188,14 +188,14 @@ class GltfSink final : public FrameSink {
                             {"indices", buffer_.add(corners, "SCALAR", 1, index_data)},
                             {"material", primitives.size()},
                             {"targets", targets_}});
-      description["materials"].push_back(material_of(material, description));
+      description["materials"].push_back(find_fabric_material(material, description));
     }
     std::vector<int> first_frame(targets_.size(), 0);
     first_frame[0] = 1;
     description["meshes"] = {{{"name", "garment"}, {"primitives", primitives}, {"weights", first_frame}}};
   }
 
-  Json material_of(sim::Index index, Json& description) {
+  Json find_fabric_material(sim::Index index, Json& description) {
     const SurfaceMaterial material =
         index == no_map ? SurfaceMaterial{.name = "cloth"} : loaded_.colours.materials[index];
     Json surface = {{"metallicFactor", 0.0}, {"roughnessFactor", settings_.look.roughness}};
@@ -223,7 +223,7 @@ class GltfSink final : public FrameSink {
                {{"sheenColorFactor", sheen}, {"sheenRoughnessFactor", settings_.look.sheen_roughness}}}}}};
   }
 
-  /// At its time each frame has all the weight.
+  /// Returns an animation in which each frame has weight 1 at its time.
   Json animation() {
     const std::size_t frames = targets_.size();
     std::vector<float> times(frames);
@@ -243,7 +243,7 @@ class GltfSink final : public FrameSink {
   std::vector<float> rest_positions_;
   std::vector<float> rest_normals_;
   Buffer buffer_;
-  Json rest_ = Json::object();    ///< attributes of the vertices
+  Json rest_ = Json::object();    ///< attributes of the rest shape
   Json targets_ = Json::array();  ///< one for each frame
 };
 

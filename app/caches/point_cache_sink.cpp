@@ -13,20 +13,20 @@ class PointCacheSink final : public FrameSink {
  public:
   PointCacheSink(const ExportSettings& settings, const GarmentInScene& loaded, std::span<const sim::Vec3> start_m)
       : settings_(settings), cloth_(loaded), path_(settings.name) {
-    part_ = settings.can_be_resumed ? fs::path(settings.name + ".part") : temporary_name(path_);
+    incomplete_ = settings.can_be_resumed ? fs::path(settings.name + ".part") : temporary_name(path_);
     const int kept = settings.last_kept.value_or(0) - settings.frames.first + 1;
     if (settings.last_kept && kept > 0) {
-      go_on(static_cast<std::size_t>(kept), start_m);
+      continue_file(static_cast<std::size_t>(kept), start_m);
       return;
     }
-    create_file(part_, path_);
-    file_.open(part_, std::ios::binary | std::ios::trunc);
+    create_file(incomplete_, path_);
+    file_.open(incomplete_, std::ios::binary | std::ios::trunc);
     put(header(static_cast<std::size_t>(settings.frames.count())));
   }
 
   ~PointCacheSink() override {
     std::error_code ignored;
-    if (!settings_.can_be_resumed) fs::remove(part_, ignored);
+    if (!settings_.can_be_resumed) fs::remove(incomplete_, ignored);
   }
 
   PointCacheSink(const PointCacheSink&) = delete;
@@ -39,7 +39,7 @@ class PointCacheSink final : public FrameSink {
     }
   }
 
-  void keep() override {
+  void save_frames() override {
     file_.flush();
     put("");
   }
@@ -50,7 +50,7 @@ class PointCacheSink final : public FrameSink {
     put("");
     std::error_code error;
     if (written_ == 0) {
-      fs::remove(part_, error);
+      fs::remove(incomplete_, error);
       return "wrote nothing";
     }
     if (written_ < asked) {
@@ -59,9 +59,9 @@ class PointCacheSink final : public FrameSink {
       put("");
     }
     write_text_file(obj_beside(path_), cloth_.obj_at_rest());
-    put_in_place(part_, path_);
+    rename_complete(incomplete_, path_);
     return fmt::format("wrote {}, {} of {} vertices, and {}, the rest shape that they move", path_.string(),
-                       counted(written_, "frame"), cloth_.vertices(), obj_beside(path_).string());
+                       count_text(written_, "frame"), cloth_.vertices(), obj_beside(path_).string());
   }
 
  private:
@@ -73,13 +73,13 @@ class PointCacheSink final : public FrameSink {
 
   void put(const std::string& bytes) {
     file_.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-    if (!file_) fail_to_write(part_, std::strerror(errno));
+    if (!file_) fail_to_write(incomplete_, std::strerror(errno));
   }
 
-  // Goes on from the part that an earlier run left, or from its complete file.
-  void go_on(std::size_t kept, std::span<const sim::Vec3> start_m) {
+  // Continues the incomplete file of an earlier run, or a copy of its complete file.
+  void continue_file(std::size_t kept, std::span<const sim::Vec3> start_m) {
     std::error_code error;
-    const SeekableFile earlier(fs::exists(part_, error) ? part_ : path_);
+    const SeekableFile earlier(fs::exists(incomplete_, error) ? incomplete_ : path_);
     const auto refuse = [&](const std::string& reason) {
       throw InputError("cannot go on with '" + earlier.path().string() + "': " + reason);
     };
@@ -88,7 +88,7 @@ class PointCacheSink final : public FrameSink {
     const std::uint64_t bytes = pc2_header_bytes + kept * expected.size();
     if (!frames || earlier.size() < bytes) {
       refuse(fmt::format("found {} bytes, expected {} for {} of {} vertices and more", earlier.size(), bytes,
-                         counted(kept, "frame"), cloth_.vertices()));
+                         count_text(kept, "frame"), cloth_.vertices()));
     }
     std::string begins(pc2_header_bytes, '\0');
     std::string last(expected.size(), '\0');
@@ -97,21 +97,21 @@ class PointCacheSink final : public FrameSink {
     if (begins != header(*frames) || last != expected) {
       refuse(fmt::format("its frame {} is not the one that the run goes on from", *settings_.last_kept));
     }
-    if (earlier.path() != part_) {
-      const fs::path copy = temporary_name(part_);
+    if (earlier.path() != incomplete_) {
+      const fs::path copy = temporary_name(incomplete_);
       fs::copy_file(path_, copy, fs::copy_options::overwrite_existing, error);
       if (error) fail_to_write(copy, error.message());
-      put_in_place(copy, part_);
+      rename_complete(copy, incomplete_);
     }
-    fs::resize_file(part_, bytes, error);
-    if (error) fail_to_write(part_, error.message());
+    fs::resize_file(incomplete_, bytes, error);
+    if (error) fail_to_write(incomplete_, error.message());
     open_at_end(static_cast<std::size_t>(settings_.frames.count()));
     written_ = kept;
   }
 
-  /// Opens the part, whose header then says so many frames.
+  /// Opens the incomplete file at its end and writes this frame count to its header.
   void open_at_end(std::size_t frames) {
-    file_.open(part_, std::ios::binary | std::ios::in | std::ios::out);
+    file_.open(incomplete_, std::ios::binary | std::ios::in | std::ios::out);
     put(header(frames));
     file_.seekp(0, std::ios::end);
   }
@@ -119,9 +119,9 @@ class PointCacheSink final : public FrameSink {
   ExportSettings settings_;
   WrittenCloth cloth_;
   fs::path path_;
-  fs::path part_;  ///< what is not complete yet
+  fs::path incomplete_;  ///< incomplete file
   std::ofstream file_;
-  std::size_t written_ = 0;  ///< frames
+  std::size_t written_ = 0;  ///< frames written so far
 };
 
 }  // namespace

@@ -7,24 +7,24 @@
 namespace taut::app {
 namespace {
 
-/// Items in one line, each as `text_of` says it.
-template <class Items, class TextOf> std::string listed(const Items& items, const TextOf& text_of) {
+/// Returns the items as a list in one line.
+template <class Items, class TextOf> std::string join_list(const Items& items, const TextOf& to_usd_tuple) {
   std::string text = "[";
   for (const auto& item : items) {
     if (text.size() > 1) text += ", ";
-    text += text_of(item);
+    text += to_usd_tuple(item);
   }
   return text + ']';
 }
 
 template <class Numbers> std::string numbers_text(const Numbers& numbers) {
-  return listed(numbers, [](auto number) { return fmt::format("{}", number); });
+  return join_list(numbers, [](auto number) { return fmt::format("{}", number); });
 }
 
-// In single precision, as USD has points: the shortest digits that give the same bits back.
-std::string text_of(const glm::vec3& v) { return fmt::format("({}, {}, {})", v.x, v.y, v.z); }
+// Writes the shortest digits that restore the same single-precision numbers, which USD uses for points.
+std::string to_usd_tuple(const glm::vec3& v) { return fmt::format("({}, {}, {})", v.x, v.y, v.z); }
 
-/// A surface for every renderer, and one of MaterialX, whose standard surface has the sheen that the other lacks.
+/// Returns a surface for every renderer and a MaterialX standard surface, which has sheen as well.
 std::string material_text(const SurfaceMaterial& material, const renderer::SurfaceStyle& look) {
   glm::vec3 colour;
   for (int k = 0; k < 3; ++k) colour[k] = srgb_to_linear(std::clamp(material.base_colour[k], 0.0F, 1.0F));
@@ -54,7 +54,7 @@ std::string material_text(const SurfaceMaterial& material, const renderer::Surfa
         }}
     }}
 )",
-                     text_of(colour), look.roughness, look.sheen, look.sheen_roughness);
+                     to_usd_tuple(colour), look.roughness, look.sheen, look.sheen_roughness);
 }
 
 class UsdSink final : public FrameSink {
@@ -72,8 +72,8 @@ class UsdSink final : public FrameSink {
     if (!file_.is_open()) begin();
     const std::vector<glm::vec3> positions_m = to_float(cloth_.positions(mesh_m));
     const auto [low, high] = renderer::bounding_box(positions_m);
-    file_ << fmt::format("            {}: {},\n", frame, listed(positions_m, text_of));
-    extents_ += fmt::format("            {}: [{}, {}],\n", frame, text_of(low), text_of(high));
+    file_ << fmt::format("            {}: {},\n", frame, join_list(positions_m, to_usd_tuple));
+    extents_ += fmt::format("            {}: [{}, {}],\n", frame, to_usd_tuple(low), to_usd_tuple(high));
     last_ = frame;
     if (!file_) fail_to_write(settings_.name, std::generic_category().message(errno));
   }
@@ -87,13 +87,13 @@ class UsdSink final : public FrameSink {
           << "}\n";
     file_.close();
     if (!file_) fail_to_write(settings_.name, std::generic_category().message(errno));
-    put_in_place(incomplete_, settings_.name);
+    rename_complete(incomplete_, settings_.name);
     return fmt::format("wrote {}, {}", settings_.name,
-                       counted(static_cast<std::size_t>(last_ - settings_.frames.first + 1), "frame"));
+                       count_text(static_cast<std::size_t>(last_ - settings_.frames.first + 1), "frame"));
   }
 
  private:
-  /// All that does not move, up to the points.
+  /// Writes everything that does not move, up to the points.
   void begin() {
     create_file(incomplete_, settings_.name);
     file_.open(incomplete_, std::ios::binary | std::ios::trunc);
@@ -109,7 +109,7 @@ class UsdSink final : public FrameSink {
         numbers_text(faces.corners));
     if (!faces.corner_uv.empty()) {
       const auto text = [](const glm::vec2& uv) { return fmt::format("({}, {})", uv.x, uv.y); };
-      file_ << "        texCoord2f[] primvars:st = " << listed(faces.corner_uv, text)
+      file_ << "        texCoord2f[] primvars:st = " << join_list(faces.corner_uv, text)
             << " (\n            interpolation = \"faceVarying\"\n        )\n";
     }
     file_ << "        point3f[] points.timeSamples = {\n";
@@ -120,7 +120,7 @@ class UsdSink final : public FrameSink {
   WrittenCloth cloth_;
   std::filesystem::path incomplete_;
   std::ofstream file_;
-  std::string extents_;  ///< of the frames so far
+  std::string extents_;  ///< bounding boxes of the frames so far
   int last_ = 0;
 };
 

@@ -15,7 +15,7 @@ std::vector<ContactCase> wanted_cases(const BenchOptions& options) {
   for (const std::string& name : options.scenes) {
     if (std::ranges::find(all, name) == all.end()) {
       throw UsageError("--scenes: found '" + name + '\'' + did_you_mean(name, all) + "; expected some of " +
-                       joined(all, ","));
+                       join(all, ","));
     }
   }
   std::erase_if(cases, [&](const ContactCase& one) {
@@ -66,14 +66,14 @@ int run(const BenchOptions& options) {
   std::optional<Progress> progress;
   if (!options.quiet) progress.emplace("bench");
   Progress* const shown = progress ? &*progress : nullptr;
-  if (shows_table) print(contact_head(sim::name_of(measured_vector_unit()), options.threads), shown);
+  if (shows_table) print(contact_head(sim::to_name(measured_vector_unit()), options.threads), shown);
   for (const ContactCase& one : cases) {
     trials.push_back(run_trial(one, options, shown));
     if (shows_table) print(contact_row(trials.back()), shown);
   }
   if (options.csv) print(contact_csv(trials), shown);
   const bool have_all_passed = std::ranges::all_of(
-      trials, [](const ContactTrial& trial) { return facts_of(trial.runs).passed == trial.runs.size(); });
+      trials, [](const ContactTrial& trial) { return summarise_contact(trial.runs).passed_runs == trial.runs.size(); });
   return have_all_passed ? 0 : exit_promise_broken;
 }
 

@@ -1,18 +1,18 @@
 #include "app/bodies/body_loading.hpp"
-#include "app/bodies/wearing.hpp"
 #include "app/commands/run.hpp"
 #include "app/drawing/inspection_picture.hpp"
+#include "app/garments/dressing/wearing.hpp"
+#include "app/garments/sewing/sewing.hpp"
 #include "app/output/picture_record.hpp"
-#include "app/output/run_checkpoint.hpp"
-#include "app/sewing/sewing.hpp"
+#include "app/runs/run_checkpoint.hpp"
 
 namespace taut::app {
 namespace {
 
-/// Of cloth whose fabric says no limit.
-constexpr double widest_wall = 1.0;
+/// Largest stretch of cloth whose fabric has no stretch limit.
+constexpr double max_worn_stretch = 1.0;
 
-DrawnScene scene_of(const FitOptions& options) {
+DrawnScene make_scene(const FitOptions& options) {
   std::vector<Override> overrides = options.overrides;
   if (sets(overrides, "body.file") && !sets(overrides, "body.dress")) {
     const std::string frames = std::to_string(usual_dressing_frames);
@@ -25,23 +25,23 @@ DrawnScene scene_of(const FitOptions& options) {
                      ": found no body that is dressed, expected --body FILE; taut fit --help says more");
   }
   scene.checkpoint.clear();
-  // A worn garment may stretch as far as its threads let it.
+  // A worn garment may stretch up to the limits of its fabric.
   if (sim::has_law(scene.material) && !sets(overrides, "solver.max_stretch")) {
     scene.simulation.solver.bounded.max_stretch =
-        std::min(widest_wall, std::max(scene.material.warp_limit, scene.material.weft_limit));
+        std::min(max_worn_stretch, std::max(scene.material.warp_limit, scene.material.weft_limit));
   }
   return scene;
 }
 
-struct Worn {
+struct SettledRun {
   int frames = 0;
   FrameRecord last;
 };
 
-/// Simulates until the cloth is at rest.
-Worn let_it_settle(const FitOptions& options, const DrawnScene& scene, sim::Simulation& simulation, Progress& progress,
-                   RunSummary& summary) {
-  Worn worn;
+/// Simulates until the cloth sleeps, for at most options.frames frames.
+SettledRun run_until_rest(const FitOptions& options, const DrawnScene& scene, sim::Simulation& simulation,
+                          Progress& progress, RunSummary& summary) {
+  SettledRun worn;
   FrameOutputs outputs;
   outputs.report = [&](const FrameRecord& record) {
     summary.add(record);
@@ -60,7 +60,8 @@ Worn let_it_settle(const FitOptions& options, const DrawnScene& scene, sim::Simu
   return worn;
 }
 
-Json json_of(const FitOptions& options, std::span<const FitRow> rows, const Worn& worn, const std::string& tightness) {
+Json report_json(const FitOptions& options, std::span<const FitRow> rows, const SettledRun& worn,
+                 const std::string& tightness) {
   Json json = {{"garment", options.scene},
                {"frames", worn.frames},
                {"at_rest", worn.last.asleep},
@@ -84,7 +85,7 @@ Json json_of(const FitOptions& options, std::span<const FitRow> rows, const Worn
 
 int run(const FitOptions& asked) {
   FitOptions options = asked;
-  DrawnScene scene = scene_of(options);
+  DrawnScene scene = make_scene(options);
   if (options.output.empty()) options.output = choose_name(scene.name + "-fit.png");
   prepare_png(options.output);
   std::FILE* const remarks = options.json ? stderr : stdout;
@@ -98,28 +99,29 @@ int run(const FitOptions& asked) {
   require_inputs_kept({options.output}, scene, loaded.files_read);
   print_body_remarks(scene, put_on(loaded, scene), remarks);
   print_remarks(scene, loaded, remarks);
-  std::vector<FitRow> rows = fit_of(scene, *loaded.garment, surface_at_start(loaded).positions_m);
+  std::vector<FitRow> rows = compute_fit(scene, *loaded.garment, surface_at_start(loaded).positions_m);
   fmt::print("{}", options.json ? "" : describe(rows));
   std::fflush(stdout);
   sim::Simulation simulation = make_simulation(scene, loaded);
   go_to_start(scene, simulation, stage);
   RunSummary summary;
-  const Worn worn = let_it_settle(options, scene, simulation, progress, summary);
+  const SettledRun worn_garment = run_until_rest(options, scene, simulation, progress, summary);
   progress.begin("drawing it");
   measure_worn(simulation.garment(), simulation.state().current, rows);
   const std::string tightness = describe_tightness(scene, simulation.garment(), simulation.state().current, rows);
-  const std::string measured = fmt::format("worn for {:.1f} s{}; largest stretch {:.2f} %, of the surface {:.2f} %",
-                                           worn.last.time_s, worn.last.asleep ? ", at rest" : "",
-                                           100.0 * worn.last.stretch.max, 100.0 * worn.last.surface_stretch.max);
+  const std::string measured =
+      fmt::format("worn for {:.1f} s{}; largest stretch {:.2f} %, of the surface {:.2f} %", worn_garment.last.time_s,
+                  worn_garment.last.asleep ? ", at rest" : "", 100.0 * worn_garment.last.stretch.max,
+                  100.0 * worn_garment.last.surface_stretch.max);
   const std::string title =
       fmt::format("{} on {}", scene.name, scene.surroundings.bodies[dressed_body(scene).body].name);
   write_file(options.output, renderer::encode_png(draw_fit({scene, simulation.garment(), simulation.state().current,
-                                                            worn.last.time_s, rows, title, measured, tightness},
+                                                            worn_garment.last.time_s, rows, title, measured, tightness},
                                                            options.backend),
-                                           std::array{program_text()}));
+                                                  std::array{program_text()}));
   progress.hide();
   if (options.json) {
-    fmt::print("{}\n", json_of(options, rows, worn, tightness).dump(2));
+    fmt::print("{}\n", report_json(options, rows, worn_garment, tightness).dump(2));
   } else {
     fmt::print("{}\n{}{}wrote {}\n", measured, describe_worn(rows), tightness.empty() ? "" : tightness + '\n',
                options.output.string());

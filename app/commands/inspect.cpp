@@ -1,17 +1,17 @@
 #include "app/base/progress.hpp"
 #include "app/bodies/body_loading.hpp"
-#include "app/bodies/wearing.hpp"
 #include "app/commands/options.hpp"
 #include "app/drawing/inspection_picture.hpp"
-#include "app/models/inspection.hpp"
+#include "app/garments/dressing/wearing.hpp"
+#include "app/garments/sewing/sewing.hpp"
+#include "app/models/inspecting/inspection.hpp"
 #include "app/output/picture_record.hpp"
-#include "app/sewing/sewing.hpp"
 
 namespace taut::app {
 
 namespace {
 
-/// Inspects the bodies that --body names.
+/// Inspects the bodies of --body.
 int inspect_bodies(const InspectOptions& options, const Scene& scene) {
   if (scene.body_sources.empty()) {
     throw UsageError("GARMENT is required, or --body FILE; taut inspect --help says what there is");
@@ -28,8 +28,8 @@ int inspect_bodies(const InspectOptions& options, const Scene& scene) {
   return 0;
 }
 
-/// A built-in scene or garment is meant where there is no such file.
-DrawnScene scene_of(const InspectOptions& options) {
+/// Makes the scene of a model file. A name without an extension that is no file is a built-in scene or garment.
+DrawnScene make_scene(const InspectOptions& options) {
   std::error_code error;
   if (!options.garment.empty() && !options.garment.has_extension() &&
       !std::filesystem::exists(options.garment, error)) {
@@ -50,11 +50,11 @@ DrawnScene scene_of(const InspectOptions& options) {
 }  // namespace
 
 int run(const InspectOptions& options) {
-  DrawnScene scene = scene_of(options);
+  DrawnScene scene = make_scene(options);
   if (options.garment.empty()) return inspect_bodies(options, scene);
   print_body_remarks(scene, sew_and_load_bodies(scene), options.json ? stderr : stdout);
   if (!options.picture.empty()) prepare_png(options.picture);
-  scene.garment.is_drawn_finer = false;  // what crosses is told of the file's triangles
+  scene.garment.is_drawn_finer = false;  // crossings are reported for the file's triangles
   Progress progress(options.garment.filename().string());
   LoadedGarment loaded = load_garment(scene, [&](const std::string& stage) { progress.begin(stage); });
   if (!options.picture.empty()) require_inputs_kept({options.picture}, scene, loaded.files_read);
@@ -69,7 +69,7 @@ int run(const InspectOptions& options) {
     write_file(options.picture, renderer::encode_png(draw_inspection(inspection, loaded, scene, options.backend),
                                                        std::array{program_text()}));
     progress.hide();
-    // Programs that read the report get nothing else.
+    // Standard output has only the report when programs read it.
     fmt::print(options.json ? stderr : stdout, "wrote {}\n", options.picture.string());
   }
   return 0;

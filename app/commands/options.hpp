@@ -5,65 +5,66 @@
 
 namespace taut::app {
 
-// Options of each command. Functions return the exit code of the program.
+// Options of each command.
 
 /// Options of `taut bench`.
 struct BenchOptions {
-  std::vector<std::string> scenes;  ///< rows of the table; empty: all
-  bool contact = false;             ///< all scenes about contact, instead of the quick ones
-  bool quick = false;               ///< those that decide about real time, whatever `contact` is
-  std::optional<int> runs;          ///< of each scene, each from a start of its own; empty: one, from the scene's
-  std::optional<int> frames;        ///< of each run; empty: as the scene has it
-  int threads = 1;                  ///< that simulate
+  std::vector<std::string> scenes;  ///< names of cases; empty: all
+  bool contact = false;             ///< all cases with contact instead of the quick ones
+  bool quick = false;               ///< only the cases that decide about real time, even if `contact` is set
+  std::optional<int> runs;          ///< runs of each scene, each from another random start; empty: one, from the
+                                    ///< scene's start
+  std::optional<int> frames;        ///< frames of each run; empty: as many as the scene has
+  int threads = 1;                  ///< threads of the solver
   bool csv = false;
   bool quiet = false;
 };
 
-/// Options of a run, of `taut render` and `taut simulate` alike.
+/// Options that `taut render` and `taut simulate` share.
 struct RunOptions {
-  std::string scene;   ///< a scene or a garment file
-  std::string frames;  ///< as in output_pattern.hpp; empty: what the command usually takes
-  std::string shapes;  ///< what to export to (app/caches/frame_sink.hpp); empty: nothing
+  std::string scene;   ///< name of a scene, or a garment file
+  std::string frames;  ///< written as in output_pattern.hpp; empty: the command's default
+  std::string shapes;  ///< file to export shapes to (app/caches/frame_sink.hpp); empty: none
   std::vector<Override> overrides;
   std::filesystem::path statistics;  ///< file for --stats; empty: none
-  bool verify = false;               ///< hold every frame to its promises (frame_verifier.hpp)
+  bool verify = false;               ///< verifies the promises of every frame (frame_verifier.hpp)
 };
 
-/// Options of `taut render`. The scene may be a picture that is to be made again; the last frame is drawn, or
-/// all frames for a video.
+/// Options of `taut render`. The scene may also be a picture to make again. The default is to draw the last frame, or
+/// for a video all frames.
 struct RenderOptions : RunOptions {
-  std::string output;  ///< empty: SCENE_NAME.png
-  bool is_trusted = false;  ///< the picture that is made again may name any file
+  std::string output;       ///< empty: SCENE_NAME.png
+  bool is_trusted = false;  ///< lets the scene of a picture that is made again open any file
   std::string backend = "auto";
-  /// Arguments of the program. Every picture stores them.
+  /// Arguments of the program, which every picture stores.
   std::vector<std::string> arguments;
 };
 
-/// Options of `taut simulate`. All frames from 1 on are usual.
+/// Options of `taut simulate`. The default is all frames from 1.
 struct SimulateOptions : RunOptions {
   bool json = false;
   bool quiet = false;
-  std::filesystem::path checkpoint;  ///< file the run is saved to; empty: that of `resume`
-  int checkpoint_every = 60;         ///< frames from one saving to the next
-  std::filesystem::path resume;      ///< file an earlier run was saved to; empty: start of the scene
+  std::filesystem::path checkpoint;  ///< file to save the run to; empty: the file `resume`
+  int checkpoint_every = 60;         ///< frames between two checkpoints
+  std::filesystem::path resume;      ///< file that an earlier run was saved to; empty: the scene's start
 
-  /// The file the run is saved to. Empty: it is not saved.
-  const std::filesystem::path& saved_to() const { return checkpoint.empty() ? resume : checkpoint; }
+  /// Returns the file to save the run to; empty: the run is not saved.
+  const std::filesystem::path& checkpoint_file() const { return checkpoint.empty() ? resume : checkpoint; }
 };
 
 /// Options of `taut view`.
 struct ViewOptions {
-  std::string scene;  ///< empty: the script's scene, or else a default
+  std::string scene;  ///< empty: the script's scene, or else the default scene
   std::vector<Override> overrides;
-  std::optional<renderer::Resized> size;         ///< of the window
-  std::optional<sim::SolverKind> compared_with;  ///< of a second garment; empty: that of the script, or none
-  std::filesystem::path keep_folder = ".";       ///< for screenshots, videos and saved scenes
-  std::filesystem::path record;                  ///< file the input is recorded to; empty: none
+  std::optional<renderer::Resized> size;         ///< window size
+  std::optional<sim::SolverKind> compared_with;  ///< solver of a second garment; empty: the script's, or none
+  std::filesystem::path keep_folder = ".";       ///< folder for screenshots, videos and saved scenes
+  std::filesystem::path record;                  ///< file to record the input to; empty: none
   bool headless = false;
-  // Headless alone:
-  std::filesystem::path script;      ///< session to play
+  // The members below are for `headless` only.
+  std::filesystem::path script;      ///< recorded session to play
   std::filesystem::path screenshot;  ///< picture of the window after the session; empty: none
-  /// Text file that says where the parts of the panel are after the session. Empty: none.
+  /// Text file for the positions of the panel's controls after the session; empty: none.
   std::filesystem::path layout;
   std::string backend = "auto";
 };
@@ -79,10 +80,10 @@ struct InspectOptions {
 
 /// Options of `taut fit`.
 struct FitOptions {
-  std::string scene;  ///< a garment file, or a scene in which a body is dressed
+  std::string scene;  ///< garment file, or a scene with a dressed body
   std::vector<Override> overrides;
   std::filesystem::path output;  ///< PNG file; empty: SCENE_NAME-fit.png
-  int frames = 120;              ///< the most after it was put on; fewer if it is at rest before
+  int frames = 120;              ///< most frames after dressing; the run ends earlier if the cloth is at rest
   bool json = false;
   std::string backend = "auto";
 };
@@ -90,15 +91,16 @@ struct FitOptions {
 /// Options of `taut sew`.
 struct SewOptions {
   std::filesystem::path pattern;
-  std::vector<std::filesystem::path> over;  ///< patterns that are worn over it, inner ones first
-  std::vector<std::string> over_fabrics;    ///< of these, one for each or none
+  std::vector<std::filesystem::path>
+      outer_patterns;                      ///< patterns of the garments over this one, from inside to outside
+  std::vector<std::string> outer_fabrics;  ///< fabrics of `over`, one for each pattern, or none
   std::vector<Override> overrides;
   std::filesystem::path output;   ///< OBJ file; empty: PATTERN.obj
-  std::filesystem::path picture;  ///< PNG file; empty: none, but for one of what cannot be sewn
+  std::filesystem::path picture;  ///< PNG file; empty: none, except for a picture of what cannot be sewn
   std::filesystem::path steps;    ///< PNG file; empty: none
-  int triangles = 4000;           ///< about so many
-  bool is_exact = false;          ///< exactly so many
-  int frames = 600;               ///< at most, from when it is worn until it rests
+  int triangles = 4000;           ///< approximate number of triangles
+  bool is_exact = false;          ///< makes exactly `triangles` triangles
+  int frames = 600;               ///< most frames from dressing until the garment rests
   bool json = false;
   std::string backend = "auto";
 };
@@ -107,14 +109,14 @@ struct SewOptions {
 struct ImportModelOptions {
   std::filesystem::path model;
   ImportLimits limits;
-  int parts = 0;  ///< a ReadParts
+  int parts = 0;  ///< value of ReadParts
 };
 
 /// Makes the folder of a picture. Throws UsageError unless its name ends in .png.
 void prepare_png(const std::filesystem::path& file);
 
-/// Each `run` does one command and returns the exit code of the program (errors.hpp). Throws InputError,
-/// UsageError, Interrupted and what the parts it uses throw.
+/// Runs a command and returns the exit code of the program (errors.hpp). Throws InputError, UsageError, Interrupted and
+/// the exceptions of the parts that it uses.
 int run(const BenchOptions& options);
 int run(const FiguresOptions& options);
 int run(const RenderOptions& options);
@@ -126,9 +128,9 @@ int run(const SewOptions& options);
 inline int run(const ImportModelOptions& options) {
   serve_import(options.model, options.limits, static_cast<ReadParts>(options.parts));
 }
-/// Prints this scene with all keys, as a scene file, or where it is empty a list of all.
+/// Prints a scene with all its keys as a scene file. Without a name, lists all scenes.
 int list_scenes(const std::string& scene);
-/// Prints the file of this fabric, or where it is empty a table of all.
+/// Prints the file of a fabric. Without a name, prints a table of all fabrics.
 int list_fabrics(const std::string& fabric);
 
 }  // namespace taut::app

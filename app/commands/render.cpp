@@ -1,19 +1,19 @@
 #include "app/base/words.hpp"
 #include "app/commands/run.hpp"
-#include "app/models/model_fitting.hpp"
+#include "app/models/mending/model_fitting.hpp"
 #include "app/output/picture_record.hpp"
-#include "app/output/run_checkpoint.hpp"
 #include "app/output/video_writer.hpp"
+#include "app/runs/run_checkpoint.hpp"
 
 namespace taut::app {
 namespace {
 
-// The subject of the picture, whether a scene was given or a picture.
+// A picture to draw, from a scene or from an earlier picture.
 struct RenderJob {
   DrawnScene scene;
   std::vector<int> frames;
   std::string output;
-  std::optional<PictureRecord> again;  ///< the picture that is made again
+  std::optional<PictureRecord> again;  ///< record of the earlier picture
 };
 
 std::vector<int> frames_to_draw(const RenderOptions& options, const RenderJob& job) {
@@ -28,7 +28,7 @@ std::vector<int> frames_to_draw(const RenderOptions& options, const RenderJob& j
   return frames;
 }
 
-/// Says which files the scene of a picture opens.
+/// Prints the files that the scene of a picture opens.
 void print_files(const std::string& picture, const DrawnScene& scene) {
   for (const std::filesystem::path& file : input_files(scene)) {
     std::error_code error;
@@ -37,7 +37,7 @@ void print_files(const std::string& picture, const DrawnScene& scene) {
   }
 }
 
-RenderJob render_job_of(const RenderOptions& options) {
+RenderJob make_render_job(const RenderOptions& options) {
   RenderJob job;
   if (is_picture(options.scene)) {
     job.again = read_picture_record(options.scene, options.overrides, options.is_trusted);
@@ -46,14 +46,14 @@ RenderJob render_job_of(const RenderOptions& options) {
   } else {
     job.scene = find_scene(options.scene, options.overrides);
   }
-  // Made again, a picture never takes the place of the one it is made from unasked.
+  // The default name of a picture that is made again differs from the picture's own.
   const std::string name = job.scene.name + (job.again ? "-again.png" : ".png");
   job.output = options.output.empty() ? choose_name(name).string() : options.output;
   job.frames = frames_to_draw(options, job);
   return job;
 }
 
-// Where pictures go: a file each, or one video.
+// Writes one file for each picture, or one video.
 class PictureOutput {
  public:
   explicit PictureOutput(const RenderJob& job) : name_(job.output) {
@@ -65,7 +65,7 @@ class PictureOutput {
       const renderer::PictureSettings& size = job.scene.picture.settings;
       const VideoSettings settings{size.width_px, size.height_px, job.scene.simulation.frame_rate_hz};
       require_video_size(file, settings);
-      prepare_folder_of(file);
+      prepare_parent_folder(file);
       video_ = std::make_unique<VideoWriter>(file, settings);
       return;
     }
@@ -74,10 +74,10 @@ class PictureOutput {
     }
     pattern_.emplace(job.output, ".png");
     pattern_->require_distinct_names(job.frames.size());
-    prepare_folder_of(pattern_->path_of(job.frames.front()));
+    prepare_parent_folder(pattern_->path_of(job.frames.front()));
   }
 
-  /// Every file that will be written.
+  /// Returns every file that will be written.
   std::vector<std::filesystem::path> files(std::span<const int> frames) const {
     std::vector<std::filesystem::path> files;
     if (video_) return {name_};
@@ -94,8 +94,7 @@ class PictureOutput {
     written_.push_back(record.frame);
   }
 
-  /// Keeps and says what was drawn in a run that ends early. Why there is no video is said beside what ended
-  /// the run.
+  /// Keeps and reports the pictures of a run that ends early. Prints a warning if the video cannot be finished.
   void keep() {
     try {
       fmt::print("{}", written_.empty() ? "" : finish() + '\n');
@@ -104,11 +103,11 @@ class PictureOutput {
     }
   }
 
-  /// Says what was written.
+  /// Completes the output and returns a message about it.
   std::string finish() {
     if (!video_) return describe_written(*pattern_, written_);
     video_->finish();
-    return fmt::format("wrote {}, {}", name_, counted(written_.size(), "frame"));
+    return fmt::format("wrote {}, {}", name_, count_text(written_.size(), "frame"));
   }
 
  private:
@@ -118,7 +117,7 @@ class PictureOutput {
   std::vector<int> written_;
 };
 
-// A picture made again may differ where the program, the garment's file or OpenGL has changed since.
+// Warns of differences: the program, the garment's file or OpenGL may have changed since the picture was made.
 void compare_with_record(const PictureRecord& again, const std::vector<FrameRecord>& records,
                          const std::string& gl_renderer) {
   const auto same_frame = std::ranges::find(records, again.frame, &FrameRecord::frame);
@@ -134,13 +133,13 @@ void compare_with_record(const PictureRecord& again, const std::vector<FrameReco
   }
 }
 
-// Whether the shapes of all frames fit into a gibibyte, to be seen before the first is drawn.
+// Returns true if the positions of all frames fit into a gibibyte, so that they can be kept until the camera is fitted.
 bool can_gather(std::size_t frames, std::size_t vertices) {
-  constexpr std::size_t most_bytes = std::size_t{1} << 30U;
-  return frames * vertices * sizeof(sim::Vec3) <= most_bytes;
+  constexpr std::size_t max_bytes = std::size_t{1} << 30U;
+  return frames * vertices * sizeof(sim::Vec3) <= max_bytes;
 }
 
-/// Pictures of a run.
+/// Runs a scene and draws its pictures.
 class Render {
  public:
   Render(const RenderOptions& options, RenderJob job)
@@ -153,11 +152,11 @@ class Render {
                                      .frame_rate_hz = run_.scene.simulation.frame_rate_hz,
                                      .look = run_.scene.picture.cloth};
     run_.require_outputs(exported, output_.files(job_.frames), {job_.output});
-    // Starting OpenGL and compiling shaders takes as long as reading a model.
+    // Starts OpenGL meanwhile: that and compiling shaders take as long as reading a model.
     run_.load([this] {
       offscreen_.emplace(options_.backend);
       const PictureStyle& style = run_.scene.picture;
-      offscreen_->renderer().prepare(settings_of(style), style.surface == SurfaceLook::stretch);
+      offscreen_->renderer().prepare(to_picture_settings(style), style.surface == SurfaceLook::stretch);
     });
     face_front(run_.loaded, run_.scene);
     colours_ = drawn_colours(run_.scene, run_.loaded);
@@ -182,7 +181,8 @@ class Render {
     origin_ = {command_text(options_.arguments), scene_text(run_.scene), offscreen_->gl_renderer()};
   }
 
-  // Rows come with the frames, which all are simulated before the first is drawn where the camera is fitted.
+  // Adds a row of statistics and shows progress. If the camera is fitted, all frames are simulated before the first is
+  // drawn; their rows are then added when they are simulated.
   void report(const std::string& done, const FrameRecord& record) {
     const int last = job_.frames.back();
     if (run_.statistics && done != "drawn") run_.statistics->add(record);
@@ -202,7 +202,7 @@ class Render {
     begin_drawing();
   }
 
-  // Puts the simulation where it begins, and says where its frames go.
+  // Moves the simulation to its start frame and connects the outputs.
   void connect() {
     FrameOutputs& outputs = run_.outputs;
     const bool is_gathered =
@@ -221,9 +221,9 @@ class Render {
     outputs.write_frame = [this](const FrameRecord& record, const renderer::Image& picture) {
       output_.write(origin_, record, picture);
     };
-    run_.keep = [this] { output_.keep(); };
+    run_.on_early_end = [this] { output_.keep(); };
     outputs.start_frame = run_.begin();
-    require_begun(outputs.start_frame, job_.frames.front());
+    require_not_before_start(outputs.start_frame, job_.frames.front());
     outputs.with_start = run_.shapes && outputs.start_frame == job_.frames.front();
   }
 
@@ -261,6 +261,6 @@ class Render {
 
 }  // namespace
 
-int run(const RenderOptions& options) { return Render(options, render_job_of(options)).go(); }
+int run(const RenderOptions& options) { return Render(options, make_render_job(options)).go(); }
 
 }  // namespace taut::app

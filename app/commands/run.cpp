@@ -3,10 +3,10 @@
 #include <future>
 
 #include "app/bodies/body_loading.hpp"
-#include "app/bodies/wearing.hpp"
 #include "app/drawing/inspection_picture.hpp"
-#include "app/output/run_checkpoint.hpp"
-#include "app/sewing/sewing.hpp"
+#include "app/garments/dressing/wearing.hpp"
+#include "app/garments/sewing/sewing.hpp"
+#include "app/runs/run_checkpoint.hpp"
 
 namespace taut::app {
 namespace {
@@ -37,7 +37,7 @@ void SceneRun::require_outputs(const ExportSettings& settings, std::vector<std::
   }
   if (!options.statistics.empty()) {
     statistics_format(options.statistics);
-    prepare_folder_of(options.statistics);
+    prepare_parent_folder(options.statistics);
     files_written.push_back(options.statistics);
     claimed.push_back(options.statistics);
   }
@@ -61,8 +61,8 @@ void SceneRun::load(const std::function<void()>& meanwhile) {
 int SceneRun::begin() {
   const int frame = go_to_start(scene, *simulation, [this](const std::string& stage) { progress.begin(stage); });
   const std::string crossings = options.verify ? verifier.begin(*simulation) : "";
-  // Of other starts it was said as a remark.
-  if (is_told && !scene.checkpoint.empty() && !crossings.empty()) {
+  // Without a checkpoint, load() has already reported the crossings.
+  if (prints_messages && !scene.checkpoint.empty() && !crossings.empty()) {
     fmt::print("{}: at the start {}\n", scene.name, crossings);
   }
   return frame;
@@ -80,9 +80,9 @@ std::vector<FrameRecord> SceneRun::go(int last_frame, const std::string& pattern
   }
   const auto end_early = [this] {
     progress.hide();
-    if (keep) keep();
+    if (on_early_end) on_early_end();
     const std::string written = finish_shapes();
-    fmt::print("{}", is_told ? written : "");
+    fmt::print("{}", prints_messages ? written : "");
   };
   try {
     return run_frames(*simulation, last_frame, outputs);
@@ -97,7 +97,7 @@ std::vector<FrameRecord> SceneRun::go(int last_frame, const std::string& pattern
     throw;
   } catch (const Interrupted&) {
     progress.hide();
-    if (keep) keep();
+    if (on_early_end) on_early_end();
     throw;
   }
 }
@@ -106,7 +106,7 @@ void prepare_png(const std::filesystem::path& file) {
   if (file.extension() != ".png") {
     throw UsageError("--output " + file.string() + ": expected a name that ends in .png");
   }
-  prepare_folder_of(file);
+  prepare_parent_folder(file);
 }
 
 void end_blocked(const FrameBlocked& error, const DrawnScene& scene, const sim::Simulation& simulation,
@@ -114,7 +114,7 @@ void end_blocked(const FrameBlocked& error, const DrawnScene& scene, const sim::
   std::string shown;
   try {
     const std::filesystem::path file = free_name(folder_beside(pattern, error.frame), "blocked", ".png");
-    prepare_folder_of(file);
+    prepare_parent_folder(file);
     std::optional<OffscreenRenderer> own;
     if (offscreen == nullptr) offscreen = &own.emplace("auto");
     write_file(file, renderer::encode_png(

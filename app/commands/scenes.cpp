@@ -9,7 +9,7 @@ void print_table(const std::vector<std::string>& names) {
   fmt::print("{:<8} {:>6} {:>6} {:>8} {:>6}\n{:<8} {:>6} {:>6} {:>8} {:>6}\n", "", "weight", "thick", "bending",
              "drape", "", "g/m2", "mm", "uN m", "%");
   for (const std::string& name : names) {
-    const sim::Material material = made_of({}, name).material;
+    const sim::Material material = set_fabric({}, name).material;
     const Fabric fabric = find_fabric(name);
     fmt::print("{:<8} {:>6.0f} {:>6.2f} {:>8.3g} {:>6}  {}\n", name, 1e3 * material.areal_density_kg_per_m2,
                1e3 * material.thickness_m, 1e6 * material.bending_rigidity_n_m, fabric.published_drape_text(),

@@ -2,19 +2,19 @@
 
 #include "app/base/progress.hpp"
 #include "app/bodies/body_loading.hpp"
-#include "app/bodies/wearing.hpp"
 #include "app/commands/options.hpp"
 #include "app/drawing/inspection_picture.hpp"
+#include "app/garments/dressing/wearing.hpp"
+#include "app/garments/sewing/sewing.hpp"
 #include "app/output/picture_record.hpp"
 #include "app/scene/scene_format.hpp"
-#include "app/sewing/sewing.hpp"
 
 namespace taut::app {
 namespace {
 
 constexpr double usual_bound = 0.01;
 
-DrawnScene scene_of(const SewOptions& options) {
+DrawnScene make_scene(const SewOptions& options) {
   std::vector<Override> overrides = options.overrides;
   const auto add = [&](const char* key, const std::string& value) {
     if (!sets(overrides, key)) overrides.push_back({key, value, std::string("--set ") + key + '=' + value});
@@ -25,30 +25,30 @@ DrawnScene scene_of(const SewOptions& options) {
   add("body.dress", std::to_string(usual_dressing_frames));
   add("solver.max_stretch", std::to_string(usual_bound));
   DrawnScene scene = find_scene(options.pattern.string(), overrides);
-  // As worn garments may (taut fit).
+  // A worn garment may stretch up to the limits of its fabrics, as in `taut fit`.
   if (sim::has_law(scene.material) && !sets(options.overrides, "solver.max_stretch")) {
     double& bound = scene.simulation.solver.bounded.max_stretch;
     bound = std::max({usual_bound, scene.material.warp_limit, scene.material.weft_limit});
-    for (const std::string& fabric : options.over_fabrics) {
-      const sim::Material over = material_of(fabric, "--over-fabric");
+    for (const std::string& fabric : options.outer_fabrics) {
+      const sim::Material over = find_fabric_material(fabric, "--over-fabric");
       bound = std::max({bound, over.warp_limit, over.weft_limit});
     }
   }
   return scene;
 }
 
-/// The name of a garment that nobody named: not that of a model that was not sewn.
+/// Returns the default name of the garment. It never names an existing model that was not sewn.
 std::filesystem::path choose_garment_name(const std::string& stem) {
-  const std::filesystem::path usual = stem + ".obj";
-  const bool is_sewn = read_landmarks_file(usual)["is_cut"].value_or(false);
-  return choose_free_name(usual, is_sewn, std::array{usual, landmarks_path(usual)});
+  const std::filesystem::path default_name = stem + ".obj";
+  const bool is_sewn = read_landmarks_file(default_name)["is_cut"].value_or(false);
+  return choose_free_name(default_name, is_sewn, std::array{default_name, landmarks_path(default_name)});
 }
 
 void write_picture(const std::filesystem::path& file, const DrawnScene& scene, const SewnGarment& sewn,
                    const std::string& measured, const std::string& backend) {
   const sim::Garment& garment = sewn.sewn.garment;
   const std::vector<sim::Vec3>& worn_m = garment.mesh.positions;
-  const std::vector<FitRow> fit = fit_of(scene, garment, worn_m);
+  const std::vector<FitRow> fit = compute_fit(scene, garment, worn_m);
   const std::string title = scene.name + " on " + scene.surroundings.bodies[dressed_body(scene).body].name;
   write_file(file, renderer::encode_png(draw_fit({scene, garment, worn_m, sewn.time_s, fit, title, measured,
                                                   describe_tightness(scene, garment, worn_m, fit)},
@@ -85,21 +85,21 @@ void write_steps(const std::filesystem::path& file, const DrawnScene& scene, con
 
 int run(const SewOptions& asked) {
   SewOptions options = asked;
-  DrawnScene scene = scene_of(options);
+  DrawnScene scene = make_scene(options);
   if (options.output.empty()) options.output = choose_garment_name(scene.name);
   if (options.output.extension() != ".obj") {
     throw UsageError("--output " + options.output.string() + ": expected a name that ends in .obj");
   }
-  prepare_folder_of(options.output);
+  prepare_parent_folder(options.output);
   if (!options.picture.empty()) prepare_png(options.picture);
   if (!options.steps.empty()) prepare_png(options.steps);
-  if (!options.over_fabrics.empty() && options.over_fabrics.size() != options.over.size()) {
+  if (!options.outer_fabrics.empty() && options.outer_fabrics.size() != options.outer_patterns.size()) {
     throw UsageError(fmt::format("--over-fabric: found {} of them for {} --over, expected one for each or none",
-                                 options.over_fabrics.size(), options.over.size()));
+                                 options.outer_fabrics.size(), options.outer_patterns.size()));
   }
-  scene.files_read.insert(scene.files_read.end(), options.over.begin(), options.over.end());
+  scene.files_read.insert(scene.files_read.end(), options.outer_patterns.begin(), options.outer_patterns.end());
   std::FILE* const remarks = options.json ? stderr : stdout;
-  print_body_remarks(scene, load_bodies(scene, static_cast<int>(options.over.size()) + 1), remarks);
+  print_body_remarks(scene, load_bodies(scene, static_cast<int>(options.outer_patterns.size()) + 1), remarks);
   std::vector<std::filesystem::path> written = {options.output, landmarks_path(options.output), options.picture,
                                                 options.steps};
   std::erase(written, std::filesystem::path());
@@ -108,13 +108,13 @@ int run(const SewOptions& asked) {
   const std::clock_t began = std::clock();
   try {
     const SewnGarment sewn =
-        sew(scene, {options.triangles, options.frames, options.over, options.over_fabrics, options.is_exact},
+        sew(scene, {options.triangles, options.frames, options.outer_patterns, options.outer_fabrics, options.is_exact},
             [&](const std::string& stage) { progress.begin(stage); });
     const double took_s = static_cast<double>(std::clock() - began) / CLOCKS_PER_SEC;
-    write_text_file(options.output, obj_of(sewn));
-    write_text_file(landmarks_path(options.output), landmarks_of(sewn));
+    write_text_file(options.output, to_obj(sewn));
+    write_text_file(landmarks_path(options.output), to_landmarks_text(sewn));
     const std::string measured = fmt::format(
-        "{} closed, {}, no crossing, largest stretch {:.3f} %", counted(sewn.pieces.seams.size(), "seam"),
+        "{} closed, {}, no crossing, largest stretch {:.3f} %", count_text(sewn.pieces.seams.size(), "seam"),
         sewn.is_at_rest
             ? "at rest"
             : fmt::format("after {} frames still moving at {:.2g} mm/s", sewn.frames, 1e3 * sewn.rms_speed_m_per_s),
@@ -136,8 +136,8 @@ int run(const SewOptions& asked) {
                               {"processor_s", took_s}}
                              .dump(2));
     } else {
-      fmt::print("{} of {}: {}; {:.1f} s of processor time\nwrote {}\n", counted(sewn.pieces.panel_count(), "panel"),
-                 counted(sewn.pieces.triangles.size(), "triangle"), measured, took_s, options.output.string());
+      fmt::print("{} of {}: {}; {:.1f} s of processor time\nwrote {}\n", count_text(sewn.pieces.panel_count(), "panel"),
+                 count_text(sewn.pieces.triangles.size(), "triangle"), measured, took_s, options.output.string());
     }
   } catch (const SewingFailed& error) {
     progress.hide();

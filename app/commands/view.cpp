@@ -1,7 +1,7 @@
 #include "app/base/words.hpp"
 #include "app/bodies/body_loading.hpp"
 #include "app/commands/options.hpp"
-#include "app/sewing/sewing.hpp"
+#include "app/garments/sewing/sewing.hpp"
 #include "app/viewer/headless_viewer.hpp"
 
 namespace taut::app {
@@ -18,11 +18,11 @@ std::string layout_text(const ViewerState& state) {
   return text;
 }
 
-Session session_of(const ViewOptions& options) {
-  Session session;
+RecordedSession make_session(const ViewOptions& options) {
+  RecordedSession session;
   if (!options.script.empty()) session = read_session(options.script);
   if (session.frames.empty()) {
-    session.frames.resize(2);  // the panel needs one to know its size
+    session.frames.resize(2);  // the panel needs a frame to know its size
   }
   if (!options.scene.empty()) {
     session.start.scene = options.scene;
@@ -36,7 +36,7 @@ Session session_of(const ViewOptions& options) {
   return session;
 }
 
-/// Of the garment that is shown now, which may have been dropped.
+/// Also checks the garment shown now, which may have been dropped on the window.
 void require_inputs_kept(const ViewOptions& options, const DrawnScene& scene, HeadlessViewer& viewer) {
   std::vector<std::filesystem::path> written = {options.record, options.screenshot, options.layout};
   std::erase(written, std::filesystem::path());
@@ -45,7 +45,7 @@ void require_inputs_kept(const ViewOptions& options, const DrawnScene& scene, He
   require_inputs_kept(written, shown.scene, shown.files_read);
 }
 
-void view_headless(const ViewOptions& options, const Session& session, const DrawnScene& scene) {
+void view_headless(const ViewOptions& options, const RecordedSession& session, const DrawnScene& scene) {
   HeadlessViewer viewer(scene, session.start, options.keep_folder, options.backend);
   require_inputs_kept(options, scene, viewer);
   std::optional<SessionRecorder> recorder;
@@ -66,7 +66,7 @@ void view_headless(const ViewOptions& options, const Session& session, const Dra
   }
   require_inputs_kept(options, scene, viewer);
   if (!options.screenshot.empty()) {
-    prepare_folder_of(options.screenshot);
+    prepare_parent_folder(options.screenshot);
     write_file(options.screenshot, renderer::encode_png(viewer.draw()));
     fmt::print("wrote {}\n", options.screenshot.string());
   }
@@ -83,7 +83,7 @@ int run(const ViewOptions& options) {
   if (needs_headless && !options.headless) {
     throw UsageError("--script, --screenshot and --layout are for --headless: a window has a person instead");
   }
-  const Session session = session_of(options);
+  const RecordedSession session = make_session(options);
   DrawnScene scene = find_scene(session.start.scene, session.start.overrides);
   print_body_remarks(scene, sew_and_load_bodies(scene, session.start.overrides), stdout);
   if (!options.script.empty()) scene.files_read.push_back(options.script);

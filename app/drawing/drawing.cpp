@@ -33,7 +33,7 @@ void draw_caption(renderer::Canvas& canvas, const Caption& caption, float centre
   canvas.text(left_px + label_px, baseline_px, caption.text, plain);
   if (!caption.measured.empty()) {
     const renderer::TextStyle grey =
-        text_style(style.measured_px, palette::quiet_ink).aligned(renderer::HorizontalAlign::centre);
+        text_style(style.measured_px, palette::quiet_ink).with_alignment(renderer::HorizontalAlign::centre);
     canvas.text(centre_px, baseline_px + 1.45F * style.measured_px, caption.measured, grey);
   }
 }

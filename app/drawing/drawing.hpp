@@ -6,25 +6,24 @@
 
 namespace taut::app {
 
-/// A drawing made of lines, text and pictures. `draw` can be called for any kind of canvas, any number of
-/// times.
+/// A drawing of lines, text and pictures. `draw` works for any kind of canvas and may be called several times.
 struct Drawing {
   int width_px = 0;
   int height_px = 0;
   std::function<void(renderer::Canvas&)> draw;
 };
 
-/// Draws with `scale` times as many pixels each way as the drawing has by itself.
+/// Draws an image with `scale` times the drawing's width and height.
 renderer::Image to_image(const Drawing& drawing, float scale = 1.0F);
 
-/// Width of a PDF page: two columns of a paper.
+/// Width of a PDF page, which spans two columns of a paper.
 inline constexpr float page_width_inches = 7.0F;
 
-/// Writes a PDF page in which text and lines stay text and lines. Throws InputError as write_file does.
+/// Writes a PDF page that keeps lines and text as vectors. Throws InputError as write_file does.
 void write_pdf(const std::filesystem::path& path, const Drawing& drawing, const std::string& title);
 
-/// Colours that readers with any kind of colour vision can tell apart. They also differ in grey (Okabe and
-/// Ito 2008). Dark colours come first.
+/// Colours that readers with any kind of colour vision can distinguish. They also differ in grey (Okabe and Ito 2008).
+/// Dark colours come first.
 namespace palette {
 inline const renderer::Colour ink = renderer::rgb(0x1C1C1C);
 inline const renderer::Colour quiet_ink = renderer::rgb(0x5A5A5A);
@@ -37,18 +36,18 @@ inline const renderer::Colour green = renderer::rgb(0x009E73);
 inline const renderer::Colour purple = renderer::rgb(0xCC79A7);
 }  // namespace palette
 
-/// The font style for text of this height.
+/// Returns the font style for text of this height.
 renderer::TextStyle text_style(float size_px, const renderer::Colour& colour = palette::ink, bool bold = false);
 
-/// The text centred under a panel of a figure: "(a) what it is", and below it in grey what was measured. An
-/// empty text leaves its line out.
+/// Text centred under a panel of a figure: "(a) title", and below it measurements in grey. An empty text leaves its
+/// line out.
 struct Caption {
-  char letter = 'a';  ///< '\0' for a figure with one panel: no letter
+  char letter = 'a';  ///< '\0' in a figure with one panel: no letter
   std::string text;
   std::string measured;
 };
 
-/// Sizes of the two lines of a caption.
+/// Text heights of the two lines of a caption.
 struct CaptionStyle {
   float text_px = 40.0F;
   float measured_px = 34.0F;

@@ -7,9 +7,9 @@
 namespace taut::app {
 
 std::array<double, 2> shown_stretch_range(const DrawnScene& scene) {
-  constexpr double most_without_bound = 0.05;
+  constexpr double max_unbounded_stretch = 0.05;
   const std::array from_zero = {
-      0.0, std::max(stretch_bound(scene).value_or(most_without_bound), sim::smallest_promised_bound)};
+      0.0, std::max(stretch_bound(scene).value_or(max_unbounded_stretch), sim::min_promised_bound)};
   return scene.picture.stretch_range.value_or(from_zero);
 }
 
@@ -19,18 +19,18 @@ std::optional<double> shown_bound(const DrawnScene& scene) {
   return holds_shown ? stretch_bound(scene) : std::nullopt;
 }
 
-const char* name_of(StretchOf shown) { return shown == StretchOf::springs ? "springs" : "surface"; }
+const char* to_name(StretchOf shown) { return shown == StretchOf::springs ? "springs" : "surface"; }
 
 const char* legend_title(StretchOf shown) {
   return shown == StretchOf::springs ? "stretch of springs" : "stretch of the surface";
 }
 
-const char* name_of(WhichSprings which) {
+const char* to_name(WhichSprings which) {
   constexpr std::array names = {"none", "structural", "shear", "flexural", "all"};
   return names[static_cast<std::size_t>(which)];
 }
 
-renderer::PictureSettings settings_of(const PictureStyle& style) {
+renderer::PictureSettings to_picture_settings(const PictureStyle& style) {
   renderer::PictureSettings settings = style.settings;
   if (style.quality == DrawingQuality::draft) {
     settings.samples = 1;
@@ -45,12 +45,12 @@ renderer::PictureSettings settings_of(const PictureStyle& style) {
   return settings;
 }
 
-float shortest_edge_px(const PictureStyle& style) {
-  constexpr std::array lengths_px = {16.0F, renderer::shortest_split_px, 4.0F};
+float min_edge_px(const PictureStyle& style) {
+  constexpr std::array lengths_px = {16.0F, renderer::min_split_px, 4.0F};
   return lengths_px[static_cast<std::size_t>(style.quality)];
 }
 
-renderer::Backdrop backdrop_of(const Background& background) {
+renderer::Backdrop to_backdrop(const Background& background) {
   renderer::Backdrop backdrop;
   if (background.kind == BackgroundKind::colour) {
     backdrop.lower_colour = backdrop.upper_colour = background.colour;
@@ -69,7 +69,7 @@ DrawnScene read_scene_text(const std::string& text, const std::string& name, std
 
 DrawnScene find_scene(const std::string& name, std::span<const Override> overrides) {
   DrawnScene scene = find_scene(drawn_scene_format(), name, overrides);
-  // The scene's floor may not be where another body stands.
+  // The scene's floor may not fit another body.
   if (sets(overrides, "body.file") && !sets(overrides, "picture.ground")) scene.picture.ground = {};
   return scene;
 }
@@ -84,7 +84,7 @@ void require_inputs_kept(const std::vector<std::filesystem::path>& outputs, cons
                          const std::vector<std::filesystem::path>& read) {
   std::vector<std::filesystem::path> inputs = input_files(scene);
   inputs.insert(inputs.end(), read.begin(), read.end());
-  require_apart(outputs, inputs);
+  require_distinct_files(outputs, inputs);
 }
 
 void apply_overrides(std::span<const Override> overrides, DrawnScene& scene) {
@@ -96,14 +96,14 @@ void set_garment(const std::filesystem::path& file, DrawnScene& scene) {
   scene.picture.show_pins = false;
 }
 
-Json scene_settings(const DrawnScene& scene) { return settings_of(drawn_scene_format(), scene); }
+Json scene_settings(const DrawnScene& scene) { return scene_to_json(drawn_scene_format(), scene); }
 
 std::string scene_text(const DrawnScene& scene, GarmentNaming naming) {
   Json settings = scene_settings(scene);
   if (names_image(scene.picture.texture)) {
     settings["picture"]["texture"] = name_in_scene(scene.picture.texture, naming);
   }
-  return text_of(std::move(settings), scene, naming);
+  return to_scene_text(std::move(settings), scene, naming);
 }
 
 std::string scene_help() {
@@ -142,10 +142,10 @@ glm::vec3 to_vec3(const std::array<double, 3>& numbers) {
   return {static_cast<float>(numbers[0]), static_cast<float>(numbers[1]), static_cast<float>(numbers[2])};
 }
 
-Json list_of(const glm::vec3& v) { return Json::array({v.x, v.y, v.z}); }
+Json to_json_list(const glm::vec3& v) { return Json::array({v.x, v.y, v.z}); }
 
-/// A key whose text "auto", which leaves the member empty, is what a file need not say; a command line takes
-/// back with it what a file says. `found(value)` is empty for what is not as expected.
+/// Makes a key whose default is "auto", which leaves the member empty. On a command line "auto" also cancels the file's
+/// value. `found(value)` parses other values and returns nothing if a value is invalid.
 template <class Access, class Found, class Write>
 Key<DrawnScene> auto_key(std::string name, std::string expected, Access access, Found found, Write write) {
   return member_key<DrawnScene>(
@@ -177,7 +177,7 @@ template <class Access> Key<DrawnScene> point_key(std::string name, Access acces
         const auto point = three_numbers(value);
         return point ? std::optional(to_vec3(*point)) : std::nullopt;
       },
-      list_of);
+      to_json_list);
 }
 
 Key<DrawnScene> ground_key() {
@@ -223,7 +223,7 @@ Key<DrawnScene> background_key() {
 Key<DrawnScene> texture_key() {
   auto read = [](const toml::node& value, const Source& source, std::filesystem::path& texture) {
     const auto text = text_in(value);
-    if (text) texture = names_image(*text) ? beside(source, *text) : std::filesystem::path(*text);
+    if (text) texture = names_image(*text) ? find_beside(source, *text) : std::filesystem::path(*text);
     return text.has_value();
   };
   return member_key<DrawnScene>("picture.texture", "", "a file name or \"none\"", MEMBER(picture.texture), read,
@@ -258,7 +258,7 @@ SceneFormat<DrawnScene> drawn_scene_format() {
        auto_key("camera.box", "two corners [[x, y, z], [x, y, z]], the smaller coordinates first, or \"auto\"",
                 MEMBER(camera.box), box_in,
                 [](const renderer::Box& box) {
-                  return Json::array({list_of(box.lower), list_of(box.upper)});
+                  return Json::array({to_json_list(box.lower), to_json_list(box.upper)});
                 }),
        point_key("camera.eye", MEMBER(camera.eye)),
        point_key("camera.target", MEMBER(camera.target)),
@@ -278,10 +278,10 @@ SceneFormat<DrawnScene> drawn_scene_format() {
            {{"shaded", SurfaceLook::shaded}, {"stretch", SurfaceLook::stretch}, {"wireframe", SurfaceLook::wireframe}},
            MEMBER(picture.surface)),
        switch_key<DrawnScene>("picture.wireframe", MEMBER(picture.wireframe)),
-       choice_key<DrawnScene>("picture.springs", named(all_which_springs), MEMBER(picture.springs)),
+       choice_key<DrawnScene>("picture.springs", make_choices(all_which_springs), MEMBER(picture.springs)),
        switch_key<DrawnScene>("picture.smooth", MEMBER(picture.smooth)),
        switch_key<DrawnScene>("picture.wrinkles", MEMBER(picture.wrinkles)),
-       choice_key<DrawnScene>("picture.stretch_of", named(all_stretch_of), MEMBER(picture.stretch_of)),
+       choice_key<DrawnScene>("picture.stretch_of", make_choices(all_stretch_of), MEMBER(picture.stretch_of)),
        member_key<DrawnScene>(
            "picture.stretch_range", "", "two numbers [low, high], the lower first", MEMBER(picture.stretch_range),
            [](const toml::node& value, auto& range) { return store(two_rising_numbers(value), range); },
@@ -292,7 +292,7 @@ SceneFormat<DrawnScene> drawn_scene_format() {
        number("picture.sheen", "", fraction, MEMBER(picture.cloth.sheen)),
        number("picture.sheen_roughness", "", {0.4, 1.0}, MEMBER(picture.cloth.sheen_roughness)),
        number("picture.translucency", "", fraction, MEMBER(picture.cloth.translucency)),
-       choice_key<DrawnScene>("picture.weave", named(renderer::all_weave_kinds), MEMBER(picture.cloth.weave_kind)),
+       choice_key<DrawnScene>("picture.weave", make_choices(renderer::all_weave_kinds), MEMBER(picture.cloth.weave_kind)),
        number("picture.threads", "1/m", {1.0, 1e6}, MEMBER(picture.cloth.threads_per_m)),
        number("picture.weave_contrast", "", {0.0, 10.0}, MEMBER(picture.cloth.weave)),
        number("picture.unevenness", "", fraction, MEMBER(picture.cloth.unevenness)),

@@ -7,27 +7,27 @@ namespace taut::app {
 
 /// The camera of a scene's pictures.
 struct CameraSettings {
-  bool follow = false;  ///< moves with the garment, by as much as the mean of its vertices
+  bool follow = false;  ///< moves with the mean of the garment's vertices
   renderer::Framing framing = {.azimuth_rad = 0.35F, .elevation_rad = 0.17F, .vertical_fov_rad = 0.5F};
-  std::optional<renderer::Box> box;  ///< what has to be in the picture, in metres; empty: the garment in all frames
-  std::optional<glm::vec3> eye;      ///< in metres; with `target` it replaces framing
-  std::optional<glm::vec3> target;   ///< in metres
+  std::optional<renderer::Box> box;  ///< box in metres that the picture must show; empty: the garment in all frames
+  std::optional<glm::vec3> eye;      ///< position in metres; replaces framing together with `target`
+  std::optional<glm::vec3> target;   ///< position in metres
 };
 
-/// How the cloth's surface is drawn.
+/// Look of the cloth's surface.
 enum class SurfaceLook {
   shaded,
   stretch,    ///< coloured by stretch
-  wireframe,  ///< structural springs over a pale surface, which hides those behind it
+  wireframe,  ///< structural springs over a pale surface, which hides the springs behind it
 };
 
-/// Of what the stretch is shown as colours.
+/// Measured elements whose stretch is shown as colours.
 enum class StretchOf {
-  springs,  ///< at each vertex the largest of the structural springs there
-  surface,  ///< at each vertex the largest of the triangles there
+  springs,  ///< each vertex shows the largest stretch of its structural springs
+  surface,  ///< each vertex shows the largest stretch of its triangles
 };
 
-/// Which springs are drawn over the surface.
+/// Springs that are drawn over the surface.
 enum class WhichSprings { none, structural, shear, flexural, all };
 
 inline constexpr std::array all_which_springs = {WhichSprings::none, WhichSprings::structural, WhichSprings::shear,
@@ -35,12 +35,12 @@ inline constexpr std::array all_which_springs = {WhichSprings::none, WhichSpring
 
 /// The background of a picture.
 enum class BackgroundKind {
-  studio,       ///< a floor that runs into a wall
+  studio,       ///< floor that curves up into a wall
   colour,       ///< one colour; shadows still fall on the floor
-  transparent,  ///< an alpha channel; of the floor the shadows stay
+  transparent,  ///< transparent; only the floor's shadows are drawn
 };
 
-/// The background of a picture.
+/// Background of a picture.
 struct Background {
   BackgroundKind kind = BackgroundKind::studio;
   renderer::Colour colour = renderer::rgb(0xFFFFFF);
@@ -48,124 +48,125 @@ struct Background {
   bool operator==(const Background&) const = default;
 };
 
-/// Where the floor of a picture is.
+/// Position of a picture's floor.
 enum class GroundKind {
-  automatic,  ///< on a level plane if there is one, else a little below all that is shown
+  automatic,  ///< level plane if there is one, else slightly below everything shown
   none,       ///< no floor
-  fixed,      ///< at Ground::height_m
+  fixed,      ///< Ground::height_m
 };
 
-/// The floor of a picture.
+/// Floor of a picture.
 struct Ground {
   GroundKind kind = GroundKind::automatic;
   double height_m = 0.0;
 };
 
-/// Means no texture, where PictureStyle::texture is this.
+/// Value of PictureStyle::texture for no texture.
 inline constexpr const char* no_texture = "none";
 
-/// Whether this names an image.
+/// Returns true if `texture` is an image file.
 inline bool names_image(const std::filesystem::path& texture) { return !texture.empty() && texture != no_texture; }
 
-/// How much work a picture is.
+/// Drawing effort of a picture.
 enum class DrawingQuality {
-  draft,   ///< one sample in a pixel, fewer directions of light
-  normal,  ///< for the screen
-  high,    ///< for print: twice as wide and high and averaged, finer light and surfaces
+  draft,   ///< one sample per pixel, fewer directions of light
+  normal,  ///< for screens
+  high,    ///< for print: doubled width and height, then averaged; finer light and surfaces
 };
 
-/// How a scene's pictures are drawn.
+/// Style of a scene's pictures.
 struct PictureStyle {
   DrawingQuality quality = DrawingQuality::normal;
   renderer::PictureSettings settings;
   SurfaceLook surface = SurfaceLook::shaded;
-  bool wireframe = false;  ///< the springs drawn over the surface
-  bool wrinkles = true;    ///< where cloth is shortened, those that the mesh is too coarse for
-  bool smooth = true;      ///< a smooth surface along the vertices instead of the simulated triangles
+  bool wireframe = false;  ///< draws the springs over the surface
+  bool wrinkles = true;    ///< adds wrinkles that the mesh is too coarse for, where cloth is compressed
+  bool smooth = true;      ///< draws a smooth surface through the vertices instead of the simulated triangles
   StretchOf stretch_of = StretchOf::surface;
-  /// Stretch at the two ends of the colours; empty: shown_stretch_range().
+  /// Stretch at the two ends of the colours; empty: automatic, see shown_stretch_range().
   std::optional<std::array<double, 2>> stretch_range;
-  renderer::ColourMap stretch_colours = renderer::ColourMap::viridis;  ///< not a key of the file
+  renderer::ColourMap stretch_colours = renderer::ColourMap::viridis;  ///< cannot be set in a file
   renderer::SurfaceStyle cloth;
-  std::filesystem::path texture;  ///< an image on the cloth; empty: the model's own colours; or no_texture
+  std::filesystem::path texture;  ///< image on the cloth; empty: the model's own colours; may be no_texture
   Ground ground;
   Background background;
   WhichSprings springs = WhichSprings::none;
-  bool rest_outline = false;  ///< draws the garment's borders where they were modelled
+  bool rest_outline = false;  ///< draws the garment's borders at rest
   bool show_pins = true;
-  bool show_wind = false;  ///< as arrows
-  bool legend = true;      ///< the colour bar, if the surface shows the stretch
+  bool show_wind = false;  ///< draws arrows
+  bool legend = true;      ///< draws the colour bar if the surface shows stretch
 };
 
-/// A scene and how it is drawn: all that a scene file can say.
+/// A scene and its drawing style: everything that a scene file can set.
 struct DrawnScene : Scene {
   CameraSettings camera;
   PictureStyle picture;
 };
 
-/// The stretch at the two ends of the colours. If the scene does not set it: from 0 to the solver's bound, or
-/// to 0.05 if there is no bound.
+/// Returns the stretch at the two ends of the colours. By default they show 0 to the solver's bound, or to 0.05 if
+/// there is no bound.
 std::array<double, 2> shown_stretch_range(const DrawnScene& scene);
 
-/// The bound to be marked beside the colours: the solver's. Empty if it has none or does not hold what the
-/// colours show.
+/// Returns the solver's bound, to mark it beside the colours. Empty if there is none or if it bounds another measure
+/// than the colours show.
 std::optional<double> shown_bound(const DrawnScene& scene);
 
 inline constexpr std::array all_stretch_of = {StretchOf::springs, StretchOf::surface};
 
-/// The settings that the renderer draws with: those of the style at its quality.
-renderer::PictureSettings settings_of(const PictureStyle& style);
+/// Returns the renderer's settings for the style at its quality.
+renderer::PictureSettings to_picture_settings(const PictureStyle& style);
 
-/// Edges of the drawn surface that are shorter in the picture, in pixels, are not halved.
-float shortest_edge_px(const PictureStyle& style);
+/// Returns the length in pixels below which edges of the drawn surface are not halved.
+float min_edge_px(const PictureStyle& style);
 
-/// The renderer's backdrop for this background.
-renderer::Backdrop backdrop_of(const Background& background);
+/// Returns the renderer's backdrop for this background.
+renderer::Backdrop to_backdrop(const Background& background);
 
-/// The names used in files.
-const char* name_of(WhichSprings which);
-const char* name_of(StretchOf shown);
+/// Returns the name that files use.
+const char* to_name(WhichSprings which);
+const char* to_name(StretchOf shown);
 
-/// The title of the colours' legend.
+/// Returns the title of the colour bar.
 const char* legend_title(StretchOf shown);
 
 template <class S> struct SceneFormat;
 
-/// All keys of a scene file, those of the picture included.
+/// Returns all keys of a scene file, including the keys of its pictures.
 SceneFormat<DrawnScene> drawn_scene_format();
 
-// The functions of scene_format.hpp and scene_text.hpp for that format.
+// The functions of scene_format.hpp and scene_text.hpp for that format:
 
 DrawnScene read_scene_file(const std::filesystem::path& path, std::span<const Override> overrides = {});
 DrawnScene read_scene_text(const std::string& text, const std::string& name, std::span<const Override> overrides = {});
 DrawnScene find_scene(const std::string& name, std::span<const Override> overrides);
 void apply_overrides(std::span<const Override> overrides, DrawnScene& scene);
-/// As that of a Scene, and the image that is printed on the cloth.
+/// Returns the input files of a Scene, and the image that is printed on the cloth.
 std::vector<std::filesystem::path> input_files(const DrawnScene& scene);
-/// Throws UsageError if an output is a file that the scene was read from, or one of `read`, which its garment was made of.
+/// Throws UsageError if an output is a file that the scene was read from, or one of `read`, from which its garment was
+/// made.
 void require_inputs_kept(const std::vector<std::filesystem::path>& outputs, const DrawnScene& scene,
                          const std::vector<std::filesystem::path>& read);
-/// As that of a Scene, but drawn without balls at its pins.
+/// Sets the garment as for a Scene, and hides its pins.
 void set_garment(const std::filesystem::path& file, DrawnScene& scene);
 nlohmann::ordered_json scene_settings(const DrawnScene& scene);
 std::string scene_text(const DrawnScene& scene, GarmentNaming naming = GarmentNaming::in_assets);
 
-/// All keys with unit, default, range and meaning, as text for people.
+/// Returns a help text with all keys, their units, defaults, ranges and meanings.
 std::string scene_help();
 
-/// From where a scene is seen. Angles as those of camera.azimuth and camera.elevation, in degrees.
-struct Side {
+/// A direction to look from, as angles of camera.azimuth and camera.elevation in degrees.
+struct ViewSide {
   const char* name;
   double azimuth_deg;
   double elevation_deg;
 };
 
-/// The sides that have a name. The window has keys for the first four.
-inline constexpr std::array<Side, 6> sides = {{{"front", 0.0, 5.0},
-                                               {"side", 90.0, 5.0},
-                                               {"back", 180.0, 5.0},
-                                               {"three-quarter", 38.0, 15.0},
-                                               {"left", -90.0, 5.0},
-                                               {"top", 0.0, 85.0}}};
+/// Named directions. The window has keys for the first four.
+inline constexpr std::array<ViewSide, 6> sides = {{{"front", 0.0, 5.0},
+                                                   {"side", 90.0, 5.0},
+                                                   {"back", 180.0, 5.0},
+                                                   {"three-quarter", 38.0, 15.0},
+                                                   {"left", -90.0, 5.0},
+                                                   {"top", 0.0, 85.0}}};
 
 }  // namespace taut::app

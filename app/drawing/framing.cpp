@@ -1,15 +1,15 @@
 #include "app/drawing/framing.hpp"
 
-#include "app/models/garment_measures.hpp"
-#include "app/models/hanger.hpp"
+#include "app/models/hanging/garment_measures.hpp"
+#include "app/models/hanging/hanger.hpp"
 
 namespace taut::app {
 namespace {
 
 const renderer::Colour body_colour = renderer::rgb(0xB9B4AC);
 
-// Share of an edge that the surface may leave its triangles by, where no cloth is near.
-constexpr float most_body_bulge = 0.2F;
+// Largest distance of the drawn surface from its triangles where no cloth is near, as a fraction of the edge length.
+constexpr float max_body_bulge = 0.2F;
 
 float mean_edge_m(std::span<const glm::vec3> positions, std::span<const std::uint32_t> triangles) {
   double sum_m = 0.0;
@@ -30,7 +30,8 @@ renderer::SurfaceView plain_view(std::span<const glm::vec3> positions, std::span
   return view;
 }
 
-// A capsule whose radius changes is drawn as the balls at its ends and the larger of them between.
+// Adds the drawn meshes of a round body. A capsule with two radii is drawn as two balls joined by a capsule of the
+// larger radius.
 struct RoundMaker {
   std::vector<renderer::TriangleMesh>& meshes;
 
@@ -48,10 +49,11 @@ struct RoundMaker {
   }
 };
 
-// The hook that a hanger hangs by, in m: its wire, its neck and its bend, of which this share of a circle is there.
-constexpr float wire_m = 0.0022F, neck_m = 0.03F, bend_m = 0.02F, bent = 0.7F;
-constexpr int bends = 16;
-constexpr double thinner_bar = 0.75;
+// Hook of a hanger, in metres: radius of the wire, length of the neck, radius of the bend; fraction of a circle that
+// the bend covers.
+constexpr float wire_m = 0.0022F, neck_m = 0.03F, bend_m = 0.02F, bend_fraction = 0.7F;
+constexpr int bend_segment_count = 16;
+constexpr double bar_radius_factor = 0.75;
 
 void add_hook(const sim::Capsule& bar, std::vector<renderer::TriangleMesh>& meshes) {
   const glm::vec3 foot(bar.start_m);
@@ -60,58 +62,58 @@ void add_hook(const sim::Capsule& bar, std::vector<renderer::TriangleMesh>& mesh
   aside = glm::normalize(glm::vec3{aside.x, 0.0F, aside.z});
   const glm::vec3 middle = foot + (neck_m + bend_m) * up;
   glm::vec3 from = foot;
-  for (int i = 0; i <= bends; ++i) {
-    const float turn = 2.0F * std::numbers::pi_v<float> * bent * static_cast<float>(i) / bends;
+  for (int i = 0; i <= bend_segment_count; ++i) {
+    const float turn = 2.0F * std::numbers::pi_v<float> * bend_fraction * static_cast<float>(i) / bend_segment_count;
     const glm::vec3 to = middle + bend_m * (std::sin(turn) * aside - std::cos(turn) * up);
     meshes.push_back(renderer::make_capsule(from, to, wire_m, 10));
     from = to;
   }
 }
 
-// Wind with the longest arrows.
-constexpr float fastest_m_per_s = 20.0F;
-// Shares of the box's radius: of the shortest and the longest arrow, from arrow to arrow, and of the gap
-// between their heads and the box.
-constexpr float shortest_arrow = 0.4F;
-constexpr float longest = 1.0F;
-constexpr float apart = 0.4F;
-constexpr float gap = 0.15F;
-// Length of a head, share of the box's radius, and its half width, share of that.
-constexpr float head = 0.12F;
-constexpr float head_width = 0.4F;
+// Wind speed that gets the longest arrows.
+constexpr float max_arrow_wind_m_per_s = 20.0F;
+// Fractions of the box's radius: shortest and longest arrow, distance between arrows, gap between arrow heads and box.
+constexpr float min_arrow_ratio = 0.4F;
+constexpr float max_arrow_ratio = 1.0F;
+constexpr float arrow_spacing_ratio = 0.4F;
+constexpr float arrow_gap_ratio = 0.15F;
+// Length of an arrow head as a fraction of the box's radius; its half width as a fraction of its length.
+constexpr float arrow_head_ratio = 0.12F;
+constexpr float arrow_head_width_ratio = 0.4F;
 
-// Gap between cloth and floor, as a fraction of the height. Without it hanging cloth seems to stand.
-constexpr float ground_gap = 0.06F;
+// Gap between cloth and floor, as a fraction of the height of everything shown. Without it hanging cloth seems to
+// stand.
+constexpr float ground_gap_fraction = 0.06F;
 
-// A garment is drawn from the side, where it is this many times as deep as wide: its broad side is there.
-constexpr float clearly_deeper = 1.5F;
+// Ratio of depth to width above which a garment is viewed from its side, where it is broader.
+constexpr float min_depth_ratio = 1.5F;
 
-// A front whose direction has at least this component towards the camera is seen from before as it is.
-constexpr double facing_us = 0.7;
+// Component of the front direction towards the camera above which the view is already from the front.
+constexpr double min_front_component = 0.7;
 
-// Limit on pairs of a vertex and a pin that are compared. Above it some pins are skipped, which can enlarge
-// the reach of a fine mesh by about the length of an edge. A lower limit saves time.
-constexpr std::size_t most_distances = 50'000'000;
+// Maximum number of vertex-pin pairs to compare. Above it some pins are skipped, which can enlarge the reach of a fine
+// mesh by about an edge length. A lower limit saves time.
+constexpr std::size_t max_pin_comparisons = 50'000'000;
 
-// A plain cast of what no float can hold is undefined.
-float nearest_float(double coordinate) {
-  constexpr double largest = std::numeric_limits<float>::max();
-  return static_cast<float>(std::clamp(coordinate, -largest, largest));
+// Casting a value that no float can hold is undefined behaviour.
+float round_to_float(double coordinate) {
+  constexpr double max_float = std::numeric_limits<float>::max();
+  return static_cast<float>(std::clamp(coordinate, -max_float, max_float));
 }
 
 double distance_to_nearest_pin(const sim::Garment& garment, std::span<const sim::Index> pins, const sim::Vec3& point,
                                sim::Vec3& pin_m) {
-  const std::size_t stride = 1 + pins.size() * garment.mesh.positions.size() / most_distances;
-  double nearest_m = INFINITY;
+  const std::size_t stride = 1 + pins.size() * garment.mesh.positions.size() / max_pin_comparisons;
+  double min_distance_m = INFINITY;
   for (std::size_t k = 0; k < pins.size(); k += stride) {
     const sim::Index pin = pins[k];
     const double distance_m = glm::distance(garment.mesh.positions[pin], point);
-    if (distance_m < nearest_m) {
-      nearest_m = distance_m;
+    if (distance_m < min_distance_m) {
+      min_distance_m = distance_m;
       pin_m = garment.mesh.positions[pin];
     }
   }
-  return nearest_m;
+  return min_distance_m;
 }
 
 struct ShapeBox {
@@ -128,34 +130,37 @@ struct ShapeBox {
     return renderer::Box{centre - half, centre + half};
   }
   std::optional<renderer::Box> operator()(const sim::Capsule& capsule) const {
-    return renderer::united(*(*this)(sim::Sphere{capsule.start_m, capsule.start_radius_m}),
-                            *(*this)(sim::Sphere{capsule.end_m, capsule.end_radius_m}));
+    return renderer::unite(*(*this)(sim::Sphere{capsule.start_m, capsule.start_radius_m}),
+                           *(*this)(sim::Sphere{capsule.end_m, capsule.end_radius_m}));
   }
 };
 
-// The legend is at the left; as much stays free at the right, which keeps the garment in the middle.
+// Returns the aspect ratio without the legend at the left and an equal strip at the right, which keeps the garment
+// centred.
 float aspect_beside_legend(const PictureStyle& style) {
-  constexpr float legend_share = 0.23F;  // of the picture's height
-  constexpr float narrowest = 0.4F;
+  constexpr float legend_share = 0.23F;  // fraction of the picture's height
+  constexpr float min_aspect = 0.4F;
   const float aspect = style.settings.aspect();
   const bool has_legend = style.surface == SurfaceLook::stretch && style.legend;
-  return has_legend ? std::max(aspect - 2.0F * legend_share, std::min(aspect, narrowest)) : aspect;
+  return has_legend ? std::max(aspect - 2.0F * legend_share, std::min(aspect, min_aspect)) : aspect;
 }
 
-/// Height in metres of the lowest point of the bodies that are meshes, when the run begins; empty if there
-/// are none or they float above lowest_m, which is that of everything.
-std::optional<float> standing_height(std::span<const sim::Body> bodies, float lowest_m) {
+/// Returns the height in metres of the lowest point of the mesh bodies at the run's start. Empty if there are no such
+/// bodies or they float above min_height_m, the lowest point of everything.
+std::optional<float> standing_height(std::span<const sim::Body> bodies, float min_height_m) {
   std::optional<float> height_m;
   for (const sim::Body& body : bodies) {
     if (std::holds_alternative<sim::BodyMesh>(body.shape)) {
-      height_m = std::min(height_m.value_or(INFINITY), box_of(body, 0.0)->lower.y);
+      height_m = std::min(height_m.value_or(INFINITY), bounding_box(body, 0.0)->lower.y);
     }
   }
-  return height_m && *height_m <= lowest_m ? height_m : std::nullopt;
+  return height_m && *height_m <= min_height_m ? height_m : std::nullopt;
 }
 
-/// Height in metres of a floor a little below what reaches from lowest_m to highest_m.
-float ground_below(float lowest_m, float highest_m) { return lowest_m - ground_gap * (highest_m - lowest_m); }
+/// Returns the height in metres of a floor slightly below everything between the two heights.
+float ground_below(float min_height_m, float max_height_m) {
+  return min_height_m - ground_gap_fraction * (max_height_m - min_height_m);
+}
 
 }  // namespace
 
@@ -163,47 +168,48 @@ DrawnBodies::DrawnBodies(std::vector<sim::Body> bodies)
     : bodies_(std::move(bodies)),
       move_(std::ranges::any_of(bodies_, [](const sim::Body& body) { return sim::is_moving_after(body, 0.0); })),
       round_(bodies_.size()) {
-  std::size_t first_room = 0;
+  std::size_t first_clearance = 0;
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
     if (const auto* shape = std::get_if<sim::BodyMesh>(&bodies_[b].shape)) {
-      Mesh& mesh = meshes_[b];
+      ShownMesh& mesh = meshes_[b];
       mesh.rest_positions = to_float(shape->data->positions_m);
       mesh.triangles = flat(shape->data->triangles);
       mesh.edge_m = mean_edge_m(mesh.rest_positions, mesh.triangles);
-      mesh.first_room = first_room;
-      first_room += mesh.rest_positions.size();
+      mesh.first_clearance = first_clearance;
+      first_clearance += mesh.rest_positions.size();
     }
   }
 }
 
-void DrawnBodies::set_detail(float pixels_per_m, std::optional<float> shortest_edge_px) {
+void DrawnBodies::set_detail(float pixels_per_m, std::optional<float> min_edge_px) {
   for (auto& [body, mesh] : meshes_) {
-    const int levels = !shortest_edge_px ? 0
-                                         : renderer::refinement_levels(mesh.edge_m * pixels_per_m,
-                                                                       mesh.triangles.size() / 3, *shortest_edge_px);
+    const int levels =
+        !min_edge_px ? 0
+                     : renderer::refinement_levels(mesh.edge_m * pixels_per_m, mesh.triangles.size() / 3, *min_edge_px);
     if (!mesh.surface || levels != mesh.levels) {
       mesh.levels = levels;
       mesh.surface.emplace(mesh.rest_positions, mesh.triangles, levels,
-                           renderer::SurfaceFreedom{most_body_bulge * mesh.edge_m});
+                           renderer::SurfaceFreedom{max_body_bulge * mesh.edge_m});
       placed_s_.reset();
     }
   }
 }
 
-void DrawnBodies::place(double time_s, std::span<const float> rooms_m) {
+void DrawnBodies::move_to(double time_s, std::span<const float> clearances_m) {
   const bool stays = placed_s_ && (!move_ || *placed_s_ == time_s);
-  if (stays && rooms_m.empty()) return;
+  if (stays && clearances_m.empty()) return;
   for (auto& [body, mesh] : meshes_) {
-    mesh.surface->place(to_float(mesh_positions_m(bodies_[body], time_s)),
-                        rooms_m.empty() ? rooms_m : rooms_m.subspan(mesh.first_room, mesh.rest_positions.size()));
+    mesh.surface->place(
+        to_float(mesh_positions_m(bodies_[body], time_s)),
+        clearances_m.empty() ? clearances_m : clearances_m.subspan(mesh.first_clearance, mesh.rest_positions.size()));
   }
   for (std::size_t b = 0; b < bodies_.size() && !stays; ++b) {
     round_[b].clear();
     sim::Shape shape = sim::shape_at(bodies_[b], time_s);
     if (auto* bar = std::get_if<sim::Capsule>(&shape); bar != nullptr && bodies_[b].name.starts_with("hanger, ")) {
-      // Thinner, or the drawn surface, which cuts corners, would show it.
-      bar->start_radius_m *= thinner_bar;
-      bar->end_radius_m *= thinner_bar;
+      // The drawn surface cuts corners and would show a bar of full radius.
+      bar->start_radius_m *= bar_radius_factor;
+      bar->end_radius_m *= bar_radius_factor;
       if (bodies_[b].name == hanger_left) add_hook(*bar, round_[b]);
     }
     std::visit(RoundMaker{round_[b]}, shape);
@@ -241,25 +247,27 @@ std::vector<glm::vec3> wind_arrows(const sim::Wind& wind, const std::vector<sim:
   const glm::vec3 half = 0.5F * (around.upper - around.lower);
   const float radius = glm::length(half);
   const float reach = glm::dot(glm::abs(along), half);
-  const float length = radius * std::clamp(longest * speed / fastest_m_per_s, shortest_arrow, longest);
+  const float length =
+      radius * std::clamp(max_arrow_ratio * speed / max_arrow_wind_m_per_s, min_arrow_ratio, max_arrow_ratio);
   for (const float row : {-1.0F, 0.0F, 1.0F}) {
     for (const float column : {-0.5F, 0.5F}) {
-      const glm::vec3 tip = middle - along * (reach + gap * radius) + apart * radius * (row * up + column * right);
+      const glm::vec3 tip = middle - along * (reach + arrow_gap_ratio * radius) +
+                            arrow_spacing_ratio * radius * (row * up + column * right);
       lines.insert(lines.end(), {tip - length * along, tip});
       for (const glm::vec3& side : {right, -right, up, -up}) {
-        lines.insert(lines.end(), {tip, tip - head * radius * (along - head_width * side)});
+        lines.insert(lines.end(), {tip, tip - arrow_head_ratio * radius * (along - arrow_head_width_ratio * side)});
       }
     }
   }
   return lines;
 }
 
-std::optional<renderer::Box> box_of(const sim::Body& body, double time_s) {
+std::optional<renderer::Box> bounding_box(const sim::Body& body, double time_s) {
   return std::visit(ShapeBox{body, time_s}, sim::shape_at(body, time_s));
 }
 
 float azimuth_of_broad_side(const glm::vec3& size) {
-  return size.z > clearly_deeper * size.x ? 0.5F * std::numbers::pi_v<float> : 0.0F;
+  return size.z > min_depth_ratio * size.x ? 0.5F * std::numbers::pi_v<float> : 0.0F;
 }
 
 std::optional<float> level_plane(std::span<const sim::Body> bodies, double time_s) {
@@ -274,12 +282,12 @@ std::optional<float> level_plane(std::span<const sim::Body> bodies, double time_
 std::vector<glm::vec3> to_float(const std::vector<sim::Vec3>& points) {
   std::vector<glm::vec3> nearest(points.size());
   std::ranges::transform(points, nearest.begin(), [](const sim::Vec3& point) {
-    return glm::vec3{nearest_float(point.x), nearest_float(point.y), nearest_float(point.z)};
+    return glm::vec3{round_to_float(point.x), round_to_float(point.y), round_to_float(point.z)};
   });
   return nearest;
 }
 
-glm::vec3 mean_of(std::span<const sim::Vec3> points) {
+glm::vec3 mean_position(std::span<const sim::Vec3> points) {
   const sim::Vec3 sum = std::accumulate(points.begin(), points.end(), sim::Vec3(0.0));
   return glm::vec3(sum / static_cast<double>(points.size()));
 }
@@ -292,7 +300,7 @@ renderer::Box expected_reach(const DrawnScene& scene, const sim::Garment& garmen
     reach.lower.y = std::min(reach.lower.y, static_cast<float>(pin.y - distance_m));
   }
   for (const sim::Body& body : scene.surroundings.bodies) {
-    if (const auto box = box_of(body, 0.0)) reach = renderer::united(reach, *box);
+    if (const auto box = bounding_box(body, 0.0)) reach = renderer::unite(reach, *box);
   }
   if (const auto height_m = level_plane(scene.surroundings.bodies, 0.0)) {
     reach.lower.y = std::min(reach.lower.y, *height_m);
@@ -301,7 +309,7 @@ renderer::Box expected_reach(const DrawnScene& scene, const sim::Garment& garmen
   return {reach.lower - swing, reach.upper + swing};
 }
 
-renderer::Framing framing_of(const DrawnScene& scene, const renderer::Box& reach) {
+renderer::Framing choose_framing(const DrawnScene& scene, const renderer::Box& reach) {
   renderer::Framing framing = scene.camera.framing;
   if (!scene.garment.file.empty() && framing.azimuth_rad == CameraSettings{}.framing.azimuth_rad) {
     framing.azimuth_rad += azimuth_of_broad_side(reach.upper - reach.lower);
@@ -315,8 +323,9 @@ void face_front(const LoadedGarment& loaded, DrawnScene& scene) {
       azimuth_rad != CameraSettings{}.framing.azimuth_rad) {
     return;
   }
-  const GarmentMarks marks = marks_of(*loaded.garment, surface_at_start(loaded).positions_m, loaded.landmarks);
-  if (marks.is_front_known && !marks.is_worn_at_waist && marks.front.z < facing_us) {
+  const GarmentMarks marks =
+      find_garment_marks(*loaded.garment, surface_at_start(loaded).positions_m, loaded.landmarks);
+  if (marks.is_front_known && !marks.is_worn_at_waist && marks.front.z < min_front_component) {
     azimuth_rad += static_cast<float>(std::atan2(marks.front.x, marks.front.z));
   }
 }
@@ -333,7 +342,7 @@ renderer::Camera camera_at(const glm::vec3& eye, const glm::vec3& target, float 
 renderer::Camera scene_camera(const DrawnScene& scene, const renderer::Box& reach, float aspect) {
   const CameraSettings& asked = scene.camera;
   if (asked.eye) return camera_at(*asked.eye, *asked.target, asked.framing.vertical_fov_rad);
-  return renderer::fit_camera_to_box(asked.box.value_or(reach), framing_of(scene, reach), aspect);
+  return renderer::fit_camera_to_box(asked.box.value_or(reach), choose_framing(scene, reach), aspect);
 }
 
 std::optional<float> ground_height(const DrawnScene& scene, const renderer::Box& reach) {
@@ -351,22 +360,22 @@ bool is_fitted(const DrawnScene& scene) { return !scene.camera.box && !scene.cam
 FittedView::FittedView(const DrawnScene& scene, const sim::Garment& garment)
     : scene_(scene),
       garment_(garment),
-      framing_(framing_of(scene, renderer::bounding_box(to_float(garment.mesh.positions)))),
+      framing_(choose_framing(scene, renderer::bounding_box(to_float(garment.mesh.positions)))),
       aspect_(aspect_beside_legend(scene.picture)) {}
 
 void FittedView::add(const std::vector<sim::Vec3>& positions, const std::vector<sim::Vec3>& shown, double time_s) {
   std::vector<glm::vec3> points = to_float(shown);
   for (const sim::Body& body : scene_.surroundings.bodies) {
-    if (const std::optional<renderer::Box> box = box_of(body, time_s)) {
-      const auto corners = renderer::corners_of(*box);
+    if (const std::optional<renderer::Box> box = bounding_box(body, time_s)) {
+      const auto corners = renderer::box_corners(*box);
       points.insert(points.end(), corners.begin(), corners.end());
     }
   }
   const glm::vec3 shift =
-      scene_.camera.follow ? mean_of(positions) - mean_of(garment_.mesh.positions) : glm::vec3(0.0F);
+      scene_.camera.follow ? mean_position(positions) - mean_position(garment_.mesh.positions) : glm::vec3(0.0F);
   for (glm::vec3& point : points) {
-    lowest_m_ = std::min(lowest_m_, point.y);
-    highest_m_ = std::max(highest_m_, point.y);
+    min_height_m_ = std::min(min_height_m_, point.y);
+    max_height_m_ = std::max(max_height_m_, point.y);
     point -= shift;
   }
   const auto outermost = renderer::outermost_points(points, framing_, aspect_);
@@ -386,9 +395,9 @@ void FittedView::place_camera(DrawnScene& scene) const {
   Ground& ground = scene.picture.ground;
   const std::vector<sim::Body>& bodies = scene.surroundings.bodies;
   if (ground.kind == GroundKind::automatic && !level_plane(bodies, 0.0)) {
-    const float below_m = ground_below(lowest_m_, highest_m_);
-    const float gap_m = lowest_m_ - below_m;  // feet rise and sink a little as they walk
-    ground = {GroundKind::fixed, static_cast<double>(standing_height(bodies, lowest_m_ + gap_m).value_or(below_m))};
+    const float below_m = ground_below(min_height_m_, max_height_m_);
+    const float gap_m = min_height_m_ - below_m;  // feet rise and sink a little as they walk
+    ground = {GroundKind::fixed, static_cast<double>(standing_height(bodies, min_height_m_ + gap_m).value_or(below_m))};
   }
 }
 

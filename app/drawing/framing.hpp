@@ -5,44 +5,44 @@
 
 namespace taut::app {
 
-/// The bodies of a scene as they are drawn: meshes with a finer surface along their vertices.
+/// The drawn bodies of a scene. Meshes get a finer surface through their vertices.
 class DrawnBodies {
  public:
   explicit DrawnBodies(std::vector<sim::Body> bodies);
 
   const std::vector<sim::Body>& bodies() const { return bodies_; }
 
-  /// As of GarmentSurface.
-  void set_detail(float pixels_per_m, std::optional<float> shortest_edge_px);
-  /// Moves them to where they are at this time. `rooms_m` as of renderer::SmoothSurface, for the vertices of
-  /// all meshes, one after the other; none: no cloth is near.
-  void place(double time_s, std::span<const float> rooms_m);
-  /// Their surfaces, as they are drawn. Valid until the next call of any other function.
+  /// Sets the detail as GarmentSurface::set_detail does.
+  void set_detail(float pixels_per_m, std::optional<float> min_edge_px);
+  /// Moves the bodies to this time. `rooms_m`: as in renderer::SmoothSurface, for the vertices of all meshes in order;
+  /// empty: no cloth is near.
+  void move_to(double time_s, std::span<const float> clearances_m);
+  /// Returns the drawn surfaces. They are valid until the next call of any other function.
   std::vector<renderer::SurfaceView> views() const;
 
  private:
-  struct Mesh {
+  struct ShownMesh {
     std::vector<glm::vec3> rest_positions;
     std::vector<std::uint32_t> triangles;
     float edge_m = 0.0F;
-    std::size_t first_room = 0;
+    std::size_t first_clearance = 0;
     int levels = 0;
     std::optional<renderer::SmoothSurface> surface = {};
   };
 
   std::vector<sim::Body> bodies_;
   bool move_;
-  std::map<std::size_t, Mesh> meshes_;                      ///< by body
-  std::vector<std::vector<renderer::TriangleMesh>> round_;  ///< of each body: its balls and capsules
+  std::map<std::size_t, ShownMesh> meshes_;                 ///< key: body index
+  std::vector<std::vector<renderer::TriangleMesh>> round_;  ///< balls and capsules of each body
   std::optional<double> placed_s_;
 };
 
-/// Arrows of a wind that blows at a garment with these positions, in metres: line segments, two points each,
-/// on the side it comes from. Twice as long for twice the speed, up to the size of the garment. Without wind
-/// there are none. Gusts are not shown.
+/// Returns arrows of a wind that blows at a garment with these positions in metres: line segments of two points each,
+/// on the windward side. Their length is proportional to the speed, up to the size of the garment. There are none
+/// without wind. Gusts are not shown.
 std::vector<glm::vec3> wind_arrows(const sim::Wind& wind, const std::vector<sim::Vec3>& positions);
 
-/// Three vertices for each triangle.
+/// Returns the three vertices of each triangle, in one list.
 inline std::vector<std::uint32_t> flat(const std::vector<sim::Triangle>& triangles) {
   std::vector<std::uint32_t> indices;
   indices.reserve(triangles.size() * 3);
@@ -52,60 +52,58 @@ inline std::vector<std::uint32_t> flat(const std::vector<sim::Triangle>& triangl
 
 struct LoadedGarment;
 
-/// The points in single precision. A coordinate too large for a float becomes the largest float.
+/// Returns the points in single precision. A coordinate too large for a float becomes the largest float.
 std::vector<glm::vec3> to_float(const std::vector<sim::Vec3>& points);
 
-/// The mean of the points, in single precision. At least one point.
-glm::vec3 mean_of(std::span<const sim::Vec3> points);
+/// Returns the mean of the points, of which there must be at least one.
+glm::vec3 mean_position(std::span<const sim::Vec3> points);
 
-/// The box in metres that the garment is expected to stay in. It holds the shape as modelled, each vertex
-/// hanging straight below its nearest pin, and bodies where they begin. It depends only on the scene, so all
-/// frames have the same camera.
+/// Returns the box in metres that the garment is expected to stay in. It contains the modelled shape, each vertex
+/// hanging straight below its nearest pin, and the bodies at the start. It depends only on the scene, so all frames
+/// have the same camera.
 renderer::Box expected_reach(const DrawnScene& scene, const sim::Garment& garment, std::span<const sim::Index> pins);
 
-/// Height in metres of the first level plane among the bodies at this time. Empty if there is none.
+/// Returns the height in metres of the first level plane among the bodies at this time; empty if there is none.
 std::optional<float> level_plane(std::span<const sim::Body> bodies, double time_s);
 
-/// Returns by how much, in radians, a camera goes around what has this size to see its broad side: 0 from +z,
-/// a quarter turn where it is far deeper than wide.
+/// Returns the azimuth in radians that shows the broad side of a box of this size: 0, or a quarter turn if the box is
+/// much deeper than wide.
 float azimuth_of_broad_side(const glm::vec3& size);
 
-/// The box around a body at this time, in metres. Empty for a plane.
-std::optional<renderer::Box> box_of(const sim::Body& body, double time_s);
+/// Returns the box around a body at this time, in metres; empty for a plane.
+std::optional<renderer::Box> bounding_box(const sim::Body& body, double time_s);
 
-/// From where a scene is seen that reaches so far.
-renderer::Framing framing_of(const DrawnScene& scene, const renderer::Box& reach);
+/// Returns the direction to look from, for a scene in this box.
+renderer::Framing choose_framing(const DrawnScene& scene, const renderer::Box& reach);
 
-/// Has the garment seen from its front, where its neckline says where that is and the scene does not say from
-/// where.
+/// Turns the camera to the garment's front if its neckline shows where that is and the scene sets no direction.
 void face_front(const LoadedGarment& loaded, DrawnScene& scene);
 
-/// A camera at a place of its own, which sees from near by to far behind the target.
+/// Returns a camera at `eye`. Its near plane is close to the eye and its far plane far behind the target.
 renderer::Camera camera_at(const glm::vec3& eye, const glm::vec3& target, float vertical_fov_rad);
-/// The camera of a scene's pictures. `aspect` is width over height. Where the scene does not say from where,
-/// a garment from a file is seen from its broad side.
+/// Returns the camera of a scene's pictures. `aspect`: width over height. A garment from a file is viewed from its
+/// broad side if the scene sets no direction.
 renderer::Camera scene_camera(const DrawnScene& scene, const renderer::Box& reach, float aspect);
 
-/// Height of the floor in metres. Empty if there is no floor.
+/// Returns the height of the floor in metres; empty if there is no floor.
 std::optional<float> ground_height(const DrawnScene& scene, const renderer::Box& reach);
 
-/// Whether the camera of the scene's pictures is fitted to what they show: neither its place nor a box is
-/// given.
+/// Returns true if the camera is fitted to the pictures' content, because the scene sets neither its position nor a
+/// box.
 bool is_fitted(const DrawnScene& scene);
 
-/// Gathers what a run's pictures show, then places the camera so that all of it fills the picture.
+/// Collects the content of a run's pictures, then places the camera so that the content fills the picture.
 class FittedView {
  public:
   /// `scene` and `garment` must outlive this object.
   FittedView(const DrawnScene& scene, const sim::Garment& garment);
 
-  /// Adds the garment at these positions, in metres, and the bodies at this time. `shown` are those that are
-  /// drawn, of a model that follows: it may reach farther.
+  /// Adds the garment at these positions in metres and the bodies at this time. `shown`: positions of the drawn
+  /// vertices, which differ if a model follows the garment and may reach farther.
   void add(const std::vector<sim::Vec3>& positions, const std::vector<sim::Vec3>& shown, double time_s);
 
-  /// Sets camera.eye and camera.target, and picture.ground where it is automatic and no level plane is there:
-  /// the same scene then draws the same pictures, alone or in another range of frames. Changes nothing if
-  /// nothing was added.
+  /// Sets camera.eye and camera.target, and picture.ground if it is automatic and there is no level plane. The scene
+  /// then draws the same pictures for any range of frames. Changes nothing if nothing was added.
   void place_camera(DrawnScene& scene) const;
 
  private:
@@ -113,9 +111,9 @@ class FittedView {
   const sim::Garment& garment_;
   renderer::Framing framing_;
   float aspect_;
-  std::vector<glm::vec3> outermost_;  ///< of every frame the points that decide the fit
-  float lowest_m_ = INFINITY;
-  float highest_m_ = -INFINITY;
+  std::vector<glm::vec3> outermost_;  ///< points of every frame that decide the fit
+  float min_height_m_ = INFINITY;
+  float max_height_m_ = -INFINITY;
 };
 
 }  // namespace taut::app

@@ -3,18 +3,19 @@
 namespace taut::app {
 namespace {
 
-// Shares of an edge. Layers beyond the last are not looked for, which would take longer than it shows.
-constexpr float most_bulge = 0.1F;
-constexpr float most_fairing = 0.15F;
-constexpr float most_clearance = 0.45F;
-// However long the edges are, the surface goes by where the vertices are.
-constexpr float most_fairing_m = 0.004F;
-// The part of the distance between two things that each of them may use.
-constexpr float share_of_clearance = 0.45F;
-// Cloth that is larger is lost, and nothing is looked for.
-constexpr double largest_m = 1e4;
+// Fractions of an edge length. Layers farther than max_clearance_fraction are not searched for, which saves time; they
+// would hardly show.
+constexpr float max_bulge_fraction = 0.1F;
+constexpr float max_fairing_fraction = 0.15F;
+constexpr float max_clearance_fraction = 0.45F;
+// Limit in metres on the fairing of meshes with long edges, so that the surface still follows the vertices.
+constexpr float max_fairing_m = 0.004F;
+// Fraction of the distance between two layers or bodies that each surface may use.
+constexpr float clearance_share = 0.45F;
+// Size of a garment beyond which its motion has failed; distances are then not searched for.
+constexpr double max_size_m = 1e4;
 
-std::vector<sim::Triangle> triangles_of(std::span<const sim::Body> bodies, std::size_t first_vertex) {
+std::vector<sim::Triangle> collect_triangles(std::span<const sim::Body> bodies, std::size_t first_vertex) {
   std::vector<sim::Triangle> triangles;
   auto first = static_cast<sim::Index>(first_vertex);
   for (const sim::Body& body : bodies) {
@@ -39,26 +40,25 @@ void append_mesh_positions(std::span<const sim::Body> bodies, double time_s, std
 const renderer::Colour outline_colour = renderer::rgb(0xC0392B);
 const renderer::Colour wind_colour = renderer::rgb(0x6B7785);
 
-// Up to this height of the picture lines are one pixel wide. Above it they grow with the picture, so that a
-// large picture looks like a small one.
-constexpr float full_line_height_px = 600.0F;
+// Picture height in pixels up to which lines are one pixel wide. In larger pictures line widths grow in proportion, so
+// that a large picture looks like a small one.
+constexpr float one_pixel_line_height_px = 600.0F;
 
-// With more pins than this, pins throw no shadow. The gaps between the shadows of a whole row would streak
-// the cloth.
-constexpr std::size_t most_pins_with_shadows = 8;
+// Maximum number of pins that throw shadows. The gaps between the shadows of a row of pins would streak the cloth.
+constexpr std::size_t max_pins_with_shadows = 8;
 
-// A model of more triangles that follows is smooth as it is.
-constexpr std::size_t most_smoothed = 20'000;
+// Size limit of a following model that is smoothed; a finer one is smooth already.
+constexpr std::size_t max_smoothed_vertices = 20'000;
 
-// Of lines that show springs, in units of line_width_px.
-constexpr float spring_width = 1.2F;
+// Width of spring lines, in units of line_width_px.
+constexpr float spring_width_factor = 1.2F;
 
 float line_width_px(const renderer::PictureSettings& settings) {
-  return std::max(1.0F, static_cast<float>(settings.height_px) / full_line_height_px);
+  return std::max(1.0F, static_cast<float>(settings.height_px) / one_pixel_line_height_px);
 }
 
 PictureStyle drawn_style(PictureStyle style) {
-  style.settings = settings_of(style);
+  style.settings = to_picture_settings(style);
   return style;
 }
 
@@ -86,12 +86,12 @@ sim::Garment part_measured(const sim::Garment& garment, const PictureStyle& styl
   return part;
 }
 
-/// Looks that show what is simulated, not the model that follows it.
+/// Returns true for styles that draw the simulated mesh even if a model follows it.
 bool shows_simulated(const PictureStyle& style) {
   return style.surface != SurfaceLook::shaded || style.wireframe || style.springs != WhichSprings::none;
 }
 
-/// Colours of the triangles that are drawn.
+/// Returns the colours of the drawn triangles.
 DrawnColours shown_colours(const PictureStyle& style, DrawnColours colours) {
   return colours.following && shows_simulated(style) ? DrawnColours{} : std::move(colours);
 }
@@ -103,9 +103,9 @@ std::optional<sim::Garment> followed_model(const DrawnColours& colours, const si
 
 }  // namespace
 
-SurfaceRooms::SurfaceRooms(const DrawnScene& scene, const sim::Garment& garment, float edge_m)
-    : freedom_{most_bulge * edge_m, std::min(most_fairing * edge_m, most_fairing_m)},
-      most_clearance_m_(most_clearance * edge_m),
+SurfaceClearances::SurfaceClearances(const DrawnScene& scene, const sim::Garment& garment, float edge_m)
+    : freedom_{max_bulge_fraction * edge_m, std::min(max_fairing_fraction * edge_m, max_fairing_m)},
+      max_clearance_m_(max_clearance_fraction * edge_m),
       bodies_(scene.surroundings.bodies),
       garment_vertices_(garment.mesh.positions.size()),
       positions_m_(garment.mesh.positions) {
@@ -113,32 +113,33 @@ SurfaceRooms::SurfaceRooms(const DrawnScene& scene, const sim::Garment& garment,
   const bool layers_apart = solver.kind == sim::SolverKind::bounded && solver.bounded.contact;
   if (!layers_apart && bodies_.empty()) return;
   append_mesh_positions(bodies_, 0.0, positions_m_);
-  clearances_.emplace(garment.mesh.triangles, triangles_of(bodies_, garment_vertices_), layers_apart, positions_m_);
+  clearances_.emplace(garment.mesh.triangles, collect_triangles(bodies_, garment_vertices_), layers_apart,
+                      positions_m_);
 }
 
-std::span<const float> SurfaceRooms::find(const std::vector<sim::Vec3>& positions, double time_s) {
+std::span<const float> SurfaceClearances::find(const std::vector<sim::Vec3>& positions, double time_s) {
   if (!clearances_) return {};
-  const double size_m = glm::length(sim::extent_of(positions).size());
-  if (!(size_m < largest_m)) {
-    rooms_m_.assign(positions_m_.size(), 0.0F);
-    return rooms_m_;
+  const double size_m = glm::length(sim::compute_extent(positions).size());
+  if (!(size_m < max_size_m)) {
+    vertex_clearances_m_.assign(positions_m_.size(), 0.0F);
+    return vertex_clearances_m_;
   }
   positions_m_.assign(positions.begin(), positions.end());
   append_mesh_positions(bodies_, time_s, positions_m_);
-  const std::span<const float> clearances_m = clearances_->find(positions_m_, most_clearance_m_);
-  rooms_m_.assign(clearances_m.begin(), clearances_m.end());
+  const std::span<const float> clearances_m = clearances_->find(positions_m_, max_clearance_m_);
+  vertex_clearances_m_.assign(clearances_m.begin(), clearances_m.end());
   keep_off_shapes(time_s);
-  for (float& room_m : rooms_m_) room_m *= share_of_clearance;
-  return rooms_m_;
+  for (float& room_m : vertex_clearances_m_) room_m *= clearance_share;
+  return vertex_clearances_m_;
 }
 
-void SurfaceRooms::keep_off_shapes(double time_s) {
+void SurfaceClearances::keep_off_shapes(double time_s) {
   for (const sim::Body& body : bodies_) {
     if (std::holds_alternative<sim::BodyMesh>(body.shape)) continue;
     const sim::Shape shape = sim::shape_at(body, time_s);
     for (std::size_t v = 0; v < garment_vertices_; ++v) {
       const double distance_m = sim::nearest_surface(shape, positions_m_[v]).distance_m;
-      rooms_m_[v] = std::clamp(static_cast<float>(distance_m), 0.0F, rooms_m_[v]);
+      vertex_clearances_m_[v] = std::clamp(static_cast<float>(distance_m), 0.0F, vertex_clearances_m_[v]);
     }
   }
 }
@@ -150,34 +151,34 @@ GarmentPainter::GarmentPainter(renderer::SceneRenderer& renderer, const DrawnSce
     : renderer_(renderer),
       style_(drawn_style(scene.picture)),
       legend_(stretch_legend(scene)),
-      measured_(part_measured(garment, scene.picture)),
+      stretch_source_(part_measured(garment, scene.picture)),
       pins_(pins.begin(), pins.end()),
       colours_(shown_colours(style_, std::move(colours))),
       simulated_(garment.mesh.triangles),
       model_(followed_model(colours_, garment)),
       surface_(model_ ? *model_ : garment, colours_.corner_coordinates, colours_.base_colour_of_triangle),
-      rooms_(scene, model_ ? *model_ : garment, surface_.edge_m()),
+      surface_clearances_(scene, model_ ? *model_ : garment, surface_.edge_m()),
       structural_edges_(garment.springs.ends.begin(),
                         garment.springs.ends.begin() + static_cast<std::ptrdiff_t>(garment.springs.structural_count)),
       line_width_px_(line_width_px(style_.settings)),
-      spring_lines_(garment, style_.springs, spring_width * line_width_px_),
+      spring_lines_(garment, style_.springs, spring_width_factor * line_width_px_),
       bodies_(scene.surroundings.bodies) {
   const renderer::Box reach = expected_reach(scene, garment, pins);
-  surface_.set_freedom(rooms_.freedom());
+  surface_.set_freedom(surface_clearances_.freedom());
   surface_.set_wrinkled(style_.wrinkles && style_.surface == SurfaceLook::shaded);
   camera_ = scene_camera(scene, reach, style_.settings.aspect());
-  look_from(camera_, shortest_edge_px(style_));
-  if (scene.camera.follow) followed_from_ = mean_of(garment.mesh.positions);
+  look_from(camera_, min_edge_px(style_));
+  if (scene.camera.follow) rest_centre_m_ = mean_position(garment.mesh.positions);
   frame_.ground_height_m = ground_height(scene, reach);
-  frame_.backdrop = backdrop_of(scene.picture.background);
+  frame_.backdrop = to_backdrop(scene.picture.background);
   pin_radius_m_ = pin_radius_m(reach);
   if (style_.rest_outline) add_rest_outline(garment);
   if (style_.show_wind) add_wind(scene, garment);
-  outlines_ = frame_.lines.size();
+  fixed_line_count_ = frame_.lines.size();
 }
 
 void GarmentPainter::place_bodies(double time_s, std::span<const float> rooms_m) {
-  bodies_.place(time_s, rooms_m);
+  bodies_.move_to(time_s, rooms_m);
   frame_.surfaces = bodies_.views();
   if (style_.ground.kind == GroundKind::automatic) {
     if (const auto height_m = level_plane(bodies_.bodies(), time_s)) frame_.ground_height_m = height_m;
@@ -202,18 +203,18 @@ void GarmentPainter::add_wind(const DrawnScene& scene, const sim::Garment& garme
   }
 }
 
-void GarmentPainter::look_from(const renderer::Camera& camera, float shortest_edge_px) {
+void GarmentPainter::look_from(const renderer::Camera& camera, float min_edge_px) {
   frame_.camera = camera;
   frame_.lighting = renderer::studio_lighting(camera);
   const float seen_m = 2.0F * glm::distance(camera.eye, camera.target) * std::tan(0.5F * camera.vertical_fov_rad);
-  // Springs lie on the simulated triangles.
+  // Spring lines lie on the simulated triangles.
   const bool is_smooth = style_.smooth && style_.surface != SurfaceLook::wireframe &&
                          style_.springs == WhichSprings::none &&
-                         !(model_ && model_->mesh.triangles.size() > most_smoothed);
+                         !(model_ && model_->mesh.triangles.size() > max_smoothed_vertices);
   const float pixels_per_m = static_cast<float>(style_.settings.height_px) / seen_m;
-  const std::optional<float> shortest = is_smooth ? std::optional(shortest_edge_px) : std::nullopt;
+  const std::optional<float> shortest = is_smooth ? std::optional(min_edge_px) : std::nullopt;
   surface_.set_detail(pixels_per_m, shortest);
-  // A finer body would come through coarse cloth.
+  // A finer body would show through coarse cloth.
   bodies_.set_detail(pixels_per_m, surface_.is_refined() ? shortest : std::nullopt);
 }
 
@@ -230,7 +231,7 @@ renderer::SurfaceView GarmentPainter::garment_view() {
   }
   if (style_.surface == SurfaceLook::stretch) {
     surface.scalars = renderer::ScalarColours{stretch_, legend_.minimum, legend_.maximum, legend_.map};
-    surface.trims = {};  // their shades would be read as numbers
+    surface.trims = {};  // trims would change the scalars that stand for stretch
   }
   if (style_.wireframe || is_wireframe) {
     wireframe_ = surface_.refined_edges(structural_edges_);
@@ -243,31 +244,31 @@ const renderer::FrameView& GarmentPainter::view(const std::vector<sim::Vec3>& po
   const std::vector<sim::Vec3> shown_m = model_ ? colours_.following->shown_m(positions, simulated_) : positions;
   positions_ = to_float(shown_m);
   const std::span<const float> rooms_m =
-      surface_.is_refined() ? rooms_.find(shown_m, time_s) : std::span<const float>();
-  const std::size_t own = std::min(rooms_m.size(), shown_m.size());
-  surface_.place(positions_, rooms_m.first(own));
-  place_bodies(time_s, rooms_m.subspan(own));
+      surface_.is_refined() ? surface_clearances_.find(shown_m, time_s) : std::span<const float>();
+  const std::size_t own_count = std::min(rooms_m.size(), shown_m.size());
+  surface_.place(positions_, rooms_m.first(own_count));
+  place_bodies(time_s, rooms_m.subspan(own_count));
   if (style_.surface == SurfaceLook::stretch) {
     const std::vector<double> stretch = style_.stretch_of == StretchOf::surface
-                                            ? sim::vertex_surface_stretch(measured_, positions)
-                                            : sim::vertex_stretch(measured_.springs, positions);
+                                            ? sim::vertex_surface_stretch(stretch_source_, positions)
+                                            : sim::vertex_stretch(stretch_source_.springs, positions);
     stretch_.assign(stretch.begin(), stretch.end());
     surface_.interpolate(stretch_);
   }
-  if (followed_from_) {
-    const glm::vec3 shift = mean_of(positions) - *followed_from_;
+  if (rest_centre_m_) {
+    const glm::vec3 shift = mean_position(positions) - *rest_centre_m_;
     frame_.camera.eye = camera_.eye + shift;
     frame_.camera.target = camera_.target + shift;
   }
   frame_.surfaces.push_back(garment_view());
-  frame_.lines.resize(outlines_);
+  frame_.lines.resize(fixed_line_count_);
   spring_lines_.add(positions_, frame_);
   frame_.spheres.clear();
   if (style_.show_pins && !pins_.empty()) {
     pin_positions_.clear();
     for (const sim::Index pin : pins_) pin_positions_.emplace_back(positions[pin]);
     frame_.spheres.push_back(
-        {.centres = pin_positions_, .radius_m = pin_radius_m_, .casts_shadow = pins_.size() <= most_pins_with_shadows});
+        {.centres = pin_positions_, .radius_m = pin_radius_m_, .casts_shadow = pins_.size() <= max_pins_with_shadows});
   }
   return frame_;
 }

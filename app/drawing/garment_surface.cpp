@@ -2,15 +2,15 @@
 
 #include "app/base/errors.hpp"
 #include "app/drawing/framing.hpp"
-#include "app/models/garment_measures.hpp"
-#include "app/models/garment_parts.hpp"
-#include "app/models/landmarks.hpp"
+#include "app/models/hanging/garment_measures.hpp"
+#include "app/models/hanging/garment_parts.hpp"
+#include "app/models/hanging/landmarks.hpp"
 #include "sim/mesh/groups.hpp"
 
 namespace taut::app {
 namespace {
 
-sim::Groups pieces_of(const sim::Garment& garment, std::span<const glm::vec2> corner_uv) {
+sim::Groups find_pieces(const sim::Garment& garment, std::span<const glm::vec2> corner_uv) {
   const std::vector<std::uint32_t> triangles = flat(garment.mesh.triangles);
   const std::vector<renderer::VertexPair> seams =
       renderer::seam_edges(to_float(garment.mesh.positions), triangles, corner_uv);
@@ -26,28 +26,29 @@ sim::Groups pieces_of(const sim::Garment& garment, std::span<const glm::vec2> co
 
 struct Areas {
   double in_m2 = 0.0;
-  double in_uv = 0.0;  ///< below 0: mirrored
+  double in_uv = 0.0;  ///< negative: mirrored
 };
 
-// For an adult's garment; others have a share of it.
+// Sizes for an adult's garment. A smaller garment has them times its share of an adult's diagonal, at least
+// min_size_factor.
 constexpr float hem_m = 0.02F;
 constexpr float neckband_m = 0.018F;
 constexpr double diagonal_of_adult_m = 0.8;
-constexpr float least_share = 0.25F;
-// A hem is no wider than this share of its length: small holes have narrow ones.
-constexpr float most_of_length = 1.0F / 12.0F;
+constexpr float min_size_factor = 0.25F;
+// Maximum width of a hem as a fraction of its length, so that small holes get narrow hems.
+constexpr float max_hem_length_ratio = 1.0F / 12.0F;
 
-// Sharp edges shorter than this, stitches, are folds of the model and no seams.
-constexpr float shortest_seam = 25.0F;
+// Minimum length of a seam along sharp edges, in stitches. Shorter sharp edges are folds of the model.
+constexpr float min_seam_stitches = 25.0F;
 
-std::vector<renderer::VertexPair> long_ones(std::span<const renderer::VertexPair> edges,
-                                            std::span<const glm::vec3> rest_positions, float shortest_m) {
-  const renderer::Lines lines = renderer::lines_of(edges, rest_positions);
-  std::vector<renderer::VertexPair> kept;
-  for (const renderer::Lines::Segment& segment : lines.segments) {
-    if (lines.chains[segment.chain].length >= shortest_m) kept.push_back(segment.ends);
+std::vector<renderer::VertexPair> long_edges(std::span<const renderer::VertexPair> edges,
+                                             std::span<const glm::vec3> rest_positions, float min_length_m) {
+  const renderer::LineChains lines = renderer::make_lines(edges, rest_positions);
+  std::vector<renderer::VertexPair> kept_pairs;
+  for (const renderer::LineChains::ChainSegment& segment : lines.segments) {
+    if (lines.chains[segment.chain].length >= min_length_m) kept_pairs.push_back(segment.ends);
   }
-  return kept;
+  return kept_pairs;
 }
 
 bool is_around_neck(const Opening& opening, const GarmentMarks& marks) {
@@ -55,23 +56,23 @@ bool is_around_neck(const Opening& opening, const GarmentMarks& marks) {
          opening.range.upper == marks.top->upper;
 }
 
-std::vector<renderer::BorderBand> bands_of(const sim::Garment& garment, float share) {
-  const GarmentMarks marks = marks_of(garment, garment.mesh.positions, {});
+std::vector<renderer::BorderBand> make_border_bands(const sim::Garment& garment, float share) {
+  const GarmentMarks marks = find_garment_marks(garment, garment.mesh.positions, {});
   std::vector<renderer::BorderBand> bands(garment.mesh.positions.size());
-  for (const GarmentPart& part : parts_of(garment.mesh, garment.adjacency)) {
+  for (const GarmentPart& part : find_garment_parts(garment.mesh, garment.adjacency)) {
     for (const Opening& opening : part.openings) {
       const bool ribbed = is_around_neck(opening, marks);
       const float width_m =
-          std::min(share * (ribbed ? neckband_m : hem_m), most_of_length * static_cast<float>(opening.length_m));
+          std::min(share * (ribbed ? neckband_m : hem_m), max_hem_length_ratio * static_cast<float>(opening.length_m));
       for (const sim::Index vertex : opening.vertices) bands[vertex] = {width_m, ribbed};
     }
   }
   return bands;
 }
 
-// A rim that is thinner in the picture, and stitches that are shorter, pixels, are not drawn.
-constexpr float least_rim_px = 0.7F;
-constexpr float least_stitch_px = 0.8F;
+// Size in pixels below which a rim or a stitch is not drawn.
+constexpr float min_rim_px = 0.7F;
+constexpr float min_stitch_px = 0.8F;
 
 float mean_edge_m(const sim::Garment& garment) {
   double sum_m = 0.0;
@@ -81,32 +82,33 @@ float mean_edge_m(const sim::Garment& garment) {
   return static_cast<float>(sum_m / static_cast<double>(std::max<std::size_t>(garment.adjacency.edges.size(), 1)));
 }
 
-// Wrinkles are about two bending lengths long. The mesh shows those of four edges and more; one whose edges are nearly
-// as long as wrinkles does not know where they are.
-constexpr float bending_lengths = 2.0F;
-constexpr float shown_edges = 4.0F;
-constexpr float unknown_edges = 1.2F;
-constexpr float least_edges = 2.5F, most_edges = 3.5F;
+// Wrinkles are about two bending lengths long. The mesh itself shows wrinkles of four edges and more. If its edges are
+// nearly as long as the wrinkles, it does not tell where they are.
+constexpr float wrinkle_bending_lengths = 2.0F;
+constexpr float resolved_wrinkle_edges = 4.0F;
+constexpr float min_wrinkle_edges = 1.2F;
+constexpr float min_drawn_wrinkle_edges = 2.5F, max_drawn_wrinkle_edges = 3.5F;
 
-/// The bending length is the edge of a square of cloth whose weight bends it much (Peirce 1930).
+/// Returns the wavelength in metres of the wrinkles to draw; 0: none. The bending length is the edge of a square of
+/// cloth that its own weight bends clearly (Peirce 1930).
 float wavelength_m(const sim::Material& material, float edge_m) {
   const double bending_length_m = std::cbrt(material.bending_rigidity_n_m / (material.areal_density_kg_per_m2 * 9.81));
-  const float wanted_m = bending_lengths * static_cast<float>(bending_length_m);
-  const bool is_drawn = wanted_m > unknown_edges * edge_m && wanted_m < shown_edges * edge_m;
-  return !is_drawn ? 0.0F : std::clamp(wanted_m, least_edges * edge_m, most_edges * edge_m);
+  const float wanted_m = wrinkle_bending_lengths * static_cast<float>(bending_length_m);
+  const bool is_drawn = wanted_m > min_wrinkle_edges * edge_m && wanted_m < resolved_wrinkle_edges * edge_m;
+  return !is_drawn ? 0.0F : std::clamp(wanted_m, min_drawn_wrinkle_edges * edge_m, max_drawn_wrinkle_edges * edge_m);
 }
 
-// Flexural springs lie under the structural ones they skip along: wider, they show on both sides.
-constexpr float flexural_width = 2.5F;
+// Flexural springs lie under the structural springs that they run along. Their lines are wider, to show on both sides.
+constexpr float flexural_width_factor = 2.5F;
 
-// Of cloth that is printed or dyed on its outside.
+// Inside of cloth that is printed or dyed on its outside.
 constexpr renderer::Colour undyed_colour = renderer::rgb(0xE6E2DC);
 
-renderer::Colour inside_of(const renderer::SurfaceStyle& cloth) {
-  return cloth.inside_colour.value_or(renderer::reverse_of(cloth.outside_colour));
+renderer::Colour inner_colour(const renderer::SurfaceStyle& cloth) {
+  return cloth.inside_colour.value_or(renderer::reverse_colour(cloth.outside_colour));
 }
 
-renderer::BaseColourMap map_of(const TextureImage& image) {
+renderer::BaseColourMap to_base_colour_map(const TextureImage& image) {
   return {static_cast<int>(image.width_px), static_cast<int>(image.height_px), image.rgba};
 }
 
@@ -116,60 +118,61 @@ DrawnColours print(const PictureStyle& style, const SurfaceColours& colours) {
                      "' cannot be drawn, as the garment has no texture coordinates; expected a model that "
                      "has, such as an OBJ file with vt lines");
   }
-  return {
-      colours.corner_uv, {{style.cloth.outside_colour, inside_of(style.cloth), map_of(read_image(style.texture))}}, {}};
+  return {colours.corner_uv,
+          {{style.cloth.outside_colour, inner_colour(style.cloth), to_base_colour_map(read_image(style.texture))}},
+          {}};
 }
 
-renderer::BaseColour colour_of(const SurfaceMaterial& material, const SurfaceColours& colours,
-                               const renderer::Colour& inside_colour) {
+renderer::BaseColour to_base_colour(const SurfaceMaterial& material, const SurfaceColours& colours,
+                                    const renderer::Colour& inside_colour) {
   if (material.map == no_map || colours.corner_uv.empty()) {
     return {material.base_colour, material.base_colour, {}};
   }
-  return {material.base_colour, inside_colour, map_of(colours.maps[material.map])};
+  return {material.base_colour, inside_colour, to_base_colour_map(colours.maps[material.map])};
 }
 
-DrawnColours own(const PictureStyle& style, const SurfaceColours& colours) {
+DrawnColours model_colours(const PictureStyle& style, const SurfaceColours& colours) {
   DrawnColours drawn{colours.corner_uv, {}, colours.material_of_face, colours.remarks};
   for (const SurfaceMaterial& material : colours.materials) {
-    drawn.base_colours.push_back(colour_of(material, colours, style.cloth.inside_colour.value_or(undyed_colour)));
+    drawn.base_colours.push_back(to_base_colour(material, colours, style.cloth.inside_colour.value_or(undyed_colour)));
   }
   return drawn;
 }
 
-bool has_own(const SurfaceColours& colours) {
+bool has_images(const SurfaceColours& colours) {
   return std::ranges::any_of(colours.materials,
                              [](const SurfaceMaterial& material) { return !material.map_file.empty(); });
 }
 
-PictureStyle look_of(const std::string& fabric) {
+PictureStyle fabric_style(const std::string& fabric) {
   DrawnScene scene;
   apply_overrides(drawn_scene_format(), std::vector<Override>{{"cloth.fabric", fabric, "fabrics"}}, scene);
   return scene.picture;
 }
 
-/// Layers of fabrics of their own have the colours of these.
-DrawnColours of_layers(const DrawnScene& scene, const GarmentInScene& loaded) {
+/// Returns the colours of a garment whose layers have fabrics of their own.
+DrawnColours layer_colours(const DrawnScene& scene, const GarmentInScene& loaded) {
   DrawnColours drawn{
-      loaded.colours.corner_uv, {{scene.picture.cloth.outside_colour, inside_of(scene.picture.cloth), {}}}, {}};
+      loaded.colours.corner_uv, {{scene.picture.cloth.outside_colour, inner_colour(scene.picture.cloth), {}}}, {}};
   for (const auto& [group, fabric] : read_garment_facts(scene.garment.model()).fabrics) {
-    const renderer::SurfaceStyle cloth = look_of(fabric).cloth;
-    drawn.base_colours.push_back({cloth.outside_colour, inside_of(cloth), {}});
+    const renderer::SurfaceStyle cloth = fabric_style(fabric).cloth;
+    drawn.base_colours.push_back({cloth.outside_colour, inner_colour(cloth), {}});
   }
   for (const sim::Triangle& t : loaded.garment->mesh.triangles) {
-    drawn.base_colour_of_triangle.push_back(loaded.garment->material_of[t[0]]);
+    drawn.base_colour_of_triangle.push_back(loaded.garment->material_indices[t[0]]);
   }
   return drawn;
 }
 
-DrawnColours colours_of(const DrawnScene& scene, const GarmentInScene& loaded) {
+DrawnColours choose_colours(const DrawnScene& scene, const GarmentInScene& loaded) {
   const PictureStyle& style = scene.picture;
   if (names_image(style.texture)) return print(style, loaded.colours);
-  if (style.texture != no_texture && !loaded.garment->material_of.empty()) return of_layers(scene, loaded);
+  if (style.texture != no_texture && !loaded.garment->material_indices.empty()) return layer_colours(scene, loaded);
   const bool is_coloured = style.cloth.outside_colour != renderer::SurfaceStyle().outside_colour;
-  if (style.texture == no_texture || is_coloured || !has_own(loaded.colours)) {
+  if (style.texture == no_texture || is_coloured || !has_images(loaded.colours)) {
     return {loaded.colours.corner_uv, {}, {}};
   }
-  return own(style, loaded.colours);
+  return model_colours(style, loaded.colours);
 }
 
 }  // namespace
@@ -177,7 +180,7 @@ DrawnColours colours_of(const DrawnScene& scene, const GarmentInScene& loaded) {
 std::vector<glm::vec2> cloth_coordinates(const sim::Garment& garment, std::span<const glm::vec2> corner_uv) {
   if (corner_uv.empty()) return {};
   const sim::Mesh& mesh = garment.mesh;
-  sim::Groups pieces = pieces_of(garment, corner_uv);
+  sim::Groups pieces = find_pieces(garment, corner_uv);
   std::vector<Areas> areas(mesh.triangles.size());
   for (sim::Index t = 0; t < mesh.triangles.size(); ++t) {
     const glm::dvec2 a(corner_uv[3 * t]);
@@ -199,19 +202,19 @@ std::vector<glm::vec2> cloth_coordinates(const sim::Garment& garment, std::span<
   return coordinates;
 }
 
-GarmentSewing sewing_of(const sim::Garment& garment, std::span<const glm::vec2> corner_coordinates) {
+GarmentSewing make_garment_sewing(const sim::Garment& garment, std::span<const glm::vec2> corner_coordinates) {
   GarmentSewing sewing;
   sewing.rim_radius_m = 0.5F * static_cast<float>(garment.material.thickness_m);
   if (!garment.mesh.quads.empty()) return sewing;
-  const double diagonal_m = glm::length(sim::extent_of(garment.mesh.positions).size());
-  const float share = std::clamp(static_cast<float>(diagonal_m / diagonal_of_adult_m), least_share, 1.0F);
+  const double diagonal_m = glm::length(sim::compute_extent(garment.mesh.positions).size());
+  const float share = std::clamp(static_cast<float>(diagonal_m / diagonal_of_adult_m), min_size_factor, 1.0F);
   sewing.stitch_m *= share;
   sewing.rim_radius_m *= 2.0F;
-  sewing.bands = bands_of(garment, share);
+  sewing.bands = make_border_bands(garment, share);
   const std::vector<glm::vec3> rest_positions = to_float(garment.mesh.positions);
   sewing.seams = renderer::seam_edges(rest_positions, flat(garment.mesh.triangles), corner_coordinates);
   if (corner_coordinates.empty()) {
-    sewing.seams = long_ones(sewing.seams, rest_positions, shortest_seam * sewing.stitch_m);
+    sewing.seams = long_edges(sewing.seams, rest_positions, min_seam_stitches * sewing.stitch_m);
   }
   return sewing;
 }
@@ -225,14 +228,14 @@ GarmentSurface::GarmentSurface(const sim::Garment& garment, std::vector<glm::vec
       colour_of_triangle_(std::move(colour_of_triangle)),
       edge_m_(mean_edge_m(garment)),
       wavelength_m_(wavelength_m(garment.material, edge_m_)),
-      sewing_(sewing_of(garment, corner_coordinates_)) {}
+      sewing_(make_garment_sewing(garment, corner_coordinates_)) {}
 
-void GarmentSurface::set_detail(float pixels_per_m, std::optional<float> shortest_edge_px) {
+void GarmentSurface::set_detail(float pixels_per_m, std::optional<float> min_edge_px) {
   Detail wanted;
-  if (shortest_edge_px) {
-    wanted.levels = renderer::refinement_levels(edge_m_ * pixels_per_m, triangles_.size() / 3, *shortest_edge_px);
-    wanted.rim = 2.0F * sewing_.rim_radius_m * pixels_per_m > least_rim_px;
-    wanted.sewn = sewing_.stitch_m * pixels_per_m > least_stitch_px;
+  if (min_edge_px) {
+    wanted.levels = renderer::refinement_levels(edge_m_ * pixels_per_m, triangles_.size() / 3, *min_edge_px);
+    wanted.rim = 2.0F * sewing_.rim_radius_m * pixels_per_m > min_rim_px;
+    wanted.sewn = sewing_.stitch_m * pixels_per_m > min_stitch_px;
   }
   if (!surface_ || wanted != detail_) {
     detail_ = wanted;
@@ -270,7 +273,7 @@ void GarmentSurface::make() {
   }
 }
 
-// The rim has the values of the border that it is at.
+// Returns texture coordinates of the fine surface. A vertex of the rim takes the values of the border beside it.
 std::vector<glm::vec2> GarmentSurface::fine_corner_values(std::span<const glm::vec2> corners) const {
   if (corners.empty()) return {};
   std::vector<glm::vec2> fine = renderer::refined_corner_values(corners, detail_.levels);
@@ -299,7 +302,7 @@ renderer::SurfaceView GarmentSurface::view() const {
   view.triangles = surface_->triangles();
   view.material_coordinates = material_coordinates_;
   view.refinement = renderer::Refinement{mesh.coarse_vertex_count(), triangles_, surface_->parents(),
-                                         surface_->parent_triangles(), freedom_.most_bulge};
+                                         surface_->parent_triangles(), freedom_.max_bulge};
   view.corner_coordinates = fine_corner_coordinates_;
   view.base_colour_of_triangle = fine_colour_of_triangle_;
   view.trims = trims_;
@@ -311,7 +314,7 @@ void GarmentSurface::interpolate(std::vector<float>& values) const {
 }
 
 bool shows(WhichSprings shown, sim::SpringKind kind) {
-  return shown == WhichSprings::all || std::strcmp(name_of(shown), sim::name_of(kind)) == 0;
+  return shown == WhichSprings::all || std::strcmp(to_name(shown), sim::to_name(kind)) == 0;
 }
 
 SpringLines::SpringLines(const sim::Garment& garment, WhichSprings shown, float width_px) {
@@ -319,16 +322,16 @@ SpringLines::SpringLines(const sim::Garment& garment, WhichSprings shown, float 
   for (const sim::SpringKind kind : {sim::SpringKind::flexural, sim::SpringKind::shear, sim::SpringKind::structural}) {
     if (!shows(shown, kind)) continue;
     const bool is_under = shown == WhichSprings::all && kind == sim::SpringKind::flexural;
-    lines_.push_back({{springs.ends.begin() + static_cast<std::ptrdiff_t>(springs.begin_of(kind)),
-                       springs.ends.begin() + static_cast<std::ptrdiff_t>(springs.end_of(kind))},
+    lines_.push_back({{springs.ends.begin() + static_cast<std::ptrdiff_t>(springs.begin_index(kind)),
+                       springs.ends.begin() + static_cast<std::ptrdiff_t>(springs.end_index(kind))},
                       spring_colour(kind),
-                      is_under ? flexural_width * width_px : width_px,
+                      is_under ? flexural_width_factor * width_px : width_px,
                       {}});
   }
 }
 
 void SpringLines::add(std::span<const glm::vec3> positions, renderer::FrameView& frame) {
-  for (Lines& lines : lines_) {
+  for (SewingLines& lines : lines_) {
     lines.points.clear();
     for (const sim::Edge& ends : lines.springs) {
       lines.points.push_back(positions[ends[0]]);
@@ -342,7 +345,7 @@ void SpringLines::add(std::span<const glm::vec3> positions, renderer::FrameView&
 }
 
 DrawnColours drawn_colours(const DrawnScene& scene, const GarmentInScene& loaded) {
-  DrawnColours colours = colours_of(scene, loaded);
+  DrawnColours colours = choose_colours(scene, loaded);
   colours.following = loaded.following;
   return colours;
 }

@@ -1,29 +1,29 @@
 #include "app/drawing/inspection_picture.hpp"
 
-#include "app/bodies/wearing.hpp"
 #include "app/drawing/garment_painter.hpp"
-#include "app/models/model_fitting.hpp"
+#include "app/garments/dressing/wearing.hpp"
+#include "app/models/mending/model_fitting.hpp"
 #include "sim/mesh/topology.hpp"
 
 namespace taut::app {
 namespace {
 
-/// Of triangles that cross.
+/// Colour of crossing triangles.
 const renderer::Colour crossing_colour = renderer::rgb(0x00B140);
-/// The width of the dark outline that dots have.
+/// Width of the dark outline of dots.
 constexpr float mark_outline_px = 2.0F;
 
 constexpr int inspection_panel_px = 1000;  ///< width of one view
 
-/// Two views of the garment as it was modelled, of one size and one scale.
+/// Two views of the garment as modelled, of the same size and scale.
 struct InspectionViews {
-  struct Side {
+  struct PanelSide {
     const char* name;
     DrawnScene scene;
   };
-  std::array<Side, 2> sides;
-  float px_per_m = 0.0F;  ///< at the distance of the garment's middle
-  int height_px = 0;      ///< of each view; as small as the garment allows
+  std::array<PanelSide, 2> sides;
+  float px_per_m = 0.0F;  ///< scale at the distance of the garment's middle
+  int height_px = 0;      ///< height of a view, as small as the garment allows
 };
 
 const renderer::Colour border_colour = renderer::rgb(0x1C1C1C);
@@ -32,20 +32,20 @@ const renderer::Colour misoriented_colour = renderer::rgb(0x7B2CBF);
 const renderer::Colour hanger_colour = renderer::rgb(0xB8860B);
 const renderer::Colour joined_colour = renderer::rgb(0xFFD000);
 
-// Fraction of vertices. If more were welded, they are not marked: in a model without shared vertices all
-// would be.
-constexpr double most_joined = 0.3;
+// Maximum fraction of vertices for which welded vertices are marked. A model without shared vertices would be covered
+// in marks.
+constexpr double max_marked_fraction = 0.3;
 
 void add_line(const LoadedGarment& loaded, const sim::Edge& ends, InspectionMarks& marks) {
   for (const sim::Index end : ends) marks.points.emplace_back(loaded.garment->mesh.positions[end]);
 }
 
-InspectionMarks springs_of(const LoadedGarment& loaded, sim::SpringKind kind, float width_px) {
+InspectionMarks mark_springs(const LoadedGarment& loaded, sim::SpringKind kind, float width_px) {
   const sim::Springs& springs = loaded.garment->springs;
-  InspectionMarks marks{.meaning = fmt::format("{} springs: {}", sim::name_of(kind), springs.count(kind)),
+  InspectionMarks marks{.meaning = fmt::format("{} springs: {}", sim::to_name(kind), springs.count(kind)),
                         .colour = spring_colour(kind),
                         .width_px = width_px};
-  for (std::size_t s = springs.begin_of(kind); s < springs.end_of(kind); ++s) {
+  for (std::size_t s = springs.begin_index(kind); s < springs.end_index(kind); ++s) {
     add_line(loaded, springs.ends[s], marks);
   }
   return marks;
@@ -61,7 +61,7 @@ InspectionMarks edges_where(const LoadedGarment& loaded, InspectionMarks marks, 
   return marks;
 }
 
-// Positions that several vertices of the file have: the two sides of its seams, or equal layers.
+// Marks positions that several vertices of the file share: the two sides of a seam, or coincident layers.
 InspectionMarks joined_vertices(const LoadedGarment& loaded, float diameter_px) {
   InspectionMarks marks{
       .meaning = "", .colour = joined_colour, .width_px = diameter_px, .dots = true, .seen_through = false};
@@ -77,7 +77,7 @@ InspectionMarks joined_vertices(const LoadedGarment& loaded, float diameter_px) 
     }
   }
   if (static_cast<double>(marks.points.size()) >
-      most_joined * static_cast<double>(loaded.garment->mesh.positions.size())) {
+      max_marked_fraction * static_cast<double>(loaded.garment->mesh.positions.size())) {
     marks.points.clear();
   }
   marks.meaning = fmt::format("several vertices in the file: {}", marks.points.size());
@@ -100,7 +100,7 @@ InspectionMarks crossing_triangles(const LoadedGarment& loaded, std::span<const 
   return marks;
 }
 
-InspectionMarks hanger_of(const LoadedGarment& loaded) {
+InspectionMarks mark_hanger(const LoadedGarment& loaded) {
   InspectionMarks marks{
       .meaning = "hanger", .colour = hanger_colour, .width_px = 10.0F, .opacity = 0.8F, .seen_through = true};
   for (const sim::Body& bar : loaded.hanger) {
@@ -113,23 +113,23 @@ InspectionMarks hanger_of(const LoadedGarment& loaded) {
 constexpr float radian_per_degree = 0.017453293F;
 constexpr float elevation_rad = 10.0F * radian_per_degree;
 constexpr std::array azimuths_rad = {20.0F * radian_per_degree, 200.0F * radian_per_degree};
-// A narrow view has little perspective, so that one scale bar is valid for the whole garment.
+// Narrow field of view with little perspective, so that one scale bar is valid for the whole garment.
 constexpr float field_of_view_rad = 0.12F;
 // Fraction of the picture that stays free, for lines and balls at the garment's edge.
 constexpr float margin = 0.025F;
-// Limits on the height of a view, as fractions of its width. They give a flat garment some height and keep a
+// Minimum and maximum height of a view, as fractions of its width. They give a flat garment some height and keep a
 // scarf from filling the page.
-constexpr float lowest_panel = 0.2F;
-constexpr float highest_panel = 1.3F;
+constexpr float min_height_to_width = 0.2F;
+constexpr float max_height_to_width = 1.3F;
 
-renderer::Framing framing_of(float azimuth_rad) {
+renderer::Framing make_framing(float azimuth_rad) {
   return {.azimuth_rad = azimuth_rad,
           .elevation_rad = elevation_rad,
           .vertical_fov_rad = field_of_view_rad,
           .margin = margin};
 }
 
-/// The vertices, and of those that are held the balls that show it.
+/// Returns the vertices, and the extreme points of the balls at pins.
 std::vector<glm::vec3> points_to_be_seen(const sim::Garment& garment, std::span<const sim::Index> pins,
                                          float ball_radius_m) {
   std::vector<glm::vec3> points = to_float(garment.mesh.positions);
@@ -145,7 +145,7 @@ std::vector<glm::vec3> points_to_be_seen(const sim::Garment& garment, std::span<
   return points;
 }
 
-/// Height by width of what a camera sees of the points.
+/// Returns width and height of the points in the camera's view, divided by their distance.
 glm::vec2 seen_size(std::span<const glm::vec3> points, const renderer::Camera& camera) {
   const glm::mat4 to_eye = camera.view();
   glm::vec2 lower(INFINITY), upper(-INFINITY);
@@ -158,7 +158,7 @@ glm::vec2 seen_size(std::span<const glm::vec3> points, const renderer::Camera& c
 }
 
 /// Returns the azimuths of the views of the garment's front and back, in radians.
-std::array<float, 2> azimuths_of(std::span<const glm::vec3> points) {
+std::array<float, 2> choose_azimuths(std::span<const glm::vec3> points) {
   const renderer::Box box = renderer::bounding_box(points);
   const float turned_rad = azimuth_of_broad_side(box.upper - box.lower);
   return {azimuths_rad[0] + turned_rad, azimuths_rad[1] + turned_rad};
@@ -166,13 +166,14 @@ std::array<float, 2> azimuths_of(std::span<const glm::vec3> points) {
 
 int height_of_panel_px(std::span<const glm::vec3> points) {
   float width = 0.0F, height = 0.0F;
-  for (const float azimuth_rad : azimuths_of(points)) {
-    const glm::vec2 size = seen_size(points, renderer::fit_camera_to_points(points, framing_of(azimuth_rad), 1.0F));
+  for (const float azimuth_rad : choose_azimuths(points)) {
+    const glm::vec2 size = seen_size(points, renderer::fit_camera_to_points(points, make_framing(azimuth_rad), 1.0F));
     width = std::max(width, size.x);
     height = std::max(height, size.y);
   }
-  const float wanted = width > 0.0F ? height / width : highest_panel;
-  return static_cast<int>(std::lround(inspection_panel_px * std::clamp(wanted, lowest_panel, highest_panel)));
+  const float wanted = width > 0.0F ? height / width : max_height_to_width;
+  return static_cast<int>(
+      std::lround(inspection_panel_px * std::clamp(wanted, min_height_to_width, max_height_to_width)));
 }
 
 DrawnScene scene_of_side(const DrawnScene& asked, int height_px) {
@@ -196,7 +197,7 @@ DrawnScene scene_of_side(const DrawnScene& asked, int height_px) {
 void add_marks(const std::vector<InspectionMarks>& all, renderer::FrameView& frame) {
   for (const InspectionMarks& marks : all) {
     if (marks.dots) {
-      // Outlined, they stand out from springs of any colour.
+      // Outlined dots stand out from springs of any colour.
       frame.points.push_back({.centres = marks.points,
                               .colours = std::span(&palette::ink, 1),
                               .diameter_px = marks.width_px + 2.0F * mark_outline_px,
@@ -215,7 +216,7 @@ void add_marks(const std::vector<InspectionMarks>& all, renderer::FrameView& fra
   }
 }
 
-/// Draws a garment at these positions with marks; `is_page`: on a white page.
+/// Draws a garment at these positions with marks. `is_page`: on a white page.
 renderer::Image draw_marked(renderer::SceneRenderer& renderer, const DrawnScene& scene, const sim::Garment& garment,
                             std::span<const sim::Index> pins, const std::vector<sim::Vec3>& positions_m, double time_s,
                             const std::vector<InspectionMarks>& marks, bool is_page) {
@@ -229,7 +230,7 @@ renderer::Image draw_marked(renderer::SceneRenderer& renderer, const DrawnScene&
   return renderer.draw(frame, scene.picture.settings);
 }
 
-/// Makes the views from the scene that was asked for.
+/// Makes both views from the user's scene.
 InspectionViews inspection_views(const DrawnScene& asked, const sim::Garment& garment,
                                  std::span<const sim::Index> pins) {
   const std::vector<glm::vec3> points =
@@ -237,14 +238,14 @@ InspectionViews inspection_views(const DrawnScene& asked, const sim::Garment& ga
   InspectionViews views{.sides = {{{"from the front", {}}, {"from behind", {}}}},
                         .height_px = height_of_panel_px(points)};
   const float aspect = static_cast<float>(inspection_panel_px) / static_cast<float>(views.height_px);
-  const std::array<float, 2> azimuths = azimuths_of(points);
+  const std::array<float, 2> azimuths = choose_azimuths(points);
   std::array<renderer::Camera, azimuths.size()> cameras;
   float distance_m = 0.0F;
   for (std::size_t k = 0; k < cameras.size(); ++k) {
-    cameras[k] = renderer::fit_camera_to_points(points, framing_of(azimuths[k]), aspect);
+    cameras[k] = renderer::fit_camera_to_points(points, make_framing(azimuths[k]), aspect);
     distance_m = std::max(distance_m, glm::distance(cameras[k].eye, cameras[k].target));
   }
-  // All from as far as the side that needs it.
+  // All views have the largest distance that one of them needs.
   for (std::size_t k = 0; k < cameras.size(); ++k) {
     const glm::vec3 backwards = glm::normalize(cameras[k].eye - cameras[k].target);
     DrawnScene& scene = views.sides[k].scene;
@@ -276,11 +277,11 @@ renderer::Image draw_side(OffscreenRenderer& offscreen, DrawnScene& scene, const
                      all, true);
 }
 
-// The longest of 1, 2 and 5 times a power of ten that takes at most a quarter of a panel.
+// Returns the longest of 1, 2 and 5 times a power of ten that takes at most a quarter of a panel.
 double bar_length_m(float px_per_m) {
-  const double most_m = 0.25 * inspection_panel_px / static_cast<double>(px_per_m);
-  const double power = std::pow(10.0, std::floor(std::log10(most_m)));
-  return power * (most_m >= 5.0 * power ? 5.0 : most_m >= 2.0 * power ? 2.0 : 1.0);
+  const double max_length_m = 0.25 * inspection_panel_px / static_cast<double>(px_per_m);
+  const double power = std::pow(10.0, std::floor(std::log10(max_length_m)));
+  return power * (max_length_m >= 5.0 * power ? 5.0 : max_length_m >= 2.0 * power ? 2.0 : 1.0);
 }
 
 std::string length_text(double length_m) {
@@ -297,26 +298,26 @@ void draw_bar(renderer::Canvas& canvas, float x_px, float y_px, float px_per_m) 
   for (const float at_px : {x_px, end_px}) {
     canvas.line(at_px, y_px - 8.0F, at_px, y_px + 8.0F, palette::ink, 3.0F);
   }
-  const renderer::TextStyle text = text_style(text_px).aligned(renderer::HorizontalAlign::centre);
+  const renderer::TextStyle text = text_style(text_px).with_alignment(renderer::HorizontalAlign::centre);
   canvas.text(0.5F * (x_px + end_px), y_px - 0.6F * text_px, length_text(length_m), text);
 }
 
-// A text that is too long ends in dots: a path can have any length.
-std::string shortened(const renderer::Canvas& canvas, std::string text, const renderer::TextStyle& style) {
-  const float most_px = page_px - 2.0F * border_px;
-  if (canvas.measure(text, style).width_px <= most_px) return text;
-  while (!text.empty() && canvas.measure(text + "…", style).width_px > most_px) {
+// Shortens a text that is too long, such as a path, and ends it in dots.
+std::string shorten(const renderer::Canvas& canvas, std::string text, const renderer::TextStyle& style) {
+  const float max_width_px = page_px - 2.0F * border_px;
+  if (canvas.measure(text, style).width_px <= max_width_px) return text;
+  while (!text.empty() && canvas.measure(text + "…", style).width_px > max_width_px) {
     do {
       text.pop_back();
-      // Not within a letter of several bytes.
+      // Stops only between letters, which may have several bytes.
     } while (!text.empty() && (static_cast<unsigned char>(text.back()) & 0xC0U) == 0x80U);
   }
   return text + "…";
 }
 
-std::vector<std::string> facts_of(const Json& facts) {
+std::vector<std::string> list_facts(const Json& facts) {
   const auto counted_of = [](const Json& count, const char* one, const char* many) {
-    return counted(count.get<std::size_t>(), one, many);
+    return count_text(count.get<std::size_t>(), one, many);
   };
   const Json &box = facts["bounding_box_m"], &repairs = facts["repairs"], &placement = facts["placement"];
   const auto size = [&](std::size_t k) { return box[1][k].get<double>() - box[0][k].get<double>(); };
@@ -327,20 +328,19 @@ std::vector<std::string> facts_of(const Json& facts) {
                       counted_of(facts["topology"]["components"], "part", "parts"), size(0), size(1), size(2),
                       placement["unit"].get<std::string>(), placement["up_from"].get<std::string>()),
           fmt::format("repaired: {} joined, {} degenerate and {} repeated triangles removed, {} turned",
-                      counted(repaired("welded_vertices") + repaired("near_vertices") + repaired("sewn_vertices"),
-                              "vertex", "vertices"),
+                      count_text(repaired("welded_vertices") + repaired("near_vertices") + repaired("sewn_vertices"),
+                                 "vertex", "vertices"),
                       repaired("degenerate_triangles"), repaired("duplicate_triangles"), repaired("turned_triangles"))};
 }
 
 void draw_header(renderer::Canvas& canvas, const Json& facts) {
   const renderer::TextStyle name = text_style(1.4F * text_px, palette::ink, true);
   canvas.text(border_px, border_px + text_px,
-              shortened(canvas, std::filesystem::path(facts["file"].get<std::string>()).filename().string(), name),
-              name);
+              shorten(canvas, std::filesystem::path(facts["file"].get<std::string>()).filename().string(), name), name);
   const renderer::TextStyle fact = text_style(0.85F * text_px, palette::quiet_ink);
   float y_px = border_px + text_px + row_px;
-  for (const std::string& line : facts_of(facts)) {
-    canvas.text(border_px, y_px, shortened(canvas, line, fact), fact);
+  for (const std::string& line : list_facts(facts)) {
+    canvas.text(border_px, y_px, shorten(canvas, line, fact), fact);
     y_px += 0.8F * row_px;
   }
 }
@@ -353,7 +353,7 @@ struct LegendRow {
   bool outlined = false;
 };
 
-std::vector<LegendRow> legend_of(const std::vector<InspectionMarks>& all, std::size_t pins) {
+std::vector<LegendRow> make_legend(const std::vector<InspectionMarks>& all, std::size_t pins) {
   std::vector<LegendRow> rows;
   for (const InspectionMarks& marks : all) {
     rows.push_back({marks.meaning, marks.colour, marks.dots ? LegendRow::Sample::dot : LegendRow::Sample::line,
@@ -361,7 +361,7 @@ std::vector<LegendRow> legend_of(const std::vector<InspectionMarks>& all, std::s
   }
   if (pins > 0) {
     rows.push_back(
-        {fmt::format("held: {}", counted(pins, "vertex", "vertices")), pin_colour, LegendRow::Sample::dot, 16.0F});
+        {fmt::format("held: {}", count_text(pins, "vertex", "vertices")), pin_colour, LegendRow::Sample::dot, 16.0F});
   }
   rows.push_back({"outside", pale_outside, LegendRow::Sample::area});
   rows.push_back({"inside", pale_inside, LegendRow::Sample::area});
@@ -372,7 +372,7 @@ void draw_legend_rows(renderer::Canvas& canvas, const std::vector<LegendRow>& ro
   constexpr float sample_px = 60.0F;
   const float column_px = (page_px - 2.0F * border_px) / static_cast<float>(legend_columns);
   const renderer::TextStyle text =
-      text_style(0.85F * text_px).aligned(renderer::HorizontalAlign::left, renderer::VerticalAlign::middle);
+      text_style(0.85F * text_px).with_alignment(renderer::HorizontalAlign::left, renderer::VerticalAlign::middle);
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const float x_px = border_px + column_px * static_cast<float>(i % legend_columns);
     const float y_px = top_px + row_px * (0.5F + static_cast<float>(i / legend_columns));
@@ -389,27 +389,27 @@ void draw_legend_rows(renderer::Canvas& canvas, const std::vector<LegendRow>& ro
   }
 }
 
-// Springs as wide as leaves the surface between them to be seen, dots as large as leaves the springs.
+// Returns widths at which springs leave the surface between them visible, and dots leave the springs visible.
 MarkWidths mark_widths(const Json& facts, float px_per_m) {
   const float edge_px = facts["edge_length_m"]["mean"].get<float>() * px_per_m;
   return {.spring_px = std::clamp(0.09F * edge_px, 0.4F, 2.0F), .dot_px = std::clamp(0.4F * edge_px, 5.0F, 13.0F)};
 }
 
 constexpr float dot_px = 13.0F;
-/// From near by, so many mean edges can be seen to each side of the place.
-constexpr double edges_around = 3.0;
+/// Mean edge lengths that the close-up shows on each side of the position.
+constexpr double close_up_edge_count = 3.0;
 
-DrawnScene from_near(const DrawnScene& asked, const sim::Simulation& simulation, const sim::Vec3& place_m) {
+DrawnScene close_up_scene(const DrawnScene& asked, const sim::Simulation& simulation, const sim::Vec3& place_m) {
   DrawnScene scene = asked;
   const glm::vec3 centre(place_m);
-  const glm::vec3 around(static_cast<float>(edges_around * sim::mean_edge_m(simulation.garment().springs)));
+  const glm::vec3 around(static_cast<float>(close_up_edge_count * sim::mean_edge_m(simulation.garment().springs)));
   scene.camera.eye.reset();
   scene.camera.target.reset();
   scene.camera.box = renderer::Box{centre - around, centre + around};
   return scene;
 }
 
-std::vector<InspectionMarks> marks_of(const sim::Simulation& simulation, const sim::BlockedContact& blocked) {
+std::vector<InspectionMarks> make_marks(const sim::Simulation& simulation, const sim::BlockedContact& blocked) {
   InspectionMarks outlines{.meaning = "", .colour = crossing_colour, .width_px = 5.0F, .seen_through = true};
   InspectionMarks dots{
       .meaning = "", .colour = crossing_colour, .width_px = dot_px, .dots = true, .seen_through = true};
@@ -424,13 +424,13 @@ std::vector<InspectionMarks> marks_of(const sim::Simulation& simulation, const s
   return {outlines, dots};
 }
 
-std::vector<std::string> wrapped(const renderer::Canvas& canvas, const std::string& text,
-                                 const renderer::TextStyle& style, float most_px) {
+std::vector<std::string> wrap(const renderer::Canvas& canvas, const std::string& text, const renderer::TextStyle& style,
+                              float max_width_px) {
   std::vector<std::string> lines(1);
   std::istringstream words(text);
   for (std::string word; words >> word;) {
     const std::string longer = lines.back() + (lines.back().empty() ? "" : " ") + word;
-    if (canvas.measure(longer, style).width_px > most_px && !lines.back().empty()) {
+    if (canvas.measure(longer, style).width_px > max_width_px && !lines.back().empty()) {
       lines.push_back(word);
     } else {
       lines.back() = longer;
@@ -446,7 +446,7 @@ constexpr float fit_legend_px = 275.0F;
 constexpr float fit_header_px = border_px + 3.4F * text_px;
 constexpr float fit_page_px = 2.0F * border_px + 2.0F * fit_panel_px + fit_gap_px + fit_legend_px;
 
-/// Looks at the positions from `turned_rad` around from the front.
+/// Views the positions from the front, turned by `turned_rad`.
 void look_from_front(const sim::Vec3& front, std::span<const sim::Vec3> positions_m, float turned_rad,
                      DrawnScene& scene) {
   renderer::Framing& framing = scene.camera.framing;
@@ -507,12 +507,12 @@ std::vector<InspectionMarks> inspection_marks(const LoadedGarment& loaded, std::
   const float spring_width_px = widths.spring_px;
   const sim::Adjacency& adjacency = loaded.garment->adjacency;
   std::vector<InspectionMarks> all;
-  // Flexural springs lie under the structural ones they skip along: wider, they show on both sides, and pale,
-  // they leave those to be seen.
-  all.push_back(springs_of(loaded, sim::SpringKind::flexural, 2.4F * spring_width_px));
+  // Flexural springs lie under the structural springs that they run along. Their lines are wider, to show on both
+  // sides, and pale, to leave the structural springs visible.
+  all.push_back(mark_springs(loaded, sim::SpringKind::flexural, 2.4F * spring_width_px));
   all.back().opacity = 0.45F;
-  all.push_back(springs_of(loaded, sim::SpringKind::shear, spring_width_px));
-  all.push_back(springs_of(loaded, sim::SpringKind::structural, spring_width_px));
+  all.push_back(mark_springs(loaded, sim::SpringKind::shear, spring_width_px));
+  all.push_back(mark_springs(loaded, sim::SpringKind::structural, spring_width_px));
   all.push_back(
       edges_where(loaded, {.meaning = "edges of a border", .colour = border_colour, .width_px = 3.0F + spring_width_px},
                   [&](std::size_t e) { return adjacency.edge_triangles[e].size() == 1; }));
@@ -530,7 +530,7 @@ std::vector<InspectionMarks> inspection_marks(const LoadedGarment& loaded, std::
                             [&](std::size_t e) { return adjacency.edge_triangles[e].size() > 2; }));
   all.push_back(crossing_triangles(loaded, crossings));
   all.push_back(joined_vertices(loaded, widths.dot_px));
-  all.push_back(hanger_of(loaded));
+  all.push_back(mark_hanger(loaded));
   std::erase_if(all, [](const InspectionMarks& marks) { return marks.points.empty(); });
   return all;
 }
@@ -548,7 +548,7 @@ renderer::Image draw_inspection(const Inspection& inspection, const LoadedGarmen
   }
   const std::vector<InspectionMarks> all = inspection_marks(shown[0], inspection.crossings, widths);
   const std::vector<InspectionMarks> simulated = loaded.following ? inspection_marks(loaded, {}, widths) : all;
-  const std::vector<LegendRow> legend = legend_of(all, loaded.pins.size());
+  const std::vector<LegendRow> legend = make_legend(all, loaded.pins.size());
   const float caption_px = 1.6F * row_px;
   const float below_px = header_px + static_cast<float>(views.height_px);
   const float legend_top_px = below_px + caption_px;
@@ -556,7 +556,7 @@ renderer::Image draw_inspection(const Inspection& inspection, const LoadedGarmen
   renderer::Canvas canvas(static_cast<int>(page_px),
                           static_cast<int>(legend_top_px + legend_rows * row_px + border_px));
   draw_header(canvas, inspection.facts);
-  const renderer::TextStyle caption = text_style(text_px).aligned(renderer::HorizontalAlign::centre);
+  const renderer::TextStyle caption = text_style(text_px).with_alignment(renderer::HorizontalAlign::centre);
   for (std::size_t k = 0; k < views.sides.size(); ++k) {
     const float x_px = border_px + static_cast<float>(k) * (panel_px + gap_px);
     canvas.image(x_px, header_px, draw_side(offscreen, views.sides[k].scene, shown[k], k == 0 ? all : simulated));
@@ -570,7 +570,7 @@ renderer::Image draw_inspection(const Inspection& inspection, const LoadedGarmen
 renderer::Image draw_blocked(renderer::SceneRenderer& renderer, const DrawnScene& scene,
                              const sim::Simulation& simulation, const sim::BlockedContact& blocked,
                              const std::string& text) {
-  const std::vector<InspectionMarks> marks = marks_of(simulation, blocked);
+  const std::vector<InspectionMarks> marks = make_marks(simulation, blocked);
   const auto draw = [&](DrawnScene seen) {
     seen.picture.smooth = false;
     return draw_marked(renderer, seen, simulation.garment(), simulation.pins().vertices, simulation.state().current,
@@ -580,7 +580,7 @@ renderer::Image draw_blocked(renderer::SceneRenderer& renderer, const DrawnScene
   const renderer::TextStyle style = text_style(0.02F * width_px);
   const float edge_px = style.size_px;
   const float line_px = 1.5F * style.size_px;
-  const std::vector<std::string> lines = wrapped(renderer::Canvas(1, 1), text, style, 2.0F * (width_px - edge_px));
+  const std::vector<std::string> lines = wrap(renderer::Canvas(1, 1), text, style, 2.0F * (width_px - edge_px));
   const float head_px = static_cast<float>(lines.size()) * line_px + edge_px;
   renderer::Canvas canvas(2 * scene.picture.settings.width_px,
                           static_cast<int>(head_px) + scene.picture.settings.height_px);
@@ -588,7 +588,7 @@ renderer::Image draw_blocked(renderer::SceneRenderer& renderer, const DrawnScene
     canvas.text(edge_px, line_px * static_cast<float>(k + 1), lines[k], style);
   }
   canvas.image(0.0F, head_px, draw(scene));
-  canvas.image(width_px, head_px, draw(from_near(scene, simulation, blocked.place_m)));
+  canvas.image(width_px, head_px, draw(close_up_scene(scene, simulation, blocked.place_m)));
   return canvas.to_image();
 }
 
@@ -599,7 +599,7 @@ renderer::Image draw_moments(const DrawnScene& scene, std::span<const GarmentMom
   const auto count = static_cast<float>(moments.size());
   renderer::Canvas canvas(static_cast<int>(count * (fit_panel_px + fit_gap_px) - fit_gap_px),
                           static_cast<int>(height_px));
-  const renderer::TextStyle caption = text_style(1.3F * text_px).aligned(renderer::HorizontalAlign::centre);
+  const renderer::TextStyle caption = text_style(1.3F * text_px).with_alignment(renderer::HorizontalAlign::centre);
   float x_px = 0.0F;
   std::vector<sim::Vec3> about_body_m;
   for (const GarmentMoment& moment : moments) {
@@ -624,10 +624,10 @@ renderer::Image draw_fit(const WornGarment& worn, const std::string& backend) {
   const float caption_px = 1.6F * row_px;
   const renderer::TextStyle small = text_style(0.85F * text_px, palette::quiet_ink);
   const std::vector<std::string> measured =
-      wrapped(renderer::Canvas(1, 1), worn.measured, small, fit_page_px - 2.0F * border_px);
+      wrap(renderer::Canvas(1, 1), worn.measured, small, fit_page_px - 2.0F * border_px);
   const float panels_px = fit_header_px + static_cast<float>(measured.size() - 1) * row_px;
   const float table_px = panels_px + fit_panel_height_px + caption_px;
-  // As long as a body is thin, the cloth about it says nothing of how it fits.
+  // A body that is still thin, before dressing ends, does not show how the cloth around it fits.
   const bool has_table = worn.time_s >= 0.0;
   const float rows = has_table ? static_cast<float>(worn.fit.size() + 3) : 0.0F;
   renderer::Canvas canvas(static_cast<int>(fit_page_px), static_cast<int>(table_px + rows * row_px + border_px));
@@ -635,7 +635,7 @@ renderer::Image draw_fit(const WornGarment& worn, const std::string& backend) {
   for (std::size_t k = 0; k < measured.size(); ++k) {
     canvas.text(border_px, border_px + text_px + static_cast<float>(k + 1) * row_px, measured[k], small);
   }
-  const renderer::TextStyle caption = text_style(text_px).aligned(renderer::HorizontalAlign::centre);
+  const renderer::TextStyle caption = text_style(text_px).with_alignment(renderer::HorizontalAlign::centre);
   float x_px = border_px;
   for (const auto& [name, turned_rad] :
        {std::pair("from the front", 0.0F), {"from behind", std::numbers::pi_v<float>}}) {

@@ -1,6 +1,6 @@
 #include "app/drawing/plots/plot.hpp"
 #include "app/figures/figures.hpp"
-#include "app/output/csv.hpp"
+#include "app/runs/csv.hpp"
 
 namespace taut::app {
 namespace {
@@ -17,7 +17,7 @@ Plot convergence_plot(const StepRecording& fall) {
           .legend = LegendCorner::none};
 }
 
-// The same on a linear axis, as the paper has it.
+// Returns the plot with linear axes, as in the paper.
 Plot linear_inset(const Plot& plot, const StepRecording& fall) {
   Plot inset = plot;
   const double largest_mm = 1e3 * *std::ranges::max_element(fall.moved_m);
@@ -30,7 +30,7 @@ Plot linear_inset(const Plot& plot, const StepRecording& fall) {
   return inset;
 }
 
-// The cloth as it was modelled, seen from above, and the point that is followed.
+// Draws the cloth as modelled, from above, and the followed vertex.
 void draw_followed_point(renderer::Canvas& canvas, const StepRecording& fall, const Area& area) {
   const sim::GridSettings& grid = fall.frames.scene.garment.grid;
   const float side_px = area.width_px;
@@ -53,7 +53,8 @@ void draw_followed_point(renderer::Canvas& canvas, const StepRecording& fall, co
   const glm::vec2 followed = place(fall.vertex);
   canvas.circle(followed.x, followed.y, 20.0F, renderer::Colour{1.0F});
   canvas.circle(followed.x, followed.y, 16.0F, palette::blue);
-  const renderer::TextStyle text = text_style(34.0F, palette::quiet_ink).aligned(renderer::HorizontalAlign::centre);
+  const renderer::TextStyle text =
+      text_style(34.0F, palette::quiet_ink).with_alignment(renderer::HorizontalAlign::centre);
   const float centre_px = area.x_px + 0.5F * side_px;
   canvas.text(centre_px, area.y_px - 32.0F, "held corners: squares", text);
   canvas.text(centre_px, area.y_px + side_px + 62.0F, "followed point", text);
@@ -70,7 +71,7 @@ std::string rest_text(const StepRecording& fall) {
 
 constexpr double frame_at_60_hz_ms = 1000.0 / 60.0;
 
-std::string settings_of(int substeps, int sweeps) {
+std::string describe_settings(int substeps, int sweeps) {
   return fmt::format("{} step{} a frame, {} sweep{} each", substeps, substeps == 1 ? "" : "s", sweeps,
                      sweeps == 1 ? "" : "s");
 }
@@ -83,7 +84,7 @@ Curve measured_curve(const std::vector<FrameTimes>& times, int substeps, const S
   for (const FrameTimes& time : times) {
     if (time.substeps == substeps) {
       curve.points.push_back({static_cast<double>(time.triangles), time.median_ms()});
-      curve.bars.push_back({time.shortest_ms(), time.longest_ms()});
+      curve.bars.push_back({time.min_ms(), time.max_ms()});
     }
   }
   return curve;
@@ -116,7 +117,7 @@ Plot frame_time_plot(const std::vector<FrameTimes>& times) {
     plot.curves.push_back(fitted_curve(law, plot.x, strokes[look]));
     plot.curves.push_back(measured_curve(times, time.substeps, strokes[look], markers[look]));
     plot.curves[plot.curves.size() - 2].name = fmt::format("{}: grows as triangles to the power {:.2f}",
-                                                           settings_of(time.substeps, time.sweeps), law.exponent);
+                                                           describe_settings(time.substeps, time.sweeps), law.exponent);
     done.push_back(time.substeps);
   }
   plot.levels = {{frame_at_60_hz_ms, "60 frames a second: 16.7 ms"}};
@@ -124,7 +125,7 @@ Plot frame_time_plot(const std::vector<FrameTimes>& times) {
   return plot;
 }
 
-std::string medians_of(const std::vector<FrameTimes>& times) {
+std::string describe_medians(const std::vector<FrameTimes>& times) {
   std::string text;
   for (const FrameTimes& time : times) {
     text += fmt::format("{}{:.{}f}", text.empty() ? "" : ", ", time.median_ms(), time.median_ms() < 10.0 ? 1 : 0);
@@ -132,8 +133,8 @@ std::string medians_of(const std::vector<FrameTimes>& times) {
   return text + " ms";
 }
 
-// Of compared_methods.
-Stroke stroke_of(sim::SolverKind kind) {
+// Returns the stroke of one of compared_methods.
+Stroke solver_stroke(sim::SolverKind kind) {
   const std::array<Stroke, 3> strokes = {
       {{palette::orange, 4.0F, {1.2F, 1.8F}}, {palette::vermilion, 4.0F, {5.0F, 2.0F}}, {palette::blue, 4.5F, {}}}};
   return strokes.at(static_cast<std::size_t>(kind));
@@ -146,11 +147,11 @@ std::string legend_name(const MethodRun& run) {
   return name;
 }
 
-Curve curve_of(const MethodRun& run, const std::vector<double>& values, double factor) {
+Curve make_curve(const MethodRun& run, const std::vector<double>& values, double factor) {
   Curve curve;
   curve.name = legend_name(run);
-  curve.stroke = stroke_of(run.kind);
-  // Between two figures of a vibration there is nothing to see: one line for the largest in a 64th second.
+  curve.stroke = solver_stroke(run.kind);
+  // Single values of a vibration cannot be distinguished, so the line shows the largest value of every 1/64 s.
   const auto window = static_cast<std::size_t>(std::max(1L, std::lround(1.0 / 64.0 / run.time_step_s)));
   for (std::size_t i = 0; i < values.size(); i += window) {
     const auto end = values.begin() + static_cast<std::ptrdiff_t>(std::min(values.size(), i + window));
@@ -170,7 +171,7 @@ Plot stretch_plot(const std::vector<MethodRun>& runs) {
             .y = {"largest stretch", 0.0, 20.0, false, " %"},
             .curves = {},
             .levels = {{5.0, ""}}};
-  for (const MethodRun& run : runs) plot.curves.push_back(curve_of(run, run.max_stretch, 100.0));
+  for (const MethodRun& run : runs) plot.curves.push_back(make_curve(run, run.max_stretch, 100.0));
   return plot;
 }
 
@@ -179,7 +180,7 @@ Plot unrest_plot(const std::vector<MethodRun>& runs) {
             .y = {"RMS of |p(t) − p(t − Δt)|  in metres", 1e-18, 1.0, true},
             .curves = {},
             .legend = LegendCorner::none};
-  for (const MethodRun& run : runs) plot.curves.push_back(curve_of(run, run.moved_rms_m, 1.0));
+  for (const MethodRun& run : runs) plot.curves.push_back(make_curve(run, run.moved_rms_m, 1.0));
   return plot;
 }
 
@@ -205,7 +206,7 @@ std::string figure3_csv(const Results& results) {
   return table.text();
 }
 
-// Iterative convergence of a single mass point of the cloth of figure 2.
+// Figure 3: iterative convergence of a single mass point of the cloth of figure 2.
 Drawing draw_figure3(const Results& results, LazyOffscreenRenderer&) {
   const StepRecording fall = *results.fall;
   const CaptionStyle style;
@@ -233,7 +234,7 @@ std::string figure6_csv(const Results& results) {
   return table.text();
 }
 
-// Section IV: what a frame costs for models of different precision.
+// Figure 6 (section IV): time per frame for models of different precision.
 Drawing draw_figure6(const Results& results, LazyOffscreenRenderer&) {
   const std::vector<FrameTimes> times = results.frame_times;
   const Plot plot = frame_time_plot(times);
@@ -241,13 +242,14 @@ Drawing draw_figure6(const Results& results, LazyOffscreenRenderer&) {
   Drawing drawing{2400, 1300 + static_cast<int>(style.height_px()), {}};
   drawing.draw = [=](renderer::Canvas& canvas) {
     draw_plot(canvas, plot, {40.0F, 20.0F, 2300.0F, 1270.0F}, {.text_px = 38.0F, .marker_px = 15.0F});
-    draw_caption(canvas,
-                 {'\0',
-                  fmt::format("one frame of 1/60 s with the strong constraint, one thread: medians of {}, bars from "
-                              "shortest to longest",
-                              times.front().frame_ms.size()),
-                  "gravity alone, no contact; lines are fitted to the shortest times; medians " + medians_of(times)},
-                 1200.0F, 1300.0F, style);
+    draw_caption(
+        canvas,
+        {'\0',
+         fmt::format("one frame of 1/60 s with the strong constraint, one thread: medians of {}, bars from "
+                     "shortest to longest",
+                     times.front().frame_ms.size()),
+         "gravity alone, no contact; lines are fitted to the shortest times; medians " + describe_medians(times)},
+        1200.0F, 1300.0F, style);
   };
   return drawing;
 }
@@ -256,14 +258,15 @@ std::string figure7_csv(const Results& results) {
   CsvTable table({"method", "time_step_s", "time_s", "max_stretch", "moved_rms_m"});
   for (const MethodRun& run : results.methods) {
     for (std::size_t i = 0; i < run.max_stretch.size(); ++i) {
-      table.add({name_of(run.kind), cell(run.time_step_s), cell(static_cast<double>(i + 1) * run.time_step_s),
+      table.add({to_name(run.kind), cell(run.time_step_s), cell(static_cast<double>(i + 1) * run.time_step_s),
                  cell(run.max_stretch[i]), cell(run.moved_rms_m[i])});
     }
   }
   return table.text();
 }
 
-// Section III: do springs that are pulled back to a threshold vibrate, and does the strong constraint not?
+// Figure 7 (section III): vibration of springs that are pulled back to a threshold, compared with the strong
+// constraint.
 Drawing draw_figure7(const Results& results, LazyOffscreenRenderer&) {
   std::vector<PlotPanel> stretch, unrest;
   for (std::size_t rate = 0; rate < method_rates_hz.size(); ++rate) {

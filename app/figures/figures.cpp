@@ -10,7 +10,7 @@
 namespace taut::app {
 namespace {
 
-// Repeats of each timing. One disturbance does not change their median. Each repeat takes a fraction of a
+// Repeats of each timing, so many that one disturbance does not change their median. Each repeat takes a fraction of a
 // second.
 constexpr int frame_time_repeats = 15;
 
@@ -18,20 +18,22 @@ void time_strong_shirts(Results& results, const ProgressCallback& report_progres
   measure_frame_times(frame_time_repeats, report_progress, results);
 }
 
-std::vector<const Recording*> falls_of(const Results& results) { return {&results.fall->frames}; }
+std::vector<const Recording*> fall_recordings(const Results& results) { return {&results.fall->frames}; }
 
-std::vector<const Recording*> pinned_of(const Results& results) { return {&*results.pinned[0], &*results.pinned[1]}; }
+std::vector<const Recording*> pinned_recordings(const Results& results) {
+  return {&*results.pinned[0], &*results.pinned[1]};
+}
 
-std::vector<const Recording*> shirts_of(const Results& results) {
+std::vector<const Recording*> shirt_recordings(const Results& results) {
   return {&*results.shirts[0], &*results.shirts[1], &*results.shirts[2]};
 }
 
-template <auto recordings_of> std::string moments_of(const Results& results) {
-  return moments_csv(recordings_of(results));
+template <auto select_recordings> std::string write_moments(const Results& results) {
+  return moments_csv(select_recordings(results));
 }
 
-template <auto recordings_of> std::string shapes_of(const Results& results) {
-  return shapes_csv(recordings_of(results));
+template <auto select_recordings> std::string write_shapes(const Results& results) {
+  return shapes_csv(select_recordings(results));
 }
 
 constexpr float panel_px = 1150.0F;
@@ -39,18 +41,18 @@ constexpr float panel_px = 1150.0F;
 struct KindLook {
   const char* name;
   Stroke stroke;
-  float bow;  ///< so that springs that skip a mass point do not hide the ones they run along
+  float bow;  ///< bends springs that skip a mass point away from the springs that they run along
 };
 
-KindLook look_of(sim::SpringKind kind) {
+KindLook spring_style(sim::SpringKind kind) {
   return std::array<KindLook, 3>{
       {{"structural", {palette::ink, 8.0F, {}}, 0.0F},
        {"shear", {palette::vermilion, 5.0F, {0.6F, 1.6F}}, 0.0F},
        {"flexural", {palette::sky, 6.0F, {4.0F, 1.6F}}, 0.11F}}}[static_cast<std::size_t>(kind)];
 }
 
-// From metres to the middle of a square on the canvas.
-struct Placement {
+// Maps metres to a square on the canvas.
+struct SquarePlacement {
   glm::vec2 centre_m;
   glm::vec2 centre_px;
   float px_per_m;
@@ -61,7 +63,7 @@ struct Placement {
   }
 };
 
-Placement placement_of(const SpringPatch& patch, const glm::vec2& corner_px) {
+SquarePlacement fit_to_square(const SpringPatch& patch, const glm::vec2& corner_px) {
   glm::vec2 lower(INFINITY), upper(-INFINITY);
   for (const glm::vec2& point : patch.points_m) {
     lower = glm::min(lower, point);
@@ -72,10 +74,10 @@ Placement placement_of(const SpringPatch& patch, const glm::vec2& corner_px) {
 }
 
 void draw_patch(renderer::Canvas& canvas, const SpringPatch& patch, const glm::vec2& corner_px) {
-  const Placement place = placement_of(patch, corner_px);
-  // The long ones first: what they cross stays on top.
+  const SquarePlacement place = fit_to_square(patch, corner_px);
+  // Long springs are drawn first, under the springs that they cross.
   for (const sim::SpringKind kind : {sim::SpringKind::flexural, sim::SpringKind::shear, sim::SpringKind::structural}) {
-    const KindLook look = look_of(kind);
+    const KindLook look = spring_style(kind);
     for (const PatchSpring& spring : patch.springs) {
       if (spring.kind == kind) {
         const glm::vec2 a = place(patch.points_m[spring.ends[0]]), b = place(patch.points_m[spring.ends[1]]);
@@ -90,10 +92,10 @@ void draw_patch(renderer::Canvas& canvas, const SpringPatch& patch, const glm::v
   }
 }
 
-std::string counts_of(const SpringPatch& patch) {
+std::string describe_counts(const SpringPatch& patch) {
   std::string text = fmt::format("{} mass points", patch.points_m.size());
   for (const sim::SpringKind kind : sim::all_spring_kinds) {
-    if (patch.count(kind) > 0) text += fmt::format(", {} {}", patch.count(kind), look_of(kind).name);
+    if (patch.count(kind) > 0) text += fmt::format(", {} {}", patch.count(kind), spring_style(kind).name);
   }
   return text + " springs";
 }
@@ -101,16 +103,16 @@ std::string counts_of(const SpringPatch& patch) {
 void draw_legend_row(renderer::Canvas& canvas, float centre_px, float y_px) {
   constexpr float sample_px = 130.0F, space_px = 90.0F, text_px = 40.0F;
   const renderer::TextStyle text =
-      text_style(text_px).aligned(renderer::HorizontalAlign::left, renderer::VerticalAlign::middle);
+      text_style(text_px).with_alignment(renderer::HorizontalAlign::left, renderer::VerticalAlign::middle);
   float width_px = -space_px;
   for (const sim::SpringKind kind : sim::all_spring_kinds) {
     width_px +=
-        sample_px + 24.0F + canvas.measure(std::string(look_of(kind).name) + " spring", text).width_px + space_px;
+        sample_px + 24.0F + canvas.measure(std::string(spring_style(kind).name) + " spring", text).width_px + space_px;
   }
   width_px += space_px + 60.0F + canvas.measure("mass point", text).width_px;
   float x_px = centre_px - 0.5F * width_px;
   for (const sim::SpringKind kind : sim::all_spring_kinds) {
-    const KindLook look = look_of(kind);
+    const KindLook look = spring_style(kind);
     const std::string name = std::string(look.name) + " spring";
     draw_polyline(canvas, bow({x_px, y_px}, {x_px + sample_px, y_px}, -look.bow), look.stroke);
     canvas.text(x_px + sample_px + 24.0F, y_px, name, text);
@@ -131,19 +133,20 @@ class FigureWriter {
     renderer::Image picture = to_image(drawing, options_.scale);
     const std::vector<renderer::PngText> texts = {program_text()};
     const std::string name = choose_stem(figure.name);
-    write_file(noted(name + ".png"), renderer::encode_png(picture, texts));
-    write_pdf(noted(name + ".pdf"), drawing, figure.title);
-    if (figure.csv) write_text_file(noted(name + ".csv"), figure.csv());
-    if (figure.shapes_csv) write_text_file(noted(name + "_shapes.csv"), figure.shapes_csv());
+    write_file(add_written(name + ".png"), renderer::encode_png(picture, texts));
+    write_pdf(add_written(name + ".pdf"), drawing, figure.title);
+    if (figure.csv) write_text_file(add_written(name + ".csv"), figure.csv());
+    if (figure.shapes_csv) write_text_file(add_written(name + "_shapes.csv"), figure.shapes_csv());
     drawn_.push_back({figure.name, figure.title, std::move(picture), figure.csv != nullptr});
     std::ranges::sort(drawn_, [](auto& a, auto& b) { return a.name < b.name; });
-    tell();
+    print_written();
   }
 
   DrawnFigures finish() && { return {std::move(drawn_), offscreen_.gl_renderer()}; }
 
  private:
-  /// Files of a figure belong to this program if the picture among them does.
+  /// Returns a file name without extension. Existing files of a figure may be replaced if its picture was made by this
+  /// program.
   std::string choose_stem(const std::string& name) const {
     const std::filesystem::path picture = options_.output / (name + ".png");
     const std::array files = {picture, options_.output / (name + ".pdf"), options_.output / (name + ".csv"),
@@ -151,13 +154,13 @@ class FigureWriter {
     return choose_free_name(picture, is_own_picture(picture), files).stem().string();
   }
 
-  std::filesystem::path noted(const std::string& name) {
+  std::filesystem::path add_written(const std::string& name) {
     written_.push_back(options_.output / name);
     return written_.back();
   }
 
-  // Over the line of progress, if there is one.
-  void tell() {
+  // Prints the written files, over the progress line if there is one.
+  void print_written() {
     for (const std::filesystem::path& path : written_) fmt::print("wrote {}\n", path.string());
     std::fflush(stdout);
     written_.clear();
@@ -169,7 +172,7 @@ class FigureWriter {
   std::vector<std::filesystem::path> written_;
 };
 
-// Draws every figure as soon as the last of what it needs is there.
+// Draws every figure as soon as all its experiments are done.
 void simulate_and_draw(std::span<const Figure> figures, std::span<const Job> experiments, FigureWriter& writer) {
   std::set<std::string> done;
   run_jobs(experiments, std::thread::hardware_concurrency(), [&](std::size_t job) {
@@ -196,21 +199,21 @@ std::vector<Figure> all_figures(Results& results) {
        "A cloth falls under gravity, held by two corners",
        {fall_scene},
        of(draw_figure2),
-       of(moments_of<falls_of>),
-       of(shapes_of<falls_of>)},
+       of(write_moments<fall_recordings>),
+       of(write_shapes<fall_recordings>)},
       {"fig3", "One mass point converges", {fall_scene}, of(draw_figure3), of(figure3_csv)},
       {"fig4",
        "Over-stretch of up to 5 % and up to 20 %, and where it is",
        {pinned_scenes.begin(), pinned_scenes.end()},
        of(draw_figure4),
-       of(moments_of<pinned_of>),
-       of(shapes_of<pinned_of>)},
+       of(write_moments<pinned_recordings>),
+       of(write_shapes<pinned_recordings>)},
       {"fig5",
        "The T-shirt under gravity and in two winds",
        {shirt_scenes.begin(), shirt_scenes.end()},
        of(draw_figure5),
-       of(moments_of<shirts_of>),
-       of(shapes_of<shirts_of>)},
+       of(write_moments<shirt_recordings>),
+       of(write_shapes<shirt_recordings>)},
       {"fig6",
        "What a frame costs for models of different precision",
        {},
@@ -233,7 +236,7 @@ std::vector<std::string> figure_names() {
   return names;
 }
 
-// The mass-spring model and its three types of springs: a regular grid, and a patch of a triangle model.
+// Figure 1: the mass-spring model and its three types of springs on a regular grid and on a patch of a triangle model.
 Drawing draw_figure1(const Results& results, LazyOffscreenRenderer&) {
   const CaptionStyle style;
   const float legend_px = 100.0F, gap_px = 60.0F;
@@ -246,28 +249,29 @@ Drawing draw_figure1(const Results& results, LazyOffscreenRenderer&) {
     draw_legend_row(canvas, 0.5F * static_cast<float>(canvas.width_px()), 60.0F);
     draw_patch(canvas, grid, {left_px, legend_px});
     draw_patch(canvas, shirt, {right_px, legend_px});
-    draw_caption(canvas, {'a', "regular grid", counts_of(grid)}, left_px + 0.5F * panel_px, legend_px + panel_px,
+    draw_caption(canvas, {'a', "regular grid", describe_counts(grid)}, left_px + 0.5F * panel_px, legend_px + panel_px,
                  style);
-    draw_caption(canvas, {'b', "patch of the T-shirt: flexural springs by angle", counts_of(shirt)},
+    draw_caption(canvas, {'b', "patch of the T-shirt: flexural springs by angle", describe_counts(shirt)},
                  right_px + 0.5F * panel_px, legend_px + panel_px, style);
   };
   return drawing;
 }
 
 DrawnFigures draw_figures(const FiguresOptions& options, std::vector<Figure> figures, std::vector<Job> experiments) {
-  prepare_folder_of(options.output / "fig.png");
+  prepare_parent_folder(options.output / "fig.png");
   std::erase_if(figures, [&](const Figure& figure) {
-    return !options.only.empty() && std::ranges::find(options.only, figure.name) == options.only.end();
+    return !options.selected_names.empty() &&
+           std::ranges::find(options.selected_names, figure.name) == options.selected_names.end();
   });
   FigureWriter writer(options);
-  if (!options.only.empty()) {
+  if (!options.selected_names.empty()) {
     std::erase_if(experiments, [&](const Job& job) {
       return std::ranges::none_of(figures, [&](const Figure& figure) { return figure.does_need(job.name); });
     });
   }
   simulate_and_draw(figures, experiments, writer);
   for (const Figure& figure : figures) {
-    // Only now, with every other thread gone: they would take from what is measured.
+    // Times are measured last, because other threads would slow the measured code down.
     if (figure.measure) figure.measure([](double) { throw_if_interrupted(); });
     if (figure.measure || figure.needs.empty()) writer.write(figure);
   }

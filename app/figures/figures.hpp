@@ -6,26 +6,24 @@
 
 namespace taut::app {
 
-/// One figure, of the paper or about it: which experiments it needs and how it is drawn. Its functions know
-/// the results they fill and draw from.
+/// A figure of the paper or about it, with its experiments and its drawing. Its functions refer to the results that
+/// they fill and draw from.
 struct Figure {
   std::string name;   ///< "fig2"
-  std::string title;  ///< what it shows, for the report
-  /// Names of the experiments it is drawn from. Without any it is drawn last.
+  std::string title;  ///< title for the report
+  /// Names of the experiments that it is drawn from; empty: it is drawn last.
   std::vector<std::string> needs;
   /// Draws the figure from the results of its experiments.
   std::function<Drawing(LazyOffscreenRenderer&)> draw;
-  /// Its data as tables NAME.csv and NAME_shapes.csv. Empty if the figure shows no measurement.
+  /// Make the tables NAME.csv and NAME_shapes.csv. Empty if the figure shows no measurement.
   std::function<std::string()> csv = {}, shapes_csv = {};
-  /// Measures times that it shows. It is called when all experiments are done: they would take from what is
-  /// measured.
+  /// Measures the times that the figure shows. Called last, because experiments would slow the measured code down.
   std::function<void(const ProgressCallback&)> measure = {};
 
   bool does_need(const std::string& experiment) const { return std::ranges::find(needs, experiment) != needs.end(); }
 };
 
-/// Each draws one figure from the results of its experiments, which must have been made. Throws
-/// renderer::ContextError.
+/// Draw a figure from the results of its experiments, which must be done. Throw renderer::ContextError.
 Drawing draw_figure1(const Results& results, LazyOffscreenRenderer& offscreen);
 Drawing draw_figure2(const Results& results, LazyOffscreenRenderer& offscreen);
 Drawing draw_figure3(const Results& results, LazyOffscreenRenderer& offscreen);
@@ -34,22 +32,22 @@ Drawing draw_figure5(const Results& results, LazyOffscreenRenderer& offscreen);
 Drawing draw_figure6(const Results& results, LazyOffscreenRenderer& offscreen);
 Drawing draw_figure7(const Results& results, LazyOffscreenRenderer& offscreen);
 
-/// The data of a figure as table: the first line holds the names of the columns.
+/// Return the data of a figure as a table. The first line has the names of the columns.
 std::string figure3_csv(const Results& results);
 std::string figure6_csv(const Results& results);
 std::string figure7_csv(const Results& results);
 
-/// All figures of the paper, in its order, drawn from and filling these results.
+/// Returns all figures of the paper in its order. They fill `results` and draw from them.
 std::vector<Figure> all_figures(Results& results);
-/// Their names, in the same order.
+/// Returns the names of all figures, in the same order.
 std::vector<std::string> figure_names();
 
-/// Which figures are drawn and to where: the options of `taut figures`.
+/// Options of `taut figures`.
 struct FiguresOptions {
-  std::vector<std::string> only;  ///< names of figures; empty: all
+  std::vector<std::string> selected_names;  ///< names of figures; empty: all
   std::filesystem::path output = "figures";
-  float scale = 1.0F;            ///< times as many pixels each way
-  std::string backend = "auto";  ///< as in renderer::create_context
+  float scale = 1.0F;            ///< factor for the width and height of pictures
+  std::string backend = "auto";  ///< see renderer::create_context
 };
 
 /// A figure that was drawn.
@@ -57,17 +55,17 @@ struct DrawnFigure {
   std::string name;
   std::string title;
   renderer::Image picture;
-  bool has_table = false;  ///< NAME.csv
+  bool has_table = false;  ///< NAME.csv exists
 };
 
 /// All figures of a run, by name.
 struct DrawnFigures {
   std::vector<DrawnFigure> figures;
-  std::string gl_renderer;  ///< the name OpenGL gives its renderer; empty: it was not needed
+  std::string gl_renderer;  ///< OpenGL's name of its renderer; empty: OpenGL was not needed
 };
 
-/// Draws those figures that are asked for and writes each, with its tables, as soon as the experiments it
-/// needs are done. Where all are asked for, all experiments are made.
+/// Draws the requested figures. Each is written with its tables as soon as its experiments are done. If all figures are
+/// requested, all experiments are made.
 DrawnFigures draw_figures(const FiguresOptions& options, std::vector<Figure> figures, std::vector<Job> experiments);
 
 }  // namespace taut::app

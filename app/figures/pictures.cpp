@@ -1,13 +1,13 @@
 #include "app/figures/pictures.hpp"
 
 #include "app/figures/figures.hpp"
-#include "app/output/csv.hpp"
+#include "app/runs/csv.hpp"
 
 namespace taut::app {
 namespace {
 
-// Fraction of the picture's width and height that stays free around everything.
-constexpr float print_margin = 0.045F;
+// Fraction of the picture's width and height that stays free around the content.
+constexpr float print_margin_fraction = 0.045F;
 
 DrawnScene scene_for_print(const PrintedMoment& moment, const glm::ivec2& size) {
   DrawnScene scene = moment.recording->scene;
@@ -20,15 +20,15 @@ DrawnScene scene_for_print(const PrintedMoment& moment, const glm::ivec2& size) 
   if (!moment.has_floor) scene.picture.ground.kind = GroundKind::none;
   if (moment.shows_stretch) {
     scene.picture.surface = SurfaceLook::stretch;
-    scene.picture.stretch_of = StretchOf::springs;  // as the paper has it
-    scene.picture.stretch_range = std::array{-printed_stretch, printed_stretch};
+    scene.picture.stretch_of = StretchOf::springs;  // as in the paper
+    scene.picture.stretch_range = std::array{-max_printed_stretch, max_printed_stretch};
     scene.picture.stretch_colours = printed_stretch_colours;
     scene.picture.legend = false;
   }
   return scene;
 }
 
-// Points that the camera has to see: every vertex and where the key light throws its shadow.
+// Adds points that the camera has to see: every vertex, and its shadow of the key light on the floor.
 void add_points(const PrintedMoment& moment, const glm::vec3& towards_light, std::optional<float> ground_m,
                 std::vector<glm::vec3>& points) {
   for (const glm::vec3& point : to_float(moment.moment->positions)) {
@@ -39,7 +39,7 @@ void add_points(const PrintedMoment& moment, const glm::vec3& towards_light, std
 
 renderer::Camera camera_for(std::span<const PrintedMoment> moments, const glm::ivec2& size) {
   DrawnScene scene = scene_for_print(moments.front(), size);
-  scene.camera.framing.margin = print_margin;
+  scene.camera.framing.margin = print_margin_fraction;
   const renderer::Box reach =
       expected_reach(scene, *moments.front().recording->garment, moments.front().recording->pins);
   const float aspect = scene.picture.settings.aspect();
@@ -51,7 +51,7 @@ renderer::Camera camera_for(std::span<const PrintedMoment> moments, const glm::i
     points.insert(points.end(), arrows.begin(), arrows.end());
     add_points(moment, towards_light, ground_height(scene, reach), points);
   }
-  return renderer::fit_camera_to_points(points, framing_of(scene, reach), aspect);
+  return renderer::fit_camera_to_points(points, choose_framing(scene, reach), aspect);
 }
 
 void draw_scale_bar(renderer::Canvas& canvas, const ScaleBar& bar, const glm::vec2& at, float text_px) {
@@ -60,11 +60,11 @@ void draw_scale_bar(renderer::Canvas& canvas, const ScaleBar& bar, const glm::ve
   for (const float x_px : {at.x, end_px}) {
     canvas.line(x_px, at.y - 9.0F, x_px, at.y + 9.0F, palette::ink, 4.0F);
   }
-  const renderer::TextStyle text = text_style(text_px).aligned(renderer::HorizontalAlign::centre);
+  const renderer::TextStyle text = text_style(text_px).with_alignment(renderer::HorizontalAlign::centre);
   canvas.text(0.5F * (at.x + end_px), at.y - 0.5F * text_px, bar.label, text);
 }
 
-// The panels of a figure go on from one recording to the next.
+// Calls `visit` for the panels of all recordings; their letters continue from one recording to the next.
 template <class Visit> void for_each_panel(std::span<const Recording* const> recordings, const Visit& visit) {
   char letter = 'a';
   for (const Recording* recording : recordings) {
@@ -72,9 +72,9 @@ template <class Visit> void for_each_panel(std::span<const Recording* const> rec
   }
 }
 
-// With the letters from a on. Takes the pictures out of the prints.
+// Makes panels with letters from a. Moves the pictures out of the prints.
 template <class CaptionOf>
-std::vector<Panel> panels_of(Prints& prints, std::span<const PrintedMoment> moments, CaptionOf caption_of) {
+std::vector<Panel> make_panels(Prints& prints, std::span<const PrintedMoment> moments, CaptionOf caption_of) {
   std::vector<Panel> panels;
   for (std::size_t i = 0; i < moments.size(); ++i) {
     panels.push_back(
@@ -96,13 +96,13 @@ Caption pinned_caption(const PrintedMoment& moment, char letter) {
                       moment.recording->scene.simulation.solver.strong.iterations)};
 }
 
-renderer::Colour colour_of(double stretch) {
-  return renderer::colour_at(printed_stretch_colours, static_cast<float>(0.5 + 0.5 * stretch / printed_stretch));
+renderer::Colour stretch_colour(double stretch) {
+  return renderer::colour_at(printed_stretch_colours, static_cast<float>(0.5 + 0.5 * stretch / max_printed_stretch));
 }
 
-// Returns the shaded colour of the unstretched cloth in a picture: the lightest pixel near the middle,
-// which lies between the lines of the springs.
-renderer::Colour shade_of(const renderer::Image& unstretched) {
+// Returns the shaded colour of the unstretched cloth in a picture: the lightest pixel near the middle, which lies
+// between the lines of the springs.
+renderer::Colour mean_shade(const renderer::Image& unstretched) {
   renderer::Colour lightest{0.0F};
   const int width_px = unstretched.width_px / 8, height_px = unstretched.height_px / 8;
   for (int y = 0; y < height_px; ++y) {
@@ -113,17 +113,17 @@ renderer::Colour shade_of(const renderer::Image& unstretched) {
       lightest = colour.g > lightest.g ? colour : lightest;
     }
   }
-  return lightest / colour_of(0.0);
+  return lightest / stretch_colour(0.0);
 }
 
-// The colours of the stretch as they look on the cloth, lowest last. A picture rather than rows of
-// rectangles, between which a page that is scaled shows seams.
+// Returns the colours of stretch as they look on the cloth, the lowest at the bottom. Rows of rectangles would show
+// seams on a scaled page, a picture does not.
 renderer::Image colour_bar(double lowest, double highest, const renderer::Colour& shade) {
   renderer::Image bar = renderer::make_image(1, 256);
   for (int y = 0; y < bar.height_px; ++y) {
     const double up = (bar.height_px - 0.5 - y) / bar.height_px;
     const double stretch = lowest + up * (highest - lowest);
-    const renderer::Colour colour = shade * colour_of(stretch);
+    const renderer::Colour colour = shade * stretch_colour(stretch);
     for (int channel = 0; channel < 3; ++channel) {
       bar.at(0, y)[channel] = static_cast<std::uint8_t>(std::lround(255.0F * std::min(colour[channel], 1.0F)));
     }
@@ -131,14 +131,14 @@ renderer::Image colour_bar(double lowest, double highest, const renderer::Colour
   return bar;
 }
 
-/// Upper left corner of the panel with this index, in pixels of the figure.
+/// Returns the upper left corner of the panel with this index, in pixels of the figure.
 glm::vec2 panel_corner(const SheetStyle& style, const glm::ivec2& picture, std::size_t panel) {
   const glm::vec2 place(panel % style.columns, panel / style.columns);
   return style.border_px + place * (glm::vec2(picture) + glm::vec2(0.0F, style.caption.height_px()) + style.gap_px);
 }
 
 void draw_stretch_legend(renderer::Canvas& canvas, const SheetStyle& style, const renderer::Colour& shade) {
-  constexpr double lowest = 0.0, highest = printed_stretch;
+  constexpr double lowest = 0.0, highest = max_printed_stretch;
   constexpr float width_px = 44.0F, tick_px = 10.0F;
   const glm::vec2 corner = panel_corner(style, pinned_size, 3);
   const float x_px = corner.x + static_cast<float>(pinned_size.x) + 34.0F;
@@ -146,20 +146,20 @@ void draw_stretch_legend(renderer::Canvas& canvas, const SheetStyle& style, cons
   const float height_px = 0.76F * static_cast<float>(pinned_size.y);
   canvas.image(x_px, y_px, width_px, height_px, colour_bar(lowest, highest, shade));
   canvas.rectangle(x_px, y_px, width_px, height_px, palette::ink, 2.0F);
-  renderer::TextStyle text =
-      text_style(style.caption.measured_px).aligned(renderer::HorizontalAlign::left, renderer::VerticalAlign::middle);
+  renderer::TextStyle text = text_style(style.caption.measured_px)
+                                 .with_alignment(renderer::HorizontalAlign::left, renderer::VerticalAlign::middle);
   for (const int percent : {0, 5, 10, 15, 20}) {
     const auto up = static_cast<float>((0.01 * percent - lowest) / (highest - lowest));
     const float tick_y_px = y_px + (1.0F - up) * height_px;
-    text.bold = percent == 5;  // the bound
+    text.bold = percent == 5;  // marks the bound
     canvas.line(x_px + width_px, tick_y_px, x_px + width_px + tick_px, tick_y_px, palette::ink, 2.0F);
     canvas.text(x_px + width_px + 1.5F * tick_px, tick_y_px, fmt::format("{} %", percent), text);
   }
   canvas.text(x_px, y_px - 1.2F * style.caption.measured_px, "stretch", text_style(style.caption.measured_px));
 }
 
-/// Draws the moments with one camera, from the direction of the first moment's scene. The camera is as near
-/// as all cloths and their shadows on the floor allow. Throws renderer::ContextError.
+/// Draws the moments with one camera, in the view direction of the first moment's scene and as near as all cloths and
+/// their shadows allow. Throws renderer::ContextError.
 Prints print_moments(LazyOffscreenRenderer& lazy, std::span<const PrintedMoment> moments, const glm::ivec2& size) {
   OffscreenRenderer& offscreen = lazy.open();
   const float scale = lazy.scale();
@@ -188,7 +188,7 @@ std::string largest_stretch_text(const PrintedMoment& moment) {
                      100.0 * moment.moment->record.surface_stretch.max);
 }
 
-Drawing sheet_of(std::vector<Panel> panels, const glm::ivec2& size, const SheetStyle& style, const ScaleBar& bar) {
+Drawing make_sheet(std::vector<Panel> panels, const glm::ivec2& size, const SheetStyle& style, const ScaleBar& bar) {
   const std::size_t columns = std::min(style.columns, panels.size());
   const glm::vec2 last_in_row = panel_corner(style, size, columns - 1);
   const glm::vec2 last = panel_corner(style, size, panels.size() - 1);
@@ -238,7 +238,7 @@ std::string shapes_csv(std::span<const Recording* const> recordings) {
   return table.text();
 }
 
-// Simulation of cloth falling under the effect of gravity.
+// Figure 2: simulation of cloth falling under the effect of gravity.
 Drawing draw_figure2(const Results& results, LazyOffscreenRenderer& offscreen) {
   const Recording& fall = results.fall->frames;
   std::vector<PrintedMoment> moments;
@@ -249,12 +249,13 @@ Drawing draw_figure2(const Results& results, LazyOffscreenRenderer& offscreen) {
     return {letter, fmt::format("{:.2f} s{}", record.time_s, record.asleep ? ", at rest" : ""),
             fmt::format("largest stretch {:.4g} %", 100.0 * record.stretch.max)};
   };
-  return sheet_of(panels_of(prints, moments, caption_of), prints.size_px,
-                  {.columns = 4, .caption = {.text_px = 48.0F, .measured_px = 42.0F}},
-                  {0.5F * prints.metre_px, "0.5 m"});
+  return make_sheet(make_panels(prints, moments, caption_of), prints.size_px,
+                    {.columns = 4, .caption = {.text_px = 48.0F, .measured_px = 42.0F}},
+                    {0.5F * prints.metre_px, "0.5 m"});
 }
 
-// Over-stretching: the same cloth, held by its upper corners, with two limits of stretch; below, where.
+// Figure 4: over-stretching of the same cloth, pinned at its upper corners, with two stretch limits. The lower row
+// shows the stretch.
 Drawing draw_figure4(const Results& results, LazyOffscreenRenderer& offscreen) {
   std::vector<PrintedMoment> moments;
   for (const bool shows_stretch : {false, true}) {
@@ -266,11 +267,11 @@ Drawing draw_figure4(const Results& results, LazyOffscreenRenderer& offscreen) {
   unstretched.positions = results.pinned[0]->garment->mesh.positions;
   moments.push_back({&*results.pinned[0], &unstretched, true, false});
   Prints prints = print_moments(offscreen, moments, pinned_size);
-  const renderer::Colour shade = shade_of(prints.pictures.back());
+  const renderer::Colour shade = mean_shade(prints.pictures.back());
   moments.pop_back();
   const SheetStyle style = {.columns = 2, .caption = {.text_px = 42.0F, .measured_px = 37.0F}, .right_px = 190.0F};
-  Drawing drawing =
-      sheet_of(panels_of(prints, moments, pinned_caption), prints.size_px, style, {0.25F * prints.metre_px, "25 cm"});
+  Drawing drawing = make_sheet(make_panels(prints, moments, pinned_caption), prints.size_px, style,
+                               {0.25F * prints.metre_px, "25 cm"});
   drawing.draw = [panels_drawing = drawing.draw, style, shade](renderer::Canvas& canvas) {
     panels_drawing(canvas);
     draw_stretch_legend(canvas, style, shade);
@@ -278,7 +279,7 @@ Drawing draw_figure4(const Results& results, LazyOffscreenRenderer& offscreen) {
   return drawing;
 }
 
-// The T-shirt without wind and in two winds.
+// Figure 5: the T-shirt without wind and in two winds.
 Drawing draw_figure5(const Results& results, LazyOffscreenRenderer& offscreen) {
   std::vector<PrintedMoment> moments;
   for (const auto& recording : results.shirts) moments.push_back({&*recording, &recording->last(), false});
@@ -291,9 +292,9 @@ Drawing draw_figure5(const Results& results, LazyOffscreenRenderer& offscreen) {
             fmt::format("largest stretch {:.3f} %, surface {:.3f} %", 100.0 * record.stretch.max,
                         100.0 * record.surface_stretch.max)};
   };
-  return sheet_of(panels_of(prints, moments, caption_of), prints.size_px,
-                  {.columns = 3, .caption = {.text_px = 50.0F, .measured_px = 43.0F}},
-                  {0.2F * prints.metre_px, "20 cm"});
+  return make_sheet(make_panels(prints, moments, caption_of), prints.size_px,
+                    {.columns = 3, .caption = {.text_px = 50.0F, .measured_px = 43.0F}},
+                    {0.2F * prints.metre_px, "20 cm"});
 }
 
 Drawing sheet_of_last(std::span<const Recording> recordings, std::span<const Caption> captions, const glm::ivec2& size,
@@ -306,10 +307,10 @@ Drawing sheet_of_last(std::span<const Recording> recordings, std::span<const Cap
   const auto caption_of = [&](const PrintedMoment&, char letter) {
     return captions[static_cast<std::size_t>(letter - 'a')];
   };
-  return sheet_of(panels_of(prints, moments, caption_of), prints.size_px, style, {0.1F * prints.metre_px, "10 cm"});
+  return make_sheet(make_panels(prints, moments, caption_of), prints.size_px, style, {0.1F * prints.metre_px, "10 cm"});
 }
 
-DrawnScene made_of(DrawnScene scene, const std::string& fabric) {
+DrawnScene set_fabric(DrawnScene scene, const std::string& fabric) {
   apply_overrides(std::vector<Override>{{"cloth.fabric", fabric, "--fabric " + fabric}}, scene);
   scene.title = find_fabric(fabric).name;
   return scene;

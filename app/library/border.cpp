@@ -9,7 +9,7 @@ template <class... Errors> bool is_any(const std::exception& error) {
   return (... || (dynamic_cast<const Errors*>(&error) != nullptr));
 }
 
-TautResult result_of(const std::exception& error) {
+TautResult to_result(const std::exception& error) {
   if (is_any<app::UsageError, std::invalid_argument>(error)) return TAUT_ERROR_ARGUMENT;
   if (is_any<app::InputError, sim::BadBytes>(error)) return TAUT_ERROR_INPUT;
   if (is_any<app::PromiseBroken, sim::ContactBlocked>(error)) return TAUT_ERROR_PROMISE;
@@ -18,35 +18,36 @@ TautResult result_of(const std::exception& error) {
 }
 
 struct Table {
-  const pid_t process;  ///< that made it
-  std::atomic<std::uint64_t> made;
+  const pid_t process;  ///< process that made the table
+  std::atomic<std::uint64_t> handle_count;
   std::mutex mutex = {};
-  std::map<std::uint64_t, std::shared_ptr<Held>> cloths = {};
+  std::map<std::uint64_t, std::shared_ptr<CallerCloth>> cloths = {};
 };
 
-/// Never destroyed: at the end of a program other threads may still hold cloths. A child after fork has a table of its
-/// own, because the threads of its parent's cloths are not there and one of them may have locked the mutex.
+/// Returns the table of handles. It is never destroyed, because other threads may still use cloths when the program
+/// ends. A child after fork gets a table of its own: the threads of its parent's cloths do not exist there, and one of
+/// them may have locked the mutex.
 Table& table() {
   static std::atomic<Table*> newest = new Table{::getpid(), 0};
   Table* all = newest;
   if (all->process != ::getpid()) {
-    std::unique_ptr<Table> own(new Table{::getpid(), all->made.load()});
+    std::unique_ptr<Table> own(new Table{::getpid(), all->handle_count.load()});
     if (newest.compare_exchange_strong(all, own.get())) all = own.release();
   }
   return *all;
 }
 
-/// Maps each number but 0 to one of its own far from the others, so that made up ones are hardly ever hit
-/// (Steele, Lea and Flood 2014).
-std::uint64_t scattered(std::uint64_t number) {
+/// Maps each number but 0 to another number that is far from its neighbours, so that invented handles hardly ever hit
+/// one (Steele, Lea and Flood 2014).
+std::uint64_t scramble(std::uint64_t number) {
   number = (number ^ (number >> 30U)) * 0xBF58476D1CE4E5B9U;
   number = (number ^ (number >> 27U)) * 0x94D049BB133111EBU;
   return number ^ (number >> 31U);
 }
 
-constexpr std::size_t most_vertices = 3 * app::most_triangles;
+constexpr std::size_t max_vertices = 3 * app::max_triangles;
 
-std::size_t size_of(std::int32_t type) {
+std::size_t number_size(std::int32_t type) {
   require(type == TAUT_FLOAT || type == TAUT_DOUBLE,
           "found an unknown type of numbers, expected TAUT_FLOAT or TAUT_DOUBLE");
   return type == TAUT_FLOAT ? sizeof(float) : sizeof(double);
@@ -55,8 +56,8 @@ std::size_t size_of(std::int32_t type) {
 template <class Points> void require_array(const Points* points, std::size_t count) {
   require(points != nullptr, "found NULL, expected points");
   if (points->count != count) throw ArgumentError("found {} points, expected {}", points->count, count);
-  const std::size_t smallest = 3 * size_of(points->type);
-  if (points->stride < smallest || points->stride > std::numeric_limits<std::size_t>::max() / 2 / most_vertices) {
+  const std::size_t smallest = 3 * number_size(points->type);
+  if (points->stride < smallest || points->stride > std::numeric_limits<std::size_t>::max() / 2 / max_vertices) {
     throw ArgumentError("found a stride of {} bytes, expected at least {}", points->stride, smallest);
   }
   require(points->data != nullptr || count == 0, "found points with data of NULL");
@@ -73,14 +74,14 @@ template <class Number> void write_point(const sim::Vec3& point, char* at) {
   std::memcpy(at, numbers, sizeof(numbers));
 }
 
-/// Limit on numbers of a caller, whose third powers are finite.
+/// Largest magnitude of a caller's number; its third power is finite.
 constexpr double max_number = 1e30;
 
 bool is_number(const sim::Vec3& point) {
   return std::abs(point.x) <= max_number && std::abs(point.y) <= max_number && std::abs(point.z) <= max_number;
 }
 
-/// The numbers of corners of the faces.
+/// Returns the corner count of each face.
 std::vector<std::uint32_t> corner_counts(const TautMesh& mesh) {
   if (mesh.corners_per_face == nullptr) {
     require(mesh.face_count == 0, "found a face_count without corners_per_face");
@@ -104,50 +105,50 @@ TautResult describe_failure(std::span<char> text) noexcept {
     throw;
   } catch (const std::exception& error) {
     put_text(error.what(), text);
-    return result_of(error);
+    return to_result(error);
   } catch (...) {
     put_text("something was thrown that is no error", text);
     return TAUT_ERROR_INTERNAL;
   }
 }
 
-std::uint64_t keep(std::shared_ptr<Held> held) {
+std::uint64_t add_cloth(std::shared_ptr<CallerCloth> held) {
   Table& all = table();
   const std::lock_guard lock(all.mutex);
-  const std::uint64_t id = scattered(++all.made);
+  const std::uint64_t id = scramble(++all.handle_count);
   all.cloths.emplace(id, std::move(held));
   return id;
 }
 
-std::shared_ptr<Held> find(std::uint64_t id) {
+std::shared_ptr<CallerCloth> find(std::uint64_t id) {
   Table& all = table();
   const std::lock_guard lock(all.mutex);
   const auto found = all.cloths.find(id);
   return found == all.cloths.end() ? nullptr : found->second;
 }
 
-std::shared_ptr<Held> release(std::uint64_t id) {
+std::shared_ptr<CallerCloth> remove_cloth(std::uint64_t id) {
   Table& all = table();
   const std::lock_guard lock(all.mutex);
   const auto found = all.cloths.find(id);
   if (found == all.cloths.end()) return nullptr;
-  std::shared_ptr<Held> held = std::move(found->second);
+  std::shared_ptr<CallerCloth> slot = std::move(found->second);
   all.cloths.erase(found);
-  return held;
+  return slot;
 }
 
 void require(bool holds, const char* message) {
   if (!holds) throw ArgumentError(message);
 }
 
-void require_room(const void* array, std::size_t found, std::size_t expected) {
+void require_array_length(const void* array, std::size_t found, std::size_t expected) {
   require(array != nullptr || expected == 0, "found an array of NULL");
   if (found != expected) {
     throw ArgumentError("found an array of " + std::to_string(found) + ", expected " + std::to_string(expected));
   }
 }
 
-std::string text_of(const char* text, const char* message) {
+std::string require_text(const char* text, const char* message) {
   require(text != nullptr, message);
   return text;
 }
@@ -168,8 +169,8 @@ std::vector<sim::Vec3> points_from(const TautPoints* points, std::size_t expecte
 
 std::vector<sim::Vec3> points_from(const TautPoints* points) {
   require(points != nullptr, "found NULL, expected points");
-  if (points->count > most_vertices) {
-    throw ArgumentError("found {} points, expected at most {}", points->count, most_vertices);
+  if (points->count > max_vertices) {
+    throw ArgumentError("found {} points, expected at most {}", points->count, max_vertices);
   }
   return points_from(points, points->count);
 }
@@ -191,7 +192,7 @@ void put_bytes(std::string_view bytes, char* buffer, std::size_t capacity, std::
   }
 }
 
-sim::Vec3 vector_of(double x, double y, double z) {
+sim::Vec3 to_vector(double x, double y, double z) {
   const sim::Vec3 vector(x, y, z);
   require(is_number(vector), "found a number that is not finite or beyond 1e30");
   return vector;
@@ -199,7 +200,7 @@ sim::Vec3 vector_of(double x, double y, double z) {
 
 std::vector<sim::Index> vertices_from(const std::uint32_t* vertices, std::size_t count, std::size_t limit) {
   require(vertices != nullptr || count == 0, "found vertices of NULL");
-  require(count <= most_vertices, "found more vertices than can be simulated");
+  require(count <= max_vertices, "found more vertices than can be simulated");
   for (std::size_t k = 0; k < count; ++k) {
     if (vertices[k] >= limit) {
       throw ArgumentError("found vertex {} at place {}, expected one below {}", vertices[k], k, limit);
@@ -210,13 +211,13 @@ std::vector<sim::Index> vertices_from(const std::uint32_t* vertices, std::size_t
 
 app::ImportedModel model_from(const TautMesh* given) {
   const TautMesh mesh = read_struct(given);
-  if (mesh.corner_count > most_vertices) {
-    throw ArgumentError("found {} corners of faces, expected at most {}", mesh.corner_count, most_vertices);
+  if (mesh.corner_count > max_vertices) {
+    throw ArgumentError("found {} corners of faces, expected at most {}", mesh.corner_count, max_vertices);
   }
   std::vector<sim::Vec3> positions_m = points_from(&mesh.positions);
   std::vector<sim::Index> corners = vertices_from(mesh.corners, mesh.corner_count, positions_m.size());
   require(!corners.empty(), "found a mesh without faces");
-  return app::model_of(std::move(positions_m), corner_counts(mesh), std::move(corners));
+  return app::to_model(std::move(positions_m), corner_counts(mesh), std::move(corners));
 }
 
 }  // namespace taut::library

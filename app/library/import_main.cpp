@@ -1,6 +1,6 @@
-#include "app/models/import_process.hpp"
+#include "app/models/reading/import_process.hpp"
 
-// Reads a model for a program that has libtaut, with the arguments of `taut import-model`.
+// Reads a model in a process of its own for programs that use libtaut. Takes the arguments of `taut import-model`.
 int main(int count, char** arguments) {
   taut::app::ImportLimits limits;
   int parts = 0;

@@ -1,22 +1,22 @@
 #include "app/library/session.hpp"
 
 #include "app/bodies/body_loading.hpp"
-#include "app/bodies/wearing.hpp"
+#include "app/garments/dressing/wearing.hpp"
+#include "app/garments/sewing/sewing.hpp"
 #include "app/library/border.hpp"
-#include "app/models/inspection.hpp"
-#include "app/models/model_fitting.hpp"
+#include "app/models/inspecting/inspection.hpp"
+#include "app/models/mending/model_fitting.hpp"
 #include "app/scene/scene_format.hpp"
-#include "app/sewing/sewing.hpp"
 #include "sim/mesh/welding.hpp"
 
 namespace taut::library {
 namespace {
 
-sim::Plane plane_of(const TautBody& given) {
-  const sim::Vec3 normal = vector_of(given.plane_normal[0], given.plane_normal[1], given.plane_normal[2]);
+sim::Plane to_plane(const TautBody& given) {
+  const sim::Vec3 normal = to_vector(given.plane_normal[0], given.plane_normal[1], given.plane_normal[2]);
   const double length = glm::length(normal);
   require(length > 0.0 && std::isfinite(length), "plane_normal: expected a vector that is not 0");
-  return {vector_of(given.plane_point[0], given.plane_point[1], given.plane_point[2]), normal / length};
+  return {to_vector(given.plane_point[0], given.plane_point[1], given.plane_point[2]), normal / length};
 }
 
 void take_mesh(const TautBody& given, const app::Scene& scene, GivenBody& taken) {
@@ -24,22 +24,21 @@ void take_mesh(const TautBody& given, const app::Scene& scene, GivenBody& taken)
   source.file = taken.body.name.empty() ? "body" : taken.body.name;
   source.dress = taken.source.dress = given.dress;
   const double rate_hz = scene.simulation.frame_rate_hz;
-  app::ReadBody read = app::body_of(source, model_from(given.mesh), {scene.frames / rate_hz, rate_hz});
+  app::ReadBody read = app::make_body(source, model_from(given.mesh), {scene.frames / rate_hz, rate_hz});
   taken.body.shape = std::move(read.mesh);
   taken.wearer = std::move(read.wearer);
-  taken.lent = LentBody{std::move(read.places), read.file_vertices};
+  taken.lent = CallerBody{std::move(read.places), read.file_vertices};
   for (const std::string& remark : read.remarks) {
     taken.remarks.push_back("body '" + source.file.string() + "': " + remark);
   }
 }
 
-// Settings that may change while a cloth moves. All others say what the cloth is, or when and where it
-// begins.
-constexpr std::array live_sections = {"air.", "cloth.", "gravity.", "pins.motion.", "rest.", "solver.", "wind."};
+// Settings that may change while a cloth moves. All others define the cloth or its start.
+constexpr std::array changeable_sections = {"air.", "cloth.", "gravity.", "pins.motion.", "rest.", "solver.", "wind."};
 
 bool is_live(const std::string& key) {
   return key == "forces" ||
-         std::ranges::any_of(live_sections, [&](const char* section) { return key.starts_with(section); });
+         std::ranges::any_of(changeable_sections, [&](const char* section) { return key.starts_with(section); });
 }
 
 std::vector<sim::Index> counted_up(std::size_t count) {
@@ -48,8 +47,8 @@ std::vector<sim::Index> counted_up(std::size_t count) {
   return numbers;
 }
 
-/// Per vertex of the mesh, the first of the caller's that became it.
-std::vector<sim::Index> first_of_each(const std::vector<sim::Index>& mesh_vertex, std::size_t count) {
+/// Returns for each mesh vertex the first of the caller's vertices that became it.
+std::vector<sim::Index> first_vertices(const std::vector<sim::Index>& mesh_vertex, std::size_t count) {
   std::vector<sim::Index> first(count, sim::no_vertex);
   for (std::size_t v = mesh_vertex.size(); v-- > 0;) {
     if (mesh_vertex[v] != sim::no_vertex) first[mesh_vertex[v]] = static_cast<sim::Index>(v);
@@ -57,28 +56,28 @@ std::vector<sim::Index> first_of_each(const std::vector<sim::Index>& mesh_vertex
   return first;
 }
 
-/// Per vertex of the mesh, the caller's for it: of a model that follows, the nearest.
-std::vector<sim::Index> own_vertices(const app::GarmentInScene& loaded, const std::vector<sim::Index>& mesh_vertex) {
+/// Returns the caller's vertex for each mesh vertex. If a model follows the mesh, it is the model's nearest vertex.
+std::vector<sim::Index> caller_vertices(const app::GarmentInScene& loaded, const std::vector<sim::Index>& mesh_vertex) {
   const std::vector<sim::Vec3>& mesh_m = loaded.garment->mesh.positions;
   if (!loaded.following || mesh_vertex.size() != loaded.file_vertices.mesh_vertex.size()) {
-    return first_of_each(mesh_vertex, mesh_m.size());
+    return first_vertices(mesh_vertex, mesh_m.size());
   }
   const sim::Mesh& model = loaded.following->mesh;
   const std::vector<sim::Index> of_model =
-      first_of_each(loaded.following->file_vertices.mesh_vertex, model.positions.size());
-  std::vector<sim::Index> own;
+      first_vertices(loaded.following->file_vertices.mesh_vertex, model.positions.size());
+  std::vector<sim::Index> own_indices;
   for (const app::Bond& bond : app::bonds_to(mesh_m, model)) {
-    own.push_back(of_model[app::nearest_corner(bond, model.triangles)]);
+    own_indices.push_back(of_model[app::find_nearest_corner(bond, model.triangles)]);
   }
-  return own;
+  return own_indices;
 }
 
-std::string trimmed(const std::string& text) {
+std::string trim(const std::string& text) {
   const std::size_t first = text.find_first_not_of(' ');
   return first == std::string::npos ? "" : text.substr(first, text.find_last_not_of(' ') + 1 - first);
 }
 
-std::vector<app::Override> overrides_of(const TautOptions& options) {
+std::vector<app::Override> parse_overrides(const TautOptions& options) {
   require(options.settings != nullptr || options.setting_count == 0, "found settings of NULL");
   require(options.setting_count <= 100000, "found more than 100000 settings");
   std::vector<app::Override> overrides;
@@ -89,12 +88,12 @@ std::vector<app::Override> overrides_of(const TautOptions& options) {
     if (equals == std::string::npos || equals == 0) {
       throw ArgumentError("found the setting '" + text + "', expected KEY = VALUE, such as wind.speed = 4");
     }
-    overrides.push_back({trimmed(text.substr(0, equals)), trimmed(text.substr(equals + 1)), text});
+    overrides.push_back({trim(text.substr(0, equals)), trim(text.substr(equals + 1)), text});
   }
   return overrides;
 }
 
-app::Scene scene_of(const TautOptions& options, const std::vector<app::Override>& overrides) {
+app::Scene make_scene(const TautOptions& options, const std::vector<app::Override>& overrides) {
   const int named =
       (options.scene != nullptr ? 1 : 0) + (options.scene_text != nullptr ? 1 : 0) + (options.mesh != nullptr ? 1 : 0);
   require(named == 1, "expected exactly one of scene, scene_text and mesh");
@@ -120,7 +119,7 @@ void set_importer(const TautOptions& options, app::Scene& scene) {
 }
 
 void set_threads(const TautOptions& options, app::Scene& scene) {
-  require(options.threads >= 0 && options.threads <= sim::most_threads, "threads: expected 1 to 64, or 0");
+  require(options.threads >= 0 && options.threads <= sim::max_threads, "threads: expected 1 to 64, or 0");
   if (options.threads > 0) scene.simulation.solver.bounded.threads = options.threads;
 }
 
@@ -128,7 +127,7 @@ void put_bodies_in(const TautOptions& options, Start& start) {
   require(options.bodies != nullptr || options.body_count == 0, "found bodies of NULL");
   for (std::size_t k = 0; k < options.body_count; ++k) {
     GivenBody given = take_body(options.bodies[k], start.scene);
-    const std::size_t number = put_in(given, start.scene);
+    const std::size_t number = add_to_scene(given, start.scene);
     if (given.lent) start.lent[number] = std::move(*given.lent);
     start.listener.tell(given.remarks);
   }
@@ -137,24 +136,24 @@ void put_bodies_in(const TautOptions& options, Start& start) {
 }  // namespace
 
 GivenBody take_body(const TautBody* body, const app::Scene& scene) {
-  const TautBody given = read_struct(body);
-  GivenBody taken;
-  taken.body.name = given.name != nullptr ? given.name : "";
-  if (given.has_friction != 0) {
-    require(given.friction >= 0.0 && given.friction <= 10.0, "friction: expected 0 to 10");
-    taken.body.friction = given.friction;
+  const TautBody caller_body = read_struct(body);
+  GivenBody parsed;
+  parsed.body.name = caller_body.name != nullptr ? caller_body.name : "";
+  if (caller_body.has_friction != 0) {
+    require(caller_body.friction >= 0.0 && caller_body.friction <= 10.0, "friction: expected 0 to 10");
+    parsed.body.friction = caller_body.friction;
   }
-  require(given.dress >= 0 && given.dress <= 10000, "dress: expected 0 to 10000 frames");
-  if (given.mesh != nullptr) {
-    take_mesh(given, scene, taken);
+  require(caller_body.dress >= 0 && caller_body.dress <= 10000, "dress: expected 0 to 10000 frames");
+  if (caller_body.mesh != nullptr) {
+    take_mesh(caller_body, scene, parsed);
   } else {
-    require(given.dress == 0, "dress: expected 0 for a plane");
-    taken.body.shape = plane_of(given);
+    require(caller_body.dress == 0, "dress: expected 0 for a plane");
+    parsed.body.shape = to_plane(caller_body);
   }
-  return taken;
+  return parsed;
 }
 
-std::size_t put_in(const GivenBody& given, app::Scene& scene) {
+std::size_t add_to_scene(const GivenBody& given, app::Scene& scene) {
   std::vector<sim::Body>& bodies = scene.surroundings.bodies;
   const std::size_t number = bodies.size();
   bodies.push_back(given.body);
@@ -166,30 +165,31 @@ std::size_t put_in(const GivenBody& given, app::Scene& scene) {
 }
 
 std::size_t Session::add_body(const TautBody* body) {
-  GivenBody given = take_body(body, scene_);
-  require(given.source.dress == 0, "dress: expected 0 of a body that is added later");
+  GivenBody parsed = take_body(body, scene_);
+  require(parsed.source.dress == 0, "dress: expected 0 of a body that is added later");
   app::Scene next = scene_;
-  const std::size_t number = put_in(given, next);
+  const std::size_t number = add_to_scene(parsed, next);
   change(std::move(next));
-  if (given.lent) lent_[number] = std::move(*given.lent);
+  if (parsed.lent) caller_bodies_[number] = std::move(*parsed.lent);
   const sim::State& state = simulation_.state();
   const app::StartRemarks remarks =
       app::remarks_on_body(scene_.surroundings.bodies, number, state.time_s,
                            {state.current, simulation_.garment().mesh.triangles}, simulation_.pins().vertices);
   crossings_at_start_ += remarks.crossings;
   begin_again();
-  listener_.tell(given.remarks);
+  listener_.tell(parsed.remarks);
   listener_.tell(remarks.lines);
   return number;
 }
 
-const LentBody& Session::lent_body(std::size_t body) const {
-  const auto found = lent_.find(body);
-  if (found == lent_.end()) throw ArgumentError("found body {}, expected one that was added as a mesh", body);
+const CallerBody& Session::lent_body(std::size_t body) const {
+  const auto found = caller_bodies_.find(body);
+  if (found == caller_bodies_.end()) throw ArgumentError("found body {}, expected one that was added as a mesh", body);
   return found->second;
 }
 
-std::vector<sim::Vec3> Session::in_body(const LentBody& lent, const std::vector<sim::Vec3>& positions_m) const {
+std::vector<sim::Vec3> Session::to_body_positions(const CallerBody& lent,
+                                                  const std::vector<sim::Vec3>& positions_m) const {
   std::vector<sim::Vec3> in_body_m;
   for (const std::size_t vertex : lent.places.file_vertex) {
     in_body_m.push_back(lent.places.placement(positions_m[vertex]));
@@ -205,30 +205,30 @@ std::vector<sim::Vec3> Session::shape_m(std::size_t body) const {
   return app::mesh_positions_m(scene_.surroundings.bodies[body], simulation_.state().time_s);
 }
 
-// Its data stay those that were given, as those of a file do: the last bits hang on them.
+// Keeps the body's mesh data as the caller first gave them, as for a file's body, because the last bits depend on them.
 void Session::set_shape(std::size_t body, std::vector<sim::Vec3> positions_m) {
   std::get<sim::BodyMesh>(scene_.surroundings.bodies[body].shape).frames =
       std::make_shared<const StillBody>(std::move(positions_m));
 }
 
 void Session::move_body(std::size_t body, const std::vector<sim::Vec3>& positions_m) {
-  const LentBody& lent = lent_body(body);
-  std::vector<sim::Vec3> target_m = in_body(lent, positions_m);
+  const CallerBody& body_in_use = lent_body(body);
+  std::vector<sim::Vec3> target_m = to_body_positions(body_in_use, positions_m);
   const std::vector<sim::Vec3> now_m = shape_m(body);
   for (std::size_t v = 0; v < target_m.size(); ++v) {
     const double way_m = glm::distance(target_m[v], now_m[v]);
-    if (!(way_m <= app::furthest_in_frame_m)) {
+    if (!(way_m <= app::max_motion_per_frame_m)) {
       throw ArgumentError("found vertex {} {:.3g} m from where it is, expected at most {:g} m in a frame",
-                          lent.places.file_vertex[v], way_m, app::furthest_in_frame_m);
+                          body_in_use.places.file_vertex[v], way_m, app::max_motion_per_frame_m);
     }
   }
-  // To stand still is no change: it would wake cloth at rest.
-  lent_[body].target_m = target_m == now_m ? std::nullopt : std::optional(std::move(target_m));
+  // A target equal to the current shape is no motion; otherwise it would wake cloth at rest.
+  caller_bodies_[body].target_m = target_m == now_m ? std::nullopt : std::optional(std::move(target_m));
 }
 
 void Session::place_body(std::size_t body, const std::vector<sim::Vec3>& positions_m) {
-  set_shape(body, in_body(lent_body(body), positions_m));
-  lent_[body].target_m.reset();
+  set_shape(body, to_body_positions(lent_body(body), positions_m));
+  caller_bodies_[body].target_m.reset();
   simulation_.set_surroundings(surroundings_of(scene_));
   begin_again();
 }
@@ -238,10 +238,10 @@ Session::Session(const TautOptions& options, Start start)
       loaded_(std::move(start.loaded)),
       mesh_vertex_(scene_.garment.given ? loaded_.file_vertices.mesh_vertex
                                         : counted_up(loaded_.garment->mesh.positions.size())),
-      own_vertex_(own_vertices(loaded_, mesh_vertex_)),
+      own_vertex_(caller_vertices(loaded_, mesh_vertex_)),
       simulation_(app::make_simulation(scene_, loaded_)),
       frame_(app::go_to_start(scene_, simulation_)),
-      lent_(std::move(start.lent)),
+      caller_bodies_(std::move(start.lent)),
       crossings_at_start_(start.crossings),
       listener_(start.listener) {
   if (options.counts_crossings != 0) verifier_.emplace();
@@ -252,7 +252,7 @@ void Session::begin_again() {
   if (verifier_) verifier_->begin(simulation_);
 }
 
-void Session::require_found() const {
+void Session::require_not_diverged() const {
   const std::vector<sim::Vec3>& positions_m = simulation_.state().current;
   const std::size_t lost = sim::first_lost(positions_m);
   if (lost < positions_m.size()) {
@@ -261,7 +261,7 @@ void Session::require_found() const {
 }
 
 app::FrameRecord Session::step() {
-  require_found();
+  require_not_diverged();
   const sim::Surroundings still = simulation_.surroundings();
   sim::Surroundings moving = still;
   apply_targets(moving);
@@ -283,33 +283,33 @@ app::FrameRecord Session::step() {
 void Session::apply_targets(sim::Surroundings& surroundings) const {
   const double from_s = simulation_.state().time_s;
   const double rate_hz = simulation_.settings().frame_rate_hz;
-  // Cloth with a pin that is led is not at rest, however short the way.
+  // A kinematic pin keeps cloth from being at rest, however short its path.
   const bool stay_by_themselves =
       surroundings.pin_motion.amplitude_m == sim::Vec3(0.0) && !sim::has_pins_of_their_own(surroundings);
-  sim::LedPins& led = surroundings.led_pins;
+  sim::PrescribedPins& prescribed_pins = surroundings.prescribed_pins;
   for (const auto& [vertex, target_m] : pin_targets_m_) {
     const sim::Vec3& now_m = simulation_.state().current[vertex];
     if (target_m != now_m || !stay_by_themselves) {
-      led.vertices.push_back(vertex);
-      led.by_m.push_back(target_m - now_m);
+      prescribed_pins.vertices.push_back(vertex);
+      prescribed_pins.by_m.push_back(target_m - now_m);
     }
   }
-  // Times of nothing would be a change, which wakes cloth at rest.
-  if (!led.vertices.empty()) {
-    led.from_s = from_s;
-    led.until_s = from_s + simulation_.frame_time_s();
+  // Times without prescribed pins would count as a change, which wakes cloth at rest.
+  if (!prescribed_pins.vertices.empty()) {
+    prescribed_pins.from_s = from_s;
+    prescribed_pins.until_s = from_s + simulation_.frame_time_s();
   }
-  for (const auto& [number, lent] : lent_) {
+  for (const auto& [number, lent] : caller_bodies_) {
     if (lent.target_m) {
       auto& mesh = std::get<sim::BodyMesh>(surroundings.bodies[number].shape);
-      mesh.frames = std::make_shared<const WayOfBody>(shape_m(number), *lent.target_m, from_s, rate_hz);
+      mesh.frames = std::make_shared<const BodyMove>(shape_m(number), *lent.target_m, from_s, rate_hz);
     }
   }
 }
 
-// A frame depends on the state and on what is given for it, not on how things came to be where they are.
+// Forgets the motion, so that the next frame depends on the shape alone and not on how it was reached.
 void Session::stay_at_targets() {
-  for (auto& [number, lent] : lent_) {
+  for (auto& [number, lent] : caller_bodies_) {
     if (lent.target_m) set_shape(number, std::move(*lent.target_m));
   }
   forget_targets();
@@ -318,18 +318,18 @@ void Session::stay_at_targets() {
 
 void Session::forget_targets() {
   pin_targets_m_.clear();
-  for (auto& [number, lent] : lent_) lent.target_m.reset();
+  for (auto& [number, lent] : caller_bodies_) lent.target_m.reset();
 }
 
 sim::Surroundings Session::surroundings_of(const app::Scene& scene) const {
-  sim::Surroundings surroundings = app::settled(scene.surroundings, loaded_);
+  sim::Surroundings surroundings = app::settle_surroundings(scene.surroundings, loaded_);
   std::vector<sim::PointForce>& all = surroundings.forces.artificial_forces;
   all.insert(all.end(), forces_.begin(), forces_.end());
   return surroundings;
 }
 
 void Session::change(app::Scene next) {
-  require_found();
+  require_not_diverged();
   simulation_.set_surroundings(surroundings_of(next));
   simulation_.set_settings(app::simulation_settings(next.simulation));
   simulation_.set_material(next.material);
@@ -396,12 +396,12 @@ void Session::move_pins(const std::vector<sim::Index>& vertices, const std::vect
     if (!std::ranges::binary_search(pins, vertex)) {
       throw ArgumentError("found vertex {}, expected one that is pinned", vertices[k]);
     }
-    next.emplace(vertex, targets_m[k] + beside_own_m(vertex, vertices[k]));
+    next.emplace(vertex, targets_m[k] + vertex_offset_m(vertex, vertices[k]));
   }
   pin_targets_m_ = std::move(next);
 }
 
-sim::Vec3 Session::beside_own_m(sim::Index in_mesh, sim::Index own) const {
+sim::Vec3 Session::vertex_offset_m(sim::Index in_mesh, sim::Index own) const {
   return scene_.garment.given && loaded_.following ? loaded_.garment->mesh.positions[in_mesh] - loaded_.file_rest_m[own]
                                                    : sim::Vec3(0.0);
 }
@@ -413,7 +413,7 @@ sim::Index Session::mesh_vertex(sim::Index vertex) const {
   return mesh_vertex_[vertex];
 }
 
-std::vector<sim::Vec3> Session::in_mesh(const std::vector<sim::Vec3>& positions_m) const {
+std::vector<sim::Vec3> Session::to_mesh_positions(const std::vector<sim::Vec3>& positions_m) const {
   if (scene_.garment.given && loaded_.following) {
     return app::simulated_m(*loaded_.following, loaded_.garment->mesh, positions_m);
   }
@@ -437,7 +437,7 @@ std::vector<sim::Vec3> Session::positions_m() const {
 void Session::set_positions(const std::vector<sim::Vec3>& positions_m) {
   const double time_s = simulation_.state().time_s;
   sim::Simulation next(simulation_.shared_garment(), simulation_.pins().vertices, simulation_.settings(),
-                       simulation_.surroundings(), in_mesh(positions_m));
+                       simulation_.surroundings(), to_mesh_positions(positions_m));
   next.set_time(time_s);
   simulation_ = std::move(next);
   pin_targets_m_.clear();
@@ -457,10 +457,10 @@ std::string Session::save() const {
   app::RunCheckpoint run;
   run.scene_name = scene_.name;
   const app::SceneFormat<app::Scene> format = app::simulation_format();
-  run.scene = app::text_of(app::settings_of(format, scene_), scene_, app::GarmentNaming::in_assets);
+  run.scene = app::to_scene_text(app::scene_to_json(format, scene_), scene_, app::GarmentNaming::in_assets);
   run.frame = frame_;
   run.simulation = sim::encode(simulation_.save(), simulation_.garment());
-  return app::bytes_of(run);
+  return app::to_bytes(run);
 }
 
 void Session::restore(const std::filesystem::path& name, const app::RunCheckpoint& checkpoint) {
@@ -479,7 +479,7 @@ void Listener::tell(const std::vector<std::string>& lines) const {
 Start load(const TautOptions& options) {
   Start start;
   start.listener = {options.log, options.log_user};
-  start.scene = scene_of(options, overrides_of(options));
+  start.scene = make_scene(options, parse_overrides(options));
   set_importer(options, start.scene);
   set_threads(options, start.scene);
   if (options.start != nullptr) {
@@ -489,12 +489,12 @@ Start load(const TautOptions& options) {
   start.listener.tell(app::sew_and_load_bodies(start.scene));
   start.loaded = app::load_garment(start.scene);
   start.listener.tell(app::put_where_it_begins(start.loaded, start.scene));
-  start.listener.tell(app::remarks_of(start.loaded));
+  start.listener.tell(app::collect_remarks(start.loaded));
   const app::StartRemarks remarks = app::remarks_on_start(start.scene, start.loaded);
   start.listener.tell(remarks.lines);
   start.crossings = remarks.crossings;
-  if (options.struct_size == smallest_size<TautOptions>) {
-    start.listener = {};  // a caller of then may have ended its log with the call
+  if (options.struct_size == min_struct_size<TautOptions>) {
+    start.listener = {};  // a caller built for that version may have ended its log after the call
   }
   return start;
 }

@@ -4,13 +4,13 @@
 namespace taut::library {
 namespace {
 
-TautFrame frame_of(const app::FrameRecord& record) {
+TautFrame to_frame(const app::FrameRecord& record) {
   TautFrame frame{};
   frame.frame = record.frame;
   frame.time_s = record.time_s;
   frame.max_edge_stretch = record.stretch.max;
   frame.max_surface_stretch = record.surface_stretch.max;
-  frame.smallest_distance_m = record.contact.smallest_distance_m;
+  frame.smallest_distance_m = record.contact.min_distance_m;
   frame.crossing_pairs = record.crossing_pairs ? static_cast<std::int64_t>(*record.crossing_pairs) : -1;
   frame.state_hash = record.state_hash;
   frame.substeps = record.asleep ? 0 : record.substeps;
@@ -18,11 +18,11 @@ TautFrame frame_of(const app::FrameRecord& record) {
   frame.is_contact_kept = record.blocked || record.crossing_pairs.value_or(0) > 0 ? 0 : 1;
   frame.is_asleep = record.asleep ? 1 : 0;
   frame.measured_crossings = record.contact.crossing_pairs;
-  frame.left_out_share = record.contact.left_out_share;
+  frame.left_out_share = record.contact.excluded_area_fraction;
   return frame;
 }
 
-TautInfo info_of(const Session& session) {
+TautInfo to_info(const Session& session) {
   const sim::Simulation& simulation = session.simulation();
   const auto* bounded = std::get_if<sim::BoundedSettings>(&simulation.settings().solver.method);
   TautInfo info{};
@@ -39,7 +39,7 @@ TautInfo info_of(const Session& session) {
   return info;
 }
 
-std::string names_of(std::int32_t kind) {
+std::string list_names(std::int32_t kind) {
   require(kind == TAUT_SCENES || kind == TAUT_FABRICS, "found an unknown kind of names");
   std::string names;
   if (kind == TAUT_FABRICS) {
@@ -62,7 +62,7 @@ using namespace taut::library;
 
 #define TAUT_INIT(name, Struct)                               \
   TautResult taut_##name##_init(Struct* given, size_t size) { \
-    return guarded([&] { init_struct(given, size); });        \
+    return guard([&] { init_struct(given, size); });          \
   }
 TAUT_INIT(error, TautError)
 TAUT_INIT(mesh, TautMesh)
@@ -82,7 +82,7 @@ const char* taut_build_info(void) {
   static const std::string info = [] {
     std::string text = "taut " + app::program_version() + ", " + app::compiler_version() + ", vectors:";
     for (const sim::VectorUnit unit : sim::available_vector_units()) {
-      text += unit == sim::VectorUnit::best ? "" : std::string(" ") + sim::name_of(unit);
+      text += unit == sim::VectorUnit::best ? "" : std::string(" ") + sim::to_name(unit);
     }
     return text;
   }();
@@ -90,8 +90,8 @@ const char* taut_build_info(void) {
 }
 
 TautResult taut_list(int32_t kind, char* buffer, size_t capacity, size_t* size) {
-  return guarded([&] {
-    const std::string names = names_of(kind);
+  return guard([&] {
+    const std::string names = list_names(kind);
     put_bytes({names.c_str(), names.size() + 1}, buffer, capacity, size);
   });
 }
@@ -99,12 +99,12 @@ TautResult taut_list(int32_t kind, char* buffer, size_t capacity, size_t* size) 
 TautResult taut_create(const TautOptions* options, TautCloth* cloth, TautError* error) {
   char text[sizeof(TautError::text)] = "";
   TautResult result = TAUT_OK;
-  const UsualRounding rounding;
+  const DefaultRounding rounding;
   try {
     require(cloth != nullptr, "found a cloth of NULL");
     *cloth = {};
     const TautOptions read = read_struct(options);
-    cloth->id = keep(std::make_shared<Held>(Session(read, load(read))));
+    cloth->id = add_cloth(std::make_shared<CallerCloth>(Session(read, load(read))));
   } catch (...) {
     result = describe_failure(text);
   }
@@ -112,50 +112,50 @@ TautResult taut_create(const TautOptions* options, TautCloth* cloth, TautError* 
     TautError told{};
     told.result = result;
     put_text(text, told.text);
-    guarded([&] { put_struct(told, error); });
+    guard([&] { put_struct(told, error); });
   }
   return result;
 }
 
 TautResult taut_destroy(TautCloth cloth) {
-  const UsualRounding rounding;
-  return release(cloth.id) ? TAUT_OK : TAUT_ERROR_HANDLE;
+  const DefaultRounding rounding;
+  return remove_cloth(cloth.id) ? TAUT_OK : TAUT_ERROR_HANDLE;
 }
 
 const char* taut_last_error(TautCloth cloth) {
-  // A copy of this thread's own: another may destroy the cloth, or fail with it, at any moment.
+  // Copies the text for this thread: another thread may destroy the cloth or fail with it at any moment.
   static thread_local char text[sizeof(TautError::text)];
-  const std::shared_ptr<Held> held = find(cloth.id);
-  if (!held) return "there is no such cloth";
-  const std::lock_guard lock(held->error_mutex);
-  put_text(held->error, text);
+  const std::shared_ptr<CallerCloth> slot = find(cloth.id);
+  if (!slot) return "there is no such cloth";
+  const std::lock_guard lock(slot->error_mutex);
+  put_text(slot->error, text);
   return text;
 }
 
 TautResult taut_get_info(TautCloth cloth, TautInfo* info) {
-  return with(cloth, [&](const Session& session) { put_struct(info_of(session), info); });
+  return with(cloth, [&](const Session& session) { put_struct(to_info(session), info); });
 }
 
 TautResult taut_step(TautCloth cloth, TautFrame* frame) {
   return with(cloth, [&](Session& session) {
     if (frame != nullptr) read_struct(frame);
-    const TautFrame stepped = frame_of(session.step());
+    const TautFrame stepped = to_frame(session.step());
     if (frame != nullptr) put_struct(stepped, frame);
   });
 }
 
 TautResult taut_set(TautCloth cloth, const char* key, const char* value) {
   return with(cloth, [&](Session& session) {
-    session.set(text_of(key, "found a key of NULL"), text_of(value, "found a value of NULL"));
+    session.set(require_text(key, "found a key of NULL"), require_text(value, "found a value of NULL"));
   });
 }
 
 TautResult taut_set_wind(TautCloth cloth, double x, double y, double z) {
-  return with(cloth, [&](Session& session) { session.set_wind(vector_of(x, y, z)); });
+  return with(cloth, [&](Session& session) { session.set_wind(to_vector(x, y, z)); });
 }
 
 TautResult taut_set_gravity(TautCloth cloth, double x, double y, double z) {
-  return with(cloth, [&](Session& session) { session.set_gravity(vector_of(x, y, z)); });
+  return with(cloth, [&](Session& session) { session.set_gravity(to_vector(x, y, z)); });
 }
 
 TautResult taut_set_forces(TautCloth cloth, const uint32_t* vertices, const TautPoints* forces) {
@@ -173,7 +173,7 @@ TautResult taut_set_pins(TautCloth cloth, const uint32_t* vertices, size_t count
 TautResult taut_get_pins(TautCloth cloth, uint32_t* vertices, size_t count) {
   return with(cloth, [&](const Session& session) {
     const std::vector<sim::Index> pins = session.pins();
-    require_room(vertices, count, pins.size());
+    require_array_length(vertices, count, pins.size());
     std::ranges::copy(pins, vertices);
   });
 }
@@ -214,7 +214,7 @@ TautResult taut_set_positions(TautCloth cloth, const TautPoints* positions) {
 
 TautResult taut_get_stretch(TautCloth cloth, double* stretch, size_t count) {
   return with(cloth, [&](const Session& session) {
-    require_room(stretch, count, session.vertex_count());
+    require_array_length(stretch, count, session.vertex_count());
     const std::vector<double> found = session.stretch();
     std::ranges::copy(found, stretch);
   });
@@ -223,7 +223,7 @@ TautResult taut_get_stretch(TautCloth cloth, double* stretch, size_t count) {
 TautResult taut_get_triangles(TautCloth cloth, uint32_t* vertices, size_t count) {
   return with(cloth, [&](const Session& session) {
     const std::vector<sim::Triangle>& triangles = session.simulation().garment().mesh.triangles;
-    require_room(vertices, count, 3 * triangles.size());
+    require_array_length(vertices, count, 3 * triangles.size());
     for (const sim::Triangle& triangle : triangles) {
       for (const sim::Index vertex : triangle) *vertices++ = session.vertex_of(vertex);
     }
@@ -234,7 +234,7 @@ TautResult taut_get_edges(TautCloth cloth, uint32_t* vertices, double* rest_leng
   return with(cloth, [&](const Session& session) {
     const sim::Garment& garment = session.simulation().garment();
     const auto& edges = garment.adjacency.edges;
-    require_room(&edges, count, edges.size());
+    require_array_length(&edges, count, edges.size());
     for (std::size_t e = 0; e < edges.size(); ++e) {
       const auto [a, b] = edges[e];
       if (vertices != nullptr) {
@@ -264,15 +264,15 @@ TautResult taut_restore(TautCloth cloth, const void* buffer, size_t size) {
   return with(cloth, [&](Session& session) {
     require(buffer != nullptr, "found a buffer of NULL");
     const std::string_view bytes(static_cast<const char*>(buffer), size);
-    session.restore("buffer", app::run_checkpoint_of(bytes, "buffer"));
+    session.restore("buffer", app::parse_run_checkpoint(bytes, "buffer"));
   });
 }
 
 TautResult taut_save_file(TautCloth cloth, const char* path) {
   return with(cloth, [&](const Session& session) {
-    const std::filesystem::path file = text_of(path, "found a path of NULL");
+    const std::filesystem::path file = require_text(path, "found a path of NULL");
     std::error_code error;
-    // A pipe whose reader is gone would end the caller's program by a signal.
+    // Writing to a pipe without a reader would end the caller's program by a signal.
     if (std::filesystem::exists(file, error) && !std::filesystem::is_regular_file(file, error)) {
       throw app::InputError("cannot write '{}': found what is no file, expected a file or a free name", file.string());
     }
@@ -282,7 +282,7 @@ TautResult taut_save_file(TautCloth cloth, const char* path) {
 
 TautResult taut_restore_file(TautCloth cloth, const char* path) {
   return with(cloth, [&](Session& session) {
-    const std::string file = text_of(path, "found a path of NULL");
+    const std::string file = require_text(path, "found a path of NULL");
     session.restore(file, app::read_run_checkpoint(file));
   });
 }

@@ -3,8 +3,8 @@
 #include "app/base/errors.hpp"
 #include "app/base/progress.hpp"
 #include "app/base/words.hpp"
-#include "app/models/hanger.hpp"
-#include "app/models/model_fitting.hpp"
+#include "app/models/hanging/hanger.hpp"
+#include "app/models/mending/model_fitting.hpp"
 #include "app/scene/scene_format.hpp"
 #include "sim/mesh/geodesics.hpp"
 #include "sim/mesh/subdivide.hpp"
@@ -13,16 +13,17 @@
 namespace taut::app {
 namespace {
 
-/// Flatter triangles than this share of what they were are too stiff to be cut so.
-constexpr double least_cut_height = 0.1;
+/// Smallest height of a triangle of a mesh that is cut anew, as a fraction of its height before. Flatter ones are too
+/// stiff.
+constexpr double min_cut_height = 0.1;
 
-// As a fraction of the garment's size. If half of its edges are shorter, double precision cannot measure
-// their stretch. Usual edges have a thousandth of the size.
-constexpr double shortest_half_of_edges = 1e-9;
+// Smallest median edge, as a fraction of the garment's size. Double precision cannot measure the stretch of shorter
+// edges. Usual edges have a thousandth of the size.
+constexpr double min_median_edge_m = 1e-9;
 
 // Limits on the size of a garment. Outside them double precision is not enough for positions.
-constexpr double smallest_size_m = 1e-4;
-constexpr double largest_size_m = 1e4;
+constexpr double min_size_m = 1e-4;
+constexpr double max_size_m = 1e4;
 
 // One damaged coordinate can be 1e38 times as far away as all others.
 void require_one_size(const sim::Mesh& mesh) {
@@ -31,9 +32,9 @@ void require_one_size(const sim::Mesh& mesh) {
   for (const sim::Triangle& t : mesh.triangles) {
     lengths.push_back(glm::distance(mesh.positions[t[0]], mesh.positions[t[1]]));
   }
-  const double middle = ranked(std::move(lengths), 0.5);
-  const double size = glm::length(sim::extent_of(mesh.positions).size());
-  if (middle < shortest_half_of_edges * size) {
+  const double middle = quantile(std::move(lengths), 0.5);
+  const double size = glm::length(sim::compute_extent(mesh.positions).size());
+  if (middle < min_median_edge_m * size) {
     throw std::invalid_argument(
         fmt::format("it reaches over {:.3g} of its units, but half of its edges are shorter than {:.3g}; "
                     "expected all vertices in one place, so one of them may be damaged",
@@ -41,21 +42,21 @@ void require_one_size(const sim::Mesh& mesh) {
   }
 }
 
-// Only a unit that was asked for can make a garment of any size.
+// Only a unit that the user sets can make a garment of any size.
 void require_size(const GarmentSource& source, const Placement& placement) {
   const double size_m = placement.scale * placement.extent;
   const bool has_size = std::isfinite(placement.extent) && placement.extent > 0.0;
-  if (source.scale && has_size && !(size_m >= smallest_size_m && size_m <= largest_size_m)) {
+  if (source.scale && has_size && !(size_m >= min_size_m && size_m <= max_size_m)) {
     throw InputError(
         "cannot use the garment '{}': with the unit asked for it is {:.3g} m large; expected {:g} m to {:g} "
         "m",
-        source.file.string(), size_m, smallest_size_m, largest_size_m);
+        source.file.string(), size_m, min_size_m, max_size_m);
   }
 }
 
-// Of cloth as thick as its garment no mesh can be made.
+// No mesh can be made of cloth as thick as its garment.
 void require_thin(double thickness_m, double size_m) {
-  constexpr double thickest = 0.08;  // share of the garment's size
+  constexpr double thickest = 0.08;  // fraction of the garment's size
   if (thickness_m > thickest * size_m) {
     throw InputError("cloth.thickness: found {:g} m for a garment that is {:.3g} m large; expected at most {:.2g} m",
                      thickness_m, size_m, thickest * size_m);
@@ -69,7 +70,7 @@ FileVertices vertices_of_file(const ImportedModel& model, const std::vector<sim:
   return vertices;
 }
 
-/// The positions of the file's vertices, as they stand in it.
+/// Returns the positions of the file's vertices, in the file's unit and axes.
 std::vector<sim::Vec3> positions_in_file(const ImportedModel& model) {
   if (model.position_of_vertex.empty()) return model.positions;
   std::vector<sim::Vec3> positions;
@@ -81,11 +82,11 @@ sim::RepairSettings repair_settings(const GarmentSource& source, double metres_p
   return {source.weld_m.value_or(0.0) / metres_per_unit, source.weld_m ? 0.0 : sewn_within_m / metres_per_unit};
 }
 
-/// Leaves out four-cornered faces with the places of an earlier one, such as the backs of cloth that is seen from both
-/// sides: cut the other way round they are other triangles. Returns how many triangles.
+/// Removes quads with the positions of an earlier one, such as the backs of cloth that is seen from both sides. Cut
+/// along the other diagonal, their triangles differ. Returns the number of removed triangles.
 std::size_t leave_out_backs(const ImportedModel& model, sim::Mesh& soup) {
   const std::vector<sim::Index> places = sim::first_at_same_position(soup.positions);
-  std::vector<std::pair<std::array<sim::Index, 4>, std::size_t>> quads;  ///< places ascending, first triangle
+  std::vector<std::pair<std::array<sim::Index, 4>, std::size_t>> quads;  ///< ascending positions, first triangle
   std::size_t at = 0, triangle = 0;
   for (const std::uint32_t count : model.faces.corner_counts) {
     for (std::size_t k = 0; count == 4 && k < 4; ++k) {
@@ -108,16 +109,16 @@ std::size_t leave_out_backs(const ImportedModel& model, sim::Mesh& soup) {
   return std::erase_if(soup.triangles, [&](const sim::Triangle&) { return is_back[next++] != 0; });
 }
 
-/// Turns surfaces that face inwards, and sews trims to the cloth below where the model itself is simulated.
+/// Turns surfaces that face inwards. Sews trims to the cloth below if the model itself is simulated.
 void turn_and_sew(const GarmentSource& source, bool is_fitted, sim::Mesh& mesh, LoadedGarment& loaded) {
   const sim::Adjacency adjacency = sim::make_adjacency(mesh);
-  const std::vector<GarmentPart> parts = parts_of(mesh, adjacency);
+  const std::vector<GarmentPart> parts = find_garment_parts(mesh, adjacency);
   loaded.turned_outside_out = turn_outside_out(parts, adjacency, mesh);
-  // Whoever says what is sewn wants no more of it.
+  // A scene that sets the welding distance gets no other seams.
   loaded.trims_sewn_on = source.weld_m || is_fitted ? 0 : sew_on_trims(parts, loaded.placement->scale, mesh);
 }
 
-/// The triangles as their texture coordinates have them, in m. Throws std::invalid_argument without any.
+/// Returns the triangles with their texture coordinates, in m. Throws std::invalid_argument if there are none.
 std::vector<std::array<sim::Vec2, 3>> cut_by_uv(const sim::Mesh& mesh, const SurfaceColours& colours, double metres) {
   if (colours.corner_uv.size() != 3 * mesh.triangles.size()) {
     throw std::invalid_argument("it is said to be cut (is_cut), but has no texture coordinates");
@@ -130,15 +131,15 @@ std::vector<std::array<sim::Vec2, 3>> cut_by_uv(const sim::Mesh& mesh, const Sur
   return cut_m;
 }
 
-sim::Mesh scaled(sim::Mesh mesh, double factor) {
+sim::Mesh scale_mesh(sim::Mesh mesh, double factor) {
   for (sim::Vec3& position : mesh.positions) position *= factor;
   return mesh;
 }
 
-/// Subdivides a model whose edges are longer by a fifth than those of the mesh that was fitted to it: its folds would
-/// not be seen, and its triangles would cut through the layers within.
+/// Subdivides a model whose edges are longer by a fifth than the edges of the mesh that was fitted to it. Otherwise its
+/// folds would not be seen, and its triangles would cut through the layers within.
 void subdivide_coarse(sim::Mesh& model, FittedModel& fitted, SurfaceColours& colours) {
-  const bool is_garment = model.triangles.size() >= fewest_of_garment;
+  const bool is_garment = model.triangles.size() >= min_garment_triangles;
   while (is_garment && 10 * model.triangles.size() < 7 * fitted.mesh.triangles.size()) {
     model = sim::subdivide({std::move(model), {}}).mesh;
     colours = subdivided_colours(std::move(colours));
@@ -149,12 +150,12 @@ void subdivide_coarse(sim::Mesh& model, FittedModel& fitted, SurfaceColours& col
   }
 }
 
-/// Binds the model to the mesh that was fitted to it. Vertices that the file names become the nearest ones.
+/// Binds the model to the mesh that was fitted to it. Vertices of the file are mapped to the nearest ones of this mesh.
 void let_follow(sim::Mesh model, const FittedModel& fitted, LoadedGarment& loaded) {
   FollowingModel following = follow_fitted(std::move(model), fitted);
   following.file_vertices = loaded.file_vertices;
   for (sim::Index& vertex : loaded.file_vertices.mesh_vertex) {
-    vertex = vertex == sim::no_vertex ? vertex : nearest_corner(following.bonds[vertex], fitted.mesh.triangles);
+    vertex = vertex == sim::no_vertex ? vertex : find_nearest_corner(following.bonds[vertex], fitted.mesh.triangles);
   }
   loaded.following = std::make_shared<const FollowingModel>(std::move(following));
 }
@@ -163,7 +164,7 @@ bool is_hung(const Scene& scene) {
   return !scene.garment.is_grid() && !scene.garment.given && !scene.pins && scene.dressing_frames() == 0;
 }
 
-/// Looks for the axis that is up in openings, and else hangs the model both ways if that is what becomes of it.
+/// Finds the axis that is up by openings, or else by hanging the model both ways if it will be hung.
 void find_up(const Scene& scene, const sim::Mesh& model_m, const StageReport& begin, PlacementHints& hints) {
   hints.up_by_openings = up_by_openings(model_m, sim::make_adjacency(model_m));
   if (!hints.up_by_openings && is_hung(scene) && scene.surroundings.bodies.empty()) {
@@ -184,21 +185,21 @@ sim::Mesh read_mesh(const Scene& scene, LoadedGarment& loaded, const StageReport
   const std::size_t backs = leave_out_backs(model, soup);
   loaded.strays = remove_strays(soup);
   PlacementHints hints{source.scale, source.up, model.metres_per_unit, model.up};
-  // A mesh that was given stays where it is.
+  // A given mesh stays where it is.
   loaded.placement = source.given ? Placement{} : place_model(soup, hints);
   require_size(source, *loaded.placement);
   begin("joining its vertices");
   try {
     const double scale = loaded.placement->scale;
-    // Two walls of one cloth are not to be sewn together.
+    // Two walls of one cloth must not be sewn together.
     sim::ValidatedMesh valid = sim::weld_and_validate(soup, {source.weld_m.value_or(0.0) / scale, 0.0});
     require_one_size(valid.mesh);
-    require_thin(scene.material.thickness_m, scale * glm::length(sim::extent_of(valid.mesh.positions).size()));
+    require_thin(scene.material.thickness_m, scale * glm::length(sim::compute_extent(valid.mesh.positions).size()));
     begin("looking whether it is fit to be simulated");
     const GarmentFacts facts = source.given ? GarmentFacts() : read_garment_facts(source.model());
     const bool is_cut = facts.is_cut;
     std::optional<FittedModel> fitted =
-        is_cut ? std::nullopt : fitted_model(source, scene.material.thickness_m, scaled(valid.mesh, scale));
+        is_cut ? std::nullopt : fitted_model(source, scene.material.thickness_m, scale_mesh(valid.mesh, scale));
     if (fitted && crosses_more_than_model(*fitted, valid.mesh)) {
       loaded.refused_crossings = fitted->crossings;
       fitted.reset();
@@ -207,10 +208,10 @@ sim::Mesh read_mesh(const Scene& scene, LoadedGarment& loaded, const StageReport
     loaded.repairs = valid.report;
     loaded.repairs->duplicate_triangles += backs;
     turn_and_sew(source, fitted.has_value() || is_cut, valid.mesh, loaded);
-    loaded.colours = kept_colours(std::move(model.colours), imported, valid.kept, valid.mesh.triangles);
-    loaded.file_vertices = vertices_of_file(model, valid.kept);
+    loaded.colours = kept_colours(std::move(model.colours), imported, valid.result_vertices, valid.mesh.triangles);
+    loaded.file_vertices = vertices_of_file(model, valid.result_vertices);
     if (!source.up && !model.up) {
-      find_up(scene, fitted ? fitted->mesh : scaled(valid.mesh, scale), begin, hints);
+      find_up(scene, fitted ? fitted->mesh : scale_mesh(valid.mesh, scale), begin, hints);
       loaded.placement = place_model(soup, hints);
     }
     model.positions = std::move(soup.positions);
@@ -243,13 +244,13 @@ sim::Mesh make_mesh(const Scene& scene, LoadedGarment& loaded, const StageReport
 }
 
 void require_count(const char* key, double triangles) {
-  if (triangles > static_cast<double>(most_triangles)) {
+  if (triangles > static_cast<double>(max_triangles)) {
     throw InputError("{}: it would have {:.0f} triangles, more than the {} that can be simulated", key, triangles,
-                     most_triangles);
+                     max_triangles);
   }
 }
 
-sim::PinnedMesh subdivided(sim::PinnedMesh pinned, int times) {
+sim::PinnedMesh subdivide(sim::PinnedMesh pinned, int times) {
   require_count("garment.subdivisions", static_cast<double>(pinned.mesh.triangles.size()) * std::pow(4.0, times));
   for (int i = 0; i < times; ++i) {
     if (!pinned.mesh.quads.empty()) {
@@ -260,8 +261,8 @@ sim::PinnedMesh subdivided(sim::PinnedMesh pinned, int times) {
   return pinned;
 }
 
-/// All that is within half of this width of the pins, along the cloth at rest.
-void widen(sim::PinnedMesh& pinned, double width_m) {
+/// Pins all vertices within half of this width of the pins, along the cloth at rest.
+void add_width(sim::PinnedMesh& pinned, double width_m) {
   if (width_m <= 0.0 || pinned.pins.empty()) return;
   const auto distances_m =
       sim::geodesic_distances(pinned.mesh, sim::make_adjacency(pinned.mesh), pinned.pins).distances_m;
@@ -275,12 +276,12 @@ std::vector<sim::Index> choose_pins(const Scene& scene, const sim::Mesh& mesh, L
                                     const StageReport& begin) {
   const bool is_grid = scene.garment.is_grid();
   if (!is_grid && !scene.pins && !is_hung(scene)) {
-    return {};  // it is worn, or held by whoever gave it
+    return {};  // the garment is worn, or held by the caller
   }
   if (is_hung(scene)) {
     begin("hanging it");
     const sim::Adjacency adjacency = sim::make_adjacency(mesh);
-    // Whoever brings a body has the garment worn.
+    // A garment with a body is meant to be worn, not hung on a hanger.
     loaded.hanging = scene.surroundings.bodies.empty() ? hang_as_in_a_shop(mesh, adjacency) : hang(mesh, adjacency);
     loaded.hanger = loaded.hanging->hanger;
     return loaded.hanging->pins;
@@ -293,7 +294,7 @@ std::vector<sim::Index> choose_pins(const Scene& scene, const sim::Mesh& mesh, L
                      {mesh, loaded.landmarks, loaded.file_vertices, is_grid ? &scene.garment.grid : nullptr});
 }
 
-/// Requires that no pin is led by two motions.
+/// Requires that no pin has two motions.
 void require_one_motion(const std::vector<sim::MovingPins>& groups, const FileVertices& file_vertices) {
   std::vector<sim::Index> all;
   for (const sim::MovingPins& group : groups) {
@@ -316,15 +317,15 @@ std::vector<sim::MovingPins> choose_moving_pins(const Scene& scene, const sim::M
         select_pins(entry.at, {mesh, loaded.landmarks, loaded.file_vertices, grid, "pins.moving"});
     std::ranges::sort(vertices);
     vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
-    sim::PinnedMesh finer = subdivided({scene.garment.subdivisions > 0 ? mesh : sim::Mesh{}, std::move(vertices)},
-                                       scene.garment.subdivisions);
+    sim::PinnedMesh finer = subdivide({scene.garment.subdivisions > 0 ? mesh : sim::Mesh{}, std::move(vertices)},
+                                      scene.garment.subdivisions);
     groups.push_back({std::move(finer.pins), entry.motion});
   }
   require_one_motion(groups, loaded.file_vertices);
   return groups;
 }
 
-/// The positions, in m, for the vertices of the garment's file or for those of the mesh.
+/// Returns the start positions, in m, for the vertices of the garment's file or of the mesh.
 std::vector<sim::Vec3> read_start(const GarmentSource& source, LoadedGarment& loaded) {
   const std::filesystem::path& file = source.start;
   std::vector<sim::Vec3> found_m;
@@ -340,7 +341,7 @@ std::vector<sim::Vec3> read_start(const GarmentSource& source, LoadedGarment& lo
   const bool has_file_order = !loaded.file_faces.empty() && (!source.given_start_m || source.given);
   if (!has_file_order || found_m.size() != mesh_vertex.size()) {
     if (found_m.size() == count && !source.given) return found_m;
-    const std::string found = "found " + counted(found_m.size(), "vertex", "vertices");
+    const std::string found = "found " + count_text(found_m.size(), "vertex", "vertices");
     const std::size_t expected = has_file_order ? mesh_vertex.size() : count;
     if (source.given_start_m) {
       throw std::invalid_argument(fmt::format("start: {}, expected {}", found, expected));
@@ -358,24 +359,24 @@ std::vector<sim::Vec3> read_start(const GarmentSource& source, LoadedGarment& lo
   return start_m;
 }
 
-/// The share of its height that the flattest triangle has kept.
-double least_height_left(const sim::Garment& now, const sim::Garment& before) {
-  double least = 1.0;
+/// Returns the smallest ratio of a triangle's height now to its height before.
+double min_height_left(const sim::Garment& now, const sim::Garment& before) {
+  double min_ratio = 1.0;
   for (std::size_t t = 0; t < now.triangles_at_rest.size(); ++t) {
     const sim::TriangleAtRest &flat = now.triangles_at_rest[t], &earlier = before.triangles_at_rest[t];
-    least = std::min(least, flat.has_surface() && earlier.has_surface()
-                                ? sim::smallest_height_m(flat) / sim::smallest_height_m(earlier)
-                                : 0.0);
+    min_ratio = std::min(min_ratio, flat.has_surface() && earlier.has_surface()
+                                        ? sim::min_height_m(flat) / sim::min_height_m(earlier)
+                                        : 0.0);
   }
-  return least;
+  return min_ratio;
 }
 
-/// Cuts a fitted mesh as it was parted: stretched up to its bound, contact may leave it no way back. Leaves it as it
-/// was where that makes triangles too flat.
-bool cut_as_parted(const Scene& scene, const std::vector<sim::Vec3>& parted_m, LoadedGarment& loaded) {
+/// Takes the untangled shape as the rest shape of a fitted mesh, because contact may not let a mesh that is stretched
+/// up to its bound return. Returns false and changes nothing if this makes triangles too flat.
+bool cut_as_parted(const Scene& scene, const std::vector<sim::Vec3>& untangled_m, LoadedGarment& loaded) {
   const sim::Garment& fitted = *loaded.garment;
-  sim::Garment cut = sim::make_garment({parted_m, fitted.mesh.triangles, {}}, scene.mapping, fitted.material);
-  if (least_height_left(cut, fitted) < least_cut_height) return false;
+  sim::Garment cut = sim::make_garment({untangled_m, fitted.mesh.triangles, {}}, scene.mapping, fitted.material);
+  if (min_height_left(cut, fitted) < min_cut_height) return false;
   cut.warps = fitted.warps;
   loaded.garment = sim::share(std::move(cut));
   return true;
@@ -383,24 +384,24 @@ bool cut_as_parted(const Scene& scene, const std::vector<sim::Vec3>& parted_m, L
 
 void untangle(const Scene& scene, LoadedGarment& loaded, const StageReport& begin) {
   const bool may_cut = loaded.following && !loaded.start_m;
-  const sim::Mesh& rest = loaded.garment->mesh;
+  const sim::Mesh& rest_mesh = loaded.garment->mesh;
   std::vector<sim::Vec3> start_m;
-  // Parted without regard to its bound it can become too flat to be cut, but hardly so within it.
+  // A mesh that is untangled without its bound can become too flat to be cut anew, but hardly within it.
   for (const bool is_cut_anew : {may_cut, false}) {
-    start_m = loaded.start_m.value_or(rest.positions);
+    start_m = loaded.start_m.value_or(rest_mesh.positions);
     loaded.untangling = untangle_start(scene, *loaded.garment, is_cut_anew, start_m, begin);
     if (!loaded.untangling || (may_cut && cut_as_parted(scene, start_m, loaded))) return;
     if (!is_cut_anew) break;
   }
-  if (!loaded.start_m || !crossing_pairs({rest.positions, rest.triangles}).empty()) {
+  if (!loaded.start_m || !crossing_pairs({rest_mesh.positions, rest_mesh.triangles}).empty()) {
     sim::Garment garment = *loaded.garment;
-    garment.parted_m = start_m;
+    garment.untangled_m = start_m;
     loaded.garment = sim::share(std::move(garment));
   }
   loaded.start_m = std::move(start_m);
 }
 
-/// Makes layers of fabrics of their own, as the file beside the garment says: groups whose names begin so.
+/// Gives layers their own fabrics from the file beside the garment, by the start of their groups' names.
 sim::Garment of_fabrics(sim::Garment garment, const Scene& scene, const LoadedGarment& loaded) {
   const std::filesystem::path& model = scene.garment.model();
   const auto fabrics = read_garment_facts(model).fabrics;
@@ -408,10 +409,10 @@ sim::Garment of_fabrics(sim::Garment garment, const Scene& scene, const LoadedGa
   const std::string where = "'" + landmarks_path(model).string() + "': fabrics";
   if (loaded.file_faces.empty()) throw InputError("{}: expected a garment that is simulated as it was read", where);
   std::vector<std::uint8_t> layer_of(garment.mesh.positions.size(), 0);
-  std::vector<sim::Material> others;
+  std::vector<sim::Material> other_materials;
   const FileFaces& faces = loaded.file_faces;
   for (const auto& [group, name] : fabrics) {
-    others.push_back(material_of(name, where));
+    other_materials.push_back(find_fabric_material(name, where));
     std::size_t corner = 0, section = 0, found = 0;
     bool is_of_group = false;
     for (std::size_t face = 0; face < faces.corner_counts.size(); ++face) {
@@ -421,14 +422,14 @@ sim::Garment of_fabrics(sim::Garment garment, const Scene& scene, const LoadedGa
       for (std::size_t k = 0; k < faces.corner_counts[face]; ++k, ++corner) {
         const std::optional<sim::Index> v = loaded.file_vertices.find(faces.corners[corner]);
         if (!is_of_group || !v) continue;
-        layer_of[*v] = static_cast<std::uint8_t>(others.size());
+        layer_of[*v] = static_cast<std::uint8_t>(other_materials.size());
         ++found;
       }
     }
     if (found == 0) throw InputError("{}: found no group of the garment that begins with '{}'", where, group);
   }
   try {
-    return sim::with_others(std::move(garment), std::move(layer_of), std::move(others));
+    return sim::with_other_materials(std::move(garment), std::move(layer_of), std::move(other_materials));
   } catch (const std::invalid_argument& error) {
     throw InputError("{}: {}; expected a fabric for all (--fabric)", where, error.what());
   }
@@ -448,21 +449,21 @@ LoadedGarment load_garment(const Scene& scene, const StageReport& report) {
   if (!scene.garment.file.empty()) {
     loaded.landmarks = read_landmarks(scene.garment.model(), *loaded.placement, mesh, loaded.file_vertices);
   }
-  // Pins are vertices of the mesh as it was read: they stay the same when it is subdivided.
+  // Pins are vertices of the mesh before subdivision, so that they stay the same after it.
   std::vector<sim::Index> pins = choose_pins(scene, mesh, loaded, begin);
   loaded.moving_pins = choose_moving_pins(scene, mesh, loaded);
-  sim::PinnedMesh pinned = subdivided({std::move(mesh), std::move(pins)}, scene.garment.subdivisions);
-  widen(pinned, scene.pin_width_m);
+  sim::PinnedMesh pinned = subdivide({std::move(mesh), std::move(pins)}, scene.garment.subdivisions);
+  add_width(pinned, scene.pin_width_m);
   for (int i = 0; i < scene.garment.subdivisions; ++i) {
     loaded.colours = subdivided_colours(std::move(loaded.colours));
   }
   sim::Garment garment = sim::make_garment(std::move(pinned.mesh), scene.mapping, scene.material);
   if (!loaded.colours.corner_uv.empty()) {
     garment.warps = loaded.following ? warps_below(garment.mesh, loaded.following->mesh, loaded.colours.corner_uv)
-                                     : sim::warps_of(garment.mesh, loaded.colours.corner_uv);
+                                     : sim::warps_from_coordinates(garment.mesh, loaded.colours.corner_uv);
   }
   loaded.garment = sim::share(of_fabrics(std::move(garment), scene, loaded));
-  if (const std::optional<std::string> reason = beyond_contact(scene, *loaded.garment)) {
+  if (const std::optional<std::string> reason = missing_contact_reason(scene, *loaded.garment)) {
     throw InputError(*reason);
   }
   loaded.pins = std::move(pinned.pins);
@@ -481,7 +482,7 @@ Surface surface_at_start(const GarmentInScene& loaded) {
   return {loaded.start_m ? *loaded.start_m : mesh.positions, mesh.triangles};
 }
 
-sim::Surroundings settled(sim::Surroundings surroundings, const GarmentInScene& loaded) {
+sim::Surroundings settle_surroundings(sim::Surroundings surroundings, const GarmentInScene& loaded) {
   for (sim::PointForce& force : surroundings.forces.artificial_forces) {
     const std::optional<sim::Index> vertex = loaded.file_vertices.find(force.vertex);
     if (!vertex) throw InputError("forces.vertex: " + loaded.file_vertices.why_missing(force.vertex));
@@ -492,8 +493,8 @@ sim::Surroundings settled(sim::Surroundings surroundings, const GarmentInScene& 
 }
 
 sim::Simulation make_simulation(const Scene& scene, const GarmentInScene& loaded) {
-  return {loaded.garment, loaded.pins, simulation_settings(scene.simulation), settled(scene.surroundings, loaded),
-          loaded.start_m};
+  return {loaded.garment, loaded.pins, simulation_settings(scene.simulation),
+          settle_surroundings(scene.surroundings, loaded), loaded.start_m};
 }
 
 }  // namespace taut::app

@@ -10,7 +10,7 @@ namespace {
 
 constexpr const char* one_field = "expected one field {frame} or {frame:04}, as in frames/frame_{frame:04}.png";
 
-int frame_of(const std::string& word, int last_frame, const std::string& text) {
+int parse_frame(const std::string& word, int last_frame, const std::string& text) {
   if (word == "last") return last_frame;
   const std::optional<int> frame = number_in<int>(word);
   if (!frame || *frame < 0 || *frame > max_frame) {
@@ -27,7 +27,7 @@ OutputPattern::OutputPattern(const std::string& text, const std::string& extensi
   if (name.extension() != extension || name.stem().empty()) {
     throw UsageError("output '" + text + "': expected a file name that ends in " + extension);
   }
-  // A width has up to 20 digits.
+  // The width of a number may be 1 to 20 digits.
   static const std::regex form(R"(([^{}]*)(\{frame(?::0([1-9]|1\d|20)d?)?\}([^{}]*))?)");
   std::smatch parts;
   if (!std::regex_match(text, parts, form)) {
@@ -60,22 +60,22 @@ std::string describe_written(const OutputPattern& pattern, std::span<const int> 
 FrameRange frame_range(const std::string& text, int last_frame, NumberMeans number) {
   const std::size_t colon = text.find(':');
   if (colon == std::string::npos) {
-    const int frame = frame_of(text, last_frame, text);
+    const int frame = parse_frame(text, last_frame, text);
     if (number == NumberMeans::frame || text == "last") return {frame, frame};
     if (frame == 0) throw UsageError("--frames 0: expected at least one frame of a video or a clip");
     return {0, frame - 1};
   }
   const std::string first_word = text.substr(0, colon);
   const std::string last_word = text.substr(colon + 1);
-  const FrameRange range = {first_word.empty() ? 0 : frame_of(first_word, last_frame, text),
-                            last_word.empty() ? last_frame : frame_of(last_word, last_frame, text)};
+  const FrameRange range = {first_word.empty() ? 0 : parse_frame(first_word, last_frame, text),
+                            last_word.empty() ? last_frame : parse_frame(last_word, last_frame, text)};
   if (range.last < range.first) {
     throw UsageError("--frames {}: the last frame, {}, comes before the first, {}", text, range.last, range.first);
   }
   return range;
 }
 
-void require_begun(int start_frame, int frame) {
+void require_not_before_start(int start_frame, int frame) {
   if (frame < start_frame) {
     throw UsageError("--frames: found frame {}, expected none before {}, which the run begins with", frame,
                      start_frame);

@@ -6,23 +6,23 @@
 
 namespace taut::app {
 
-/// Largest number of a frame.
+/// Largest frame number.
 inline constexpr int max_frame = 1'000'000;
 
 /// A pattern for file names that contain the number of a frame: "frames/frame_{frame:04}.png".
 class OutputPattern {
  public:
-  /// Throws UsageError unless the text ends in `extension` (such as ".png") and has at most one field. A
-  /// field is {frame} or {frame:0N}, where N is the number of digits.
+  /// Throws UsageError unless the text ends in `extension` (such as ".png") and has at most one field. A field is
+  /// {frame} or {frame:0N}, where N is the number of digits.
   OutputPattern(const std::string& text, const std::string& extension);
 
   /// Throws UsageError if there are several frames but the pattern has no field.
   void require_distinct_names(std::size_t frame_count) const;
 
-  /// Whether the name depends on the frame.
+  /// Returns true if the name depends on the frame.
   bool has_field() const { return has_field_; }
 
-  /// The file name for a frame.
+  /// Returns the file name for a frame.
   std::filesystem::path path_of(int frame) const;
 
  private:
@@ -33,10 +33,10 @@ class OutputPattern {
   std::string text_;
 };
 
-/// "wrote a.png", or for several frames the first and the last name.
+/// Returns "wrote a.png", or the first and the last name of several frames.
 std::string describe_written(const OutputPattern& pattern, std::span<const int> frames);
 
-/// The frames `first` to `last`, both included.
+/// Frames from `first` to `last`, both included.
 struct FrameRange {
   int first = 0;
   int last = 0;
@@ -45,13 +45,13 @@ struct FrameRange {
   int count() const { return last - first + 1; }
 };
 
-/// A number alone means so many frames of what is played, as of a video, and else the frame of that number.
+/// Meaning of a single number on the command line: a frame's number, or for a video the count of frames.
 enum class NumberMeans { frame, count };
 
-/// The frames that `text` means in a run that ends with `last_frame`. Throws UsageError.
+/// Returns the range of frames that `text` gives, in a run that ends with `last_frame`. Throws UsageError.
 FrameRange frame_range(const std::string& text, int last_frame, NumberMeans number = NumberMeans::frame);
 
-/// Throws UsageError where a frame comes before the one that the run begins with.
-void require_begun(int start_frame, int frame);
+/// Throws UsageError if `frame` comes before the run's start frame.
+void require_not_before_start(int start_frame, int frame);
 
 }  // namespace taut::app

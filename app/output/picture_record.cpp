@@ -1,7 +1,7 @@
 #include "app/output/picture_record.hpp"
 
 #include "app/base/errors.hpp"
-#include "app/models/surface_colours.hpp"
+#include "app/models/reading/surface_colours.hpp"
 #include "app/output/output_pattern.hpp"
 #include "app/scene/scene_format.hpp"
 
@@ -26,13 +26,13 @@ std::string shell_word(const std::string& word) {
   return (text == word ? "'" : "$'") + text + '\'';
 }
 
-/// A picture, and whether its scene may name any file of this machine.
+/// A picture file. If it is trusted, its scene may name any file of this machine.
 struct PictureFile {
   std::filesystem::path file;
   bool is_trusted = false;
 };
 
-/// A file of the program's assets, one beside the picture, or the one at the place it was read from.
+/// Returns an asset of the program, a file beside the picture, or the file at the recorded path.
 std::filesystem::path find_file(const std::filesystem::path& recorded, const PictureFile& picture) {
   const std::filesystem::path folder = std::filesystem::absolute(picture.file).parent_path();
   const std::filesystem::path asset = assets_folder() / recorded, beside = folder / recorded.filename();
@@ -50,7 +50,7 @@ std::filesystem::path find_file(const std::filesystem::path& recorded, const Pic
   return recorded;
 }
 
-// As they stand in the table: reading its keys put a scene file's folder in front of them.
+// Uses the file names of the table, because the members already have a scene file's folder in front.
 template <class Files, class Models>
 void find_files(const toml::node_view<const toml::node>& table, const Files& files, const PictureFile& picture,
                 Models& models) {
@@ -80,7 +80,7 @@ DrawnScene read_scene(const std::string& text, const PictureFile& picture) {
   return scene;
 }
 
-std::vector<renderer::PngText> texts_of(const std::filesystem::path& file) {
+std::vector<renderer::PngText> read_texts(const std::filesystem::path& file) {
   const std::string bytes = read_text_file(file, max_model_bytes);
   const auto* data = reinterpret_cast<const std::uint8_t*>(bytes.data());
   try {
@@ -91,7 +91,7 @@ std::vector<renderer::PngText> texts_of(const std::filesystem::path& file) {
 }
 
 template <class Number>
-Number number_of(const std::string& text, int base, const char* keyword, const std::filesystem::path& file) {
+Number parse_number(const std::string& text, int base, const char* keyword, const std::filesystem::path& file) {
   const std::optional<Number> number = number_in<Number>(text, base);
   if (!number || text.starts_with('-')) {
     throw InputError("the entry '{}' of '{}' is '{}', expected a number", keyword, file.string(), text);
@@ -129,11 +129,11 @@ renderer::PngText program_text() { return {program_keyword, "taut " + program_ve
 
 bool is_own_picture(const std::filesystem::path& file) {
   try {
-    const std::vector<renderer::PngText> texts = texts_of(file);
+    const std::vector<renderer::PngText> texts = read_texts(file);
     const auto found = std::ranges::find(texts, program_keyword, &renderer::PngText::keyword);
     return found != texts.end() && found->text.starts_with("taut ");
   } catch (const InputError&) {
-    return false;  // there is none, or none that can be read
+    return false;  // not a PNG, or not readable
   }
 }
 
@@ -145,7 +145,7 @@ bool is_picture(const std::filesystem::path& file) { return file.extension() == 
 
 PictureRecord read_picture_record(const std::filesystem::path& file, std::span<const Override> overrides,
                                   bool is_trusted) {
-  const std::vector<renderer::PngText> texts = texts_of(file);
+  const std::vector<renderer::PngText> texts = read_texts(file);
   const auto entry = [&](const char* keyword) {
     const auto found = std::ranges::find(texts, keyword, &renderer::PngText::keyword);
     if (found == texts.end()) {
@@ -159,12 +159,12 @@ PictureRecord read_picture_record(const std::filesystem::path& file, std::span<c
   PictureRecord record;
   record.scene = read_scene(entry(scene_keyword), {file, is_trusted});
   apply_overrides(overrides, record.scene);
-  record.frame = number_of<int>(entry(frame_keyword), 10, frame_keyword, file);
+  record.frame = parse_number<int>(entry(frame_keyword), 10, frame_keyword, file);
   if (record.frame > max_frame) {
     throw InputError("the entry '{}' of '{}' is {}, expected a frame from 0 to {}", frame_keyword, file.string(),
                      record.frame, max_frame);
   }
-  record.state_hash = number_of<std::uint64_t>(entry(state_keyword), 16, state_keyword, file);
+  record.state_hash = parse_number<std::uint64_t>(entry(state_keyword), 16, state_keyword, file);
   record.program = entry(program_keyword);
   record.gl_renderer = entry(renderer_keyword);
   return record;

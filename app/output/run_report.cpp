@@ -9,14 +9,14 @@ extern const char* const statistics_texts;  ///< assets/texts/statistics.toml
 
 namespace {
 
-/// Columns of the statistics of a frame.
+/// Column of the statistics of a frame.
 struct FrameColumn {
   const char* name;
   Json (*value)(const FrameRecord&);
-  bool of_verified_runs = false;
+  bool needs_verification = false;
 };
 
-// JSON has no infinity, and -1 is no frame.
+// JSON has no infinity; -1 means no frame. Both become null.
 Json number_json(double number) { return std::isfinite(number) ? Json(number) : Json(); }
 
 Json number_json(int number) { return number >= 0 ? Json(number) : Json(); }
@@ -45,15 +45,15 @@ const FrameColumn frame_columns[] = {
     {"asleep", VALUE(r.asleep)},
     {"detections", VALUE(r.contact.detections)},
     {"partial_detections", VALUE(r.contact.partial_detections)},
-    {"contact_pairs", VALUE(r.contact.most_pairs)},
-    {"smallest_distance", VALUE(number_json(r.contact.smallest_distance_m))},
+    {"contact_pairs", VALUE(r.contact.max_pairs)},
+    {"smallest_distance", VALUE(number_json(r.contact.min_distance_m))},
     {"measured_crossings", VALUE(r.contact.crossing_pairs)},
-    {"left_out_share", VALUE(r.contact.left_out_share)},
+    {"left_out_share", VALUE(r.contact.excluded_area_fraction)},
     {"crossing_pairs", VALUE(r.crossing_pairs.value_or(0)), true},
 };
 #undef VALUE
 
-bool is_written(const FrameColumn& column, bool is_verified) { return is_verified || !column.of_verified_runs; }
+bool is_written(const FrameColumn& column, bool is_verified) { return is_verified || !column.needs_verification; }
 
 Json record_json(const FrameRecord& record) {
   Json json = Json::object();
@@ -63,15 +63,15 @@ Json record_json(const FrameRecord& record) {
   return json;
 }
 
-// File names can hold bytes that are no UTF-8.
-std::string line_of(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace) + '\n'; }
+// Replaces bytes of file names that are not UTF-8.
+std::string to_line(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace) + '\n'; }
 
-/// The members of a summary that have a name there, and means.
+/// Returns the named members of a summary, and means.
 Json summary_json(const RunSummary& summary) {
   Json json = Json::object();
   for_each_field(summary, [&](const char* name, const auto& number) {
     if (name == nullptr) return;
-    // Means stand before what they go with.
+    // Each mean comes before the member that it belongs to.
     if (&number == static_cast<const void*>(&summary.final_rms_speed_m_per_s)) {
       json["mean_substeps"] = summary.mean_substeps();
     } else if (&number == static_cast<const void*>(&summary.total_sim_ms)) {
@@ -84,7 +84,7 @@ Json summary_json(const RunSummary& summary) {
 
 namespace fs = std::filesystem;
 
-// How many bytes there are up to the end of that frame's line.
+// Returns the number of bytes up to the end of that frame's line.
 std::uintmax_t end_of_frame(const fs::path& path, StatisticsFormat format, const RunDescription& run, int frame) {
   if (!fs::exists(path)) {
     throw InputError("cannot go on with '" + path.string() +
@@ -110,7 +110,7 @@ std::uintmax_t end_of_frame(const fs::path& path, StatisticsFormat format, const
 }  // namespace
 
 StatisticsFormat statistics_format(const std::filesystem::path& file) {
-  // A file without an ending, such as /dev/stdout, is given JSON lines.
+  // A file without an ending, such as /dev/stdout, gets JSON lines.
   if (file.has_extension() && file.extension() != ".jsonl" && file.extension() != ".csv") {
     throw UsageError("--stats " + file.string() + ": expected a file name that ends in .jsonl or .csv");
   }
@@ -121,7 +121,7 @@ std::string statistics_header(StatisticsFormat format, const RunDescription& run
   if (format == StatisticsFormat::json_lines) {
     Json versions = {{"program", program_version()}, {"compiler", compiler_version()}};
     if (!run.gl_renderer.empty()) versions["gl_renderer"] = run.gl_renderer;
-    return line_of({{"scene", run.scene.name},
+    return to_line({{"scene", run.scene.name},
                     {"garment",
                      {{"vertices", run.garment.mesh.positions.size()},
                       {"triangles", run.garment.mesh.triangles.size()},
@@ -138,7 +138,7 @@ std::string statistics_header(StatisticsFormat format, const RunDescription& run
 }
 
 std::string statistics_line(StatisticsFormat format, const FrameRecord& record) {
-  if (format == StatisticsFormat::json_lines) return line_of(record_json(record));
+  if (format == StatisticsFormat::json_lines) return to_line(record_json(record));
   std::string row;
   for (const Json& value : record_json(record)) {
     row += (row.empty() ? "" : ",") + (value.is_string() ? value.get<std::string>() : value.dump());
@@ -147,7 +147,7 @@ std::string statistics_line(StatisticsFormat format, const FrameRecord& record) 
 }
 
 std::string statistics_end(StatisticsFormat format, const RunSummary& summary) {
-  return format == StatisticsFormat::json_lines ? line_of({{"summary", summary_json(summary)}}) : "";
+  return format == StatisticsFormat::json_lines ? to_line({{"summary", summary_json(summary)}}) : "";
 }
 
 std::string statistics_line_start(StatisticsFormat format, int frame) {

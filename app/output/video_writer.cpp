@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Without the date and the library's version in it, the same pictures are the same file.
+// The options keep date and library version out of the file, so that equal pictures give equal files.
 std::vector<std::string> ffmpeg_arguments(const fs::path& temporary, const VideoSettings& settings) {
   std::istringstream words(fmt::format(
       "ffmpeg -nostdin -hide_banner -loglevel error -y "
@@ -47,7 +47,7 @@ VideoWriter::VideoWriter(fs::path file, const VideoSettings& settings)
       picture_bytes_(static_cast<std::size_t>(settings.width_px) * 3U * static_cast<std::size_t>(settings.height_px)),
       is_live_(settings.is_live) {
   require_video_size(file_, settings);
-  // A socket and not a pipe: writing to one can be told not to raise SIGPIPE when ffmpeg is gone.
+  // A socket instead of a pipe: only writing to a socket can be told not to raise SIGPIPE after ffmpeg has ended.
   std::array<int, 2> ends{};
   messages_ = Descriptor(memfd_create("ffmpeg messages", MFD_CLOEXEC));
   if (messages_.number() < 0 || ::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0) {
@@ -104,18 +104,18 @@ void VideoWriter::send(std::span<const std::uint8_t> bytes) {
 }
 
 void VideoWriter::finish() {
-  // It ends with 0 after "Error writing trailer", as on a full disk. At this level of its log it writes errors alone.
+  // ffmpeg exits with 0 even after "Error writing trailer", as on a full disk. Its log has only errors.
   const int status = wait_for_end();
-  if (status != 0 || !last_words().empty() || fs::file_size(temporary_) == 0) fail("failed", status);
-  put_in_place(temporary_, file_);
+  if (status != 0 || !last_message().empty() || fs::file_size(temporary_) == 0) fail("failed", status);
+  rename_complete(temporary_, file_);
 }
 
 void VideoWriter::fail(const char* how, int status) const {
   throw InputError("cannot make '{}': ffmpeg {} with {} after {}{}", file_.string(), how, describe_end(status),
-                   counted(frames_, "frame"), last_words());
+                   count_text(frames_, "frame"), last_message());
 }
 
-// It ends when it has read all.
+// Closes the input, after which ffmpeg finishes and ends.
 int VideoWriter::wait_for_end() {
   input_ = Descriptor();
   constexpr int look_again_after_ms = 5;
@@ -126,12 +126,13 @@ int VideoWriter::wait_for_end() {
   return ffmpeg_->wait();
 }
 
-// The end of what it wrote: the last message says what went wrong.
-std::string VideoWriter::last_words() const {
-  constexpr std::size_t enough = 400;
+// Returns the end of ffmpeg's log, whose last message gives the reason of a failure.
+std::string VideoWriter::last_message() const {
+  constexpr std::size_t max_message_bytes = 400;
   const off_t size = ::lseek(messages_.number(), 0, SEEK_END);
-  std::string text(enough, '\0');
-  const ssize_t count = ::pread(messages_.number(), text.data(), enough, std::max<off_t>(0, size - off_t{enough}));
+  std::string text(max_message_bytes, '\0');
+  const ssize_t count =
+      ::pread(messages_.number(), text.data(), max_message_bytes, std::max<off_t>(0, size - off_t{max_message_bytes}));
   text.resize(count > 0 ? static_cast<std::size_t>(count) : 0);
   while (!text.empty() && text.back() == '\n') text.pop_back();
   return text.empty() ? "" : ": " + text;

@@ -7,7 +7,7 @@
 
 namespace taut::app {
 
-/// Whether the file name ends in .mp4.
+/// Returns true if the file name ends in .mp4.
 bool is_video(const std::filesystem::path& file);
 
 /// Size and rate of a video.
@@ -15,17 +15,16 @@ struct VideoSettings {
   int width_px = 0;
   int height_px = 0;
   double frame_rate_hz = 60.0;
-  /// The video shows something that cannot be repeated. It is encoded with less effort, so that the program
-  /// is not slowed down. An interruption does not stop it before `finish`.
+  /// The video shows something that cannot be repeated. It is encoded with less effort, so that the program does not
+  /// slow down, and an interruption does not stop it before `finish`.
   bool is_live = false;
 };
 
-/// Throws UsageError if a video cannot have this size: H.264 with colour at half resolution needs even
-/// numbers.
+/// Throws UsageError unless width and height are even, which H.264 with colour at half resolution needs.
 void require_video_size(const std::filesystem::path& file, const VideoSettings& settings);
 
-/// Makes a video with the program ffmpeg, which reads raw RGB pictures from a pipe. The same pictures give
-/// the same file. The video has a temporary name until `finish` and is removed without it.
+/// Makes a video with the program ffmpeg, which reads raw RGB pictures from its standard input. Equal pictures give
+/// equal files. The file has a temporary name until `finish` and is removed without it.
 class VideoWriter {
  public:
   /// Starts ffmpeg. Throws InputError if ffmpeg is not installed.
@@ -35,11 +34,11 @@ class VideoWriter {
   VideoWriter(const VideoWriter&) = delete;
   VideoWriter& operator=(const VideoWriter&) = delete;
 
-  /// Adds an RGB picture of the size in the settings. Throws InputError with ffmpeg's message if ffmpeg has
-  /// stopped. Throws Interrupted unless the video is live.
+  /// Adds an RGB picture of the size in the settings. Throws InputError with ffmpeg's message if ffmpeg has ended.
+  /// Throws Interrupted unless the video is live.
   void add(const renderer::Image& picture);
 
-  /// Waits until all pictures are encoded, then gives the file its name. Throws as `add` does.
+  /// Waits until all pictures are encoded, then renames the file. Throws as `add` does.
   void finish();
 
  private:
@@ -47,7 +46,7 @@ class VideoWriter {
   void stop_if_interrupted() const;
   void send(std::span<const std::uint8_t> bytes);
   int wait_for_end();
-  std::string last_words() const;
+  std::string last_message() const;
 
   std::filesystem::path file_;
   std::filesystem::path temporary_;
@@ -55,7 +54,7 @@ class VideoWriter {
   bool is_live_ = false;
   int frames_ = 0;
   Descriptor input_;     ///< our end of ffmpeg's standard input
-  Descriptor messages_;  ///< what ffmpeg writes, a file in memory
+  Descriptor messages_;  ///< ffmpeg's messages, in a memory file
   std::optional<ChildProcess> ffmpeg_;
 };
 

@@ -5,16 +5,16 @@
 namespace taut::app {
 namespace {
 
-sim::SolverMethod method_of(const SolverChoice& choice) {
+sim::SolverMethod to_method(const SolverChoice& choice) {
   using enum sim::SolverKind;
-  const double most = choice.bounded.max_stretch;
+  const double bound = choice.bounded.max_stretch;
   if (choice.kind == ideal) return choice.ideal;
-  if (choice.kind == provot) return sim::ProvotSettings{choice.ideal.stiffness, most};
+  if (choice.kind == provot) return sim::ProvotSettings{choice.ideal.stiffness, bound};
   if (choice.kind == strong) return choice.strong;
-  if (choice.kind == vassilev) return sim::VassilevSettings{choice.ideal.stiffness, most};
+  if (choice.kind == vassilev) return sim::VassilevSettings{choice.ideal.stiffness, bound};
   if (choice.kind == implicit) return choice.implicit;
   if (choice.kind == fast_projection) {
-    return sim::FastProjectionSettings{choice.ideal.stiffness, most, choice.fast_projection.most_projections};
+    return sim::FastProjectionSettings{choice.ideal.stiffness, bound, choice.fast_projection.max_projections};
   }
   return choice.bounded;
 }
@@ -25,7 +25,7 @@ constexpr sim::PromiseNames promise_keys = {"solver.max_stretch", "gusts (wind.s
 }  // namespace
 
 sim::SolverSettings solver_settings(const SolverChoice& choice) {
-  return {choice.substeps, choice.max_substeps, method_of(choice)};
+  return {choice.substeps, choice.max_substeps, to_method(choice)};
 }
 
 SolverChoice with_solver(SolverChoice choice, sim::SolverKind kind, const SolverChoice& of_scene) {
@@ -38,7 +38,7 @@ SolverChoice with_solver(SolverChoice choice, sim::SolverKind kind, const Solver
 
 std::optional<sim::SolverKind> solver_named(std::string_view name) {
   const auto* const found =
-      std::ranges::find(sim::all_solver_kinds, name, [](sim::SolverKind kind) { return sim::name_of(kind); });
+      std::ranges::find(sim::all_solver_kinds, name, [](sim::SolverKind kind) { return sim::to_name(kind); });
   return found == sim::all_solver_kinds.end() ? std::nullopt : std::optional(*found);
 }
 
@@ -46,15 +46,16 @@ sim::SimulationSettings simulation_settings(const RunSettings& run) {
   return {run.frame_rate_hz, solver_settings(run.solver), run.rest};
 }
 
-std::optional<std::string> beyond_promise(const Scene& scene) {
+std::optional<std::string> unpromised_bound_reason(const Scene& scene) {
   const SolverChoice& solver = scene.simulation.solver;
-  return solver.kind == sim::SolverKind::bounded ? sim::beyond_promise(solver.bounded, scene.surroundings, promise_keys)
-                                                 : std::nullopt;
+  return solver.kind == sim::SolverKind::bounded
+             ? sim::unpromised_bound_reason(solver.bounded, scene.surroundings, promise_keys)
+             : std::nullopt;
 }
 
-std::optional<std::string> beyond_contact(const Scene& scene, const sim::Garment& garment) {
+std::optional<std::string> missing_contact_reason(const Scene& scene, const sim::Garment& garment) {
   const SolverChoice& solver = scene.simulation.solver;
-  return solver.kind == sim::SolverKind::bounded ? sim::beyond_contact(solver.bounded, garment, promise_keys)
+  return solver.kind == sim::SolverKind::bounded ? sim::missing_contact_reason(solver.bounded, garment, promise_keys)
                                                  : std::nullopt;
 }
 

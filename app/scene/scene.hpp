@@ -7,52 +7,51 @@
 
 namespace taut::app {
 
-/// A unit of length.
+/// Unit of length.
 struct Unit {
-  const char* symbol;  ///< as the option --units takes it
+  const char* symbol;  ///< symbol that the option --units takes
   const char* name;
   double metres;  ///< length of the unit
 };
 
-/// Units a model may be in.
+/// Units of length that models use.
 inline constexpr std::array units = {Unit{"m", "metre", 1.0},         Unit{"cm", "centimetre", 0.01},
                                      Unit{"mm", "millimetre", 0.001}, Unit{"dm", "decimetre", 0.1},
                                      Unit{"in", "inch", 0.0254},      Unit{"ft", "foot", 0.3048}};
 
-/// A direction in a model's own coordinates.
+/// A direction in a model's coordinates.
 enum class ModelAxis { x, minus_x, y, minus_y, z, minus_z };
 
 /// Names of the directions, indexed by ModelAxis.
 inline constexpr std::array axis_names = {"x", "-x", "y", "-y", "z", "-z"};
 
-/// Settings of all solvers, and which solver is used. All are kept because a scene file may name the solver
-/// after its settings.
+/// Name of the solver in use, and settings of all solvers. A scene file may set settings before it names the solver.
 struct SolverChoice {
   sim::SolverKind kind = sim::SolverKind::bounded;
   std::optional<int> substeps;                            ///< time steps per frame; empty: the solver chooses
-  int max_substeps = sim::SolverSettings{}.max_substeps;  ///< the most that a solver may choose
-  /// `provot`, `vassilev` and `fast-projection` use these springs too.
+  int max_substeps = sim::SolverSettings{}.max_substeps;  ///< limit for a solver that chooses
+  /// Springs, which `provot`, `vassilev` and `fast-projection` use too.
   sim::IdealSettings ideal;
   sim::StrongSettings strong;
-  /// `provot`, `vassilev` and `fast-projection` use this largest stretch too.
+  /// Settings with the largest stretch, which `provot`, `vassilev` and `fast-projection` use too.
   sim::BoundedSettings bounded;
-  sim::FastProjectionSettings fast_projection;  ///< without what is used of the others
+  sim::FastProjectionSettings fast_projection;  ///< other settings of this solver
   sim::ImplicitSettings implicit;
 
   bool operator==(const SolverChoice&) const = default;
 };
 
-/// The settings of the solver that is used.
+/// Returns the settings of the solver in use.
 sim::SolverSettings solver_settings(const SolverChoice& choice);
 
-/// The same settings for another solver. Time steps that are short enough for one solver may make another fly
-/// apart: a number of them stands for the solver that the scene has it for, and any other chooses its own.
+/// Returns the settings for another solver. The number of time steps is kept only for the scene's own solver, because
+/// steps that are short enough for it may make another solver diverge; others choose their own.
 SolverChoice with_solver(SolverChoice choice, sim::SolverKind kind, const SolverChoice& of_scene);
 
-/// The solver that has this name; empty if none has.
+/// Returns the solver with this name; empty: none.
 std::optional<sim::SolverKind> solver_named(std::string_view name);
 
-/// How a scene is simulated.
+/// Settings of a run's simulation.
 struct RunSettings {
   double frame_rate_hz = sim::SimulationSettings{}.frame_rate_hz;
   SolverChoice solver;
@@ -61,122 +60,122 @@ struct RunSettings {
   bool operator==(const RunSettings&) const = default;
 };
 
-/// The same settings as the simulation takes them.
+/// Converts the settings for sim::Simulation.
 sim::SimulationSettings simulation_settings(const RunSettings& run);
 
 struct ImportedModel;
 struct Wearer;
 
-/// Which mesh of a model is simulated.
+/// Mesh of a model that is simulated.
 enum class MeshChoice {
-  automatic,  ///< the model where it is fit for it, else the fitted one
+  automatic,  ///< the model if it can be simulated, else the fitted mesh
   model,      ///< the model's own triangles
-  fitted,     ///< one clean wall that is made of the model, which follows it
+  fitted,     ///< one clean wall of triangles made from the model, which then follows it
 };
 
-/// Where the garment comes from: a model file, or a regular grid if no file is named.
+/// Source of the garment: a model file, or a regular grid if there is no file.
 struct GarmentSource {
   std::filesystem::path file;       ///< empty: the grid
-  std::filesystem::path sewn = {};  ///< of a sewing pattern, the garment that was made of it (app/sewing); not a key
-  std::optional<double> scale;      ///< metres per unit of the file; empty: the file's own unit, or a guess
-  std::optional<ModelAxis> up;      ///< in the file's coordinates; empty: the file's own, or a guess
-  /// Vertices of borders that are closer than this become one; empty: where parts meet beyond doubt.
+  std::filesystem::path sewn = {};  ///< garment that was sewn from the pattern `file` (app/garments/sewing); not a key
+  std::optional<double> scale;      ///< metres per unit of the file; empty: the file's unit, or a guess
+  std::optional<ModelAxis> up;      ///< direction in the file's coordinates; empty: the file's own, or a guess
+  /// Distance in metres below which border vertices are merged; empty: only where parts clearly meet.
   std::optional<double> weld_m;
   MeshChoice mesh = MeshChoice::automatic;
-  int most_triangles = 8000;   ///< of a fitted mesh
-  bool is_drawn_finer = true;  ///< where its model is coarser than the mesh that is fitted to it; no key
-  int subdivisions = 0;        ///< each makes four triangles of one; only for a file
-  /// Model file with the positions at the start: the garment's vertices, in metres with y up. Empty: the
-  /// garment starts as it was modelled.
+  int max_triangles = 8000;    ///< limit for a fitted mesh
+  bool is_drawn_finer = true;  ///< draws a finer surface if the model is coarser than its fitted mesh; not a key
+  int subdivisions = 0;        ///< each divides a triangle into four; only for files
+  /// Model file with the start positions of the garment's vertices, in metres with y up; empty: the garment starts as
+  /// modelled.
   std::filesystem::path start;
-  bool untangle = false;  ///< what crosses at the start is parted before the run
+  bool untangle = false;  ///< separates crossings of the start before the run
   sim::GridSettings grid;
-  std::filesystem::path importer;  ///< program that reads the file (import_process.hpp); empty: that of the house
-  /// Instead of a file, in metres with y up; null: none. It keeps its place, and hangs by nothing that the
-  /// scene does not name. Repairs of a file are made to it too.
+  std::filesystem::path importer;  ///< program that reads the file (import_process.hpp); empty: Taut's own
+  /// Model in metres with y up that replaces the file; null: none. It keeps its position and has no pins except those
+  /// that the scene names. It is repaired like a model from a file.
   std::shared_ptr<const ImportedModel> given;
-  /// The positions at the start, instead of a file: per vertex of what was given, or else of the simulated
-  /// mesh; null: none.
+  /// Start positions that replace the file `start`, per vertex of `given` or else of the simulated mesh; null: none.
   std::shared_ptr<const std::vector<sim::Vec3>> given_start_m;
 
-  /// The file that is read as a model.
+  /// Returns the file that is read as a model.
   const std::filesystem::path& model() const { return sewn.empty() ? file : sewn; }
   bool has_start() const { return !start.empty() || given_start_m; }
-  /// Whether the garment is the grid.
+  /// Returns true if the garment is the grid.
   bool is_grid() const { return file.empty() && !given; }
 };
 
-/// Means the vertex nearest to a point.
+/// Selects the vertex nearest to a point.
 struct NearestTo {
   sim::Vec3 point_m = {0.0, 0.0, 0.0};
 };
 
-/// Which vertices to pin. A text is a landmark or a name of pin_names() (pins.hpp); a number is a vertex of
-/// the garment's file (file_mesh.hpp).
+/// Vertices to pin: a landmark or a name of pin_names() (pins.hpp), a vertex of the garment's file (file_mesh.hpp), or
+/// the vertex nearest to a point.
 using PinSelector = std::variant<std::string, sim::Index, NearestTo>;
 
-/// Pins that are led by a motion of their own.
+/// Pins with a motion of their own.
 struct MovingPinsInScene {
   std::vector<PinSelector> at;
   sim::RigidMotion motion;
 };
 
-/// Where the mesh of a body and its motion come from.
+/// Source of a body's mesh and motion.
 struct BodySource {
   std::filesystem::path file;
-  std::optional<double> scale;  ///< metres per unit of the file; empty: the file's own unit, or else metres
-  std::optional<ModelAxis> up;  ///< in the file's coordinates; empty: the file's own, or else y
-  /// PC2 or BVH. Empty: a clip of the file, or none.
+  std::optional<double> scale;  ///< metres per unit of the file; empty: the file's unit, or else metres
+  std::optional<ModelAxis> up;  ///< direction in the file's coordinates; empty: the file's own, or else y
+  /// PC2 or BVH file; empty: an animation of the model file, or none.
   std::filesystem::path motion;
-  std::string clip;  ///< the name of an animation of the file; empty: its first; "none": it keeps its pose
-  std::optional<double> frame_rate_hz;  ///< empty: what the motion says, or else 60
-  double start_s = 0.0;                 ///< the time of the motion with which the run begins
-  bool loop = false;                    ///< the motion repeats after its last frame, or else stays there
-  int dress = 0;                   ///< frames of the scene before the run, in which the body grows into the clothes
-  std::filesystem::path importer;  ///< as GarmentSource has it
+  std::string clip;  ///< name of an animation in the file; empty: the first; "none": the body keeps its pose
+  std::optional<double> frame_rate_hz;  ///< empty: the motion's rate, or else 60
+  double start_s = 0.0;                 ///< time in the motion at which the run begins
+  bool loop = false;                    ///< repeats the motion after its last frame instead of staying there
+  int dress = 0;                        ///< frames of the scene before the run in which the body grows into the clothes
+  std::filesystem::path importer;       ///< see GarmentSource
 };
 
-/// All that the simulation needs to know about a scene. How it is drawn is in DrawnScene.
+/// A scene as the simulation needs it. DrawnScene adds how it is drawn.
 struct Scene {
-  std::string name;  ///< as it was asked for; not a key of the file
+  std::string name;  ///< the user's name for it; not a key of the file
   std::string title;
   GarmentSource garment;
   sim::MappingSettings mapping;
   sim::Material material;
-  std::string fabric;  ///< the name or file that `material` and the look began as; empty: none was named
-  std::optional<std::vector<PinSelector>> pins;  ///< empty: the garment hangs by its top
-  double pin_width_m = 0.0;                      ///< cloth is held over this width around each of `pins`
-  std::vector<MovingPinsInScene> moving_pins;    ///< besides `pins`
+  std::string fabric;                            ///< name or file that set `material` and the look; empty: none
+  std::optional<std::vector<PinSelector>> pins;  ///< empty: the garment is pinned at its top
+  double pin_width_m = 0.0;                      ///< width around each of `pins` in which cloth is pinned
+  std::vector<MovingPinsInScene> moving_pins;    ///< added to `pins`
   RunSettings simulation;
-  /// Without moving pins. Meshes of bodies are as load_bodies() left them.
+  /// Without moving pins. load_bodies() sets the meshes of the bodies.
   sim::Surroundings surroundings;
-  std::vector<BodySource> body_sources;  ///< one for each of the bodies; those of meshes count
-  /// Per body, as load_bodies() left it (app/bodies/dressing.hpp); null: it is not dressed.
+  std::vector<BodySource> body_sources;  ///< one for each body; used for meshes
+  /// Wearer of each body, set by load_bodies() (app/garments/dressing/dressing.hpp); null: not dressed.
   std::vector<std::shared_ptr<const Wearer>> wearers;
-  std::filesystem::path checkpoint;  ///< a saved moment to begin with (run_checkpoint.hpp); empty: none
-  int frames = 600;                  ///< length of the run
-  /// Files that were read for it besides those that its members name: its own, and what these name in turn; not a key.
+  std::filesystem::path checkpoint;  ///< saved state to start from (run_checkpoint.hpp); empty: none
+  int frames = 600;                  ///< frames of the run
+  /// Files that were read in addition to those in the members: the scene's own, and the files that these name; not a
+  /// key.
   std::vector<std::filesystem::path> files_read;
 
-  /// Returns how many frames are simulated before frame 0, while bodies grow into the clothes.
+  /// Returns the number of frames before frame 0, in which bodies grow into the clothes.
   int dressing_frames() const;
 };
 
-/// Says why the `bounded` solver cannot promise its bound for this scene. Empty if it promises the bound, if
-/// the scene has no bound, or if the scene allows exceeding it.
-std::optional<std::string> beyond_promise(const Scene& scene);
+/// Returns the reason why the `bounded` solver cannot promise its bound for this scene. Empty if it can, if the scene
+/// has no bound, or if the scene allows exceeding it.
+std::optional<std::string> unpromised_bound_reason(const Scene& scene);
 
-/// Says why the `bounded` solver does not keep layers of this scene's cloth apart: it is too thin, or too
-/// thick for its mesh. Empty if it keeps them apart or is not asked to.
-std::optional<std::string> beyond_contact(const Scene& scene, const sim::Garment& garment);
+/// Returns the reason why the `bounded` solver does not keep layers of this scene's cloth apart: it is too thin, or too
+/// thick for its mesh. Empty if it keeps them apart or need not.
+std::optional<std::string> missing_contact_reason(const Scene& scene, const sim::Garment& garment);
 
-/// The largest stretch that the scene's solver tries to keep, a fraction. Empty if it has none.
+/// Returns the largest stretch that the scene's solver tries to keep, a fraction; empty if it has none.
 std::optional<double> stretch_bound(const Scene& scene);
 
-/// The lengths that the bound holds: springs for every solver other than `bounded`.
+/// Returns the measure that the bound limits. For every solver other than `bounded` it is the springs.
 sim::BoundKind bound_kind(const Scene& scene);
 
-/// "bound" if the solver keeps it; "threshold" if springs are only pulled back to it.
+/// Returns "bound" if the solver keeps it, "threshold" if springs are only pulled back to it.
 const char* bound_word(const Scene& scene);
 
 }  // namespace taut::app

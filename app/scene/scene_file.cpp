@@ -35,7 +35,7 @@ struct Assets {
   std::vector<BuiltInScene> scenes;
 };
 
-// Both are empty where there is none.
+// Returns the built-in files. Folder and list are empty if there are none.
 Assets find_assets() {
   for (const fs::path& folder : asset_folders()) {
     std::vector<BuiltInScene> scenes = scenes_in(folder / "scenes", false);
@@ -52,12 +52,12 @@ Assets find_assets() {
   std::vector<std::string> names;
   for (const BuiltInScene& scene : built_in_scenes()) names.push_back(scene.name);
   throw InputError("there is no scene '" + name + '\'' + did_you_mean(name, names) +
-                   " (built-in scenes: " + joined(names) + "; a scene file or a garment file does as well)");
+                   " (built-in scenes: " + join(names) + "; a scene file or a garment file does as well)");
 }
 
 bool is_set(const Json& value) { return value.is_object() ? std::ranges::any_of(value, is_set) : !value.is_null(); }
 
-// Keys first, then the sections below: behind a section's header TOML has no way back.
+// Writes keys before subsections, because keys after a TOML section header would belong to that section.
 void append_section(std::string& text, const std::string& section, const Json& table) {
   for (const auto& [key, value] : table.items()) {
     if (!value.is_null() && !value.is_object()) text += key + " = " + toml_text(value) + '\n';
@@ -92,7 +92,7 @@ fs::path fabrics_folder() { return assets_folder() / "fabrics"; }
 
 bool is_file_name(const std::string& name) { return fs::path(name).extension() == ending; }
 
-/// Facts about the fabric itself.
+/// Returns the keys that describe the fabric itself.
 std::vector<Key<Fabric>> own_keys() {
   const auto read_band = [](const toml::node& value, const Source&, Fabric& fabric) {
     const toml::array* list = value.as_array();
@@ -111,7 +111,7 @@ std::vector<Key<Fabric>> own_keys() {
   const std::vector<std::string> names = built_in_fabrics();
   fail(source, line,
        "cloth.fabric: there is no " + (is_file_name(name) ? "file '" + name : "fabric '" + name) + '\'' +
-           did_you_mean(name, names) + " (fabrics: " + joined(names) + "; a file that ends in .toml does as well)");
+           did_you_mean(name, names) + " (fabrics: " + join(names) + "; a file that ends in .toml does as well)");
 }
 
 }  // namespace
@@ -199,7 +199,7 @@ std::string name_in_scene(const std::filesystem::path& file, GarmentNaming namin
   return (is_inside ? relative : full).string();
 }
 
-std::string text_of(Json settings, const Scene& scene, GarmentNaming naming) {
+std::string to_scene_text(Json settings, const Scene& scene, GarmentNaming naming) {
   if (!scene.checkpoint.empty() && naming == GarmentNaming::in_assets) {
     settings["start"]["checkpoint"] = std::filesystem::absolute(scene.checkpoint).string();
   }
@@ -246,10 +246,10 @@ Fabric find_fabric(const std::string& name, const Source& source, int line) {
   std::error_code error;
   if (!fs::exists(fabric.file, error)) fail_unknown(name, source, line);
   fabric.name = fabric.file.stem().string();
-  const Source own{fabric.file.string(), false};
-  fabric.keys = read_toml_text(read_text_file(fabric.file), own.name);
+  const Source fabric_source{fabric.file.string(), false};
+  fabric.keys = read_toml_text(read_text_file(fabric.file), fabric_source.name);
   const std::vector<Key<Fabric>> keys = own_keys();
-  KeyReader reader(keys, own, fabric);
+  KeyReader reader(keys, fabric_source, fabric);
   for (const Key<Fabric>& key : keys) {
     if (const toml::node* value = fabric.keys.get(key.name)) {
       reader.read_value(key.name, *value);
@@ -262,7 +262,7 @@ Fabric find_fabric(const std::string& name, const Source& source, int line) {
 Key<Scene> fabric_key() {
   const auto read = [](const toml::node& value, const Source& source, Scene& scene) {
     const std::optional<std::string> name = text_in(value);
-    if (name) scene.fabric = is_file_name(*name) ? beside(source, *name).string() : *name;
+    if (name) scene.fabric = is_file_name(*name) ? find_beside(source, *name).string() : *name;
     return name.has_value();
   };
   return {"cloth.fabric", "", "a text", read, [](const Scene& scene) { return Json(scene.fabric); }};

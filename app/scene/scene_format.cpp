@@ -6,13 +6,13 @@ namespace taut::app {
 namespace {
 
 constexpr double degree = 0.017453292519943295;
-// Smaller or larger, nothing on it can be told in double precision from its place.
-constexpr Range side = {.lowest = 1e-4, .highest = 1e4};
+// Size of a garment in metres. Outside this range double precision is too coarse for its details.
+constexpr Range side_range_m = {.lowest = 1e-4, .highest = 1e4};
 constexpr Range friction = {.lowest = 0.0, .highest = 10.0};
-// Of what `implicit` solves for: with more, masses are lost beside it to rounding, and cloth floats where it
-// began.
-constexpr Range solvable = {.lowest = 0.0, .highest = 1e7};
-// Beyond these no cloth is simulated: squares of its numbers are lost in double precision.
+// Limit on values in the system that `implicit` solves. Above it, masses are lost to rounding and cloth floats at its
+// start.
+constexpr Range implicit_range = {.lowest = 0.0, .highest = 1e7};
+// Ranges outside of which no cloth is simulated: squares of the numbers would be lost in double precision.
 constexpr Range density = {.lowest = 1e-6, .highest = 1e4};
 constexpr Range thickness = {.lowest = 1e-6, .highest = 10.0};
 constexpr Range elongation = {.lowest = 1e-6, .highest = 1e3};
@@ -27,7 +27,7 @@ Key<Scene> whole(std::string name, double lowest, double highest, auto access) {
   return whole_key<Scene>(std::move(name), {lowest, highest}, access);
 }
 
-/// For which promise a frame that breaks it does not fail the run.
+/// Returns the key for the promises that frames may break without failing the run.
 Key<Scene> allow_key() {
   auto read = [](const toml::node& value, sim::BoundedSettings& bounded) {
     const std::optional<bool> both = value.value_exact<bool>();
@@ -58,12 +58,12 @@ std::vector<Key<Scene>> scene_keys() {
           "garment.mesh",
           {{"auto", MeshChoice::automatic}, {"model", MeshChoice::model}, {"fitted", MeshChoice::fitted}},
           MEMBER(garment.mesh)),
-      whole("garment.triangles", 200, 200000, MEMBER(garment.most_triangles)),
+      whole("garment.triangles", 200, 200000, MEMBER(garment.max_triangles)),
       whole("garment.subdivisions", 0, 5, MEMBER(garment.subdivisions)),
       whole("garment.grid.columns", 2, 2000, MEMBER(garment.grid.columns)),
       whole("garment.grid.rows", 2, 2000, MEMBER(garment.grid.rows)),
-      number("garment.grid.width", "m", side, MEMBER(garment.grid.width_m)),
-      number("garment.grid.height", "m", side, MEMBER(garment.grid.height_m)),
+      number("garment.grid.width", "m", side_range_m, MEMBER(garment.grid.width_m)),
+      number("garment.grid.height", "m", side_range_m, MEMBER(garment.grid.height_m)),
       choice_key<Scene, sim::GridPlane>(
           "garment.grid.plane", {{"vertical", sim::GridPlane::vertical}, {"horizontal", sim::GridPlane::horizontal}},
           MEMBER(garment.grid.plane)),
@@ -76,7 +76,7 @@ std::vector<Key<Scene>> scene_keys() {
                                             {"opposite-vertex", sim::FlexuralRule::opposite_vertex},
                                             {"none", sim::FlexuralRule::none}},
                                            MEMBER(mapping.flexural_rule)),
-      number("garment.flexural_angle", "degrees", {90.0, 180.0}, MEMBER(mapping.smallest_flexural_angle_rad), degree),
+      number("garment.flexural_angle", "degrees", {90.0, 180.0}, MEMBER(mapping.min_flexural_angle_rad), degree),
       pins_key(),
       number("pins.width", "m", {0.0, 10.0}, MEMBER(pin_width_m)),
       moving_pins_key(),
@@ -85,20 +85,20 @@ std::vector<Key<Scene>> scene_keys() {
       file_key<Scene>("start.checkpoint", MEMBER(checkpoint), true),
       number("time.frame_rate", "Hz", {1.0, 10000.0}, MEMBER(simulation.frame_rate_hz)),
       whole("time.frames", 1, 1000000, MEMBER(frames)),
-      choice_key<Scene>("solver.kind", named(sim::all_solver_kinds), MEMBER(simulation.solver.kind)),
+      choice_key<Scene>("solver.kind", make_choices(sim::all_solver_kinds), MEMBER(simulation.solver.kind)),
       whole("solver.substeps", 0, 10000, MEMBER(simulation.solver.substeps)),
       whole("solver.max_substeps", 1, 10000, MEMBER(simulation.solver.max_substeps)),
       whole("solver.iterations", 1, 10000, MEMBER(simulation.solver.strong.iterations)),
       number("solver.compression", "", fraction, MEMBER(simulation.solver.strong.rigidity.compression)),
       number("solver.flexural", "", fraction, MEMBER(simulation.solver.strong.rigidity.flexural)),
       number("solver.max_stretch", "", moderate, MEMBER(simulation.solver.bounded.max_stretch)),
-      whole("solver.projections", 1, 1000, MEMBER(simulation.solver.fast_projection.most_projections)),
-      choice_key<Scene>("solver.bound", named(sim::all_bound_kinds), MEMBER(simulation.solver.bounded.bound)),
+      whole("solver.projections", 1, 1000, MEMBER(simulation.solver.fast_projection.max_projections)),
+      choice_key<Scene>("solver.bound", make_choices(sim::all_bound_kinds), MEMBER(simulation.solver.bounded.bound)),
       switch_key<Scene>("solver.contact", MEMBER(simulation.solver.bounded.contact)),
       switch_key<Scene>("solver.tethers", MEMBER(simulation.solver.bounded.tethers)),
-      choice_key<Scene>("solver.vector_unit", named(sim::all_vector_units),
+      choice_key<Scene>("solver.vector_unit", make_choices(sim::all_vector_units),
                         MEMBER(simulation.solver.bounded.vector_unit)),
-      whole("solver.threads", 0, sim::most_threads, MEMBER(simulation.solver.bounded.threads)),
+      whole("solver.threads", 0, sim::max_threads, MEMBER(simulation.solver.bounded.threads)),
       allow_key(),
       number("solver.stiffness.structural", "N/m", not_negative,
              MEMBER(simulation.solver.ideal.stiffness.structural_n_per_m)),
@@ -107,12 +107,11 @@ std::vector<Key<Scene>> scene_keys() {
              MEMBER(simulation.solver.ideal.stiffness.flexural_n_per_m)),
       number("solver.stiffness.damping", "N s/m", not_negative,
              MEMBER(simulation.solver.ideal.stiffness.damping_n_s_per_m)),
-      number("solver.implicit.stretch", "N/m", solvable, MEMBER(simulation.solver.implicit.stretch_n_per_m)),
-      number("solver.implicit.shear", "N/m", solvable, MEMBER(simulation.solver.implicit.shear_n_per_m)),
+      number("solver.implicit.stretch", "N/m", implicit_range, MEMBER(simulation.solver.implicit.stretch_n_per_m)),
+      number("solver.implicit.shear", "N/m", implicit_range, MEMBER(simulation.solver.implicit.shear_n_per_m)),
       number("solver.implicit.damping", "s", moderate, MEMBER(simulation.solver.implicit.damping_s)),
       number("solver.implicit.tolerance", "", {1e-12, 0.5}, MEMBER(simulation.solver.implicit.tolerance)),
-      number("solver.implicit.stretch_change", "", {1e-6, 1e3},
-             MEMBER(simulation.solver.implicit.largest_stretch_change)),
+      number("solver.implicit.stretch_change", "", {1e-6, 1e3}, MEMBER(simulation.solver.implicit.max_stretch_change)),
       number("rest.speed", "m/s", moderate, MEMBER(simulation.rest.speed_m_per_s)),
       whole("rest.frames", 1, 1000000, MEMBER(simulation.rest.frames)),
       vector_key<Scene>("gravity.acceleration", "m/s2", MEMBER(surroundings.forces.gravity_m_per_s2)),
@@ -142,7 +141,7 @@ std::vector<Key<Scene>> scene_keys() {
 
 SceneFormat<Scene> simulation_format() {
   const auto check = [](const Scene& scene, const Source& source) {
-    if (const std::optional<std::string> reason = beyond_promise(scene)) fail(source, 0, *reason);
+    if (const std::optional<std::string> reason = unpromised_bound_reason(scene)) fail(source, 0, *reason);
   };
   return {scene_keys(), check};
 }
@@ -156,7 +155,7 @@ SceneFormat<Scene> undrawn_format() {
   return format;
 }
 
-sim::Material material_of(const std::string& fabric, const std::string& option) {
+sim::Material find_fabric_material(const std::string& fabric, const std::string& option) {
   Scene scene;
   apply_overrides(undrawn_format(), std::vector<Override>{{"cloth.fabric", fabric, option}}, scene);
   return scene.material;
@@ -167,13 +166,13 @@ void require_one_garment(const toml::table& file, const Source& source) {
   const bool has_file = static_cast<bool>(file["garment"]["file"]);
   const bool has_grid = static_cast<bool>(file["garment"]["grid"]);
   if (has_file == has_grid) {
-    fail(source, garment != nullptr ? line_of(*garment) : 0,
+    fail(source, garment != nullptr ? line_number(*garment) : 0,
          std::string(has_file ? "both garment.file and [garment.grid] are" : "no garment is") +
              " given; expected one of [garment] file = \"...\" and [garment.grid]");
   }
 }
 
-// Here and not where it is read, which does not know who names it.
+// Checks that a named file exists, because readers do not know where it was named.
 void require_named(const std::string& key, const std::filesystem::path& named, const Source& source, int line) {
   try {
     require_file(named);
@@ -182,12 +181,12 @@ void require_named(const std::string& key, const std::filesystem::path& named, c
   }
 }
 
-void require_garment_of(const toml::table& file, const Source& source, const GarmentSource& named,
-                        const GarmentSource& used) {
+void require_garment(const toml::table& file, const Source& source, const GarmentSource& named,
+                     const GarmentSource& used) {
   for (const auto& [name, member] : garment_files) {
     const toml::node* key = file["garment"][name].node();
     if (key != nullptr && used.*member == named.*member) {
-      require_named(name, named.*member, source, line_of(*key));
+      require_named(name, named.*member, source, line_number(*key));
     }
   }
 }

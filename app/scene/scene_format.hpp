@@ -5,55 +5,54 @@
 
 namespace taut::app {
 
-/// All keys that the simulation needs. Scene files, `--set` and `taut help scene` all use this table.
+/// Returns all keys that the simulation needs. Scene files, `--set` and `taut help scene` use this table.
 std::vector<Key<Scene>> scene_keys();
 
-/// How scenes of type S are read and written. S is Scene or a type derived from it.
+/// Format of scenes of type S, which is Scene or derived from it.
 template <class S> struct SceneFormat {
   std::vector<Key<S>> keys;
-  /// Checks what concerns several keys. Throws by `fail` (scene_key.hpp).
+  /// Checks that involve several keys. Throws by `fail` (scene_key.hpp).
   std::function<void(const S&, const Source&)> check;
 };
 
-/// The keys that the simulation needs. Scene files, `--set` and `taut help scene` all use this table.
+/// Returns the format with the keys that the simulation needs.
 SceneFormat<Scene> simulation_format();
 
-/// The same for reading alone: the sections of pictures, which DrawnScene has, are passed over in files.
+/// Returns the format for reading only: it ignores the picture sections of files.
 SceneFormat<Scene> undrawn_format();
 
-/// The material that a fabric sets. Throws UsageError, with this option in it, if there is none of that name or file.
-sim::Material material_of(const std::string& fabric, const std::string& option);
+/// Returns the material of a fabric. Throws UsageError with this option in the message if there is no such name or
+/// file.
+sim::Material find_fabric_material(const std::string& fabric, const std::string& option);
 
-/// Sets a key of one body: "body.file" adds a body that is a model, named after its file, and every other
-/// "body.KEY" sets the key of [[bodies]] for the last body that is one. Returns false if the name does not
-/// begin with "body.". Throws by `fail`.
+/// Sets a key of one body. "body.file" adds a mesh body, named after its file. Other keys "body.KEY" set KEY of
+/// [[bodies]] for the last mesh body. Returns false if the name does not begin with "body.". Throws by `fail`.
 bool set_body_key(const std::string& name, const toml::node& value, const Source& source, Scene& scene);
 
 /// Requires that the file names exactly one garment: a model or a grid. Throws by `fail` (scene_key.hpp).
 void require_one_garment(const toml::table& file, const Source& source);
 
-/// Requires that the garment's files exist. `named` is what the scene file says; `used` is that after
-/// overrides. A file that was overridden is not checked. Throws by `fail`.
-void require_garment_of(const toml::table& file, const Source& source, const GarmentSource& named,
-                        const GarmentSource& used);
+/// Requires that the garment's files exist. `named`: files of the scene file; `used`: files after overrides. Overridden
+/// files are not checked. Throws by `fail`.
+void require_garment(const toml::table& file, const Source& source, const GarmentSource& named,
+                     const GarmentSource& used);
 
-/// Requires that the file of key garment.KEY exists. `line` is where the scene file names it; 0: nowhere.
-/// Throws by `fail`.
+/// Requires that the file of key garment.KEY exists. `line`: its line in the scene file; 0: none. Throws by `fail`.
 void require_named(const std::string& key, const std::filesystem::path& named, const Source& source, int line);
 
-/// Sets the keys that a fabric sets, where `value` is the text that names it. Throws as find_fabric() does;
-/// InputError if its file has a key or a value that is not valid.
+/// Applies the fabric that the text `value` names. Throws as find_fabric() does, and InputError if its file has a key
+/// or a value that is not valid.
 template <class S>
 void apply_fabric(const SceneFormat<S>& format, const toml::node& value, const Source& source, S& scene) {
   KeyReader(format.keys, source, scene).read_value("cloth.fabric", value);
   if (scene.fabric.empty()) return;
-  const Fabric fabric = find_fabric(scene.fabric, source, line_of(value));
+  const Fabric fabric = find_fabric(scene.fabric, source, line_number(value));
   std::vector<Key<S>> keys = format.keys;
   std::erase_if(keys, [](const Key<S>& key) { return !is_fabric_key(key.name) && !is_passed_over(key.name); });
   KeyReader(keys, {fabric.file.string(), false}, scene).read(fabric.keys);
 }
 
-/// Sets the keys that options of the command line name, a fabric's first, and checks the scene. Throws UsageError.
+/// Sets the keys of command-line options, starting with a fabric's keys, and checks the scene. Throws UsageError.
 template <class S> void apply_overrides(const SceneFormat<S>& format, std::span<const Override> overrides, S& scene) {
   for (const auto& [key, text, option] : overrides) {
     const toml::table parsed = read_toml_value(text);
@@ -65,14 +64,14 @@ template <class S> void apply_overrides(const SceneFormat<S>& format, std::span<
     const Source source{option, true};
     if (!set_body_key(key, value, source, scene)) KeyReader(format.keys, source, scene).read_value(key, value);
     for (const auto& [name, member] : garment_files) {
-      if (key == std::string("garment.") + name) require_named(name, scene.garment.*member, source, line_of(value));
+      if (key == std::string("garment.") + name) require_named(name, scene.garment.*member, source, line_number(value));
     }
   }
   if (!overrides.empty()) format.check(scene, {overrides.back().option, true});
 }
 
-/// Sets the keys of the fabric that the file beside the garment names, fabric = "denim", where no override names one,
-/// and the bound that it names, max_stretch = 0.6.
+/// Applies the settings of the file beside the garment: its fabric, fabric = "denim", unless an override names one, and
+/// its bound, max_stretch = 0.6.
 template <class S> void apply_own_fabric(const SceneFormat<S>& format, std::span<const Override> overrides, S& scene) {
   const auto sets_fabric = [](const Override& changed) { return changed.key == "cloth.fabric"; };
   const toml::table beside = read_landmarks_file(scene.garment.file);
@@ -83,9 +82,8 @@ template <class S> void apply_own_fabric(const SceneFormat<S>& format, std::span
   if (bound != nullptr) KeyReader(format.keys, source, scene).read_value("solver.max_stretch", *bound);
 }
 
-/// Reads a scene from text. `name` is its file; relative garment files are looked for beside it. Throws
-/// InputError that names the file, the line, the key, what was found and what was expected. Throws UsageError
-/// for an override.
+/// Reads a scene from text. `name` is its file; relative garment files are relative to it. Throws InputError that names
+/// the file, the line, the key, the value found and the value expected. Throws UsageError for an override.
 template <class S>
 S read_scene(const SceneFormat<S>& format, const std::string& text, const std::string& name,
              std::span<const Override> overrides) {
@@ -98,46 +96,47 @@ S read_scene(const SceneFormat<S>& format, const std::string& text, const std::s
   format.check(scene, source);
   const GarmentSource named = scene.garment;
   apply_overrides(format, overrides, scene);
-  require_garment_of(file, source, named, scene.garment);
+  require_garment(file, source, named, scene.garment);
   return scene;
 }
 
-/// Returns the scene that the argument SCENE means. Throws InputError; UsageError for an override.
+/// Returns the scene that the argument SCENE names. Throws InputError; UsageError for an override.
 template <class S>
 S find_scene(const SceneFormat<S>& format, const std::string& name, std::span<const Override> overrides) {
-  const FoundScene found = locate_scene(name);
+  const FoundScene location = locate_scene(name);
   S scene;
-  if (found.is_garment) {
-    set_garment(found.file, scene);
+  if (location.is_garment) {
+    set_garment(location.file, scene);
     apply_own_fabric(format, overrides, scene);
     apply_overrides(format, overrides, scene);
   } else {
-    scene = read_scene(format, read_text_file(found.file), found.file.string(), overrides);
+    scene = read_scene(format, read_text_file(location.file), location.file.string(), overrides);
   }
-  scene.name = found.name;
-  scene.files_read.push_back(found.file);
+  scene.name = location.name;
+  scene.files_read.push_back(location.file);
   return scene;
 }
 
-/// All keys with their values, nested as in a file.
-template <class S> Json settings_of(const SceneFormat<S>& format, const S& scene) {
+/// Returns all keys with their values, nested as in a file.
+template <class S> Json scene_to_json(const SceneFormat<S>& format, const S& scene) {
   Json settings;
   for (const Key<S>& key : format.keys) settings[pointer_to(key.name)] = key.write(scene);
   return settings;
 }
 
-/// A key with default, unit, range and meaning, as text for people. `list` stands in front of the key of an entry.
+/// Returns a help text for a key: default, unit, range and meaning. `list` precedes the key of a list's entry.
 template <class T> std::string describe_key(const Key<T>& key, const T& defaults, const std::string& list = "") {
   const std::string unit = key.unit.empty() ? "" : " " + key.unit;
-  const std::string own = meaning_of(list + key.name), meaning = own.empty() ? meaning_of(key.name) : own;
+  const std::string own_meaning = key_meaning(list + key.name),
+                    meaning = own_meaning.empty() ? key_meaning(key.name) : own_meaning;
   return "  " + key.name + " = " + to_text(key.write(defaults)) + unit + "\n      " + key.expected +
          (meaning.empty() ? "" : "; " + meaning) + '\n';
 }
 
-/// The keys of [[forces]], [[pins.moving]] and [[bodies]], as describe_key() writes them.
+/// Returns the help text for the keys of [[forces]], [[pins.moving]] and [[bodies]].
 std::string list_entries_help();
 
-// Keys of scenes whose values are neither one number nor one name.
+// Keys of scenes whose values are neither a number nor a name.
 
 Key<Scene> pins_key();
 Key<Scene> weld_key();
@@ -146,7 +145,7 @@ Key<Scene> forces_key();
 Key<Scene> bodies_key();
 Key<Scene> moving_pins_key();
 
-/// A key for the direction of a model that is up.
+/// Makes a key for the direction that is up in a model.
 template <class T, class Access> Key<T> up_key(std::string name, Access access) {
   std::vector<std::pair<std::string, std::optional<ModelAxis>>> choices = {{"auto", std::nullopt}};
   for (std::size_t i = 0; i < axis_names.size(); ++i) {

@@ -23,7 +23,7 @@ std::string toml_word(const Json& value) {
     return text.str();
   }
   if (!value.is_number_float()) return value.dump();
-  // The fewest digits that read back as the same bits; with a point, or TOML takes -0 for a whole 0.
+  // Writes the fewest digits that read back as the same bits, with a point: TOML would read -0 as the integer 0.
   const std::string text = fmt::format("{}", value.get<double>());
   return text.find_first_of(".en") == std::string::npos ? text + ".0" : text;
 }
@@ -37,11 +37,11 @@ std::string joined_words(const Json& value, std::string (*word)(const Json&)) {
   return value.is_object() ? "{ " + text + " }" : '[' + text + ']';
 }
 
-/// Most dots of one key, and most brackets within each other. The library that reads TOML, and what reads its tables,
-/// go as deep on the stack.
+/// Maximum number of dots in a key, and of nested brackets. The TOML library and the readers of its tables recurse as
+/// deep on the stack.
 constexpr int max_toml_depth = 32;
 
-/// The place behind the text in quotes that begins here.
+/// Returns the position after the quoted text that begins at `at`.
 std::size_t quoted_end(std::string_view text, std::size_t at) {
   const char quote = text[at];
   const std::string end(text.substr(at).starts_with(std::string(3, quote)) ? 3 : 1, quote);
@@ -54,7 +54,7 @@ std::size_t quoted_end(std::string_view text, std::size_t at) {
   return at;
 }
 
-/// Whether keys and values nest no deeper than that.
+/// Returns true if keys and values nest at most max_toml_depth deep.
 bool is_shallow(std::string_view text) {
   int dots = 0, brackets = 0;
   for (std::size_t at = 0; at < text.size() && dots <= max_toml_depth && brackets <= max_toml_depth;) {
@@ -69,7 +69,7 @@ bool is_shallow(std::string_view text) {
 
 }  // namespace
 
-std::string meaning_of(const std::string& key) {
+std::string key_meaning(const std::string& key) {
   static const toml::table meanings = toml::parse(key_texts);
   return meanings[key].value_or(std::string());
 }
@@ -88,14 +88,14 @@ std::string describe(const std::string& what, const Range& range) {
 }
 
 std::string describe(const VectorLimits& limits) {
-  return fmt::format("three numbers [x, y, z] from {:g} to {:g}{}", -limits.largest, limits.largest,
+  return fmt::format("three numbers [x, y, z] from {:g} to {:g}{}", -limits.max_magnitude, limits.max_magnitude,
                      limits.may_be_zero ? "" : ", not all zero");
 }
 
 bool allows(const VectorLimits& limits, const std::array<double, 3>& numbers) {
   double size = 0.0;
   for (const double number : numbers) size = std::max(size, std::abs(number));
-  return size <= limits.largest && (limits.may_be_zero || size > 0.0);
+  return size <= limits.max_magnitude && (limits.may_be_zero || size > 0.0);
 }
 
 std::optional<double> finite_number(const toml::node& value) {
@@ -140,16 +140,16 @@ std::string colour_text(const glm::vec3& colour) {
   return text;
 }
 
-Json json_of(const toml::node& node) {
+Json to_json_value(const toml::node& node) {
   return node.visit([](const auto& value) -> Json {
     using Type = decltype(value);
     if constexpr (toml::is_table<Type>) {
       Json object = Json::object();
-      for (const auto& [key, item] : entries_of(value)) object[key] = json_of(*item);
+      for (const auto& [key, item] : list_entries(value)) object[key] = to_json_value(*item);
       return object;
     } else if constexpr (toml::is_array<Type>) {
       Json list = Json::array();
-      for (const toml::node& item : value) list.push_back(json_of(item));
+      for (const toml::node& item : value) list.push_back(to_json_value(item));
       return list;
     } else if constexpr (toml::is_chronological<Type>) {
       return *text_in(value);
@@ -165,7 +165,7 @@ void fail(const Source& source, int line, const std::string& message) {
                             : fmt::format("{}: {}", source.name, message));
 }
 
-int line_of(const toml::node& value) { return static_cast<int>(value.source().begin.line); }
+int line_number(const toml::node& value) { return static_cast<int>(value.source().begin.line); }
 
 toml::table read_toml_text(const std::string& text, const std::string& name) {
   if (!is_shallow(text)) {
@@ -196,15 +196,15 @@ std::optional<std::string> text_in(const toml::node& value) {
   return value.value_exact<std::string>();
 }
 
-std::vector<std::pair<std::string, const toml::node*>> entries_of(const toml::table& table) {
+std::vector<std::pair<std::string, const toml::node*>> list_entries(const toml::table& table) {
   std::vector<std::pair<std::string, const toml::node*>> entries;
   for (const auto& [key, value] : table) entries.emplace_back(key.str(), &value);
-  std::ranges::stable_sort(entries,
-                           [](const auto& a, const auto& b) { return line_of(*a.second) < line_of(*b.second); });
+  std::ranges::stable_sort(
+      entries, [](const auto& a, const auto& b) { return line_number(*a.second) < line_number(*b.second); });
   return entries;
 }
 
-std::filesystem::path beside(const Source& source, const std::filesystem::path& file) {
+std::filesystem::path find_beside(const Source& source, const std::filesystem::path& file) {
   const auto folder =
       source.is_command_line ? std::filesystem::path() : std::filesystem::path(source.name).parent_path();
   const std::filesystem::path named = (folder / file).lexically_normal();
@@ -219,7 +219,7 @@ Json::json_pointer pointer_to(std::string key) {
 
 std::string to_text(const Json& value) { return joined_words(value, message_word); }
 
-std::string to_text(const toml::node& value) { return to_text(json_of(value)); }
+std::string to_text(const toml::node& value) { return to_text(to_json_value(value)); }
 
 std::string toml_text(const Json& value) { return joined_words(value, toml_word); }
 

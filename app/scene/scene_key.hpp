@@ -9,117 +9,115 @@
 
 namespace taut::app {
 
-/// A value to be written. Keys stay in the order in which they were inserted; null means not set.
+/// A value to write. Keys keep the order in which they were inserted; null means not set.
 using Json = nlohmann::ordered_json;
 
-/// Where a value comes from, for messages.
+/// Source of a value, for messages.
 struct Source {
-  std::string name;  ///< a file, or an option with its argument
+  std::string name;  ///< file, or option with its argument
   bool is_command_line = false;
 };
 
-/// Throws `message` with the source and the line in front: UsageError for the command line, InputError for a
-/// file. 0: no line.
+/// Throws `message` after the source and the line (0: none): UsageError for the command line, InputError for a file.
 [[noreturn]] void fail(const Source& source, int line, const std::string& message);
 
-/// Line of the value in its file; 0: not from a file.
-int line_of(const toml::node& value);
+/// Returns the line of the value in its file; 0: not from a file.
+int line_number(const toml::node& value);
 
-/// Parses a TOML text. `name` is for messages. Throws InputError with the name, the line and the reason.
+/// Parses a TOML text. `name` is used in messages. Throws InputError with the name, the line and the reason.
 toml::table read_toml_text(const std::string& text, const std::string& name);
 
-/// Parses the argument after `key=` on the command line. Returns a table with the one key `value`. A value
-/// that is not TOML becomes a text, so that a shell user need not quote twice.
+/// Parses the value of KEY=VALUE on the command line. Returns a table with the one key `value`. A value that is not
+/// TOML becomes a text, so that a shell user need not quote twice.
 toml::table read_toml_value(const std::string& text);
 
-/// The text that a value holds; a date counts as text. Empty for anything else.
+/// Returns the text of a value; a date counts as text. Empty for other values.
 std::optional<std::string> text_in(const toml::node& value);
 
-/// The entries of a table, in the order of their lines. toml++ sorts them by name, but a message should name
-/// the first mistake of the file. Valid as long as the table.
-std::vector<std::pair<std::string, const toml::node*>> entries_of(const toml::table& table);
+/// Returns the entries of a table in the order of their lines, so that a message names the first mistake of the file;
+/// toml++ sorts them by name. Valid as long as the table.
+std::vector<std::pair<std::string, const toml::node*>> list_entries(const toml::table& table);
 
-/// The path of a file that a scene names: relative to the scene file, or where the command line runs; if
-/// there is none, that of a garment, a body or a motion that comes with the program (find_asset).
-std::filesystem::path beside(const Source& source, const std::filesystem::path& file);
+/// Returns the path of a file that a scene names: relative to the scene file, or to the working folder for a command
+/// line. If there is no such file, returns the built-in garment, body or motion (find_asset).
+std::filesystem::path find_beside(const Source& source, const std::filesystem::path& file);
 
-/// The place of a key with its sections, such as "solver.substeps", in a nested value.
+/// Returns the pointer to a key with its sections, such as "solver.substeps", in a nested value.
 Json::json_pointer pointer_to(std::string key);
 
-/// The value as it is written; a date becomes text.
-Json json_of(const toml::node& value);
+/// Converts a value for writing; a date becomes text.
+Json to_json_value(const toml::node& value);
 
-/// The value for messages: numbers with six digits, texts in quotes, tables in braces, "not set" for null.
+/// Returns the value for messages: numbers with six digits, texts in quotes, tables in braces, "not set" for null.
 std::string to_text(const Json& value);
 std::string to_text(const toml::node& value);
 
-/// The value as TOML, on one line. Reading it gives the same bits. ASCII only. File names can hold bytes that
-/// are not UTF-8; these become U+FFFD.
+/// Returns the value as one line of TOML in ASCII that reads back with the same bits. In file names, bytes that are not
+/// UTF-8 become U+FFFD.
 std::string toml_text(const Json& value);
 
-/// One line that says what a key is for, of assets/texts/keys.toml; empty if it says nothing. A key of a list's entries
-/// has the list in front: "forces.vertex".
-std::string meaning_of(const std::string& key);
+/// Returns the line of assets/texts/keys.toml about a key, or an empty text. A key of a list's entry follows the list's
+/// name: "forces.vertex".
+std::string key_meaning(const std::string& key);
 
-/// One key of a scene file. It sets something of a T.
+/// A key of a scene file, which sets a part of a T.
 template <class T> struct Key {
-  std::string name;      ///< with its section: "solver.substeps"
+  std::string name;      ///< name with its section: "solver.substeps"
   std::string unit;      ///< empty: no unit
-  std::string expected;  ///< what a value must be: "a whole number from 1 to 1000"
-  /// Stores a value. Returns false if it is not as expected. May also throw by `fail`, with its own message.
+  std::string expected;  ///< description of valid values: "a whole number from 1 to 1000"
+  /// Stores a value. Returns false if it is not valid. May also throw by `fail`, with a message of its own.
   std::function<bool(const toml::node&, const Source&, T&)> read;
-  std::function<Json(const T&)> write;  ///< returns what is stored, also for printing the default
+  std::function<Json(const T&)> write;  ///< returns the stored value; also used to print defaults
 };
 
-/// An interval of numbers.
+/// Interval of numbers.
 struct Range {
   double lowest = -std::numeric_limits<double>::infinity();
   double highest = std::numeric_limits<double>::infinity();
-  bool above_lowest = false;  ///< `lowest` itself is excluded
+  bool above_lowest = false;  ///< excludes `lowest`
 
   bool contains(double value) const { return value <= highest && (above_lowest ? value > lowest : value >= lowest); }
 };
 
-inline constexpr Range not_negative = {.lowest = 0.0};                    ///< 0 and all above
-inline constexpr Range positive = {.lowest = 0.0, .above_lowest = true};  ///< all above 0
+inline constexpr Range not_negative = {.lowest = 0.0};                    ///< 0 and above
+inline constexpr Range positive = {.lowest = 0.0, .above_lowest = true};  ///< above 0
 
-/// The range in words: "a whole number from 1 to 1000". `what` is "a number" or "a whole number".
+/// Describes the range: "a whole number from 1 to 1000". `what` is "a number" or "a whole number".
 std::string describe(const std::string& what, const Range& range);
 
-/// The content of a value: a finite number, a whole number, a list of three finite numbers. Empty for
-/// anything else.
+/// Return a finite number, a whole number, three finite numbers; empty if the value is anything else.
 std::optional<double> finite_number(const toml::node& value);
 std::optional<std::int64_t> whole_number(const toml::node& value);
 std::optional<std::array<double, 3>> three_numbers(const toml::node& value);
 
-/// Red, green and blue, 0 to 1, of a text "#rrggbb"; empty for anything else.
+/// Returns red, green and blue, 0 to 1, of a text "#rrggbb"; empty if the value is anything else.
 std::optional<glm::vec3> colour_value(const toml::node& value);
-/// The colour as "#rrggbb".
+/// Returns the colour as "#rrggbb".
 std::string colour_text(const glm::vec3& colour);
 
-/// `access` of a key: the member, in a const T or not.
+/// Accessor of a member for a key, const or not.
 #define MEMBER(path) \
   [](auto& s) -> auto& { return s.path; }
 
-// A member that may be without a value is so where the file says 0.
+// Stores a number; 0 in a file means no value for an optional member.
 template <class Number> void store(double number, Number& member) { member = static_cast<Number>(number); }
 template <class Number> void store(double number, std::optional<Number>& member) {
   member = number != 0.0 ? std::optional(static_cast<Number>(number)) : std::nullopt;
 }
-template <class Member> double stored(const Member& member) {
+template <class Member> double to_stored(const Member& member) {
   return static_cast<double>(std::optional(member).value_or(0));
 }
 
-// Stores what was found. Returns false if nothing was.
+// Stores a value if there is one. Returns false if there is none.
 template <class Found, class Member> bool store(const std::optional<Found>& found, Member& member) {
   if (found) member = *found;
   return found.has_value();
 }
 
-// Makers of keys. `access` returns a reference to the member of the T it is given, const or not.
+// Makers of keys. `access` returns a reference to the member of a T, const or not.
 
-/// `read(value, member)` or `read(value, source, member)` stores a value and returns false if it is not as
-/// expected; `write(member)` returns it.
+/// `read(value, member)` or `read(value, source, member)` stores a value and returns false if it is not valid.
+/// `write(member)` returns the member as JSON.
 template <class T, class Access, class Read, class Write>
 Key<T> member_key(std::string name, std::string unit, std::string expected, Access access, Read read, Write write) {
   auto read_member = [=](const toml::node& value, const Source& source, T& target) -> bool {
@@ -133,7 +131,7 @@ Key<T> member_key(std::string name, std::string unit, std::string expected, Acce
   return {std::move(name), std::move(unit), std::move(expected), read_member, write_member};
 }
 
-/// A number is stored times `factor`: degrees in files, radians in code.
+/// Makes a key for a number, which is stored times `factor`: degrees in files, radians in code.
 template <class T, class Access>
 Key<T> number_key(std::string name, std::string unit, const Range& range, Access access, double factor = 1.0) {
   auto read = [=](const toml::node& value, auto& member) {
@@ -143,7 +141,7 @@ Key<T> number_key(std::string name, std::string unit, const Range& range, Access
     return is_within;
   };
   return member_key<T>(std::move(name), unit, describe("a number", range), access, read,
-                       [=](const auto& member) { return stored(member) / factor; });
+                       [=](const auto& member) { return to_stored(member) / factor; });
 }
 
 template <class T, class Access>
@@ -155,7 +153,7 @@ Key<T> whole_key(std::string name, const Range& range, Access access, std::strin
     return is_within;
   };
   return member_key<T>(std::move(name), std::move(unit), describe("a whole number", range), access, read,
-                       [](const auto& member) { return static_cast<std::int64_t>(stored(member)); });
+                       [](const auto& member) { return static_cast<std::int64_t>(to_stored(member)); });
 }
 
 template <class T, class Access> Key<T> switch_key(std::string name, Access access) {
@@ -172,12 +170,12 @@ template <class T, class Access> Key<T> text_key(std::string name, Access access
       [](const std::string& member) { return member; });
 }
 
-/// The member is a path, empty while no file is named.
+/// Makes a key for a path, which is empty if no file is named.
 template <class T, class Access> Key<T> file_key(std::string name, Access access, bool may_be_empty = false) {
   auto read = [=](const toml::node& value, const Source& source, std::filesystem::path& member) {
     const std::optional<std::string> text = text_in(value);
     if (!text || (text->empty() && !may_be_empty)) return false;
-    member = text->empty() ? std::filesystem::path() : beside(source, *text);
+    member = text->empty() ? std::filesystem::path() : find_beside(source, *text);
     return true;
   };
   return member_key<T>(std::move(name), "", "a file name", access, read, [](const std::filesystem::path& member) {
@@ -185,11 +183,11 @@ template <class T, class Access> Key<T> file_key(std::string name, Access access
   });
 }
 
-/// The range of a vector of three numbers.
+/// Range of a vector of three numbers.
 struct VectorLimits {
-  bool may_be_zero = true;  ///< all three may be 0
+  bool may_be_zero = true;  ///< all three numbers may be 0
   /// Largest magnitude of each number: far more than any garment needs, and too small for overflow.
-  double largest = 1e6;
+  double max_magnitude = 1e6;
 };
 
 std::string describe(const VectorLimits& limits);
@@ -209,7 +207,7 @@ Key<T> vector_key(std::string name, std::string unit, Access access, VectorLimit
   });
 }
 
-/// The member is a colour, or an optional one.
+/// Makes a key for a colour, or for an optional colour.
 template <class T, class Access> Key<T> colour_key(std::string name, Access access) {
   return member_key<T>(
       std::move(name), "", "a colour, \"#rrggbb\"", access,
@@ -217,10 +215,10 @@ template <class T, class Access> Key<T> colour_key(std::string name, Access acce
       [](const std::optional<glm::vec3>& colour) { return colour ? Json(colour_text(*colour)) : Json(); });
 }
 
-/// The choices by their names, for choice_key.
-template <class Choices> auto named(const Choices& all) {
+/// Returns all choices with their names, for choice_key.
+template <class Choices> auto make_choices(const Choices& all) {
   std::vector<std::pair<std::string, typename Choices::value_type>> choices;
-  for (const auto choice : all) choices.emplace_back(name_of(choice), choice);
+  for (const auto choice : all) choices.emplace_back(to_name(choice), choice);
   return choices;
 }
 
@@ -242,7 +240,7 @@ Key<T> choice_key(std::string name, std::vector<std::pair<std::string, Choice>> 
   return member_key<T>(std::move(name), "", std::move(expected), access, read, write);
 }
 
-/// The key, written only where it is in use.
+/// Makes the key be written only if `is_used` returns true.
 template <class T, class IsUsed> Key<T> written_if(Key<T> key, IsUsed is_used) {
   key.write = [write = std::move(key.write), is_used](const T& entry) {
     return is_used(entry) ? write(entry) : Json();
@@ -250,7 +248,7 @@ template <class T, class IsUsed> Key<T> written_if(Key<T> key, IsUsed is_used) {
   return key;
 }
 
-/// Reads a list of tables, each into an entry that `read` returns.
+/// Reads a list of tables. `read` converts each into an entry.
 template <class Read> bool read_list(const toml::node& value, const Read& read) {
   const toml::array* list = value.as_array();
   if (list == nullptr || !(list->empty() || list->is_homogeneous<toml::table>())) return false;
@@ -258,7 +256,7 @@ template <class Read> bool read_list(const toml::node& value, const Read& read) 
   return true;
 }
 
-/// The values of an entry of a list, nested as in a file; those that are not set are left out.
+/// Returns the values of a list's entry, nested as in a file, without those that are not set.
 template <class T> Json write_entry(const std::vector<Key<T>>& keys, const T& entry) {
   Json table = Json::object();
   for (const Key<T>& key : keys) {
@@ -268,16 +266,16 @@ template <class T> Json write_entry(const std::vector<Key<T>>& keys, const T& en
   return table;
 }
 
-/// Reads a table of a scene file into a T. Every error message names the key that is wrong and, for an
-/// unknown key, those that are near.
+/// Reads a table of a scene file into a T. Every error message names the wrong key and, for an unknown key, similar
+/// ones.
 template <class T> class KeyReader {
  public:
   KeyReader(const std::vector<Key<T>>& keys, const Source& source, T& target)
       : keys_(keys), source_(source), target_(target) {}
 
-  /// Reads all values of the table. Throws by `fail` at the first one that is not valid.
+  /// Reads all values of the table. Throws by `fail` at the first that is not valid.
   void read(const toml::table& table, const std::string& section = "") {
-    for (const auto& [key, value] : entries_of(table)) {
+    for (const auto& [key, value] : list_entries(table)) {
       read_value(section.empty() ? key : section + '.' + key, *value);
     }
   }
@@ -287,20 +285,20 @@ template <class T> class KeyReader {
     for (const Key<T>& key : keys_) {
       if (key.name == name) {
         if (!key.read(value, source_, target_)) {
-          fail(source_, line_of(value), name + ": found " + to_text(value) + ", expected " + expected(key));
+          fail(source_, line_number(value), name + ": found " + to_text(value) + ", expected " + expected(key));
         }
         return;
       }
     }
     if (is_section(name)) {
       if (!value.is_table()) {
-        fail(source_, line_of(value),
+        fail(source_, line_number(value),
              name + ": found " + to_text(value) + ", expected a table with the keys " + keys_of(name));
       }
       read(*value.as_table(), name);
       return;
     }
-    fail_unknown(name, line_of(value));
+    fail_unknown(name, line_number(value));
   }
 
  private:
@@ -315,7 +313,7 @@ template <class T> class KeyReader {
     return false;
   }
 
-  /// The names of keys and sections directly in this section.
+  /// Returns the names of keys and sections directly in this section.
   std::string keys_of(const std::string& section) const {
     const std::string prefix = section.empty() ? "" : section + '.';
     std::vector<std::string> names;
@@ -326,7 +324,7 @@ template <class T> class KeyReader {
         if (names.empty() || names.back() != name) names.push_back(name);
       }
     }
-    return joined(names);
+    return join(names);
   }
 
   [[noreturn]] void fail_unknown(const std::string& name, int line) const {

@@ -1,6 +1,6 @@
 #include "app/scene/scene_format.hpp"
 
-// `access` of a key of a body that has the shape.
+// Accessor of a member of a body's shape, for a key.
 #define MEMBER_OF(Shape, member) \
   [](auto& b) -> auto& { return std::get<sim::Shape>(b.body.shape).member; }
 
@@ -9,22 +9,22 @@ namespace {
 
 constexpr Range body_length = {.lowest = 0.0, .highest = 1e4, .above_lowest = true};
 
-constexpr double largest_offset_m = 1e6;
+constexpr double max_offset_m = 1e6;
 constexpr Range friction = {.lowest = 0.0, .highest = 10.0};
 
-std::optional<NearestTo> nearest_of(const toml::node& value) {
+std::optional<NearestTo> parse_nearest(const toml::node& value) {
   const toml::table* table = value.as_table();
-  const toml::node* nearest = table != nullptr && table->size() == 1 ? table->get("nearest") : nullptr;
-  const auto point = nearest != nullptr ? three_numbers(*nearest) : std::nullopt;
+  const toml::node* nearest_node = table != nullptr && table->size() == 1 ? table->get("nearest") : nullptr;
+  const auto point = nearest_node != nullptr ? three_numbers(*nearest_node) : std::nullopt;
   return point ? std::optional(NearestTo{{(*point)[0], (*point)[1], (*point)[2]}}) : std::nullopt;
 }
 
-std::optional<PinSelector> pin_of(const toml::node& value) {
+std::optional<PinSelector> parse_pin(const toml::node& value) {
   if (const auto text = text_in(value)) return *text;
   if (const auto index = whole_number(value); index && *index >= 0 && *index < 0xFFFFFFFFLL) {
     return static_cast<sim::Index>(*index);
   }
-  if (const auto nearest = nearest_of(value)) return *nearest;
+  if (const auto nearest = parse_nearest(value)) return *nearest;
   return std::nullopt;
 }
 
@@ -42,14 +42,14 @@ std::optional<std::vector<PinSelector>> pins_in(const toml::node& value) {
   if (!value.is_array()) return std::nullopt;
   std::vector<PinSelector> pins;
   for (const toml::node& item : *value.as_array()) {
-    const auto pin = pin_of(item);
+    const auto pin = parse_pin(item);
     if (!pin) return std::nullopt;
     pins.push_back(*pin);
   }
   return pins;
 }
 
-Json json_of(const std::vector<PinSelector>& pins) {
+Json to_json_value(const std::vector<PinSelector>& pins) {
   Json list = Json::array();
   for (const PinSelector& pin : pins) list.push_back(std::visit(PinWriter{}, pin));
   return list;
@@ -61,7 +61,7 @@ template <class T> Json write_list(const std::vector<Key<T>>& keys, const std::v
   return list;
 }
 
-/// The keys of an entry of [[forces]].
+/// Returns the keys of an entry of [[forces]].
 std::vector<Key<sim::PointForce>> force_keys() {
   using F = sim::PointForce;
   return {whole_key<F>("vertex", {0, 4294967294.0}, MEMBER(vertex)), vector_key<F>("force", "N", MEMBER(force_n))};
@@ -74,7 +74,7 @@ std::optional<std::vector<sim::PathPoint>> path_in(const toml::node& value) {
     std::array<double, 4> numbers{};
     for (std::size_t k = 0; k < numbers.size(); ++k) {
       const auto number = row != nullptr && row->size() == 4 ? finite_number((*row)[k]) : std::nullopt;
-      if (!number || std::abs(*number) > largest_offset_m) return std::nullopt;
+      if (!number || std::abs(*number) > max_offset_m) return std::nullopt;
       numbers[k] = *number;
     }
     if (!path.empty() && !(numbers[0] > path.back().time_s)) return std::nullopt;
@@ -83,12 +83,11 @@ std::optional<std::vector<sim::PathPoint>> path_in(const toml::node& value) {
   return path.empty() ? std::nullopt : std::optional(path);
 }
 
-/// Makes a direction one of length 1. One of length 1 keeps its bits, so that a scene that is written reads
-/// back as the same.
+/// Normalises a direction. A direction of length 1 keeps its bits, so that a written scene reads back as the same.
 void normalise(sim::Vec3& direction) {
   constexpr double rounded_off = 4e-15;
-  constexpr double least_squared = 1e-200;  // below it squares are lost
-  if (glm::dot(direction, direction) < least_squared) direction *= 1.0 / least_squared;
+  constexpr double min_squared = 1e-200;  // smaller squares lose their precision
+  if (glm::dot(direction, direction) < min_squared) direction *= 1.0 / min_squared;
   if (std::abs(glm::dot(direction, direction) - 1.0) > rounded_off) direction = glm::normalize(direction);
 }
 
@@ -107,7 +106,7 @@ void check_motion(const Source& source, int line, sim::RigidMotion& motion) {
   normalise(motion.spin.axis);
 }
 
-/// A key for a path.
+/// Makes a key for a path.
 template <class T, class Access> Key<T> path_key(std::string name, std::string unit, Access access) {
   auto write = [](const std::vector<sim::PathPoint>& path) {
     Json list;
@@ -121,7 +120,7 @@ template <class T, class Access> Key<T> path_key(std::string name, std::string u
       [](const toml::node& value, auto& path) { return store(path_in(value), path); }, write);
 }
 
-/// Adds the keys of a motion; `motion` returns the one of an entry, const or not.
+/// Adds the keys of a motion. `motion` returns the motion of an entry, const or not.
 template <class T, class Access> void add_motion(std::vector<Key<T>>& keys, Access motion) {
 #define MOTION(member) \
   [=](auto& entry) -> auto& { return motion(entry).member; }
@@ -149,24 +148,24 @@ std::vector<Key<MovingPinsInScene>> moving_pins_keys() {
   std::vector<Key<P>> keys = {member_key<P>(
       "at", "", "a list as of pins.at", MEMBER(at),
       [](const toml::node& value, auto& at) { return store(pins_in(value), at); },
-      [](const auto& at) { return at.empty() ? Json() : json_of(at); })};
+      [](const auto& at) { return at.empty() ? Json() : to_json_value(at); })};
   add_motion(keys, MEMBER(motion));
   return keys;
 }
 
-/// The shapes as an entry has them before it is read, and their names in files.
+/// Shapes with their names in files, in the state before an entry is read.
 const std::array<std::pair<const char*, sim::Shape>, 4> shapes = {
     {{"plane", sim::Plane{}}, {"sphere", sim::Sphere{}}, {"capsule", sim::Capsule{}}, {"mesh", sim::BodyMesh{}}}};
 constexpr const char* shape_names = "\"plane\" or \"sphere\" or \"capsule\" or \"mesh\"";
 
-const char* name_of(const sim::Shape& shape) { return shapes[shape.index()].first; }
+const char* to_name(const sim::Shape& shape) { return shapes[shape.index()].first; }
 
 struct BodyInScene {
   sim::Body body;
   BodySource source;
 };
 
-/// Writes the full path of a file that a scene names.
+/// Makes a key that writes the full path of a file.
 Key<BodyInScene> body_file_key(std::string name, std::filesystem::path BodySource::*member) {
   Key<BodyInScene> key = file_key<BodyInScene>(
       std::move(name), [member](auto& entry) -> auto& { return entry.source.*member; });
@@ -180,9 +179,9 @@ Key<BodyInScene> body_file_key(std::string name, std::filesystem::path BodySourc
 std::vector<Key<BodyInScene>> common_keys() {
   using B = BodyInScene;
   std::vector<Key<B>> keys = {{"shape", "", shape_names, [](const toml::node&, const Source&, B&) { return true; },
-                               [](const B& entry) { return Json(name_of(entry.body.shape)); }},
+                               [](const B& entry) { return Json(to_name(entry.body.shape)); }},
                               text_key<B>("name", MEMBER(body.name)),
-                              // A body's friction may be 0.
+                              // The friction of a body may be 0, so 0 does not mean unset.
                               member_key<B>(
                                   "friction", "", describe("a number", friction), MEMBER(body.friction),
                                   [](const toml::node& value, std::optional<double>& member) {
@@ -225,29 +224,30 @@ std::vector<Key<BodyInScene>> shape_keys(const sim::Shape& shape) {
 
 std::vector<Key<BodyInScene>> body_keys(const sim::Shape& shape) {
   std::vector<Key<BodyInScene>> keys = common_keys();
-  const std::vector<Key<BodyInScene>> own = shape_keys(shape);
-  keys.insert(keys.end(), own.begin(), own.end());
+  const std::vector<Key<BodyInScene>> own_keys = shape_keys(shape);
+  keys.insert(keys.end(), own_keys.begin(), own_keys.end());
   return keys;
 }
 
-sim::Shape shape_of(const toml::table& entry, const Source& source) {
+sim::Shape parse_shape(const toml::table& entry, const Source& source) {
   const std::string expected = std::string("expected a shape, ") + shape_names;
   const toml::node* shape = entry.get("shape");
-  if (shape == nullptr) fail(source, line_of(entry), "an entry of bodies has no shape; " + expected);
+  if (shape == nullptr) fail(source, line_number(entry), "an entry of bodies has no shape; " + expected);
   for (const auto& [name, found] : shapes) {
     if (text_in(*shape) == name) return found;
   }
-  fail(source, line_of(*shape), "bodies.shape: found " + to_text(*shape) + ", " + expected);
+  fail(source, line_number(*shape), "bodies.shape: found " + to_text(*shape) + ", " + expected);
 }
 
 BodyInScene read_body(const toml::table& table, const Source& source) {
-  BodyInScene entry{.body = {.shape = shape_of(table, source)}, .source = {}};
+  BodyInScene entry{.body = {.shape = parse_shape(table, source)}, .source = {}};
   const auto keys = body_keys(entry.body.shape);
   KeyReader(keys, source, entry).read(table);
-  check_motion(source, line_of(table), entry.body.motion);
+  check_motion(source, line_number(table), entry.body.motion);
   if (auto* plane = std::get_if<sim::Plane>(&entry.body.shape)) normalise(plane->normal);
   if (std::holds_alternative<sim::BodyMesh>(entry.body.shape) && entry.source.file.empty()) {
-    fail(source, line_of(table), "a body of shape \"mesh\" has no file; expected file = \"...\", a closed 3D model");
+    fail(source, line_number(table),
+         "a body of shape \"mesh\" has no file; expected file = \"...\", a closed 3D model");
   }
   return entry;
 }
@@ -263,9 +263,9 @@ std::string entry_help(const std::string& title, const std::string& list, const 
 }  // namespace
 
 int Scene::dressing_frames() const {
-  int most = 0;
-  for (const BodySource& source : body_sources) most = std::max(most, source.dress);
-  return most;
+  int max_frames = 0;
+  for (const BodySource& source : body_sources) max_frames = std::max(max_frames, source.dress);
+  return max_frames;
 }
 
 bool set_body_key(const std::string& name, const toml::node& value, const Source& source, Scene& scene) {
@@ -301,7 +301,7 @@ Key<Scene> pins_key() {
       [](const toml::node& value, auto& pins) {
         return store(text_in(value) == "none" ? std::vector<PinSelector>{} : pins_in(value), pins);
       },
-      [](const auto& pins) { return pins ? json_of(*pins) : Json(); });
+      [](const auto& pins) { return pins ? to_json_value(*pins) : Json(); });
 }
 
 Key<Scene> weld_key() {
@@ -360,9 +360,9 @@ Key<Scene> moving_pins_key() {
     return read_list(value, [&](const toml::table& table) {
       MovingPinsInScene& entry = groups.emplace_back();
       KeyReader(keys, source, entry).read(table);
-      check_motion(source, line_of(table), entry.motion);
+      check_motion(source, line_number(table), entry.motion);
       if (entry.at.empty()) {
-        fail(source, line_of(table),
+        fail(source, line_number(table),
              "an entry of pins.moving has no vertices; expected at = [...], a list as of pins.at");
       }
     });

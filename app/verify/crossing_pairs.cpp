@@ -13,7 +13,7 @@ struct TriangleBox {
   bool is_of_body = false;
 };
 
-Corners corners_of(const Surface& surface, const sim::Triangle& t) {
+Corners triangle_corners(const Surface& surface, const sim::Triangle& t) {
   return {surface.positions_m[t[0]], surface.positions_m[t[1]], surface.positions_m[t[2]]};
 }
 
@@ -30,21 +30,21 @@ void require_place(const Surface& surface, sim::Index triangle) {
 void add_boxes(const Surface& surface, bool is_of_body, std::vector<TriangleBox>& boxes) {
   for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
     require_place(surface, static_cast<sim::Index>(t));
-    const Corners corners = corners_of(surface, surface.triangles[t]);
-    boxes.push_back({sim::extent_of(corners), static_cast<sim::Index>(t), is_of_body});
+    const Corners corners = triangle_corners(surface, surface.triangles[t]);
+    boxes.push_back({sim::compute_extent(corners), static_cast<sim::Index>(t), is_of_body});
   }
 }
 
-/// Equal parts of an axis. A box is in each that it reaches into.
+/// Equal intervals of an axis. A box belongs to each interval that it overlaps.
 class Strips {
  public:
-  /// As many as boxes fit beside each other four times over, on average.
+  /// Chooses the number of strips so that a strip is four boxes wide on average.
   Strips(std::span<const TriangleBox> boxes, double from, double length, int axis) : from_(from), axis_(axis) {
     double sum = 0.0;
     for (const TriangleBox& box : boxes) sum += box.extent.upper[axis] - box.extent.lower[axis];
     const double count = std::floor(length * static_cast<double>(boxes.size()) / (boxes_across * sum));
-    // Also where all boxes are one point.
-    count_ = count >= 1.0 && count < most ? static_cast<std::size_t>(count) : count >= most ? most : 1;
+    // Boxes that are all one point get one strip.
+    count_ = count >= 1.0 && count < max_strips ? static_cast<std::size_t>(count) : count >= max_strips ? max_strips : 1;
     width_ = length / static_cast<double>(count_);
   }
 
@@ -54,7 +54,7 @@ class Strips {
 
  private:
   static constexpr double boxes_across = 4.0;
-  static constexpr std::size_t most = 1024;
+  static constexpr std::size_t max_strips = 1024;
 
   std::size_t at(double place) const {
     return count_ == 1 ? 0 : std::min(static_cast<std::size_t>(std::max((place - from_) / width_, 0.0)), count_ - 1);
@@ -65,8 +65,8 @@ class Strips {
   int axis_;
 };
 
-/// Calls `found` with all pairs of boxes that meet. Sweep and prune (Baraff 1992) along the axis of the
-/// largest extent, in which the fewest boxes are beside each other, in strips of the next largest.
+/// Calls `found` with all pairs of boxes that overlap, by sweep and prune (Baraff 1992). The sweep follows the axis of
+/// the largest extent, where the fewest boxes are beside each other, in strips of the next largest.
 template <class Found> void sweep(std::vector<TriangleBox>& boxes, const Poll& poll, const Found& found) {
   sim::Extent all;
   for (const TriangleBox& box : boxes) {
@@ -90,7 +90,7 @@ template <class Found> void sweep(std::vector<TriangleBox>& boxes, const Poll& p
       if (poll) poll();
       const double end = (*a)->extent.upper[axis];
       for (auto b = a + 1; b != in_strip[s].end() && (*b)->extent.lower[axis] <= end; ++b) {
-        // Two that share several strips meet in the first of them.
+        // Boxes that share several strips are reported in the first of them.
         if (sim::overlap((*a)->extent, (*b)->extent) && std::max(strips.of_lower(**a), strips.of_lower(**b)) == s) {
           found(**a, **b);
         }
@@ -99,7 +99,7 @@ template <class Found> void sweep(std::vector<TriangleBox>& boxes, const Poll& p
   }
 }
 
-/// Turns the corners of both so that those that are shared come first, in the same order. Returns how many.
+/// Reorders the corners of both so that shared ones come first, in the same order. Returns their number.
 std::size_t bring_shared_to_front(sim::Triangle& a, sim::Triangle& b) {
   std::size_t shared = 0;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -118,10 +118,10 @@ std::optional<sim::Vec3> place_within(const Surface& cloth, sim::Triangle a, sim
   const auto place_of = shared == 0   ? crossing_place
                         : shared == 1 ? crossing_place_beside_vertex
                                       : crossing_place_beside_edge;
-  return place_of(corners_of(cloth, a), corners_of(cloth, b));
+  return place_of(triangle_corners(cloth, a), triangle_corners(cloth, b));
 }
 
-std::vector<CrossingPair> ordered(std::vector<CrossingPair> pairs) {
+std::vector<CrossingPair> sort_pairs(std::vector<CrossingPair> pairs) {
   std::ranges::sort(pairs, [](const CrossingPair& a, const CrossingPair& b) {
     return a.first != b.first ? a.first < b.first : a.second < b.second;
   });
@@ -130,23 +130,23 @@ std::vector<CrossingPair> ordered(std::vector<CrossingPair> pairs) {
 
 using sim::Vec3;
 
-/// The value and the gradient of a convex function of points, below 0 inside a body.
+/// Value and gradient of a convex function of points, below 0 inside a body.
 struct Depth {
   double outside_m;
   Vec3 gradient;
 };
 
-Vec3 direction_of(const Vec3& v) {
+Vec3 unit_direction(const Vec3& v) {
   const double length = glm::length(v);
   return length > 0.0 ? v / length : Vec3(0.0);
 }
 
 Depth outside_ball(const Vec3& p, const Vec3& centre_m, double radius_m) {
-  return {glm::distance(p, centre_m) - radius_m, direction_of(p - centre_m)};
+  return {glm::distance(p, centre_m) - radius_m, unit_direction(p - centre_m)};
 }
 
-/// Returns the depth below the cone between the two ends. The axis must have a length.
-Depth outside_cone(const Vec3& p, const Limb& limb) {
+/// Returns the depth inside the truncated cone between the two ends. The axis must have a length.
+Depth outside_cone(const Vec3& p, const LimbShape& limb) {
   const Vec3 axis = limb.end_m - limb.start_m;
   const double length_m = glm::length(axis);
   const Vec3 along = axis / length_m;
@@ -155,23 +155,23 @@ Depth outside_cone(const Vec3& p, const Limb& limb) {
   if (at_m > length_m) return {at_m - length_m, along};
   const double slope = (limb.end_radius_m - limb.start_radius_m) / length_m;
   const Vec3 across = p - limb.start_m - at_m * along;
-  const Depth side = {glm::length(across) - limb.start_radius_m - slope * at_m, direction_of(across) - slope * along};
+  const Depth side = {glm::length(across) - limb.start_radius_m - slope * at_m, unit_direction(across) - slope * along};
   const Depth end = at_m > 0.5 * length_m ? Depth{at_m - length_m, along} : Depth{-at_m, -along};
   return side.outside_m > end.outside_m ? side : end;
 }
 
-/// Whether the function goes below -most_depth_m in the triangle. It is nowhere below its tangents, so that
-/// the smallest of a tangent at the corners is a bound; where that does not tell, the triangle is halved.
+/// Returns whether the function goes below -max_depth_m in the triangle. It is nowhere below its tangents, so that the
+/// smallest value of a tangent at the corners is a bound. Where the bound does not decide, the triangle is halved.
 template <class Outside> bool enters(const Corners& t, const Outside& outside) {
   const Vec3 middle = (t[0] + t[1] + t[2]) / 3.0;
   const Depth here = outside(middle);
-  if (here.outside_m < -most_depth_m) return true;
+  if (here.outside_m < -max_depth_m) return true;
   double rises_m = 0.0;
   for (const Vec3& corner : t) rises_m = std::min(rises_m, glm::dot(here.gradient, corner - middle));
-  if (here.outside_m + rises_m >= -most_depth_m || rises_m > -1e-3 * most_depth_m) return false;
+  if (here.outside_m + rises_m >= -max_depth_m || rises_m > -1e-3 * max_depth_m) return false;
   const auto length = [&](std::size_t k) { return glm::distance(t[k], t[(k + 1) % 3]); };
-  const std::size_t longest = length(0) >= length(1) && length(0) >= length(2) ? 0 : length(1) >= length(2) ? 1 : 2;
-  const Vec3 &from = t[longest], &to = t[(longest + 1) % 3], &tip = t[(longest + 2) % 3];
+  const std::size_t long_axis = length(0) >= length(1) && length(0) >= length(2) ? 0 : length(1) >= length(2) ? 1 : 2;
+  const Vec3 &from = t[long_axis], &to = t[(long_axis + 1) % 3], &tip = t[(long_axis + 2) % 3];
   const Vec3 half = 0.5 * (from + to);
   return enters(Corners{from, half, tip}, outside) || enters(Corners{half, to, tip}, outside);
 }
@@ -188,7 +188,7 @@ std::vector<CrossingPair> crossing_pairs(const Surface& cloth, const Poll& poll)
       pairs.push_back({first, second, *place});
     }
   });
-  return ordered(std::move(pairs));
+  return sort_pairs(std::move(pairs));
 }
 
 std::vector<CrossingPair> crossing_pairs(const Surface& cloth, const Surface& body, const Poll& poll) {
@@ -200,12 +200,12 @@ std::vector<CrossingPair> crossing_pairs(const Surface& cloth, const Surface& bo
     if (a.is_of_body == b.is_of_body) return;
     const sim::Index first = a.is_of_body ? b.triangle : a.triangle;
     const sim::Index second = a.is_of_body ? a.triangle : b.triangle;
-    if (const auto place =
-            crossing_place(corners_of(cloth, cloth.triangles[first]), corners_of(body, body.triangles[second]))) {
+    if (const auto place = crossing_place(triangle_corners(cloth, cloth.triangles[first]),
+                                          triangle_corners(body, body.triangles[second]))) {
       pairs.push_back({first, second, *place});
     }
   });
-  return ordered(std::move(pairs));
+  return sort_pairs(std::move(pairs));
 }
 
 std::string describe_triangle(const Surface& surface, sim::Index triangle) {
@@ -231,10 +231,10 @@ std::string describe_point(const sim::Vec3& point) {
 
 bool enters_half_space(const Corners& triangle, const Vec3& point_m, const Vec3& normal) {
   return std::ranges::any_of(triangle,
-                             [&](const Vec3& corner) { return glm::dot(corner - point_m, normal) < -most_depth_m; });
+                             [&](const Vec3& corner) { return glm::dot(corner - point_m, normal) < -max_depth_m; });
 }
 
-bool enters_limb(const Corners& triangle, const Limb& limb) {
+bool enters_limb(const Corners& triangle, const LimbShape& limb) {
   if (enters(triangle, [&](const Vec3& p) { return outside_ball(p, limb.start_m, limb.start_radius_m); })) {
     return true;
   }

@@ -9,12 +9,12 @@ namespace {
 using sim::Vec2;
 using sim::Vec3;
 
-/// A closed segment; with equal ends a point.
-struct Segment {
+/// A closed segment; a point if its ends are equal.
+struct TriangleEdge {
   Vec3 from, to;
 };
 
-Segment edge_of(const Corners& t, std::size_t k) { return {t[k], t[(k + 1) % 3]}; }
+TriangleEdge triangle_edge(const Corners& t, std::size_t k) { return {t[k], t[(k + 1) % 3]}; }
 
 Vec2 without(int axis, const Vec3& p) { return {p[(axis + 1) % 3], p[(axis + 2) % 3]}; }
 
@@ -27,44 +27,44 @@ bool is_without_area(const Corners& t) {
          orientation_without(2, t[0], t[1], t[2]) == 0;
 }
 
-/// The intersection of the bounding boxes; lower is above upper in some coordinate if that is nothing.
-Segment common_box(const Segment& s, const Segment& t) {
+/// Returns the intersection of the bounding boxes. An empty one has `from` above `to` in some coordinate.
+TriangleEdge common_box(const TriangleEdge& s, const TriangleEdge& t) {
   return {glm::max(glm::min(s.from, s.to), glm::min(t.from, t.to)),
           glm::min(glm::max(s.from, s.to), glm::max(t.from, t.to))};
 }
 
-bool boxes_meet(const Segment& s, const Segment& t) {
-  const Segment box = common_box(s, t);
+bool boxes_meet(const TriangleEdge& s, const TriangleEdge& t) {
+  const TriangleEdge box = common_box(s, t);
   return box.from.x <= box.to.x && box.from.y <= box.to.y && box.from.z <= box.to.z;
 }
 
-/// Of segments whose bounding boxes meet: on one line, that is enough.
-bool projections_meet(int axis, const Segment& s, const Segment& t) {
+/// Requires segments whose bounding boxes meet, which is enough for segments on one line.
+bool projections_meet(int axis, const TriangleEdge& s, const TriangleEdge& t) {
   return orientation_without(axis, s.from, s.to, t.from) * orientation_without(axis, s.from, s.to, t.to) <= 0 &&
          orientation_without(axis, t.from, t.to, s.from) * orientation_without(axis, t.from, t.to, s.to) <= 0;
 }
 
-/// Segments in one plane meet if and only if they do in all three projections: at least one of these maps
-/// points of the plane to points of their own.
-bool segments_meet(const Segment& s, const Segment& t) {
+/// Returns whether segments meet. Segments in one plane meet if and only if all three of their projections meet: at
+/// least one projection maps the plane one to one.
+bool segments_meet(const TriangleEdge& s, const TriangleEdge& t) {
   return boxes_meet(s, t) && projections_meet(0, s, t) && projections_meet(1, s, t) && projections_meet(2, s, t) &&
          orientation(s.from, s.to, t.from, t.to) == 0;
 }
 
-/// Where two segments that meet do so; on one line, the middle of what they share.
-Vec3 meeting_place(const Segment& s, const Segment& t) {
+/// Returns the common point of two segments that meet; on one line, the middle of their common part.
+Vec3 meeting_place(const TriangleEdge& s, const TriangleEdge& t) {
   const Vec3 along_s = s.to - s.from, along_t = t.to - t.from;
   const Vec3 normal = glm::cross(along_s, along_t);
   const double square = glm::dot(normal, normal);
   if (!(square > 0.0)) {
-    const Segment box = common_box(s, t);
+    const TriangleEdge box = common_box(s, t);
     return 0.5 * (box.from + box.to);
   }
   const double at = glm::dot(glm::cross(t.from - s.from, along_t), normal) / square;
   return s.from + std::clamp(at, 0.0, 1.0) * along_s;
 }
 
-/// Returns whether a point in the triangle's plane is inside, off the edges. False without area.
+/// Returns whether a point in the triangle's plane is inside, off the edges; false for a triangle without area.
 bool is_inside(const Vec3& p, const Corners& t) {
   for (int axis = 0; axis < 3; ++axis) {
     const int side = orientation_without(axis, t[0], t[1], p);
@@ -76,10 +76,10 @@ bool is_inside(const Vec3& p, const Corners& t) {
   return false;
 }
 
-/// For a segment in the triangle's plane, or any segment if the triangle has no area.
-std::optional<Vec3> place_in_plane(const Segment& s, const Corners& t) {
+/// Requires a segment in the triangle's plane, or a triangle without area.
+std::optional<Vec3> place_in_plane(const TriangleEdge& s, const Corners& t) {
   for (std::size_t k = 0; k < 3; ++k) {
-    if (segments_meet(s, edge_of(t, k))) return meeting_place(s, edge_of(t, k));
+    if (segments_meet(s, triangle_edge(t, k))) return meeting_place(s, triangle_edge(t, k));
   }
   return is_inside(s.from, t) ? std::optional(s.from) : std::nullopt;
 }
@@ -88,7 +88,7 @@ double distance_from_plane(const Vec3& p, const Corners& t) {
   return std::abs(glm::dot(glm::cross(t[1] - t[0], t[2] - t[0]), p - t[0]));
 }
 
-/// On which sides of a triangle's plane two points are.
+/// Sides of a triangle's plane on which two points are.
 struct SidesOfEnds {
   int first, second;
 
@@ -96,19 +96,19 @@ struct SidesOfEnds {
   bool are_none() const { return first == 0 && second == 0; }
 };
 
-int side_of(const Corners& plane, const Vec3& p) { return orientation(plane[0], plane[1], plane[2], p); }
+int orientation_sign(const Corners& plane, const Vec3& p) { return orientation(plane[0], plane[1], plane[2], p); }
 
-SidesOfEnds sides_of(const Corners& plane, const Vec3& a, const Vec3& b) {
-  return {side_of(plane, a), side_of(plane, b)};
+SidesOfEnds orientation_signs(const Corners& plane, const Vec3& a, const Vec3& b) {
+  return {orientation_sign(plane, a), orientation_sign(plane, b)};
 }
 
-/// A point that the segment, whose ends are on these sides, has in common with the triangle.
-std::optional<Vec3> common_place(const Segment& s, const SidesOfEnds& sides, const Corners& t) {
+/// Returns a common point of the triangle and the segment, whose ends are on these sides.
+std::optional<Vec3> common_place(const TriangleEdge& s, const SidesOfEnds& sides, const Corners& t) {
   if (sides.are_one()) return std::nullopt;
   if (sides.are_none()) return place_in_plane(s, t);
   bool is_left = false, is_right = false;
   for (std::size_t k = 0; k < 3; ++k) {
-    const int side = orientation(s.from, s.to, edge_of(t, k).from, edge_of(t, k).to);
+    const int side = orientation(s.from, s.to, triangle_edge(t, k).from, triangle_edge(t, k).to);
     is_left = is_left || side > 0;
     is_right = is_right || side < 0;
   }
@@ -118,29 +118,28 @@ std::optional<Vec3> common_place(const Segment& s, const SidesOfEnds& sides, con
 }
 
 std::optional<Vec3> common_place(const Vec3& p, const Corners& t) {
-  return side_of(t, p) == 0 ? place_in_plane({p, p}, t) : std::nullopt;
+  return orientation_sign(t, p) == 0 ? place_in_plane({p, p}, t) : std::nullopt;
 }
 
 using SidesOfCorners = std::array<int, 3>;
 
-SidesOfCorners sides_of(const Corners& plane, const Corners& t) {
-  return {side_of(plane, t[0]), side_of(plane, t[1]), side_of(plane, t[2])};
+SidesOfCorners orientation_signs(const Corners& plane, const Corners& t) {
+  return {orientation_sign(plane, t[0]), orientation_sign(plane, t[1]), orientation_sign(plane, t[2])};
 }
 
 bool are_one(const SidesOfCorners& s) { return s[0] * s[1] > 0 && s[1] * s[2] > 0; }
 
-/// Returns the first place where an edge of `a` pierces `b`. `sides` are those of `b` on which corners of `a`
-/// are.
+/// Returns the first point where an edge of `a` pierces `b`. `sides` are the sides of `b` where the corners of `a` are.
 std::optional<Vec3> first_place_along_edges(const Corners& a, const SidesOfCorners& sides, const Corners& b) {
   for (std::size_t k = 0; k < 3; ++k) {
-    if (const auto place = common_place(edge_of(a, k), {sides[k], sides[(k + 1) % 3]}, b)) return place;
+    if (const auto place = common_place(triangle_edge(a, k), {sides[k], sides[(k + 1) % 3]}, b)) return place;
   }
   return std::nullopt;
 }
 
-/// Seen from the shared corner 0, what is common ends at the edge opposite of one of the triangles. This is
-/// for that of `a`, whose ends are on these sides of `b`. In a triangle without area the corner may lie on
-/// that edge, and its ends stand for it.
+/// Returns a common point on the edge of `a` opposite the shared corner 0. Seen from this corner, the common points end
+/// at the opposite edge of one of the triangles. The edge's ends are on these sides of `b`. If `a` has no area, its
+/// corner may lie on the edge, and only the ends are tested.
 std::optional<Vec3> place_opposite(const Corners& a, const SidesOfEnds& sides, const Corners& b) {
   if (!is_without_area(a)) return common_place({a[1], a[2]}, sides, b);
   for (const Vec3& end : {a[1], a[2]}) {
@@ -149,12 +148,12 @@ std::optional<Vec3> place_opposite(const Corners& a, const SidesOfEnds& sides, c
   return std::nullopt;
 }
 
-/// Whether a plane at right angles to the axis certainly has these points in front of it and those behind: by
-/// far more than rounding, which is some 1e-15 of their distances from the plane's origin. Most neighbours
-/// part in this way, which is cheap, also where they lie in one plane, which exact signs are slow to tell.
+/// Returns whether a plane at right angles to the axis certainly separates these points: by far more than rounding,
+/// which is some 1e-15 of their distances from the plane's origin. This test is cheap and separates most neighbours,
+/// also in one plane, where exact signs are slow.
 bool are_far_apart(const Vec3& origin, const Vec3& axis, std::span<const Vec3> before, std::span<const Vec3> behind) {
   constexpr double far = 1e-6;
-  // Below it products lose digits.
+  // Products below this lose digits.
   constexpr double smallest = 1e-200;
   const auto is_in_front = [&](const Vec3& p, double side) {
     const double far_off = far * glm::length(axis) * glm::distance(p, origin);
@@ -165,33 +164,33 @@ bool are_far_apart(const Vec3& origin, const Vec3& axis, std::span<const Vec3> b
   return std::ranges::all_of(before, is_before) && std::ranges::all_of(behind, is_behind);
 }
 
-Vec3 middle_of(const Corners& t) { return (t[0] + t[1] + t[2]) / 3.0; }
+Vec3 centroid(const Corners& t) { return (t[0] + t[1] + t[2]) / 3.0; }
 
-/// A direction from corner 0 between both sides.
+/// Returns a direction from corner 0 between both sides.
 Vec3 inwards(const Corners& t) {
   const Vec3 u = t[1] - t[0], v = t[2] - t[0];
   return glm::length(v) * u + glm::length(u) * v;
 }
 
-/// Of triangles that share their first two corners.
+/// Requires triangles that share their first two corners.
 bool reaches_beyond_edge(const Corners& a, const Corners& b) {
-  return !segments_meet({a[2], a[2]}, edge_of(a, 0)) && common_place(a[2], b);
+  return !segments_meet({a[2], a[2]}, triangle_edge(a, 0)) && common_place(a[2], b);
 }
 
 constexpr double unit_roundoff = 0x1p-53;
-// Rounding errors of the determinants of differences, in parts of the sum of the sizes of their terms.
+// Rounding errors of determinants of differences, as fractions of the sum of the absolute values of their terms.
 constexpr double error_of_3 = (7.0 + 56.0 * unit_roundoff) * unit_roundoff;
 constexpr double error_of_2 = (3.0 + 16.0 * unit_roundoff) * unit_roundoff;
-// Below it products may have lost digits at the small end of the numbers, which those bounds do not count.
-constexpr double smallest_sum = 1e-200;
+// Smallest sum for which these bounds hold. Products below it may have lost digits to underflow.
+constexpr double min_sum = 1e-200;
 
-int sign_of(double value) { return (value > 0.0) - (value < 0.0); }
+int sign(double value) { return (value > 0.0) - (value < 0.0); }
 
 bool is_certain(double determinant, double error, double sum_of_sizes) {
-  return sum_of_sizes > smallest_sum && std::abs(determinant) > error * sum_of_sizes;
+  return sum_of_sizes > min_sum && std::abs(determinant) > error * sum_of_sizes;
 }
 
-/// Rational numbers: every double is one.
+/// Rational coordinates. Every double is a rational number.
 using Exact = std::array<mpq_class, 3>;
 
 Exact difference(const sim::Vec3& a, const sim::Vec3& b) {
@@ -224,11 +223,11 @@ bool is_exactly_comparable(const Vec3& point) {
 }
 
 std::optional<Vec3> crossing_place(const Corners& a, const Corners& b) {
-  const Vec3 from = middle_of(b), to = middle_of(a);
+  const Vec3 from = centroid(b), to = centroid(a);
   if (are_far_apart(0.5 * (from + to), to - from, a, b)) return std::nullopt;
-  const SidesOfCorners of_b = sides_of(a, b);
+  const SidesOfCorners of_b = orientation_signs(a, b);
   if (are_one(of_b)) return std::nullopt;
-  const SidesOfCorners of_a = sides_of(b, a);
+  const SidesOfCorners of_a = orientation_signs(b, a);
   if (are_one(of_a)) return std::nullopt;
   const std::optional<Vec3> place = first_place_along_edges(a, of_a, b);
   return place ? place : first_place_along_edges(b, of_b, a);
@@ -237,11 +236,11 @@ std::optional<Vec3> crossing_place(const Corners& a, const Corners& b) {
 std::optional<Vec3> crossing_place_beside_vertex(const Corners& a, const Corners& b) {
   const Vec3 axis = glm::normalize(inwards(a)) - glm::normalize(inwards(b));
   if (are_far_apart(a[0], axis, std::span(a).subspan(1), std::span(b).subspan(1))) return std::nullopt;
-  const SidesOfEnds of_b = sides_of(a, b[1], b[2]);
+  const SidesOfEnds of_b = orientation_signs(a, b[1], b[2]);
   if (of_b.are_one()) return std::nullopt;
-  // In one plane nothing is on a side, and to find that out is dear. Without area, `a` has none to be asked
-  // for.
-  const SidesOfEnds of_a = of_b.are_none() ? SidesOfEnds{0, 0} : sides_of(b, a[1], a[2]);
+  // Triangles in one plane have no sides, which exact signs are slow to find out. A triangle `a` without area needs
+  // none.
+  const SidesOfEnds of_a = of_b.are_none() ? SidesOfEnds{0, 0} : orientation_signs(b, a[1], a[2]);
   if (of_a.are_one()) return std::nullopt;
   const std::optional<Vec3> place = place_opposite(a, of_a, b);
   return place ? place : place_opposite(b, of_b, a);
@@ -257,7 +256,7 @@ std::optional<Vec3> crossing_place_beside_edge(const Corners& a, const Corners& 
     is_folded =
         is_folded || orientation_without(axis, a[0], a[1], a[2]) * orientation_without(axis, b[0], b[1], b[2]) > 0;
   }
-  // Without area both are segments along the line of the edge.
+  // Triangles without area are segments along the line of the edge.
   if (is_folded || reaches_beyond_edge(a, b) || reaches_beyond_edge(b, a)) return 0.5 * (a[0] + a[1]);
   return std::nullopt;
 }
@@ -267,13 +266,13 @@ int orientation(const sim::Vec3& a, const sim::Vec3& b, const sim::Vec3& c, cons
   double determinant = 0.0, sum_of_sizes = 0.0;
   for (int k = 0; k < 3; ++k) {
     const int i = (k + 1) % 3, j = (k + 2) % 3;
-    // Cloth that begins flat, along two of the axes, is not worth long numbers.
+    // Cloth that begins flat, along two of the axes, needs no rational numbers.
     if (u[k] == 0.0 && v[k] == 0.0 && w[k] == 0.0) return 0;
     const double plus = v[i] * w[j], minus = v[j] * w[i];
     determinant += u[k] * (plus - minus);
     sum_of_sizes += std::abs(u[k]) * (std::abs(plus) + std::abs(minus));
   }
-  return is_certain(determinant, error_of_3, sum_of_sizes) ? sign_of(determinant) : exact_orientation(a, b, c, d);
+  return is_certain(determinant, error_of_3, sum_of_sizes) ? sign(determinant) : exact_orientation(a, b, c, d);
 }
 
 int orientation(const sim::Vec2& a, const sim::Vec2& b, const sim::Vec2& c) {
@@ -281,7 +280,7 @@ int orientation(const sim::Vec2& a, const sim::Vec2& b, const sim::Vec2& c) {
   if ((u.x == 0.0 || v.y == 0.0) && (u.y == 0.0 || v.x == 0.0)) return 0;
   const double plus = u.x * v.y, minus = u.y * v.x;
   const double determinant = plus - minus;
-  return is_certain(determinant, error_of_2, std::abs(plus) + std::abs(minus)) ? sign_of(determinant)
+  return is_certain(determinant, error_of_2, std::abs(plus) + std::abs(minus)) ? sign(determinant)
                                                                                : exact_orientation(a, b, c);
 }
 

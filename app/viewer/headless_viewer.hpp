@@ -8,21 +8,21 @@ namespace taut::app {
 /// The viewer without a window. It plays sessions and draws what the window would show.
 class HeadlessViewer {
  public:
-  /// `backend` is as in renderer::create_context. Throws InputError if the garment cannot be loaded;
+  /// `backend`: see renderer::create_context. Throws InputError if the garment cannot be loaded;
   /// renderer::ContextError.
   HeadlessViewer(const DrawnScene& scene, const SessionStart& start, const std::filesystem::path& keep_folder,
                  const std::string& backend);
 
-  /// Plays one frame of a session. It is drawn only if a screenshot or a recording needs it. Throws
-  /// InputError if the state differs from the one the session expects, with both hashes; Interrupted.
+  /// Plays one frame of a session, and draws it only if a screenshot or a recording needs it. Throws InputError with
+  /// both hashes if the state differs from the session's expected state; Interrupted.
   SessionFrame play(const SessionFrame& frame);
   /// Draws the whole window at best quality. Width and height must not be 0.
   renderer::Image draw();
-  /// Draws the scene alone, as screenshots and recordings do.
+  /// Draws only the scene, for screenshots and recordings.
   renderer::Image draw_scene();
 
   Viewer& viewer() { return viewer_; }
-  /// Hash of the newest state of the simulation.
+  /// Returns the hash of the simulation's newest state.
   std::uint64_t state_hash() { return simulation_.state_hash(); }
   const std::string& gl_renderer() { return context_->renderer(); }
 

@@ -3,7 +3,7 @@
 #include "app/base/files.hpp"
 #include "app/base/words.hpp"
 #include "app/drawing/framing.hpp"
-#include "app/models/import_process.hpp"
+#include "app/models/reading/import_process.hpp"
 #include "renderer/page/png.hpp"
 
 namespace taut::app {
@@ -11,10 +11,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// H.264 wants even sides.
-int even(int side_px) { return std::max(side_px / 2 * 2, 2); }
+// H.264 needs even width and height.
+int round_to_even(int side_px) { return std::max(side_px / 2 * 2, 2); }
 
-renderer::Image cropped(const renderer::Image& image, int width_px, int height_px) {
+renderer::Image crop(const renderer::Image& image, int width_px, int height_px) {
   if (image.width_px == width_px && image.height_px == height_px) return image;
   renderer::Image part = renderer::make_image(width_px, height_px);
   for (int y = 0; y < height_px; ++y) {
@@ -37,14 +37,14 @@ std::vector<PinSelector> numbered_in_file(const std::vector<sim::Index>& pins, c
   return numbers;
 }
 
-sim::Surroundings surroundings_of(const ViewerState& state) {
-  return settled(state.scene.surroundings, *state.shown->loaded);
+sim::Surroundings make_surroundings(const ViewerState& state) {
+  return settle_surroundings(state.scene.surroundings, *state.shown->loaded);
 }
 
 }  // namespace
 
 DrawnScene kept_scene(const ViewerState& state, const ViewArea& area) {
-  constexpr int smallest_side_px = 16;
+  constexpr int min_side_px = 16;
   DrawnScene scene = state.scene;
   const Snapshot& shown = *state.shown;
   const std::vector<sim::Index>& pins = *shown.pins;
@@ -55,27 +55,27 @@ DrawnScene kept_scene(const ViewerState& state, const ViewArea& area) {
   scene.camera.framing.vertical_fov_rad = camera.vertical_fov_rad;
   scene.frames = std::max(1, shown.record.frame);
   if (!scene.checkpoint.empty()) scene.checkpoint = fs::absolute(scene.checkpoint);
-  scene.picture.settings.width_px = std::max(area.width_px, smallest_side_px);
-  scene.picture.settings.height_px = std::max(area.height_px, smallest_side_px);
+  scene.picture.settings.width_px = std::max(area.width_px, min_side_px);
+  scene.picture.settings.height_px = std::max(area.height_px, min_side_px);
   return scene;
 }
 
 bool is_pristine(const ViewerState& state) {
   const Snapshot& shown = *state.shown;
   return shown.pristine && shown.settings == simulation_settings(state.scene.simulation) &&
-         shown.garment->material == state.scene.material && shown.surroundings == surroundings_of(state);
+         shown.garment->material == state.scene.material && shown.surroundings == make_surroundings(state);
 }
 
 RunCheckpoint kept_moment(const ViewerState& state, const DrawnScene& kept) {
-  const sim::Simulation simulation = gone_on_from(*state.shown, simulation_settings(state.scene.simulation),
-                                                  state.scene.material, surroundings_of(state));
+  const sim::Simulation simulation = continue_from(*state.shown, simulation_settings(state.scene.simulation),
+                                                   state.scene.material, make_surroundings(state));
   return {
       kept.name, scene_text(kept), state.shown->record.frame, {}, sim::encode(simulation.save(), simulation.garment())};
 }
 
 WindowRecorder::WindowRecorder(const fs::path& folder, const std::string& stem, int width_px, int height_px)
-    : file_(free_name(folder, stem, ".mp4")), width_px_(even(width_px)), height_px_(even(height_px)) {
-  prepare_folder_of(file_);
+    : file_(free_name(folder, stem, ".mp4")), width_px_(round_to_even(width_px)), height_px_(round_to_even(height_px)) {
+  prepare_parent_folder(file_);
   video_ = std::make_unique<VideoWriter>(file_, VideoSettings{width_px_, height_px_, rate_hz, true});
 }
 
@@ -83,14 +83,14 @@ void WindowRecorder::add(const renderer::Image& picture, double elapsed_s) {
   if (picture.width_px < width_px_ || picture.height_px < height_px_) {
     throw std::invalid_argument("the picture has become smaller than the recording");
   }
-  const renderer::Image part = cropped(picture, width_px_, height_px_);
+  const renderer::Image part = crop(picture, width_px_, height_px_);
   owed_s_ += frames_ == 0 ? 1.0 / rate_hz : std::min(elapsed_s, 1.0);
   for (; owed_s_ >= 1.0 / rate_hz; owed_s_ -= 1.0 / rate_hz, ++frames_) video_->add(part);
 }
 
 std::string WindowRecorder::finish() {
   video_->finish();
-  return fmt::format("wrote {}, {}", file_.string(), counted(frames_, "frame"));
+  return fmt::format("wrote {}, {}", file_.string(), count_text(frames_, "frame"));
 }
 
 using renderer::PointerButton;
@@ -110,7 +110,7 @@ void Hands::press(const Pointer& pointer, const ViewArea& area, const ViewerStat
                   std::vector<SimulationCommand>& commands) {
   const bool was_drawn = seen_ && seen_->loaded == pointed_at(state).loaded;
   const Snapshot& seen = was_drawn ? *seen_ : pointed_at(state);
-  const auto picked = cloth_under(pointer.place_px, area, state, seen);
+  const auto picked = cloth_under(pointer.position_px, area, state, seen);
   const bool is_past = state.shown != state.newest;
   if (!picked || is_past) {
     is_turning_ = true;
@@ -128,7 +128,7 @@ void Hands::press(const Pointer& pointer, const ViewArea& area, const ViewerStat
 void Hands::pull(const Pointer& pointer, const ViewArea& area, const ViewerState& state,
                  std::vector<SimulationCommand>& commands) {
   const auto point =
-      drag_point(state.camera.ray_through(pointer.place_px, area), hold_->through, state.camera.camera());
+      drag_point(state.camera.ray_through(pointer.position_px, area), hold_->through, state.camera.camera());
   if (point && *point + hold_->to_vertex != hold_->grip.target_m) {
     hold_->grip.target_m = *point + hold_->to_vertex;
     commands.emplace_back(TakeHold{hold_->grip});
@@ -137,10 +137,10 @@ void Hands::pull(const Pointer& pointer, const ViewArea& area, const ViewerState
 
 void Hands::update(const Pointer& pointer, bool is_free, const ViewArea& area, ViewerState& state,
                    std::vector<SimulationCommand>& commands) {
-  if (is_free && area.contains(pointer.place_px)) {
+  if (is_free && area.contains(pointer.position_px)) {
     if (pointer.was_pressed(PointerButton::left)) press(pointer, area, state, commands);
     is_moving_ = is_moving_ || pointer.was_pressed(PointerButton::right) || pointer.was_pressed(PointerButton::middle);
-    if (pointer.notches != 0.0F) state.camera.zoom(pointer.notches, pointer.place_px, area);
+    if (pointer.notches != 0.0F) state.camera.zoom(pointer.notches, pointer.position_px, area);
   }
   if (!pointer.is_down(PointerButton::left)) {
     if (hold_) commands.emplace_back(LetGo{});
@@ -148,8 +148,8 @@ void Hands::update(const Pointer& pointer, bool is_free, const ViewArea& area, V
     is_turning_ = false;
   }
   is_moving_ = is_moving_ && (pointer.is_down(PointerButton::right) || pointer.is_down(PointerButton::middle));
-  if (is_turning_) state.camera.orbit(pointer.way_px, area);
-  if (is_moving_) state.camera.pan(pointer.way_px, area);
+  if (is_turning_) state.camera.orbit(pointer.movement_px, area);
+  if (is_moving_) state.camera.pan(pointer.movement_px, area);
   if (hold_) pull(pointer, area, state, commands);
 }
 
@@ -157,7 +157,7 @@ namespace {
 
 namespace keys = renderer::keys;
 
-// Free border around the garment as it begins, share of the picture: wind and hands move it.
+// Fraction of the picture that stays free around the garment at its start, because wind and hands move it.
 constexpr float window_margin = 0.16F;
 
 bool is_down(const std::set<int>& down, int one, int other) { return down.contains(one) || down.contains(other); }
@@ -179,7 +179,7 @@ Viewer::Viewer(SimulationHost& simulation, const ViewerSettings& settings)
   note_snapshot(simulation_.begin_frame(0.0, std::nullopt));
 }
 
-// Nobody waits for them, unless the picture may depend on the input alone.
+// Takes the thumbnails over once they are loaded. Waits for them only if the picture must depend on the input alone.
 void Viewer::take_thumbnails() {
   const bool waits = !state_.measurements.shows_times;
   if (!thumbnails_.valid()) return;
@@ -199,7 +199,7 @@ SessionFrame Viewer::update(SessionFrame frame) {
   elapsed_s_ = frame.elapsed_s;
   pointer_.pressed = {};
   pointer_.notches = 0.0F;
-  pointer_.way_px = {0.0F, 0.0F};
+  pointer_.movement_px = {0.0F, 0.0F};
   for (const SessionEvent& event : frame.events) take(event);
 
   const std::uint64_t advances_before = state_.newest->advances;
@@ -211,7 +211,7 @@ SessionFrame Viewer::update(SessionFrame frame) {
   lay_out(state_, layout());
   hands_.update(pointer_over_one(), !interface_.wants_pointer(), area_of_one(), state_, commands_);
   state_.held = hands_.held();
-  hands_.note_seen(state_.at_compared && state_.shown->compared ? state_.shown->compared : state_.shown);
+  hands_.note_seen(state_.is_over_second && state_.shown->compared ? state_.shown->compared : state_.shown);
   perform_asked();
   load_asked();
   collect_settings();
@@ -240,13 +240,13 @@ void Viewer::take(const renderer::WindowEvent& event) {
   interface_.feed(event);
   if (const auto* moved = std::get_if<renderer::PointerMoved>(&event)) {
     const glm::vec2 place{moved->x_px, moved->y_px};
-    pointer_.way_px += place - pointer_.place_px;
-    pointer_.place_px = place;
+    pointer_.movement_px += place - pointer_.position_px;
+    pointer_.position_px = place;
   } else if (const auto* button = std::get_if<renderer::ButtonChanged>(&event)) {
     const auto index = static_cast<std::size_t>(button->button);
     if (button->down && !pointer_.down[index]) {
       pointer_.pressed[index] = true;
-      pointer_.way_px = {0.0F, 0.0F};  // the way to what is dragged is no drag
+      pointer_.movement_px = {0.0F, 0.0F};  // a drag begins here, so earlier movement does not count
     }
     pointer_.down[index] = button->down;
   } else if (const auto* wheel = std::get_if<renderer::WheelTurned>(&event)) {
@@ -306,7 +306,7 @@ void Viewer::adopt_scene() {
   state_.measurements.forget();
 }
 
-// Fitted to the garment as it begins, with room for what comes.
+// Returns a camera that fits the garment at its start, with space for its motion.
 renderer::Camera Viewer::first_camera() const {
   const LoadedScene& loaded = *state_.newest->loaded;
   const ViewArea area = area_of_one();
@@ -323,16 +323,17 @@ renderer::Camera Viewer::first_camera() const {
   return scene_camera(scene, expected_reach(scene, *loaded.garment, loaded.pins), area.aspect());
 }
 
-// The window may have missed some frames, or time has gone back; the plots must not show it.
+// Adds the measurements of all new frames, because the window may have missed some. After a return to an earlier frame
+// the plots start again.
 void Viewer::note_measurements() {
   const int newest = state_.newest->record.frame;
-  constexpr int most = static_cast<int>(RecentValues::most);
+  constexpr int max_values = static_cast<int>(RecentValues::max_count);
   int first = noted_frame_ ? *noted_frame_ + 1 : newest;
   if (noted_frame_ && newest < *noted_frame_) {
     state_.measurements.forget();
     first = first_frame_in_reach(*state_.newest);
   }
-  for (int frame = std::max(first, newest - most); frame <= newest; ++frame) {
+  for (int frame = std::max(first, newest - max_values); frame <= newest; ++frame) {
     state_.measurements.add(simulation_.past_frame(state_.newest, frame)->record);
   }
   noted_frame_ = newest;
@@ -354,7 +355,7 @@ SnapshotPtr Viewer::within_present_bound(const SnapshotPtr& past) {
   past_bound_ = solver;
   if (solver != past->settings.solver) {
     const sim::Simulation simulation =
-        gone_on_from(*past, simulation_settings(state_.scene.simulation), past->garment->material, past->surroundings);
+        continue_from(*past, simulation_settings(state_.scene.simulation), past->garment->material, past->surroundings);
     Snapshot snapshot = *past;
     measure_stretches(simulation, snapshot.record);
     snapshot.checkpoint = std::make_shared<const sim::Checkpoint>(simulation.save());
@@ -373,9 +374,9 @@ void Viewer::note_speed(std::uint64_t advances_before) {
   real_time.add(elapsed_s_, advances / state_.scene.simulation.frame_rate_hz, busy_s, pictures);
 }
 
-// Where two are compared, each has its own label.
+// Two compared garments have labels of their own instead.
 void Viewer::warn() {
-  state_.warning = compared(state_) != nullptr ? ""
+  state_.warning = compared_garment(state_) != nullptr ? ""
                    : state_.newest->stopped && !state_.past_frame
                        ? "the simulation has stopped: R, any other setting or another scene starts again"
                        : lost_cloth(state_.shown->positions(), state_.shown->loaded->garment->mesh.triangles,
@@ -398,7 +399,7 @@ void Viewer::collect_settings() {
   }
 }
 
-// The panel shows the effect of input one frame later, so it has to settle before it is still.
+// Counts frames without change. The panel shows the effect of input one frame later, so it needs some frames to settle.
 void Viewer::note_changes(const SessionFrame& frame) {
   for (Message& message : state_.messages) message.left_s -= frame.elapsed_s;
   const std::size_t gone = std::erase_if(state_.messages, [](const Message& message) { return message.left_s <= 0.0; });

@@ -4,8 +4,8 @@
 
 #include "app/caches/frame_sink.hpp"
 #include "app/frame_loop.hpp"
-#include "app/output/run_checkpoint.hpp"
 #include "app/output/video_writer.hpp"
+#include "app/runs/run_checkpoint.hpp"
 #include "app/viewer/panel/panel.hpp"
 #include "app/viewer/panel/user_interface.hpp"
 #include "app/viewer/simulation/simulation_host.hpp"
@@ -13,30 +13,28 @@
 
 namespace taut::app {
 
-/// The scene as it is set now, for saving: settings, camera and look, with the pins and the frame that are
-/// shown.
+/// Returns the scene for saving: present settings, camera and style, with the pins and the frame that are shown.
 DrawnScene kept_scene(const ViewerState& state, const ViewArea& area);
 
-/// Whether running the scene from its start gives what is shown. That is so if nobody pulled and no setting
-/// changed.
+/// Returns true if running the scene from its start gives the shown state: nobody pulled and no setting changed.
 bool is_pristine(const ViewerState& state);
 
-/// The state that is shown, for start.checkpoint of the kept scene. It holds no hand.
+/// Returns the shown state without a hand, for start.checkpoint of the kept scene.
 RunCheckpoint kept_moment(const ViewerState& state, const DrawnScene& kept);
 
-/// Writes what the scene shows to a video, in real time.
+/// Writes the scene's pictures to a video, in real time.
 class WindowRecorder {
  public:
-  /// The file's name is that of free_name(). Throws InputError if it cannot be written.
+  /// Makes a file with a name of free_name(). Throws InputError if it cannot be written.
   WindowRecorder(const std::filesystem::path& folder, const std::string& stem, int width_px, int height_px);
 
-  /// Adds the picture as often as `elapsed_s` at rate_hz requires; that may be never. Throws InputError;
+  /// Adds the picture as often as `elapsed_s` at rate_hz requires, which may be never. Throws InputError;
   /// std::invalid_argument if the picture has another size.
   void add(const renderer::Image& picture, double elapsed_s);
-  /// Completes the video. Returns what was written, for people.
+  /// Completes the video and returns a message about it.
   std::string finish();
 
-  /// Pictures per second.
+  /// pictures per second
   static constexpr double rate_hz = 30.0;
 
  private:
@@ -50,11 +48,11 @@ class WindowRecorder {
 
 /// The pointer in one frame of the window.
 struct Pointer {
-  glm::vec2 place_px{-1.0F};      ///< position, from the upper left corner of the garment's area
-  glm::vec2 way_px{0.0F};         ///< movement since the frame before, or since a button went down in this frame
-  std::array<bool, 3> down{};     ///< whether a button is down, indexed by renderer::PointerButton
-  std::array<bool, 3> pressed{};  ///< whether it went down in this frame
-  float notches = 0.0F;           ///< of the wheel, positive away from the user
+  glm::vec2 position_px{-1.0F};   ///< position, from the upper left corner of the garment's area
+  glm::vec2 movement_px{0.0F};    ///< movement since the frame before, or since a button went down in this frame
+  std::array<bool, 3> down{};     ///< buttons that are down, indexed by renderer::PointerButton
+  std::array<bool, 3> pressed{};  ///< buttons that went down in this frame
+  float notches = 0.0F;           ///< notches of the wheel, positive away from the user
 
   bool is_down(renderer::PointerButton button) const { return down[static_cast<std::size_t>(button)]; }
   bool was_pressed(renderer::PointerButton button) const { return pressed[static_cast<std::size_t>(button)]; }
@@ -63,27 +61,27 @@ struct Pointer {
 /// The pointer in the scene: it turns, moves and zooms the view, and pulls the cloth.
 class Hands {
  public:
-  /// Handles one frame of the window. `is_free` is true if the panel does not use the pointer. Appends
-  /// commands for the simulation to `commands`.
+  /// Handles one frame of the window. `is_free`: the panel does not use the pointer. Appends commands for the
+  /// simulation to `commands`.
   void update(const Pointer& pointer, bool is_free, const ViewArea& area, ViewerState& state,
               std::vector<SimulationCommand>& commands);
 
-  /// Notes the garment that is drawn now: the next press is meant for what it shows, however far cloth gets meanwhile.
+  /// Stores the drawn snapshot. The next press selects cloth in it, even if the cloth has moved since.
   void note_seen(const SnapshotPtr& seen) { seen_ = seen; }
 
-  /// Lets go without a command. Call it when the garment has been replaced.
+  /// Releases the cloth without a command. Call it when the garment has been replaced.
   void drop() { hold_.reset(); }
 
-  /// Whether the pointer turns or moves the view, or holds cloth.
+  /// Returns true if the pointer turns or moves the view, or holds cloth.
   bool is_busy() const { return is_turning_ || is_moving_ || hold_.has_value(); }
-  /// The cloth that the pointer holds; empty if it holds nothing.
+  /// Returns the cloth that the pointer holds; empty if it holds nothing.
   std::optional<HeldCloth> held() const;
 
  private:
   struct Hold {
     Grip grip;
-    glm::dvec3 through{0.0};    ///< point in metres of the plane that the hand moves in
-    glm::dvec3 to_vertex{0.0};  ///< from the picked point to the vertex, in metres
+    glm::dvec3 through{0.0};    ///< point in metres of the plane in which the hand moves
+    glm::dvec3 to_vertex{0.0};  ///< vector from the picked point to the vertex, in metres
   };
 
   void press(const Pointer& pointer, const ViewArea& area, const ViewerState& state,
@@ -97,57 +95,56 @@ class Hands {
   SnapshotPtr seen_;
 };
 
-/// The point of the cloth that is pointed at under a pixel of its area; empty if there is none.
+/// Returns the point of the pointed-at garment under a pixel of its area; empty if there is none.
 std::optional<PickedPoint> cloth_under(const glm::vec2& place_px, const ViewArea& area, const ViewerState& state,
                                        const Snapshot& garment);
 
-/// How a viewer begins.
+/// Settings of a viewer at its start.
 struct ViewerSettings {
-  renderer::Resized size;                        ///< of the window
-  double scale = 1.0;                            ///< of the display
-  std::filesystem::path keep_folder = ".";       ///< for screenshots, videos and saved scenes
-  std::optional<sim::SolverKind> compared_with;  ///< of a second garment beside the first; empty: none
+  renderer::Resized size;                        ///< window size
+  double scale = 1.0;                            ///< scale of the display
+  std::filesystem::path keep_folder = ".";       ///< folder for screenshots, videos and saved scenes
+  std::optional<sim::SolverKind> compared_with;  ///< solver of a second garment beside the first; empty: none
   bool shows_times = true;  ///< false: the picture depends only on the input, not on measured times
 };
 
-/// The viewer without window and OpenGL. Input goes in frame by frame. Out come commands for the simulation,
-/// a state to draw, and the triangles of the panel. Failures become messages on the screen.
+/// The viewer without window and OpenGL. It turns the input of each frame into commands for the simulation, a state to
+/// draw and the triangles of the panel. Failures become messages on the screen.
 class Viewer {
  public:
-  /// `simulation` has to outlive the viewer.
+  /// `simulation` must outlive the viewer.
   Viewer(SimulationHost& simulation, const ViewerSettings& settings);
 
-  /// Handles one frame of the window. Returns it with the pace it had, so that it can be recorded. Throws
-  /// InputError if it has a pace that cannot be followed, or if it points at an item that does not exist.
+  /// Handles one frame of the window and returns it with its pace, for recording. Throws InputError if its pace cannot
+  /// be followed, or if it points at an item that does not exist.
   SessionFrame update(SessionFrame frame);
 
-  // Both are those of the last frame.
+  // State and overlay of the last frame.
   const ViewerState& state() const { return state_; }
   const renderer::OverlayView& overlay() const { return interface_.overlay(); }
-  /// The part of the overlay that belongs in a picture of the scene: the legends.
+  /// Returns the part of the overlay that belongs in a picture of the scene: the legends.
   const renderer::OverlayView& picture_overlay() const { return interface_.picture_overlay(); }
   UserInterface::Letters letters() const { return interface_.letters(); }
   WindowLayout layout() const;
-  /// Whether nothing visible changed in this frame or will change in the next one.
+  /// Returns true if nothing visible changed in this frame or will change in the next one.
   bool is_still() const { return still_frames_ > 2; }
 
-  /// Whether there was input in one of the last frames. The panel shows the effect of input one frame later.
+  /// Returns true if one of the last frames had input. The panel shows the effect of input one frame later.
   bool has_input() const { return frames_since_input_ <= 2; }
 
-  /// Whether the user has asked to quit.
+  /// Returns true if the user has asked to quit.
   bool is_ended() const { return is_ended_; }
 
-  /// Whether take_picture() has to be called, for a screenshot or a recording.
+  /// Returns true if take_picture() must be called, for a screenshot or a recording.
   bool wants_picture() const { return screenshot_ || recorder_; }
   bool wants_screenshot() const { return screenshot_; }
-  /// Takes a picture of the scene, with its legends.
+  /// Takes a picture of the scene with its legends, for the screenshot or recording.
   void take_picture(const renderer::Image& picture);
-  /// Takes measured times, for display. `draw_ms` and `panel_ms` belong to this frame. `simulate_ms` is
-  /// processor time of the last simulated frame. `busy_s` is the processor time that this program used since
-  /// the last call, divided by the number of processors.
+  /// Stores measured times for display. `draw_ms` and `panel_ms` belong to this frame. `simulate_ms`: CPU time of the
+  /// last simulated frame. `busy_s`: CPU time of this program since the last call, divided by the number of processors.
   void note_times(double draw_ms, double panel_ms, double simulate_ms, double busy_s);
   void tell(const std::string& text, bool is_error) { app::tell(state_, text, is_error); }
-  /// Completes the recording, where there is one. Returns what was written, which is also shown as a message.
+  /// Completes a recording. Returns the message about it, which is also shown.
   std::optional<std::string> finish_recording();
 
  private:
@@ -164,8 +161,7 @@ class Viewer {
   SnapshotPtr within_present_bound(const SnapshotPtr& past);
 
   void perform(Action action);
-  /// Says what goes wrong in some work, but for an interruption, which it throws. Returns that; empty:
-  /// nothing.
+  /// Does some work and shows its error as a message. Returns the error, or an empty text. Throws only Interrupted.
   std::string attempt(const std::function<void()>& work);
   void perform_asked();
   void pause(bool paused);
@@ -174,7 +170,7 @@ class Viewer {
   void turn_wind(double by_rad);
   void toggle_pin();
   void show_whole_garment();
-  void see_from(const Side& side);
+  void see_from(const ViewSide& side);
   void start_or_stop_recording();
   void save_scene();
   void export_shape();
@@ -197,32 +193,31 @@ class Viewer {
   Pointer pointer_;
   std::set<int> keys_down_;
   std::vector<SimulationCommand> commands_;
-  // As the simulation was told.
+  // Settings that the simulation has.
   ChangeSettings told_;
   double told_speed_ = 1.0;
   std::optional<sim::SolverKind> told_compared_;
   std::uint64_t told_notice_ = 0;
   std::optional<int> noted_frame_;
-  // A frame of the past, as it is shown under a bound that was set since.
+  // A past frame, and how it looks under the bound that was set since.
   SnapshotPtr past_;
   SnapshotPtr past_within_bound_;
   sim::SolverSettings past_bound_;
 
   double elapsed_s_ = 0.0;
   double busy_s_ = 0.0;  ///< all processors, since the last frame
-  int pictures_ = 0;     ///< since the last frame
+  int pictures_ = 0;     ///< pictures since the last frame
   int still_frames_ = 0;
   int frames_since_input_ = 0;
   bool screenshot_ = false;
   bool is_ended_ = false;
-  std::optional<DrawnScene> opened_;  ///< the scene as it was opened; empty: it is being opened
+  std::optional<DrawnScene> opened_;  ///< scene as it was opened; empty: it is being opened
   std::optional<WindowRecorder> recorder_;
-  std::future<TextureImage> thumbnails_;  ///< until they are there
+  std::future<TextureImage> thumbnails_;  ///< valid until they are taken over
 };
 
-/// Opens a window and returns when the user closes it. All input is recorded to `record_to` unless that is
-/// empty. Throws renderer::ContextError without a display or OpenGL, InputError if a file cannot be written,
-/// Interrupted.
+/// Opens a window and returns when the user closes it. Records all input to `record_to` unless it is empty. Throws
+/// renderer::ContextError without a display or OpenGL, InputError if a file cannot be written, Interrupted.
 void view_in_window(const DrawnScene& scene, const SessionStart& start, const std::filesystem::path& keep_folder,
                     const std::filesystem::path& record_to);
 

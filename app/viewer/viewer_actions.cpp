@@ -1,8 +1,8 @@
 #include "app/bodies/body_loading.hpp"
 #include "app/drawing/framing.hpp"
-#include "app/models/hanger.hpp"
+#include "app/garments/sewing/sewing.hpp"
+#include "app/models/hanging/hanger.hpp"
 #include "app/output/picture_record.hpp"
-#include "app/sewing/sewing.hpp"
 #include "app/viewer/viewer.hpp"
 
 // Actions of the viewer's keys and buttons.
@@ -16,14 +16,14 @@ using renderer::PointerButton;
 constexpr double wind_step_m_per_s = 0.5;
 constexpr double turn_step_rad = 0.08726646259971647;  // 5 degrees
 
-/// Of tshirt_10600 and tshirt_5280 the same: cuts of one garment, which has the same seams to hang from.
-std::filesystem::path kind_of(const std::filesystem::path& file) {
+/// Returns the same name for tshirt_10600 and tshirt_5280: both are the same garment, with the same seams to hang from.
+std::filesystem::path file_kind(const std::filesystem::path& file) {
   const std::string stem = file.stem().string();
   return file.parent_path() / stem.substr(0, stem.find('_'));
 }
 
 void take_garment(const std::filesystem::path& file, DrawnScene& scene) {
-  if (kind_of(scene.garment.file) != kind_of(file)) {
+  if (file_kind(scene.garment.file) != file_kind(file)) {
     scene.pins.reset();
     scene.camera = {};
     scene.picture.ground = {};
@@ -116,20 +116,21 @@ void Viewer::turn_wind(double by_rad) {
   direction = {c * direction.x + s * direction.z, direction.y, c * direction.z - s * direction.x};
 }
 
-// Both halves show the same place. A drag stays in the half that it began in.
+// Returns the pointer over its half of the scene; both halves show the same view. A drag stays in the half where it
+// began.
 Pointer Viewer::pointer_over_one() {
   const auto width_px = static_cast<float>(area_of_one().width_px);
   const auto drags = [&](PointerButton button) { return pointer_.is_down(button) && !pointer_.was_pressed(button); };
   if (!drags(PointerButton::left) && !drags(PointerButton::right) && !drags(PointerButton::middle)) {
-    state_.at_compared = compared(state_) != nullptr && pointer_.place_px.x >= width_px;
+    state_.is_over_second = compared_garment(state_) != nullptr && pointer_.position_px.x >= width_px;
   }
   Pointer over_one = pointer_;
-  over_one.place_px.x -= state_.at_compared ? width_px : 0.0F;
+  over_one.position_px.x -= state_.is_over_second ? width_px : 0.0F;
   return over_one;
 }
 
 void Viewer::toggle_pin() {
-  const auto picked = cloth_under(pointer_over_one().place_px, area_of_one(), state_, pointed_at(state_));
+  const auto picked = cloth_under(pointer_over_one().position_px, area_of_one(), state_, pointed_at(state_));
   if (state_.shown != state_.newest) {
     tell("this is past: Space goes on from here, then P pins", false);
   } else if (picked) {
@@ -141,13 +142,13 @@ void Viewer::toggle_pin() {
 
 void Viewer::show_whole_garment() {
   std::vector<sim::Vec3> positions = state_.shown->positions();
-  if (const Snapshot* second = compared(state_); second != nullptr && !second->stopped) {
+  if (const Snapshot* second = compared_garment(state_); second != nullptr && !second->stopped) {
     positions.insert(positions.end(), second->positions().begin(), second->positions().end());
   }
   state_.camera.fit(renderer::bounding_box(to_float(positions)), area_of_one());
 }
 
-void Viewer::see_from(const Side& side) {
+void Viewer::see_from(const ViewSide& side) {
   state_.camera.turn_to(glm::radians(static_cast<float>(side.azimuth_deg)),
                         glm::radians(static_cast<float>(side.elevation_deg)));
   show_whole_garment();
@@ -164,14 +165,14 @@ void Viewer::choose_fabric(const std::string& name) {
   }
 }
 
-// From a scene that is not among them, the first is the next.
+// Asks for the next or previous scene in the list. After a scene that is not in the list comes the first one.
 void Viewer::ask_for_scene_beside(std::ptrdiff_t by) {
   const auto count = std::ssize(state_.scenes);
   const auto own = std::ranges::find(state_.scenes, state_.scene.name, &Choice::name) - state_.scenes.begin();
   if (count > 0) state_.scene_asked = state_.scenes[static_cast<std::size_t>((own + by + count) % count)].name;
 }
 
-// Reads on this thread, which takes milliseconds; the garment is loaded by the simulation.
+// Reads scenes on this thread, which takes milliseconds. The simulation loads the garment.
 void Viewer::load_asked() {
   const std::optional<std::string> name = std::exchange(state_.scene_asked, std::nullopt);
   const auto garment = std::exchange(state_.garment_asked, std::nullopt);

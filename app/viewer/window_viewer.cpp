@@ -10,8 +10,8 @@ namespace {
 constexpr double frame_time_s = 1.0 / 60.0;
 // Pause between frames while nothing moves. It limits how late a signal is noticed or a message disappears.
 constexpr double rest_time_s = 0.1;
-// The scene must be still for this long before it is drawn at best quality. That takes time, and a hand that
-// only pauses should not have to wait for it.
+// Time that the scene must be still before it is drawn at best quality. Drawing takes time, and a hand that only pauses
+// should not wait for it.
 constexpr double until_best_s = 0.3;
 
 class WindowViewer {
@@ -44,7 +44,7 @@ class WindowViewer {
   }
 
  private:
-  // Nobody can see messages any more, but the terminal is there.
+  // Prints the result, because the window can no longer show messages.
   void finish() {
     if (const auto outcome = viewer_.finish_recording()) fmt::print("{}\n", *outcome);
     finish_record();
@@ -79,7 +79,7 @@ class WindowViewer {
     }
   }
 
-  // Until the next frame is due; as long as nothing moves, until something happens.
+  // Collects events until the next frame is due or, while nothing moves, until something happens.
   void gather_input() {
     const double until_due_s = std::max(frame_time_s - since_frame_.elapsed_ms() / 1000.0, quality_.rest_ms() / 1000.0);
     const bool rests = viewer_.is_still();
@@ -102,7 +102,7 @@ class WindowViewer {
     return elapsed_s;
   }
 
-  // Of all processors, by all threads of this program.
+  // Returns this program's CPU time since the last call, divided by the number of processors.
   double next_busy_s() {
     const double used_ms = std::exchange(used_, Stopwatch(CLOCK_PROCESS_CPUTIME_ID)).elapsed_ms();
     return 1e-3 * used_ms / std::max(std::thread::hardware_concurrency(), 1U);
@@ -136,7 +136,7 @@ class WindowViewer {
     }
   }
 
-  // The last line says what a replay has to end in.
+  // Records a last line with the final state that a replay must reach.
   void finish_record() {
     if (recorder_) {
       SessionFrame last = viewer_.update({{}, 0.0, std::nullopt, std::nullopt});
@@ -149,7 +149,7 @@ class WindowViewer {
 
   SimulationHost simulation_;
   std::string title_;
-  renderer::Window* window_ = nullptr;  ///< `context_`
+  renderer::Window* window_ = nullptr;  ///< owned by `context_`
   std::unique_ptr<renderer::Context> context_;
   ViewerPicture picture_;
   Viewer viewer_;
@@ -158,7 +158,7 @@ class WindowViewer {
   QualityControl quality_;
   Stopwatch since_frame_;
   Stopwatch used_{CLOCK_PROCESS_CPUTIME_ID};
-  Stopwatch since_change_;  ///< of anything that is drawn
+  Stopwatch since_change_;  ///< time since anything drawn has changed
   double panel_ms_ = 0.0;
 };
 

@@ -1,4 +1,4 @@
-// Makes the mannequins: closed surfaces with joints and weights, from published measurements.
+// Makes the mannequins from published measurements: closed surfaces with joints and weights.
 
 #include <cstdio>
 #include <exception>

@@ -10,9 +10,9 @@ namespace {
 using Handle = void*;
 using Procedure = void (*)();
 
-// Opens the first of these shared libraries that the dynamic linker finds and returns its handle. Throws
-// ContextError with the linker's reason for the first name. The library is never closed: Mesa leaves
-// thread-local destructors behind that run when the program ends.
+// Opens the first of these shared libraries that the dynamic linker finds and returns its handle. Throws ContextError
+// with the linker's reason for the first name. The library is never closed: Mesa leaves thread-local destructors behind
+// that run when the program ends.
 void* open_library(std::initializer_list<const char*> names) {
   std::string reason;
   for (const char* name : names) {
@@ -22,18 +22,18 @@ void* open_library(std::initializer_list<const char*> names) {
   throw ContextError(reason);
 }
 
-// Sets `function` to a function of an open library. Throws ContextError when it has none of that name.
+// Sets `function` to a function of an open library. Throws ContextError if the library has none of that name.
 template <typename Function> void find_function(void* library, const char* name, Function& function) {
   function = reinterpret_cast<Function>(dlsym(library, name));
   if (function == nullptr) throw ContextError(std::string("the library has no ") + name);
 }
 
-// Without any surface: Mesa's own rasteriser or a graphics card, whichever the system offers.
+// Context without a surface: Mesa's own rasteriser or a graphics card, whichever the system offers.
 class EglContext final : public Context {
  public:
   EglContext() {
     if (gladLoaderLoadEGL(EGL_NO_DISPLAY) == 0) throw ContextError("there is no libEGL.so.1");
-    // Before there is a display, only functions of EGL 1.0 are loaded.
+    // Only functions of EGL 1.0 are loaded before a display exists.
     const auto get_display = reinterpret_cast<PFNEGLGETPLATFORMDISPLAYPROC>(eglGetProcAddress("eglGetPlatformDisplay"));
     if (get_display != nullptr) display_ = get_display(EGL_PLATFORM_SURFACELESS_MESA, nullptr, nullptr);
     if (display_ == EGL_NO_DISPLAY || eglInitialize(display_, nullptr, nullptr) == EGL_FALSE ||
@@ -88,7 +88,7 @@ class EglContext final : public Context {
   EGLContext handle_ = EGL_NO_CONTEXT;
 };
 
-// From Mesa's <GL/osmesa.h>, which newer distributions no longer ship.
+// Values of Mesa's <GL/osmesa.h>, which newer distributions no longer ship.
 constexpr int osmesa_format = 0x22;
 constexpr int osmesa_depth_bits = 0x30;
 constexpr int osmesa_profile = 0x33;

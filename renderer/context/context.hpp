@@ -6,13 +6,12 @@ struct GladGLContext;  // <glad/gl.h>
 
 namespace taut::renderer {
 
-/// No context could be made, or OpenGL reported an error.
+/// Thrown if no context can be made or OpenGL reports an error.
 struct ContextError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// An OpenGL 3.3 core context and its functions. Pictures are drawn to framebuffer objects, so a context
-/// needs no window.
+/// OpenGL 3.3 core context and its functions. Pictures are drawn to framebuffer objects, so a context needs no window.
 class Context {
  public:
   virtual ~Context() = default;
@@ -41,12 +40,12 @@ class Context {
   std::string renderer_;
 };
 
-/// Returns the names create_context accepts besides "auto", in the order "auto" tries them.
+/// Returns the names that create_context accepts besides "auto", in the order "auto" tries them.
 std::vector<std::string> context_names();
 
-/// Returns a current context without a window. Needs no display. `name` is one of context_names(), or "auto"
-/// for the first that works. Throws ContextError with what was tried and why each failed, or with the known
-/// names when `name` is unknown.
+/// Returns a current context without a window. Needs no display. `name` is one of context_names(), or "auto" for the
+/// first that works. Throws ContextError with each attempt and its reason, or with the known names if `name` is
+/// unknown.
 std::unique_ptr<Context> create_context(std::string_view name = "auto");
 
 }  // namespace taut::renderer

@@ -4,8 +4,7 @@
 
 namespace taut::renderer {
 
-/// Key codes of GLFW. Printable keys have the ASCII code of the capital letter on a US keyboard; the others
-/// are below.
+/// Key codes of GLFW. Printable keys have the ASCII code of the capital letter on a US keyboard; others are below.
 namespace keys {
 inline constexpr int space = 32;
 inline constexpr int period = 46;
@@ -52,7 +51,7 @@ struct TextTyped {
   bool operator==(const TextTyped&) const = default;
 };
 
-/// The pointer moved. Framebuffer pixels from its upper left corner; beyond the window while a button is
+/// The pointer moved. Position in framebuffer pixels from the upper left corner; beyond the window while a button is
 /// down.
 struct PointerMoved {
   double x_px = 0.0;
@@ -107,7 +106,7 @@ using WindowEvent =
 struct WindowSettings {
   std::string title;
   int width = 1280;  ///< screen coordinates; equal to pixels unless the display is scaled
-  int height = 720;  ///< as width
+  int height = 720;  ///< see width
 };
 
 /// A window on the display, made with GLFW. GLFW is global: there may be one window at a time, and only the
@@ -122,10 +121,10 @@ class Window : public Context {
   /// Returns the events since the last call, oldest first. Waits up to timeout_s seconds for the first; 0
   /// does not wait.
   virtual std::vector<WindowEvent> wait_events(double timeout_s) = 0;
-  /// Swaps buffers: shows what was drawn to framebuffer 0. Waits for the display's refresh.
+  /// Shows framebuffer 0 by a swap of buffers. Waits for the display's refresh.
   virtual void present() = 0;
 
-  /// Returns whether the window's content was damaged since the last call and has to be presented again.
+  /// Returns whether the window's content was damaged since the last call and needs to be presented again.
   virtual bool take_damage() = 0;
 
   /// Returns whether the user has asked to close the window.
@@ -134,8 +133,7 @@ class Window : public Context {
   virtual void set_title(const std::string& title) = 0;
 };
 
-/// Opens a window with a current OpenGL 3.3 core context. Throws ContextError when there is no display or no
-/// such OpenGL.
+/// Opens a window with a current OpenGL 3.3 core context. Throws ContextError without a display or such an OpenGL.
 std::unique_ptr<Window> open_window(const WindowSettings& settings);
 
 }  // namespace taut::renderer

@@ -13,27 +13,26 @@ std::string hexadecimal(GLenum value) {
   return text;
 }
 
-// The names of samplers, by their units.
+// Names of samplers, by texture unit.
 constexpr std::array<const char*, unit_count> samplers = {
     "shadow_compare", "shadow_depth",  "ground_light",  "scalar_maps",  "drawn",  "visibility_buffer",
     "vertex_data",    "triangle_data", "material_data", "floor_shadow", "halved", "base_colour_maps",
     "corner_data",    "trim_data"};
 
-std::string_view text_of(std::span<const ShaderFile> files, std::string_view name) {
+std::string_view shader_text(std::span<const ShaderFile> files, std::string_view name) {
   for (const ShaderFile& file : files) {
     if (file.name == name) return file.text;
   }
   throw ShaderError("there is no shader file '" + std::string(name) + "'");
 }
 
-// The version stays the first line.
+// Inserts defines after the first line, which has to be the version.
 std::string with_defines(std::string_view text, std::string_view defines) {
   const std::size_t end = std::min(text.find('\n'), text.size() - 1) + 1;
   return std::string(text.substr(0, end)).append(defines).append("#line 2\n").append(text.substr(end));
 }
 
-// Drivers begin every line with the number of the source, 0: "0:12(5): error" (Mesa), "0(12) : error"
-// (NVIDIA).
+// Replaces the source number 0 with which drivers begin every line: "0:12(5): error" (Mesa), "0(12) : error" (NVIDIA).
 std::string with_file_name(const std::string& log, std::string_view name) {
   std::istringstream lines(log);
   std::string out;
@@ -73,7 +72,7 @@ struct Stage {
 
  private:
   void compile(std::span<const ShaderFile> files, std::string_view name, std::string_view defines) const {
-    const std::string source = with_defines(text_of(files, name), defines);
+    const std::string source = with_defines(shader_text(files, name), defines);
     const char* text = source.c_str();
     gl.ShaderSource(shader, 1, &text, nullptr);
     gl.CompileShader(shader);
@@ -85,25 +84,25 @@ struct Stage {
   }
 };
 
-// Tangent of half the angle under which the key light is seen: a large softbox. Larger gives
-// softer shadows and needs more taps against noise.
+// Tangent of half the visual angle of the key light: a large softbox. Higher values give softer shadows and need more
+// taps against noise.
 constexpr float key_softness = 0.10F;
-// Radius of the lit floor in units of the scene's radius. Smaller shows where the floor ends.
+// Radius of the lit floor in units of the scene's radius. With lower values the floor's end shows.
 constexpr float floor_radius = 9.0F;
-// Radius of the widest blur of a shadow, share of the map's side. Larger is softer far from what casts it,
-// and needs more taps against noise.
-constexpr float widest_blur = 40.0F / 2048.0F;
-// Taps on the floor for one on a surface: the floor's shadow has a fourth of the pixels.
-constexpr float floor_taps = 1.75F;
-// Texels of the shadow map for a drawn pixel of the picture's shorter side. More is sharper than the picture
+// Radius of the widest blur of a shadow, as a fraction of the map's side. Higher values are softer far from casters,
+// and need more taps against noise.
+constexpr float max_blur_fraction = 40.0F / 2048.0F;
+// Taps on the floor per tap on a surface: the floor's shadow has a fourth of the pixels.
+constexpr float floor_tap_factor = 1.75F;
+// Texels of the shadow map per drawn pixel of the picture's shorter side. Higher values are sharper than the picture
 // can show.
 constexpr float texels_for_pixel = 1.4F;
-// Less shows as dots in narrow penumbrae, however small the picture.
-constexpr int least_shadow_map_px = 1024;
-// Reach of the floor's light texture beyond the scene's radius, share of the scene's height above the floor:
-// a thing up high darkens a wider and fainter patch. Less cuts that patch off, more makes it coarser.
+// Smallest shadow map. Smaller ones show dots in narrow penumbrae, however small the picture.
+constexpr int min_shadow_map_px = 1024;
+// Reach of the floor's light texture beyond the scene's radius, as a fraction of the scene's height above the floor:
+// high objects darken a wider and fainter patch. Lower values cut that patch off, higher ones make it coarser.
 constexpr float light_reach = 1.5F;
-// Extent of the backdrop's gradient above the middle of the picture, share of the field of view.
+// Extent of the backdrop's gradient above the middle of the picture, as a fraction of the field of view.
 constexpr float gradient_extent = 0.65F;
 
 glm::vec4 light(const glm::vec3& towards, float strength) {
@@ -112,35 +111,35 @@ glm::vec4 light(const glm::vec3& towards, float strength) {
   return {unit, strength};
 }
 
-float radius_of(const Box& box) { return std::max(0.5F * glm::length(box.upper - box.lower), 1e-3F); }
+float bounding_radius(const Box& box) { return std::max(0.5F * glm::length(box.upper - box.lower), 1e-3F); }
 
-glm::vec3 middle_of(const Box& box) { return 0.5F * (box.lower + box.upper); }
+glm::vec3 box_middle(const Box& box) { return 0.5F * (box.lower + box.upper); }
 
 void set_shadow(FrameBlock& block, const PictureSettings& settings, const std::optional<Box>& casters,
-                float most_bulge_m) {
+                float max_bulge_m) {
   block.world_to_shadow = glm::mat4{1.0F};
   block.shadow = glm::vec4{1.0F, 1.0F, 1.0F, 0.0F};
   if (!casters || !settings.shadows) return;
   const glm::vec3 towards{block.towards_key};
   block.world_to_shadow = world_to_unit_cube(*casters, towards);
-  const float side_m = 2.0F * radius_of(*casters);
+  const float side_m = 2.0F * bounding_radius(*casters);
   const auto texels = static_cast<float>(shadow_map_side(settings));
   block.shadow = {side_m / texels, 1.0F / texels, side_m, key_softness};
   const auto taps = static_cast<float>(settings.shadow_taps);
-  block.shadow_blur = {widest_blur * texels, taps, floor_taps * taps, most_bulge_m};
+  block.shadow_blur = {max_blur_fraction * texels, taps, floor_tap_factor * taps, max_bulge_m};
 }
 
 void set_ground(FrameBlock& block, const FrameView& frame, const std::optional<Box>& casters) {
   const Box box = casters.value_or(Box{frame.camera.target - 1.0F, frame.camera.target + 1.0F});
-  const glm::vec3 middle = middle_of(box);
+  const glm::vec3 middle = box_middle(box);
   const float height = frame.ground_height_m.value_or(0.0F);
-  const float radius = radius_of(box);
+  const float radius = bounding_radius(box);
   block.ground = {middle.x, height, middle.z, floor_radius * radius};
   const float reach = radius + light_reach * std::max(middle.y - height, 0.0F);
   block.ground_light_area = {middle.x - reach, middle.z - reach, 0.5F / reach, 0.5F / reach};
 }
 
-glm::mat4 tile_of_clip(const PictureSettings& settings, const Tile& tile) {
+glm::mat4 clip_to_tile(const PictureSettings& settings, const Tile& tile) {
   const auto width = static_cast<float>(settings.width_px);
   const auto height = static_cast<float>(settings.height_px);
   const auto tile_width = static_cast<float>(tile.width_px);
@@ -152,7 +151,7 @@ glm::mat4 tile_of_clip(const PictureSettings& settings, const Tile& tile) {
   return glm::translate(scaled, glm::vec3{-centre, 0.0F});
 }
 
-// Directions through a plane at distance 1 in front of the eye.
+// Sets view rays through a plane at distance 1 in front of the eye.
 void set_rays(FrameBlock& block, const Camera& camera, const PictureSettings& settings, const Tile& tile) {
   const glm::mat3 axes = glm::transpose(glm::mat3{camera.view()});
   const float half_height = std::tan(0.5F * camera.vertical_fov_rad);
@@ -279,7 +278,7 @@ const Program& LazyProgram::use() {
 
 int shadow_map_side(const PictureSettings& settings) {
   const int drawn_px = settings.supersampling * std::min(settings.width_px, settings.height_px);
-  int side_px = least_shadow_map_px;
+  int side_px = min_shadow_map_px;
   while (static_cast<float>(side_px) < texels_for_pixel * static_cast<float>(drawn_px)) side_px *= 2;
   return std::min(side_px, settings.shadow_map_px);
 }
@@ -297,13 +296,13 @@ FrameBlock make_frame_block(const FrameView& frame, const PictureSettings& setti
   block.upper_colour = glm::vec4{linear_light(backdrop.transparent ? white : backdrop.upper_colour), lighting.ambient};
   block.lower_colour =
       glm::vec4{linear_light(backdrop.transparent ? white : backdrop.lower_colour), backdrop.plain ? 1.0F : 0.0F};
-  float most_bulge_m = 0.0F;
+  float max_bulge_m = 0.0F;
   for (const SurfaceView& surface : frame.surfaces) {
-    if (surface.refinement) most_bulge_m = std::max(most_bulge_m, surface.refinement->most_bulge_m);
+    if (surface.refinement) max_bulge_m = std::max(max_bulge_m, surface.refinement->max_bulge_m);
   }
-  set_shadow(block, settings, casters, most_bulge_m);
+  set_shadow(block, settings, casters, max_bulge_m);
   set_ground(block, frame, casters);
-  // The backdrop's gradient starts at the middle of the picture, wherever the camera points.
+  // The backdrop's gradient starts at the middle of the picture for any camera direction.
   const glm::vec3 forward = glm::normalize(frame.camera.target - frame.camera.eye);
   const float pitch = std::asin(std::clamp(forward.y, -1.0F, 1.0F));
   block.backdrop_horizon = {std::sin(pitch),
@@ -326,7 +325,7 @@ void set_shadow_bounds(FrameBlock& block, std::span<const SurfaceView* const> ca
 }
 
 void set_tile(FrameBlock& block, const Camera& camera, const PictureSettings& settings, const Tile& tile) {
-  block.world_to_clip = tile_of_clip(settings, tile) * camera.projection(settings.aspect()) * camera.view();
+  block.world_to_clip = clip_to_tile(settings, tile) * camera.projection(settings.aspect()) * camera.view();
   const auto scale = static_cast<float>(settings.supersampling);
   block.viewport = {static_cast<float>(tile.width_px) * scale, static_cast<float>(tile.height_px) * scale, scale,
                     static_cast<float>(settings.height_px) * scale};
@@ -334,8 +333,8 @@ void set_tile(FrameBlock& block, const Camera& camera, const PictureSettings& se
 }
 
 glm::mat4 world_to_unit_cube(const Box& box, const glm::vec3& towards) {
-  const float radius = radius_of(box) * 1.001F;
-  const glm::vec3 middle = middle_of(box);
+  const float radius = bounding_radius(box) * 1.001F;
+  const glm::vec3 middle = box_middle(box);
   const glm::vec3 up = std::abs(towards.y) < 0.99F ? glm::vec3{0.0F, 1.0F, 0.0F} : glm::vec3{0.0F, 0.0F, 1.0F};
   const glm::mat4 view = glm::lookAt(middle + towards * radius, middle, up);
   const glm::mat4 clip = glm::ortho(-radius, radius, -radius, radius, 0.0F, 2.0F * radius);

@@ -7,8 +7,8 @@
 
 namespace taut::renderer {
 
-/// Owns an OpenGL object of the kind that Create makes and Delete deletes. The context must be current in the
-/// constructor and the destructor.
+/// Owner of an OpenGL object made by Create and deleted by Delete. The context must be current in the constructor and
+/// the destructor.
 template <auto Create, auto Delete> class GlObject {
  public:
   explicit GlObject(const GladGLContext& context) : gl_(&context) { (gl_->*Create)(1, &object_); }
@@ -39,7 +39,7 @@ using Framebuffer = GlObject<&GladGLContext::GenFramebuffers, &GladGLContext::De
 using Renderbuffer = GlObject<&GladGLContext::GenRenderbuffers, &GladGLContext::DeleteRenderbuffers>;
 using Sampler = GlObject<&GladGLContext::GenSamplers, &GladGLContext::DeleteSamplers>;
 
-/// Replaces a buffer's contents. The driver hands out new memory rather than wait for the last picture.
+/// Replaces a buffer's contents. The driver provides new memory rather than wait for the last picture.
 template <typename Value>
 void upload(const GladGLContext& gl, GLenum target, const Buffer& buffer, std::span<const Value> values) {
   gl.BindBuffer(target, buffer.name());
@@ -54,12 +54,11 @@ void set_attribute(const GladGLContext& gl, GLuint location, const Buffer& buffe
 /// Binds a texture to a texture unit, which becomes the active one.
 void bind_texture(const GladGLContext& gl, unsigned unit, GLenum target, const Texture& texture);
 
-/// Sets how the bound texture is sampled: filtered so, repeated or not beyond its sides, at its largest level
-/// alone.
+/// Sets the filter and the wrapping of the bound texture, and restricts it to its largest level.
 void set_sampling(const GladGLContext& gl, GLenum target, GLint filter, GLint wrap = GL_CLAMP_TO_EDGE);
 
-/// Makes the context of some objects current, in which they then can be deleted. Names without their context
-/// stay: to delete them is undefined, and they go when the process does.
+/// Makes the context of some objects current for their deletion. If that fails, their OpenGL names leak until the
+/// process ends, as deleting them is undefined.
 template <class Parts> void delete_in_context(Context& context, std::unique_ptr<Parts>& parts) {
   try {
     context.make_current();
@@ -78,7 +77,7 @@ void end_blending_over(const GladGLContext& gl);
 void check_errors(const GladGLContext& gl, const char* stage);
 void check_framebuffer(const GladGLContext& gl, const char* stage);
 
-/// A shader does not compile or link. The message names the file and the line of every error.
+/// Thrown if a shader does not compile or link. The message has the file and the line of every error.
 struct ShaderError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
@@ -86,13 +85,13 @@ struct ShaderError : std::runtime_error {
 /// One shader of the shaders folder.
 struct ShaderFile {
   std::string_view name;  ///< without folder, e.g. "surface.frag"
-  std::string_view text;  ///< the source, with what it includes
+  std::string_view text;  ///< source with its includes
 };
 
-/// Returns all shaders, as they were when the program was built.
+/// Returns all shaders as embedded in the build.
 std::span<const ShaderFile> embedded_shaders();
 
-/// A linked vertex and fragment shader.
+/// Linked vertex and fragment shader.
 class Program {
  public:
   /// Compiles two of `files`, by name. Each of `defines` is defined in both. Throws ShaderError.
@@ -106,11 +105,11 @@ class Program {
 
   /// Makes this the program in use.
   void use() const { gl_->UseProgram(program_); }
-  /// Set a uniform. The program must be in use. A name that the program does not have is ignored.
+  /// Set a uniform. The program must be in use. Unknown names are ignored.
   void set(const char* uniform, int value) const;
   void set(const char* uniform, const glm::vec4& value) const;
   void set(const char* uniform, const glm::ivec4& value) const;
-  /// Sets the binding point of a uniform block; ignored when the program has no such block.
+  /// Sets the binding point of a uniform block; ignored if the program has no such block.
   void bind_block(const char* block, unsigned binding) const;
 
  private:
@@ -118,7 +117,7 @@ class Program {
   GLuint program_ = 0;
 };
 
-// The binding point of the uniform block and the texture unit of each sampler that several passes share.
+// Binding point of the uniform block, and texture units of the samplers that several passes share.
 
 inline constexpr unsigned frame_block_binding = 0;
 
@@ -141,15 +140,15 @@ inline constexpr unsigned unit_count = 14;
 /// Sets the uniform block and the samplers of a program to these bindings and leaves the program in use.
 void bind_shared_inputs(const Program& program);
 
-/// A Program that is compiled at its first use, since a picture needs few of all programs. The arguments are
-/// as those of Program, of embedded_shaders(); the texts must outlive this object.
+/// Program compiled at its first use, since a picture needs few of all programs. Its shaders are embedded_shaders();
+/// the texts must outlive this object.
 class LazyProgram {
  public:
   LazyProgram(const GladGLContext& context, std::string_view vertex_file, std::string_view fragment_file,
               std::vector<std::string_view> define_names = {})
       : gl_(&context), vertex_(vertex_file), fragment_(fragment_file), defines_(std::move(define_names)) {}
 
-  /// Returns the program, bound as in bindings.hpp and in use. Throws ShaderError.
+  /// Returns the program in use, with shared inputs bound. Throws ShaderError.
   const Program& use();
 
  private:
@@ -160,8 +159,7 @@ class LazyProgram {
   std::optional<Program> program_;
 };
 
-/// The uniforms that all shaders share: the std140 block `Frame` of shaders/frame.glsl, which gives each
-/// member's meaning and unit.
+/// Uniforms shared by all shaders: the std140 block `Frame` of shaders/frame.glsl, which documents each member.
 struct FrameBlock {
   glm::mat4 world_to_clip;
   glm::mat4 world_to_shadow;
@@ -183,7 +181,7 @@ struct FrameBlock {
   glm::vec4 ray_up;
 };
 
-/// A part of the picture that is drawn at once. Pixels of the finished picture, y from its top.
+/// Part of the picture that is drawn at once, in pixels of the finished picture, y from its top.
 struct Tile {
   int x_px = 0;
   int y_px = 0;
@@ -191,7 +189,7 @@ struct Tile {
   int height_px = 0;
 };
 
-/// A rectangle of a framebuffer. Its pixels, y from the lower edge.
+/// Rectangle of a framebuffer in its pixels, y from the lower edge.
 struct PixelRect {
   int x_px = 0;
   int y_px = 0;
@@ -199,12 +197,12 @@ struct PixelRect {
   int height_px = 0;
 };
 
-/// Returns the side of the shadow map in texels: settings.shadow_map_px, or less for a small picture, which
-/// could not show the difference.
+/// Returns the side of the shadow map in texels: settings.shadow_map_px, or less for a small picture, which could not
+/// show the difference.
 int shadow_map_side(const PictureSettings& settings);
 
-/// Returns the block but for shadow_bounds and what depends on the tile. `casters`: the box around all shadow
-/// casters, metres; none when there are none.
+/// Returns the block without shadow_bounds and tile members. `casters`: the box around all shadow casters, metres; none
+/// without casters.
 FrameBlock make_frame_block(const FrameView& frame, const PictureSettings& settings, const std::optional<Box>& casters);
 
 /// Sets shadow_bounds to the bounds of the casters in the shadow map.
@@ -213,8 +211,8 @@ void set_shadow_bounds(FrameBlock& block, std::span<const SurfaceView* const> ca
 /// Sets world_to_clip, viewport and the rays for a tile.
 void set_tile(FrameBlock& block, const Camera& camera, const PictureSettings& settings, const Tile& tile);
 
-/// Returns the matrix of an orthographic view of the sphere around the box, from world to 0..1 in all three
-/// axes. `towards` is the unit direction to the viewer; depth (z) grows away from it.
+/// Returns the matrix of an orthographic view of the sphere around the box, from world to 0..1 in all three axes.
+/// `towards` is the unit direction to the viewer; depth (z) grows away from it.
 glm::mat4 world_to_unit_cube(const Box& box, const glm::vec3& towards);
 
 }  // namespace taut::renderer

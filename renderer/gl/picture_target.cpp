@@ -18,15 +18,15 @@ Image read_pixels(const GladGLContext& gl, GLuint framebuffer, const Image& size
   return image;
 }
 
-std::array<float, 256> linear_of_bytes() {
+std::array<float, 256> byte_to_linear_table() {
   std::array<float, 256> linear{};
   for (std::size_t i = 0; i < linear.size(); ++i) linear[i] = srgb_to_linear(static_cast<float>(i) / 255.0F);
   return linear;
 }
 
-// Only pixels at outlines are between.
+// Divides colours by alpha; only pixels at outlines have an alpha between 0 and 1.
 void divide_by_alpha(Image& image) {
-  const std::array<float, 256> linear = linear_of_bytes();
+  const std::array<float, 256> linear = byte_to_linear_table();
   for (std::uint8_t* pixel = image.pixels.data(); pixel != image.pixels.data() + image.pixels.size(); pixel += 4) {
     if (pixel[3] == 0 || pixel[3] == 255) continue;
     for (int i = 0; i < 3; ++i) {
@@ -40,17 +40,17 @@ void divide_by_alpha(Image& image) {
 
 VisibilityBuffer::VisibilityBuffer(const GladGLContext& context)
     : gl_(&context), triangle_framebuffer_(context), marks_framebuffer_(context) {
-  most_samples_ = 16;
+  max_samples_ = 16;
   for (const GLenum limit : {GL_MAX_SAMPLES, GL_MAX_INTEGER_SAMPLES, GL_MAX_COLOR_TEXTURE_SAMPLES}) {
-    GLint most = 1;
-    gl_->GetIntegerv(limit, &most);
-    most_samples_ = std::min(most_samples_, most);
+    GLint limit_samples = 1;
+    gl_->GetIntegerv(limit, &limit_samples);
+    max_samples_ = std::min(max_samples_, limit_samples);
   }
 }
 
 void VisibilityBuffer::begin(int width_px, int height_px, int wanted_samples) {
-  // Four is what shaders/surface.frag counts with.
-  const int usable = wanted_samples > 1 && most_samples_ >= 4 ? 4 : 1;
+  // shaders/surface.frag assumes four samples.
+  const int usable = wanted_samples > 1 && max_samples_ >= 4 ? 4 : 1;
   if (width_px != width_px_ || height_px != height_px_ || usable != samples_) {
     allocate(width_px, height_px, usable);
   }
@@ -75,7 +75,7 @@ void VisibilityBuffer::allocate_texture(const Texture& texture, GLenum format) c
   set_sampling(*gl_, GL_TEXTURE_2D, GL_NEAREST);
 }
 
-// To the bound framebuffer, with the depth that both have.
+// Attaches a texture to the bound framebuffer, with the shared depth.
 void VisibilityBuffer::attach(const Texture& texture, const char* name) const {
   gl_->FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, target(), texture.name(), 0);
   gl_->FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depth_->name());

@@ -5,18 +5,17 @@
 
 namespace taut::renderer {
 
-/// A visibility buffer (Burns and Hunt 2013): the number of the visible triangle and its depth, for each
-/// sample of a tile. Surfaces are shaded from it afterwards. Also holds the colours of the marks, which share
-/// its depth.
+/// Visibility buffer (Burns and Hunt 2013): number and depth of the visible triangle for each sample of a tile.
+/// Surfaces are shaded from it afterwards. It also holds the colours of the marks, which share its depth.
 class VisibilityBuffer {
  public:
   /// The context must be current and outlive this object.
   explicit VisibilityBuffer(const GladGLContext& context);
 
-  /// Clears the buffer at a size in drawn pixels and binds it for triangle numbers. More than one sample
-  /// counts as four, or as one where the context has no four. Throws ContextError.
+  /// Clears the buffer at a size in drawn pixels and binds it for triangle numbers. More than one sample counts as
+  /// four, or as one if the context has no four. Throws ContextError.
   void begin(int width_px, int height_px, int wanted_samples);
-  /// Returns the samples per pixel: 1 or 4.
+  /// Returns the number of samples per pixel: 1 or 4.
   int samples() const { return samples_; }
   /// Return the x and the y of the four samples in a pixel, 0 to 1 from its lower left corner.
   const glm::vec4& samples_x() const { return sample_places_x_; }
@@ -24,13 +23,13 @@ class VisibilityBuffer {
   /// Binds the texture of triangle numbers to visibility_unit.
   void bind() const { bind_texture(*gl_, visibility_unit, target(), *triangle_ids_); }
 
-  /// Binds an empty colour buffer for marks, with the surfaces' depth. Its colours are sRGB-encoded and were
-  /// premultiplied in linear light. Throws ContextError.
+  /// Binds an empty colour buffer for marks, with the surfaces' depth. Its colours are sRGB-encoded and premultiplied
+  /// in linear light. Throws ContextError.
   void begin_marks();
   /// Returns the marks' colours; begin_marks() must have been called.
   const Texture& marks() const { return *marks_colour_; }
 
-  /// Largest side, drawn pixels. Larger needs more memory, smaller cuts a large picture into more tiles.
+  /// Largest side, drawn pixels. Higher values need more memory, lower ones cut a large picture into more tiles.
   static constexpr int max_side_px = 2048;
 
  private:
@@ -48,17 +47,17 @@ class VisibilityBuffer {
   int width_px_ = 0;
   int height_px_ = 0;
   int samples_ = 0;
-  int most_samples_ = 1;
+  int max_samples_ = 1;
   glm::vec4 sample_places_x_{0.5F};
   glm::vec4 sample_places_y_{0.5F};
 };
 
-/// A picture: one sample a pixel, sRGB-encoded bytes. Eight bits are enough because the encoding spends them
-/// where the eye does.
+/// Picture with one sample per pixel, as sRGB-encoded bytes. Eight bits suffice because the encoding spends them where
+/// the eye does.
 class PictureTarget {
  public:
-  /// The context must be current and outlive this object. GL_SRGB8_ALPHA8: OpenGL encodes while
-  /// GL_FRAMEBUFFER_SRGB is enabled. GL_RGBA8: what is drawn is encoded already.
+  /// The context must be current and outlive this object. `stored_as`: with GL_SRGB8_ALPHA8 OpenGL encodes while
+  /// GL_FRAMEBUFFER_SRGB is enabled; with GL_RGBA8 colours must be encoded already.
   explicit PictureTarget(const GladGLContext& context, GLenum stored_as = GL_SRGB8_ALPHA8);
 
   /// Binds the framebuffer at a size in pixels. Its contents are undefined. Throws ContextError.
@@ -71,8 +70,8 @@ class PictureTarget {
   GLuint framebuffer() const { return finished_.name(); }
   /// Returns the picture's texture; begin() must have been called.
   const Texture& texture() const { return *colour_; }
-  /// Returns the picture as RGB, top row first, or as RGBA: its colours, which are premultiplied in linear light, are
-  /// then divided by alpha.
+  /// Returns the picture as RGB, top row first, or as RGBA with colours divided by alpha; the stored ones are
+  /// premultiplied in linear light.
   Image read(bool has_alpha) const;
   /// Copies the picture, stretched to width_px by height_px, to the bottom of a framebuffer, left_px from its
   /// left side.
@@ -89,11 +88,10 @@ class PictureTarget {
   int height_px_ = 0;
 };
 
-/// A texture that is drawn to and then looked up. Its size changes with every step of a garment: it only
-/// grows.
+/// Render texture whose size only grows, as it changes with every step of a garment.
 class GrowingTarget {
  public:
-  /// The context must be current and outlive this object. The texture is bound to `unit`.
+  /// The context must be current and outlive this object. The texture is bound to `texture_unit`.
   GrowingTarget(const GladGLContext& context, GLint stored_as, unsigned texture_unit)
       : gl_(&context), format_(stored_as), unit_(texture_unit), texture_(context), framebuffer_(context) {}
   /// Binds the framebuffer and sets the viewport to its lower left size_px. Throws ContextError.
@@ -112,8 +110,7 @@ class GrowingTarget {
   glm::ivec2 size_px_{0};
 };
 
-/// A framebuffer object of sRGB-encoded colours in a plain RGBA8 texture, to be drawn to by
-/// SceneRenderer::draw_to.
+/// Framebuffer object of sRGB-encoded colours in a plain RGBA8 texture, for SceneRenderer::draw_to.
 class ColourTarget {
  public:
   /// Makes the context current. The context must outlive the target. Throws ContextError.
@@ -125,8 +122,8 @@ class ColourTarget {
   /// Returns the framebuffer's name. Its texture is reallocated when the size differs. Throws ContextError.
   unsigned framebuffer(int width_px, int height_px);
 
-  /// Copies a rectangle to the same place of another framebuffer (0: the window). (x_px, y_px) is the lower
-  /// left corner of the rectangle, counted from that of the picture. Throws ContextError.
+  /// Copies a rectangle to the same place of another framebuffer (0: the window). (x_px, y_px) is the lower left corner
+  /// of the rectangle, relative to the picture's. Throws ContextError.
   void copy_part_to(unsigned framebuffer, int x_px, int y_px, int width_px, int height_px) const;
 
  private:

@@ -5,26 +5,26 @@
 namespace taut::renderer {
 namespace {
 
-// Side of one map. Larger keeps finer folds dark, and costs time to fill.
+// Side of one map. Higher values keep finer folds dark but cost time.
 constexpr int map_px = 128;
 constexpr std::size_t map_texels = static_cast<std::size_t>(map_px) * map_px;
-// Brightness of the studio's floor against its ceiling, as seen by the underside of things.
+// Ratio of the brightness of the studio's floor to its ceiling, as seen by undersides.
 constexpr float floor_brightness = 0.5F;
-// Distance from a surface at which its occlusion is tested, texels of the map along the box's diagonal. Less
-// lets a surface occlude itself, more loses narrow folds.
+// Distance from a surface at which its occlusion is tested, in texels of the map along the box's diagonal. Lower values
+// let a surface occlude itself, higher ones lose narrow folds.
 constexpr float lift_texels = 1.5F;
-// Blur of the floor's shadow, times the cone that a direction stands for: above 1, so that neighbouring
-// directions run into each other. Less shows single shadows, more loses the contact.
+// Blur of the floor's shadow, in cones of a direction: above 1, so that neighbouring directions overlap. Lower values
+// show single shadows, higher ones lose the contact.
 constexpr float floor_blur = 1.5F;
-// Narrowest blur, texels of the map, and widest, share of the map's side.
-constexpr float narrowest_blur_texels = 1.5F;
-constexpr float widest_blur = 0.45F;
-// Where the floor's light starts to fade out towards the edge of its texture, share of half its side.
+// Narrowest blur, in texels of the map, and widest, as a fraction of the map's side.
+constexpr float min_blur_texels = 1.5F;
+constexpr float max_blur_fraction = 0.45F;
+// Start of the fade of the floor's light towards the edge of its texture, as a fraction of half its side.
 constexpr float fade_start = 0.75F;
-// Width of the window in which a vertex looks, texels: its edges count in part, so that nothing jumps.
+// Width of the window that a vertex samples, in texels. Its edges count in part, so that nothing jumps.
 constexpr int window = 5;
 
-// Equal areas of the upper hemisphere along a spiral (Fibonacci lattice).
+// Returns a direction of the upper hemisphere; all have equal areas along a spiral (Fibonacci lattice).
 glm::vec3 upper_direction(int i, int count) {
   const float y = 1.0F - (static_cast<float>(i) + 0.5F) / static_cast<float>(count);
   const float turn = 2.0F * std::numbers::pi_v<float> * static_cast<float>(i) / std::numbers::phi_v<float>;
@@ -32,16 +32,16 @@ glm::vec3 upper_direction(int i, int count) {
   return {flat * std::cos(turn), y, flat * std::sin(turn)};
 }
 
-// Tangent of the half angle of the cone that is a direction's share of the whole sphere.
-float share_of_sphere(int directions) {
+// Returns the tangent of the half angle of one direction's cone, which has its share of the whole sphere.
+float cone_tangent(int directions) {
   const float cosine = std::max(1.0F - 2.0F / static_cast<float>(directions), 0.3F);
   return std::sqrt(1.0F - cosine * cosine) / cosine;
 }
 
-// The light of an open studio on a side: the same integral without anything in the way.
+// Returns the unoccluded light of the studio on a side, by the same integral.
 float open_sky(float upwards) { return 0.75F + 0.25F * upwards; }
 
-// Shares of a window's texels along one axis, from the place of its middle.
+// Weights of a window's texels along one axis.
 struct WindowAxis {
   int first;
   std::array<float, 8> weights;
@@ -54,8 +54,8 @@ WindowAxis window_axis(float middle_px) {
   return {first, {1.0F - part, 1.0F, 1.0F, 1.0F, 1.0F, part, 0.0F, 0.0F}};
 }
 
-// Compilers leave a comparison and a sum of single numbers as they are; GCC and Clang know this as one
-// register.
+// Vectors of four: compilers do not vectorise a comparison and a sum of single numbers; GCC and Clang map these types
+// to one register.
 using FourNumbers = float __attribute__((vector_size(16)));
 using FourMasks = std::int32_t __attribute__((vector_size(16)));
 
@@ -65,24 +65,25 @@ FourNumbers four_at(const float* values) {
   return four;
 }
 
-FourNumbers kept(float weight, const FourMasks& mask) {
+FourNumbers mask_weight(float weight, const FourMasks& mask) {
   const FourNumbers weights{weight, weight, weight, weight};
   return std::bit_cast<FourNumbers>(std::bit_cast<FourMasks>(weights) & mask);
 }
 
-// Share of the window in which the map's depth is at least (or, if not `beyond`, at most) the place's own.
+// Returns the fraction of the window whose map depth is at least (`beyond`) or at most (otherwise) the depth of the
+// place.
 template <bool beyond> float open_share(const std::vector<float>& map, const glm::vec3& place) {
   const WindowAxis across = window_axis(place.x * static_cast<float>(map_px));
   const WindowAxis up = window_axis(place.y * static_cast<float>(map_px));
-  const FourNumbers own{place.z, place.z, place.z, place.z};
+  const FourNumbers place_depths{place.z, place.z, place.z, place.z};
   FourNumbers left{};
   FourNumbers right{};
   const float* row = map.data() + up.first * map_px + across.first;
   for (std::size_t y = 0; y <= window; ++y, row += map_px) {
     const FourNumbers a = four_at(row);
     const FourNumbers b = four_at(row + 4);
-    left += kept(up.weights[y], beyond ? a >= own : a <= own);
-    right += kept(up.weights[y], beyond ? b >= own : b <= own);
+    left += mask_weight(up.weights[y], beyond ? a >= place_depths : a <= place_depths);
+    right += mask_weight(up.weights[y], beyond ? b >= place_depths : b <= place_depths);
   }
   const FourNumbers weighed = left * four_at(across.weights.data()) + right * four_at(&across.weights[4]);
   return (weighed[0] + weighed[1] + weighed[2] + weighed[3]) / static_cast<float>(window * window);
@@ -91,7 +92,7 @@ template <bool beyond> float open_share(const std::vector<float>& map, const glm
 void set_up(const GladGLContext& gl, const Sampler& sampler, GLint filter) {
   gl.SamplerParameteri(sampler.name(), GL_TEXTURE_MIN_FILTER, filter);
   gl.SamplerParameteri(sampler.name(), GL_TEXTURE_MAG_FILTER, filter);
-  // Nothing reaches the map's edge, so that clamping shows nothing in the way outside.
+  // Nothing reaches the map's edge, so clamped samples are unoccluded.
   gl.SamplerParameteri(sampler.name(), GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
   gl.SamplerParameteri(sampler.name(), GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
 }
@@ -99,8 +100,8 @@ void set_up(const GladGLContext& gl, const Sampler& sampler, GLint filter) {
 std::optional<Box> box_around(std::span<const SurfaceView* const> casters) {
   std::optional<Box> box;
   for (const SurfaceView* caster : casters) {
-    const Box own = bounding_box(caster->positions);
-    box = box ? united(*box, own) : own;
+    const Box place_depths = bounding_box(caster->positions);
+    box = box ? unite(*box, place_depths) : place_depths;
   }
   return box;
 }
@@ -113,7 +114,7 @@ std::vector<const SurfaceView*> casters_among(std::span<const SurfaceView> surfa
   return casters;
 }
 
-MapArea united(const MapArea& a, const MapArea& b) {
+MapArea unite_areas(const MapArea& a, const MapArea& b) {
   if (a.lower == a.upper) return b;
   if (b.lower == b.upper) return a;
   return {glm::min(a.lower, b.lower), glm::max(a.upper, b.upper)};
@@ -126,18 +127,18 @@ void SkyLight::draw_maps(std::span<const SurfaceView* const> casters, const std:
   if (pairs_.empty()) return;
   const auto count = static_cast<int>(pairs_.size());
   lift_m_ = lift_texels * glm::length(box->upper - box->lower) / static_cast<float>(map_px);
-  cone_tangent_ = share_of_sphere(2 * count);
+  cone_tangent_ = cone_tangent(2 * count);
   for (int i = 0; i < count; ++i) {
-    Pair& pair = pairs_[static_cast<std::size_t>(i)];
+    DirectionPair& pair = pairs_[static_cast<std::size_t>(i)];
     pair.towards = upper_direction(i, count);
     pair.world_to_map = world_to_unit_cube(*box, pair.towards);
     draw(pair, casters);
   }
 }
 
-void SkyLight::draw(Pair& pair, std::span<const SurfaceView* const> casters) {
-  pair.nearest.assign(map_texels, 1.0F);
-  pair.farthest.assign(map_texels, 0.0F);
+void SkyLight::draw(DirectionPair& pair, std::span<const SurfaceView* const> casters) {
+  pair.min_depths.assign(map_texels, 1.0F);
+  pair.max_depths.assign(map_texels, 0.0F);
   for (const SurfaceView* caster : casters) {
     project_to_map(pair.world_to_map, map_px, caster->positions, projected_);
     for (std::size_t i = 0; i + 2 < caster->triangles.size(); i += 3) {
@@ -151,8 +152,8 @@ void SkyLight::draw(Pair& pair, std::span<const SurfaceView* const> casters) {
         for (int column = span.first; column <= span.last; ++column) {
           const float depth = std::clamp(span.depth + span.depth_step * static_cast<float>(column), least, greatest);
           const auto texel = static_cast<std::size_t>(row + column);
-          pair.nearest[texel] = std::min(pair.nearest[texel], depth);
-          pair.farthest[texel] = std::max(pair.farthest[texel], depth);
+          pair.min_depths[texel] = std::min(pair.min_depths[texel], depth);
+          pair.max_depths[texel] = std::max(pair.max_depths[texel], depth);
         }
       });
     }
@@ -167,12 +168,12 @@ void SkyLight::gather(const SurfaceView& surface, std::vector<glm::vec2>& light)
     });
     return;
   }
-  for (const Pair& pair : pairs_) gather_pair(pair, surface, light);
+  for (const DirectionPair& pair : pairs_) gather_pair(pair, surface, light);
   for (glm::vec2& share : light) share *= 2.0F / static_cast<float>(pairs_.size());
 }
 
-// Each direction lights one side, and starts from that side.
-void SkyLight::gather_pair(const Pair& pair, const SurfaceView& surface, std::vector<glm::vec2>& light) const {
+// Adds the light of one pair of directions. Each lights one side, from which its test starts.
+void SkyLight::gather_pair(const DirectionPair& pair, const SurfaceView& surface, std::vector<glm::vec2>& light) const {
   const glm::mat4 to_map = pair.world_to_map;
   for (std::size_t i = 0; i < light.size(); ++i) {
     const glm::vec3& normal = surface.normals[i];
@@ -180,15 +181,15 @@ void SkyLight::gather_pair(const Pair& pair, const SurfaceView& surface, std::ve
     const glm::vec3 lift = std::copysign(lift_m_, cosine) * normal;
     const glm::vec3 upper{to_map * glm::vec4{surface.positions[i] + lift, 1.0F}};
     const glm::vec3 lower{to_map * glm::vec4{surface.positions[i] - lift, 1.0F}};
-    const float from_above = open_share<true>(pair.nearest, upper);
-    const float from_below = open_share<false>(pair.farthest, lower);
+    const float from_above = open_share<true>(pair.min_depths, upper);
+    const float from_below = open_share<false>(pair.max_depths, lower);
     const glm::vec2 shares = std::abs(cosine) * glm::vec2{from_above, floor_brightness * from_below};
     light[i] += cosine > 0.0F ? shares : glm::vec2{shares.y, shares.x};
   }
 }
 
-// Sums over rectangles from the map's corner (Crow 1984) of what is between a direction and the floor.
-void SkyLight::sum_up(const Pair& pair, float height_m) {
+// Sums up the blockers between a direction and the floor, over rectangles from the map's corner (Crow 1984).
+void SkyLight::sum_up(const DirectionPair& pair, float height_m) {
   constexpr std::size_t row_length = map_px + 1;
   sums_.assign(row_length * row_length, 0.0F);
   const glm::mat4 map_to_world = glm::inverse(pair.world_to_map);
@@ -199,7 +200,7 @@ void SkyLight::sum_up(const Pair& pair, float height_m) {
       const glm::vec2 place = (glm::vec2{x, y} + 0.5F) * texel;
       const float start_m = map_to_world[3].y + map_to_world[0].y * place.x + map_to_world[1].y * place.y;
       const float floor_depth = (height_m - start_m) / map_to_world[2].y;
-      const float depth = pair.nearest[y * map_px + x];
+      const float depth = pair.min_depths[y * map_px + x];
       row_sum += depth < 1.0F && depth < floor_depth ? 1.0F : 0.0F;
       sums_[(y + 1) * row_length + x + 1] = sums_[y * row_length + x + 1] + row_sum;
     }
@@ -224,14 +225,14 @@ float SkyLight::floor_blocked(const glm::vec2& middle_px, float radius_px) const
   return sum / (4.0F * radius_px * radius_px);
 }
 
-// A direction stands for a whole cone of sky, so its shadow softens with the distance to what casts it. That
-// distance is taken as if all casters stood in the middle of the map: searching for them gives every spot
-// another softness, which shows as clouds.
+// A direction stands for a cone of sky, so its shadow softens with the distance to the casters. That distance assumes
+// all casters in the middle of the map: searching for them would give every spot another softness, which shows as
+// clouds.
 void SkyLight::gather_floor(const glm::vec4& area, float height_m, std::vector<float>& light) {
   constexpr std::size_t count = static_cast<std::size_t>(floor_px) * floor_px;
   light.assign(count, pairs_.empty() ? 1.0F : 0.0F);
   float all = 0.0F;
-  for (const Pair& pair : pairs_) {
+  for (const DirectionPair& pair : pairs_) {
     sum_up(pair, height_m);
     const float weight = pair.towards.y;
     all += weight;
@@ -241,13 +242,13 @@ void SkyLight::gather_floor(const glm::vec4& area, float height_m, std::vector<f
       const glm::vec3 seen{pair.world_to_map * glm::vec4{spot.x, height_m + 0.5F * lift_m_, spot.y, 1.0F}};
       const float texel = 1.0F / static_cast<float>(map_px);
       const float radius =
-          std::clamp(floor_blur * cone_tangent_ * (seen.z - 0.5F), narrowest_blur_texels * texel, widest_blur);
+          std::clamp(floor_blur * cone_tangent_ * (seen.z - 0.5F), min_blur_texels * texel, max_blur_fraction);
       const float blocked = floor_blocked(glm::vec2{seen} / texel, radius / texel);
       light[i] += weight * (1.0F - blocked);
     }
   }
   for (std::size_t i = 0; i < count; ++i) {
-    // The texture ends somewhere; fading out beforehand hides where.
+    // Fading out hides the end of the texture.
     const glm::vec2 place = (glm::vec2{i % floor_px, i / floor_px} + 0.5F) / static_cast<float>(floor_px);
     const glm::vec2 edge = glm::abs(2.0F * place - 1.0F);
     const float fade = glm::smoothstep(fade_start, 1.0F, std::max(edge.x, edge.y));
@@ -269,7 +270,7 @@ void StudioLight::begin(FrameBlock& block, const FrameView& frame, std::span<con
                         const PictureSettings& settings) {
   casters_ = casters_among(surfaces);
   casters_box_ = box_around(casters_);
-  // A map of everything would show nothing of what is near.
+  // A map of extremely distant casters would resolve nothing near.
   if (casters_box_ && !is_near(*casters_box_)) {
     casters_.clear();
     casters_box_.reset();
@@ -283,7 +284,7 @@ void StudioLight::begin(FrameBlock& block, const FrameView& frame, std::span<con
 }
 
 void StudioLight::draw_maps(const FrameBlock& block) {
-  // The two look at the same casters and share nothing else.
+  // The two tasks read the same casters and share nothing else.
   std::future<void> shadows = std::async(std::launch::async, [&] {
     shadow_map_.resize(shadow_side_px_);
     shadow_map_.clear();
@@ -312,7 +313,7 @@ void StudioLight::upload_shadow_map() {
     allocated_px_ = side_px;
     uploaded_ = {glm::ivec2{0}, glm::ivec2{side_px}};
   }
-  const MapArea changed = united(uploaded_, shadow_map_.drawn());
+  const MapArea changed = unite_areas(uploaded_, shadow_map_.drawn());
   const glm::ivec2 size_px = changed.upper - changed.lower;
   gl_->PixelStorei(GL_UNPACK_ALIGNMENT, 4);
   gl_->PixelStorei(GL_UNPACK_ROW_LENGTH, side_px);

@@ -4,57 +4,56 @@
 
 namespace taut::renderer {
 
-/// Ambient light with occlusion: bright from above, weaker from below, reduced by what stands in the way.
-/// Occlusion is tested along pairs of opposite directions. A small map per pair holds the nearest and the
-/// farthest depth of the casters.
+/// Ambient light with occlusion: bright from above, weaker from below, reduced by obstacles. Occlusion is tested along
+/// pairs of opposite directions. A small map per pair holds the nearest and the farthest depth of the casters.
 class SkyLight {
  public:
-  /// Draws the maps of the casters, which lie in `box` (metres). directions: as
-  /// PictureSettings::sky_directions. No box or 0 directions: nothing is occluded.
+  /// Draws the maps of the casters, which lie in `box` (metres). `directions`: see PictureSettings::sky_directions.
+  /// Without a box or with 0 directions nothing is occluded.
   void draw_maps(std::span<const SurfaceView* const> casters, const std::optional<Box>& box, int directions);
 
   /// Fills `light` with one pair per vertex: the light on its outside (x) and inside (y), relative to an
   /// unoccluded side that faces straight up.
   void gather(const SurfaceView& surface, std::vector<glm::vec2>& light);
 
-  /// Fills `light` with the share of the sky that each spot of the floor sees, 0 to 1: floor_px rows of
-  /// floor_px values. `area`: FrameBlock::ground_light_area; height_m: y of the floor.
+  /// Fills `light` with the visible fraction of the sky per spot of the floor, 0 to 1: floor_px rows of floor_px
+  /// values. `area`: FrameBlock::ground_light_area; `height_m`: y of the floor.
   void gather_floor(const glm::vec4& area, float height_m, std::vector<float>& light);
 
-  /// Side of the floor's light texture, texels. Its contents are smooth; larger costs time.
+  /// Side of the floor's light texture, texels. Its contents are smooth; higher values cost time.
   static constexpr int floor_px = 56;
 
  private:
-  struct Pair {
-    glm::vec3 towards{0.0F};  // the upper of the two
+  struct DirectionPair {
+    glm::vec3 towards{0.0F};  // upper direction of the pair
     glm::mat4 world_to_map{1.0F};
-    std::vector<float> nearest;
-    std::vector<float> farthest;
+    std::vector<float> min_depths;
+    std::vector<float> max_depths;
   };
-  void draw(Pair& pair, std::span<const SurfaceView* const> casters);
-  void gather_pair(const Pair& pair, const SurfaceView& surface, std::vector<glm::vec2>& light) const;
-  void sum_up(const Pair& pair, float height_m);
+  void draw(DirectionPair& pair, std::span<const SurfaceView* const> casters);
+  void gather_pair(const DirectionPair& pair, const SurfaceView& surface, std::vector<glm::vec2>& light) const;
+  void sum_up(const DirectionPair& pair, float height_m);
   float floor_blocked(const glm::vec2& texel, float radius_px) const;
 
-  std::vector<Pair> pairs_;
+  std::vector<DirectionPair> pairs_;
   float lift_m_ = 0.0F;
   float cone_tangent_ = 0.0F;
   std::vector<glm::vec3> projected_;  // scratch
-  std::vector<float> sums_;           // scratch: of what a pair's map blocks, from its corner
+  std::vector<float> sums_;           // scratch: sums of blockers from the map's corner
 };
 
-/// The light of one frame: the key light's shadow map and the ambient light. Surfaces get values per triangle
-/// and per vertex, shaders read the shadow map and the floor's light from textures.
+/// Light of one frame: the key light's shadow map and the ambient light. Surfaces get values per triangle and per
+/// vertex, shaders read the shadow map and the floor's light from textures.
 class StudioLight {
  public:
   /// The context must be current and outlive this object.
   explicit StudioLight(const GladGLContext& context);
 
-  /// Starts a frame: sets `block` but for what depends on the tile. The surfaces must live until upload().
+  /// Starts a frame: sets `block` except tile members. The surfaces must live until upload().
   void begin(FrameBlock& block, const FrameView& frame, std::span<const SurfaceView> surfaces,
              const PictureSettings& settings);
-  /// Draws the shadow map and the maps of the ambient light. `block` is that of begin(). Calls no OpenGL, so
-  /// that another thread may call it.
+  /// Draws the shadow map and the maps of the ambient light. `block` is the result of begin(). Calls no OpenGL, so
+  /// another thread may call it.
   void draw_maps(const FrameBlock& block);
   /// Fills `light` for one surface, after draw_maps(). Calls no OpenGL.
   void gather(const SurfaceView& surface, SurfaceLight& light);
@@ -75,16 +74,16 @@ class StudioLight {
   SkyLight sky_light_;
   Texture shadow_texture_;
   Texture floor_texture_;
-  Sampler compare_;  // how much of a neighbourhood is farther than a value
-  Sampler plain_;    // the depth itself
-  // These belong to the frame at hand.
+  Sampler compare_;  // compares: the fraction of a neighbourhood farther than a value
+  Sampler plain_;    // samples the depth itself
+  // Members of the current frame.
   std::vector<const SurfaceView*> casters_;
   std::optional<Box> casters_box_;
   int shadow_side_px_ = 0;
   int sky_directions_ = 0;
   bool has_floor_ = false;
   int allocated_px_ = 0;
-  MapArea uploaded_;  // what the shadow texture holds apart from nothing
+  MapArea uploaded_;  // non-empty area of the shadow texture
   std::vector<float> floor_light_;
 };
 

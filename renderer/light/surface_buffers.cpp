@@ -5,32 +5,31 @@
 namespace taut::renderer {
 namespace {
 
-// Texels of the map from sample to sample. Shadows narrower than that may be missed.
+// Texels of the map between samples. Narrower shadows may be missed.
 constexpr int stride = 2;
-// A surface this steep in the map hides itself; depth for each step across.
-constexpr float steepest = 8.0F;
-// A surface that is less than this in front is the surface itself; texels of the map, and as many for each
-// unit of slope.
+// Steepest surface in the map that does not hide itself, as depth per step across.
+constexpr float max_slope = 8.0F;
+// Tolerance within which a surface in front is the surface itself, in texels of the map plus as many per unit of slope.
 constexpr float allowance_texels = 2.0F;
 // Radius of the narrowest blur of a shadow and of the lift off the surface, texels of the map.
-constexpr float sharpest_texels = 4.0F;
-// Rounds in which penumbrae spread from vertex to vertex: more edges than this are in no blur's width, or so
-// short that they do not matter.
-constexpr int most_rounds = 12;
-// A straight line is shorter than the edges along it, by this factor where they meet at right angles.
+constexpr float min_lift_texels = 4.0F;
+// Rounds of spreading penumbrae from vertex to vertex: a blur's width has no more edges, or they are too short to
+// matter.
+constexpr int max_spread_rounds = 12;
+// Ratio of a straight line to the edges along it if these meet at right angles.
 constexpr float straightness = 0.7F;
 
 constexpr std::uint8_t by_light = 1;
 constexpr std::uint8_t by_shadow = 2;
 
-glm::vec2 slope_of(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) {
+glm::vec2 depth_slope(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) {
   const glm::vec3 across = glm::cross(b - a, c - a);
   return across.z == 0.0F ? glm::vec2{INFINITY} : -glm::vec2{across} / across.z;
 }
 
 using Bytes = std::vector<std::uint8_t>;
 
-/// A byte of colour in linear light times an alpha, encoded again: [alpha][colour].
+/// Colour bytes times alpha in linear light, encoded again: [alpha][colour].
 using Products = std::array<std::array<std::uint8_t, 256>, 256>;
 
 Products make_products() {
@@ -45,8 +44,8 @@ Products make_products() {
   return products;
 }
 
-// Filtered otherwise, transparent pixels would darken or tint the edges of what is beside them.
-Bytes premultiplied(const BaseColourMap& map, const Products& products) {
+// Returns premultiplied pixels: without that, filtering transparent pixels would darken or tint the edges beside them.
+Bytes premultiply(const BaseColourMap& map, const Products& products) {
   Bytes bytes = *map.rgba;
   for (std::size_t i = 0; i < bytes.size(); i += 4) {
     for (std::size_t k = 0; k < 3; ++k) bytes[i + k] = products[bytes[i + 3]][bytes[i + k]];
@@ -54,27 +53,27 @@ Bytes premultiplied(const BaseColourMap& map, const Products& products) {
   return bytes;
 }
 
-/// Two neighbouring pixels along one axis and how much of the second.
-struct Between {
+/// Two neighbouring pixels along one axis and the weight of the second.
+struct PixelBlend {
   std::size_t first, second;
   float share;
 };
 
-// Between the last and the first pixel too: maps are repeated.
-Between between(int place, int places, int pixels) {
+// Interpolates between the last and the first pixel too, as maps repeat.
+PixelBlend blend_pixels(int place, int places, int pixels) {
   const float at = (static_cast<float>(place) + 0.5F) * static_cast<float>(pixels) / static_cast<float>(places) - 0.5F;
   const int below = static_cast<int>(std::floor(at));
   return {static_cast<std::size_t>((below + pixels) % pixels), static_cast<std::size_t>((below + 1) % pixels),
           at - static_cast<float>(below)};
 }
 
-Bytes enlarged(const Bytes& from, const BaseColourMap& map, int width_px, int height_px) {
+Bytes enlarge(const Bytes& from, const BaseColourMap& map, int width_px, int height_px) {
   Bytes bytes;
   bytes.reserve(std::size_t{4} * static_cast<std::size_t>(width_px) * static_cast<std::size_t>(height_px));
   for (int y = 0; y < height_px; ++y) {
-    const Between rows = between(y, height_px, map.height_px);
+    const PixelBlend rows = blend_pixels(y, height_px, map.height_px);
     for (int x = 0; x < width_px; ++x) {
-      const Between columns = between(x, width_px, map.width_px);
+      const PixelBlend columns = blend_pixels(x, width_px, map.width_px);
       for (std::size_t k = 0; k < 4; ++k) {
         const auto at = [&](std::size_t row, std::size_t column) {
           return static_cast<float>(from[4 * (row * static_cast<std::size_t>(map.width_px) + column) + k]);
@@ -88,14 +87,14 @@ Bytes enlarged(const Bytes& from, const BaseColourMap& map, int width_px, int he
   return bytes;
 }
 
-// Texels for each colour map. Fewer shift colours by more than a step of 255.
+// Texels per colour map. Fewer shift colours by more than a step of 255.
 constexpr int texels_of_map = 256;
 constexpr std::array colour_map_rows{ColourMap::viridis, ColourMap::blue_orange};
 
 std::vector<std::uint8_t> texels() {
   std::vector<std::uint8_t> bytes(3 * texels_of_map * colour_map_rows.size());
   for (const ColourMap map : colour_map_rows) {
-    auto byte = bytes.begin() + static_cast<std::ptrdiff_t>(3 * texels_of_map * ColourMapTexture::row_of(map));
+    auto byte = bytes.begin() + static_cast<std::ptrdiff_t>(3 * texels_of_map * ColourMapTexture::row_index(map));
     for (int i = 0; i < texels_of_map; ++i) {
       const Colour colour = colour_at(map, static_cast<float>(i) / static_cast<float>(texels_of_map - 1));
       for (int k = 0; k < 3; ++k) *byte++ = static_cast<std::uint8_t>(colour[k] * 255.0F + 0.5F);
@@ -104,21 +103,21 @@ std::vector<std::uint8_t> texels() {
   return bytes;
 }
 
-// The unit of a triangle's last number, besides the key light: surfaces and trims.
+// Units of surface and trim numbers in a triangle's last number; the key light is below them.
 constexpr std::uint32_t surface_unit = 4;
 constexpr std::uint32_t trim_unit = 1U << 14;
-constexpr std::size_t most_surfaces = trim_unit / surface_unit;
-// More are not drawn; they would be of a very large picture.
-constexpr std::size_t most_trims = 1U << 18;
+constexpr std::size_t max_surfaces = trim_unit / surface_unit;
+// Largest number of drawn trims; only a very large picture has more.
+constexpr std::size_t max_trims = 1U << 18;
 
-// Below 0 for not a number.
+// Returns the fraction of the scalar range; below 0 for NaN.
 float share_of_range(const ScalarColours& scalars, std::size_t vertex) {
   const float value = scalars.values[vertex];
   if (std::isnan(value)) return -1.0F;
   return std::clamp((value - scalars.minimum) / (scalars.maximum - scalars.minimum), 0.0F, 1.0F);
 }
 
-glm::vec3 material_of(const SurfaceView& surface, std::size_t vertex) {
+glm::vec3 vertex_material(const SurfaceView& surface, std::size_t vertex) {
   if (surface.scalars) return {share_of_range(*surface.scalars, vertex), 0.0F, 0.0F};
   return surface.material_coordinates.empty() ? glm::vec3{0.0F} : surface.material_coordinates[vertex];
 }
@@ -158,10 +157,11 @@ void ShadowMap::include(const std::vector<glm::vec3>& points) {
     upper = glm::max(upper, glm::vec2{point});
   }
   if (!(lower.x <= upper.x && lower.y <= upper.y)) return;
-  const MapArea own{{whole_within(lower.x - 1.0F, 0, side_), whole_within(lower.y - 1.0F, 0, side_)},
-                    {whole_within(upper.x + 2.0F, 0, side_), whole_within(upper.y + 2.0F, 0, side_)}};
+  const MapArea point_area{{whole_within(lower.x - 1.0F, 0, side_), whole_within(lower.y - 1.0F, 0, side_)},
+                           {whole_within(upper.x + 2.0F, 0, side_), whole_within(upper.y + 2.0F, 0, side_)}};
   const bool first = drawn_.lower == drawn_.upper;
-  drawn_ = first ? own : MapArea{glm::min(drawn_.lower, own.lower), glm::max(drawn_.upper, own.upper)};
+  drawn_ =
+      first ? point_area : MapArea{glm::min(drawn_.lower, point_area.lower), glm::max(drawn_.upper, point_area.upper)};
 }
 
 void ShadowMap::draw(const glm::mat4& world_to_map, std::span<const glm::vec3> positions,
@@ -176,7 +176,7 @@ void ShadowMap::draw(const glm::mat4& world_to_map, std::span<const glm::vec3> p
     rasterise_triangle(a, b, c, side_, [&](const TriangleSpan& span) {
       float* row = texels_.data() + static_cast<std::ptrdiff_t>(span.row) * side_;
       for (int column = span.first; column <= span.last; ++column) {
-        // On a needle's edge the slope may lead astray.
+        // The slope can extrapolate wrongly at a needle's edge.
         const float depth = std::max(span.depth + span.depth_step * static_cast<float>(column), least);
         row[column] = std::min(row[column], depth);
       }
@@ -196,31 +196,31 @@ void ShadowClassifier::set_shadow_map(const ShadowMap& casters, const FrameBlock
   const bool any = casters.drawn().lower != casters.drawn().upper;
   side_m_ = !any || block.shadow.w <= 0.0F ? 0.0F : block.shadow.z;
   world_to_map_ = block.world_to_shadow;
-  softness_m_ = block.shadow_blur.x * block.shadow.x;
-  sharpest_m_ = sharpest_texels * block.shadow.x;
+  max_blur_m_ = block.shadow_blur.x * block.shadow.x;
+  min_blur_m_ = min_lift_texels * block.shadow.x;
   tangent_ = block.shadow.w;
 }
 
 float ShadowClassifier::penumbra_m(float gap) const {
-  return std::clamp(gap * side_m_ * tangent_, std::min(sharpest_m_, softness_m_), softness_m_);
+  return std::clamp(gap * side_m_ * tangent_, std::min(min_blur_m_, max_blur_m_), max_blur_m_);
 }
 
-ShadowClassifier::Sight ShadowClassifier::sight_of(Corners corners) const {
+ShadowClassifier::Sight ShadowClassifier::measure_sight(Corners corners) const {
   const glm::vec3& a = projected_[corners[0]];
   const glm::vec3& b = projected_[corners[1]];
   const glm::vec3& c = projected_[corners[2]];
   const int side_px = map_->side_px();
   const float sample = static_cast<float>(stride) / static_cast<float>(side_px);
-  const glm::vec2 slope = slope_of(a, b, c) / sample;
+  const glm::vec2 slope = depth_slope(a, b, c) / sample;
   const float steepness = glm::length(slope);
   Sight sight;
-  if (!(steepness < steepest)) return {1, 1, 0.0F};
+  if (!(steepness < max_slope)) return {1, 1, 0.0F};
   const float allowance = allowance_texels * (1.0F + steepness) / static_cast<float>(side_px);
   const auto look_at = [&](float gap) {
     const bool hidden = gap > allowance;
     sight.dark += hidden ? 1 : 0;
     sight.lit += hidden ? 0 : 1;
-    sight.widest_gap = std::max(sight.widest_gap, gap);
+    sight.max_gap_fraction = std::max(sight.max_gap_fraction, gap);
   };
   const float* depths = map_->depths().data();
   rasterise_triangle(a, b, c, side_px / stride, [&](const TriangleSpan& span) {
@@ -236,25 +236,27 @@ ShadowClassifier::Sight ShadowClassifier::sight_of(Corners corners) const {
   return sight;
 }
 
-// Every triangle with itself alone.
+// Compares every triangle with the shadow map.
 void ShadowClassifier::compare(const SurfaceView& surface, std::vector<KeyVisibility>& visibility) {
   project_to_map(world_to_map_, map_->side_px() / stride, surface.positions, projected_);
   penumbrae_m_.resize(visibility.size());
   for (std::size_t i = 0; i < visibility.size(); ++i) {
-    const Sight sight = sight_of(Corners(&surface.triangles[3 * i], 3));
+    const Sight sight = measure_sight(Corners(&surface.triangles[3 * i], 3));
     const KeyVisibility whole = sight.dark == 0 ? KeyVisibility::lit : KeyVisibility::shadowed;
     visibility[i] = sight.lit > 0 && sight.dark > 0 ? KeyVisibility::partial : whole;
-    penumbrae_m_[i] = sight.dark == 0 ? 0.0F : penumbra_m(sight.widest_gap);
+    penumbrae_m_[i] = sight.dark == 0 ? 0.0F : penumbra_m(sight.max_gap_fraction);
   }
 }
 
-// Penumbrae start at vertices which both light and shadow touch.
+// Penumbrae start at vertices touched by both light and shadow.
 void ShadowClassifier::find_shadow_edges(std::span<const std::uint32_t> triangles,
                                          const std::vector<KeyVisibility>& visibility) {
   std::ranges::fill(touched_, std::uint8_t{0});
   for (std::size_t i = 0; i < triangles.size(); ++i) {
-    const KeyVisibility own = visibility[i / 3];
-    touched_[triangles[i]] |= own == KeyVisibility::shadowed ? by_shadow : own == KeyVisibility::lit ? by_light : 3;
+    const KeyVisibility point_area = visibility[i / 3];
+    touched_[triangles[i]] |= point_area == KeyVisibility::shadowed ? by_shadow
+                              : point_area == KeyVisibility::lit    ? by_light
+                                                                    : 3;
   }
   std::ranges::fill(reaches_m_, 0.0F);
   for (std::size_t i = 0; i < triangles.size(); ++i) {
@@ -275,7 +277,7 @@ void ShadowClassifier::spread(const SurfaceView& surface) {
     reaches_m_[to] = left_m;
     changed = true;
   };
-  for (int round = 0; round < most_rounds && changed; ++round) {
+  for (int round = 0; round < max_spread_rounds && changed; ++round) {
     changed = false;
     for (std::size_t i = 0; i < surface.triangles.size(); ++i) {
       const std::uint32_t from = surface.triangles[i];
@@ -299,7 +301,7 @@ void ShadowClassifier::classify(const SurfaceView& surface, std::vector<KeyVisib
   }
 }
 
-int BaseColourMapTexture::layer_of(const BaseColourMap& map) {
+int BaseColourMapTexture::add_layer(const BaseColourMap& map) {
   const auto known = std::ranges::find(maps_, map);
   const auto layer = static_cast<int>(known - maps_.begin());
   if (known == maps_.end()) maps_.push_back(map);
@@ -321,12 +323,12 @@ void BaseColourMapTexture::upload() {
   const Products products = make_products();
   for (std::size_t layer = 0; layer < maps_.size(); ++layer) {
     const BaseColourMap& map = maps_[layer];
-    Bytes bytes = premultiplied(map, products);
-    if (map.width_px != width_px || map.height_px != height_px) bytes = enlarged(bytes, map, width_px, height_px);
+    Bytes bytes = premultiply(map, products);
+    if (map.width_px != width_px || map.height_px != height_px) bytes = enlarge(bytes, map, width_px, height_px);
     gl_->TexSubImage3D(GL_TEXTURE_2D_ARRAY, 0, 0, 0, static_cast<GLint>(layer), width_px, height_px, 1, GL_RGBA,
                        GL_UNSIGNED_BYTE, bytes.data());
   }
-  // Between levels too, which repeat as a new texture does.
+  // Mipmaps are interpolated too; new textures repeat by default.
   gl_->GenerateMipmap(GL_TEXTURE_2D_ARRAY);
   gl_->TexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
   uploaded_ = maps_;
@@ -363,9 +365,9 @@ SurfaceBuffers::SurfaceBuffers(const GladGLContext& context)
       material_data_(context),
       corner_data_(context),
       trim_data_(context) {
-  GLint most = 0;
-  gl_->GetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &most);
-  most_texels_ = static_cast<std::size_t>(std::max(most, 0));
+  GLint max_texels = 0;
+  gl_->GetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &max_texels);
+  max_texels_ = static_cast<std::size_t>(std::max(max_texels, 0));
 }
 
 void SurfaceBuffers::clear() {
@@ -373,14 +375,14 @@ void SurfaceBuffers::clear() {
   triangles_.clear();
   materials_.clear();
   corners_.clear();
-  trims_.assign(1, {});  // of those without
+  trims_.assign(1, {});  // entry of triangles without trims
 }
 
 void SurfaceBuffers::add_materials(const SurfaceView& surface, float row, BaseColourMapTexture& maps) {
   const SurfaceStyle& style = surface.style;
   const float weave = surface.material_coordinates.empty() ? 0.0F : style.weave;
   const auto add_one = [&](const BaseColour& colour) {
-    const float layer = surface.scalars || !colour.map.rgba ? -1.0F : static_cast<float>(maps.layer_of(colour.map));
+    const float layer = surface.scalars || !colour.map.rgba ? -1.0F : static_cast<float>(maps.add_layer(colour.map));
     materials_.push_back(
         {{linear_light(colour.outside_colour), std::clamp(style.roughness, 0.05F, 1.0F)},
          {linear_light(colour.inside_colour), style.sheen},
@@ -393,12 +395,12 @@ void SurfaceBuffers::add_materials(const SurfaceView& surface, float row, BaseCo
   bool has_map = false;
   for (const BaseColour& colour : surface.base_colours) has_map = add_one(colour) || has_map;
   if (surface.base_colours.empty()) {
-    add_one({style.outside_colour, style.inside_colour.value_or(reverse_of(style.outside_colour))});
+    add_one({style.outside_colour, style.inside_colour.value_or(reverse_colour(style.outside_colour))});
   }
   if (has_map) add_corners(surface);
 }
 
-// Triangles before these, which have no map, have corners that nobody looks at.
+// Earlier triangles without a map get unused corners.
 void SurfaceBuffers::add_corners(const SurfaceView& surface) {
   corners_.resize(3 * triangles_.size() - surface.corner_coordinates.size());
   corners_.insert(corners_.end(), surface.corner_coordinates.begin(), surface.corner_coordinates.end());
@@ -407,24 +409,24 @@ void SurfaceBuffers::add_corners(const SurfaceView& surface) {
 void SurfaceBuffers::add(const SurfaceView& surface, const SurfaceLight& light, int colour_map_row,
                          BaseColourMapTexture& maps) {
   const auto first = static_cast<std::uint32_t>(vertices_.size());
-  const auto own = static_cast<std::uint32_t>(materials_.size());
-  if (own + surface.base_colours.size() >= most_surfaces) {
-    throw ContextError("a frame has more than " + std::to_string(most_surfaces) + " surfaces");
+  const auto point_area = static_cast<std::uint32_t>(materials_.size());
+  if (point_area + surface.base_colours.size() >= max_surfaces) {
+    throw ContextError("a frame has more than " + std::to_string(max_surfaces) + " surfaces");
   }
   for (std::size_t i = 0; i < surface.positions.size(); ++i) {
     vertices_.push_back({{surface.positions[i], 0.0F},
                          {surface.normals[i], light.sky[i].x},
-                         {material_of(surface, i), light.sky[i].y}});
+                         {vertex_material(surface, i), light.sky[i].y}});
   }
   const std::size_t first_triangle = triangles_.size();
   for (std::size_t i = 0; i + 2 < surface.triangles.size(); i += 3) {
     const std::uint32_t colour = surface.base_colour_of_triangle.empty() ? 0 : surface.base_colour_of_triangle[i / 3];
     triangles_.emplace_back(first + surface.triangles[i], first + surface.triangles[i + 1],
                             first + surface.triangles[i + 2],
-                            (own + colour) * surface_unit + static_cast<std::uint32_t>(light.key[i / 3]));
+                            (point_area + colour) * surface_unit + static_cast<std::uint32_t>(light.key[i / 3]));
   }
   for (const TrimmedTriangle& trim : surface.trims) {
-    if (trims_.size() >= most_trims) break;
+    if (trims_.size() >= max_trims) break;
     triangles_[first_triangle + trim.triangle].w += static_cast<std::uint32_t>(trims_.size()) * trim_unit;
     trims_.push_back({trim.corners, {trim.band_m, trim.ribbed ? 1.0F : 0.0F, trim.thickness_m, trim.stitch_m}});
   }
@@ -435,9 +437,9 @@ template <typename Row>
 void SurfaceBuffers::upload_rows(BufferTexture& target, GLenum format, const std::vector<Row>& rows,
                                  unsigned unit) const {
   const std::size_t texels = rows.size() * std::max<std::size_t>(sizeof(Row) / sizeof(glm::vec4), 1);
-  if (texels > most_texels_) {
+  if (texels > max_texels_) {
     throw ContextError("the surfaces of a frame are too large for this OpenGL: " + std::to_string(texels) +
-                       " texels in a buffer, at most " + std::to_string(most_texels_));
+                       " texels in a buffer, at most " + std::to_string(max_texels_));
   }
   taut::renderer::upload(*gl_, GL_TEXTURE_BUFFER, target.buffer, std::span<const Row>(rows));
   bind_texture(*gl_, unit, GL_TEXTURE_BUFFER, target.texture);

@@ -5,23 +5,22 @@
 
 namespace taut::renderer {
 
-/// A rectangle of a square map, in texels.
+/// Rectangle of a square map, in texels.
 struct MapArea {
   glm::ivec2 lower{0};
   glm::ivec2 upper{0};  ///< excluded
 };
 
-/// A square shadow map (Williams 1978), rasterised on the CPU. Garment triangles cover only a few texels, so
-/// that their setup in a general rasteriser would cost several times as much.
+/// Square shadow map (Williams 1978), rasterised on the CPU. Garment triangles cover only a few texels, so their setup
+/// in a general rasteriser would cost several times as much.
 class ShadowMap {
  public:
   /// Sets the side in texels. A new size clears the map.
   void resize(int side_px);
   /// Sets every texel to depth 1, the farthest.
   void clear();
-  /// Rasterises triangles and keeps the least depth at every texel centre. `world_to_map` leads from metres
-  /// to 0..1 in all three axes; what falls outside is clipped. `triangles`: three indices into positions
-  /// each.
+  /// Rasterises triangles and keeps the smallest depth at every texel centre. `world_to_map` maps metres to 0..1 in all
+  /// three axes and clips the rest. `triangles`: three indices into positions each.
   void draw(const glm::mat4& world_to_map, std::span<const glm::vec3> positions,
             std::span<const std::uint32_t> triangles);
 
@@ -47,35 +46,34 @@ class ShadowMap {
 void project_to_map(const glm::mat4& world_to_map, int side_px, std::span<const glm::vec3> positions,
                     std::vector<glm::vec3>& projected);
 
-/// Whether the key light reaches a triangle. The values are those of shaders/surface_buffers.glsl.
+/// Visibility of a triangle from the key light. The values match shaders/surface_buffers.glsl.
 enum class KeyVisibility : std::uint8_t {
   shadowed = 0,
   lit = 1,
-  partial = 2,  ///< partly shadowed: every pixel looks into the shadow map
+  partial = 2,  ///< partly shadowed: every pixel samples the shadow map
 };
 
-/// Classifies triangles as lit, shadowed or partly shadowed. Only pixels of the last look into the shadow
-/// map, which would otherwise take most of a picture's time. Each triangle is compared with the shadow map at
-/// the texels it covers. Where light and shadow meet, the penumbra is spread over the mesh from vertex to
-/// vertex.
+/// Classifies triangles as lit, shadowed or partly shadowed. Only pixels of the last class sample the shadow map, which
+/// would otherwise take most of a picture's time. Each triangle is compared with the shadow map at the texels it
+/// covers. At the border of light and shadow, the penumbra spreads over the mesh from vertex to vertex.
 class ShadowClassifier {
  public:
-  /// Sets the shadow map and its place in the world (block.world_to_shadow and the shadow members). The map
-  /// must live while classify() is called.
+  /// Sets the shadow map and its transform (block.world_to_shadow and the shadow members). The map must live while
+  /// classify() is called.
   void set_shadow_map(const ShadowMap& map, const FrameBlock& block);
   /// Fills `visibility` with one value per triangle of the surface. Requires set_shadow_map() before.
   void classify(const SurfaceView& surface, std::vector<KeyVisibility>& visibility);
 
  private:
-  // How many texels of a triangle the light sees.
+  // Number of a triangle's texels in light and in shadow.
   struct Sight {
     int lit = 0;
     int dark = 0;
-    float widest_gap = 0.0F;  // from the triangle to its blocker; share of the map's depth
+    float max_gap_fraction = 0.0F;  // largest gap between triangle and blocker, as a fraction of the map's depth
   };
   using Corners = std::span<const std::uint32_t, 3>;
 
-  Sight sight_of(Corners corners) const;
+  Sight measure_sight(Corners corners) const;
   void compare(const SurfaceView& surface, std::vector<KeyVisibility>& visibility);
   void find_shadow_edges(std::span<const std::uint32_t> triangles, const std::vector<KeyVisibility>& visibility);
   void spread(const SurfaceView& surface);
@@ -84,18 +82,18 @@ class ShadowClassifier {
   const ShadowMap* map_ = nullptr;
   glm::mat4 world_to_map_{1.0F};
   float side_m_ = 0.0F;      // 0: nothing casts a shadow
-  float softness_m_ = 0.0F;  // widest blur
-  float sharpest_m_ = 0.0F;  // narrowest blur
-  float tangent_ = 0.0F;     // of the light's angular radius
+  float max_blur_m_ = 0.0F;  // widest blur
+  float min_blur_m_ = 0.0F;  // narrowest blur
+  float tangent_ = 0.0F;     // tangent of the light's angular radius
   // Scratch.
   std::vector<glm::vec3> projected_;   // x and y in samples, z the depth
-  std::vector<float> penumbrae_m_;     // of each triangle with shadow on it
-  std::vector<std::uint8_t> touched_;  // by light (1) and shadow (2), for each vertex
-  std::vector<float> reaches_m_;       // how far a penumbra still goes from each vertex
+  std::vector<float> penumbrae_m_;     // penumbra of each triangle with shadow on it
+  std::vector<std::uint8_t> touched_;  // flags per vertex: touched by light (1) and shadow (2)
+  std::vector<float> reaches_m_;       // remaining reach of a penumbra from each vertex
 };
 
-/// The base colour maps of a frame as layers of one array texture, in premultiplied linear light. Smaller
-/// maps are enlarged to the size of the largest. It is uploaded when other maps are asked for than before.
+/// Base colour maps of a frame as layers of one array texture, in premultiplied linear light. Smaller maps are enlarged
+/// to the size of the largest. It is uploaded if the set of maps changes.
 class BaseColourMapTexture {
  public:
   /// The context must be current and outlive this object.
@@ -104,8 +102,8 @@ class BaseColourMapTexture {
   /// Begins a frame.
   void clear() { maps_.clear(); }
   /// Returns the layer of a map, counted from 0. Calls no OpenGL.
-  int layer_of(const BaseColourMap& map);
-  /// Uploads what was asked for since clear(), unless it is there.
+  int add_layer(const BaseColourMap& map);
+  /// Uploads the maps requested since clear(), unless they are unchanged.
   void upload();
   /// Returns the texture of the last upload(), which must have been called.
   const Texture& texture() const { return *made_; }
@@ -117,13 +115,13 @@ class BaseColourMapTexture {
   std::optional<Texture> made_;
 };
 
-/// A texture with one colour map per row, made at the first call of texture().
+/// Texture with one colour map per row, made at the first call of texture().
 class ColourMapTexture {
  public:
   /// The context must be current and outlive this object.
   explicit ColourMapTexture(const GladGLContext& context) : gl_(&context) {}
   /// Returns the row of a map, counted from 0.
-  static int row_of(ColourMap map) { return static_cast<int>(map); }
+  static int row_index(ColourMap map) { return static_cast<int>(map); }
   /// Returns the texture. The first call binds it to the active texture unit.
   const Texture& texture();
 
@@ -132,17 +130,17 @@ class ColourMapTexture {
   std::optional<Texture> made_;
 };
 
-/// The light that arrives at a surface.
+/// Light that arrives at a surface.
 struct SurfaceLight {
   std::vector<KeyVisibility> key;  ///< one per triangle
   std::vector<glm::vec2> sky;      ///< ambient, one per vertex; x outside, y inside
 };
 
-/// Replaces the light at the coarse mesh of a refined surface by that at the surface. A vertex that faces
-/// away from those it is between has their other side's.
+/// Replaces the light of a refined surface's coarse mesh by light on the surface. A vertex that faces away from its
+/// parents gets the light of their other side.
 void spread(const SurfaceView& surface, SurfaceLight& light);
 
-/// All surfaces of one frame in buffer textures, laid out as shaders/surface_buffers.glsl says.
+/// All surfaces of one frame in buffer textures, in the layout of shaders/surface_buffers.glsl.
 class SurfaceBuffers {
  public:
   /// Three texels of the vertex buffer.
@@ -157,8 +155,8 @@ class SurfaceBuffers {
 
   /// Removes all surfaces.
   void clear();
-  /// Adds a surface with its light. `colour_map_row`: row of its colour map in ColourMapTexture; ignored
-  /// without scalars. `maps` is asked for the layers of its base colour maps.
+  /// Adds a surface with its light. `colour_map_row`: row of its colour map in ColourMapTexture; ignored without
+  /// scalars. `maps` provides the layers of its base colour maps.
   void add(const SurfaceView& surface, const SurfaceLight& light, int colour_map_row, BaseColourMapTexture& maps);
   /// Uploads all surfaces. Throws ContextError when they exceed the context's largest buffer texture.
   void upload();
@@ -172,7 +170,7 @@ class SurfaceBuffers {
 
   /// Returns the vertices of all surfaces.
   std::span<const Vertex> all_vertices() const { return vertices_; }
-  /// Returns one element per triangle: xyz its vertices, w as shaders/surface_buffers.glsl says.
+  /// Returns one element per triangle: xyz its vertices, w see shaders/surface_buffers.glsl.
   std::span<const glm::uvec4> all_triangles() const { return triangles_; }
   /// Returns whether a triangle's KeyVisibility is partial.
   static bool is_partial(const glm::uvec4& triangle) {
@@ -180,19 +178,19 @@ class SurfaceBuffers {
   }
 
  private:
-  // For a triangle that is trimmed.
+  // Trim of one triangle.
   struct Trim {
     std::array<glm::vec4, 3> corners;
     glm::vec4 band;
   };
-  struct Material {
+  struct MaterialTexels {
     glm::vec4 outside;
     glm::vec4 inside;
-    glm::vec4 rest;
+    glm::vec4 properties;
     glm::vec4 threads;
     glm::vec4 stitches;
   };
-  // A buffer and the texture through which shaders read it.
+  // Buffer and the texture through which shaders read it.
   struct BufferTexture {
     explicit BufferTexture(const GladGLContext& context) : buffer(context), texture(context) {}
     Buffer buffer;
@@ -211,24 +209,24 @@ class SurfaceBuffers {
   BufferTexture trim_data_;
   std::vector<Vertex> vertices_;
   std::vector<glm::uvec4> triangles_;
-  std::vector<Material> materials_;
-  std::vector<glm::vec2> corners_;  // three per triangle up to the last that has a map
+  std::vector<MaterialTexels> materials_;
+  std::vector<glm::vec2> corners_;  // three per triangle, up to the last triangle with a map
   std::vector<Trim> trims_;
-  std::size_t most_texels_ = 0;
+  std::size_t max_texels_ = 0;
 };
 
-/// A span of scanline rasterisation: the pixels of one row whose centres lie in a triangle.
+/// Span of scanline rasterisation: the pixels of one row whose centres lie in a triangle.
 struct TriangleSpan {
   int row = 0;
   int first = 0;            ///< first column
   int last = 0;             ///< last column, included
-  float depth = 0.0F;       ///< at the centre of column 0
-  float depth_step = 0.0F;  ///< from column to column
+  float depth = 0.0F;       ///< depth at the centre of column 0
+  float depth_step = 0.0F;  ///< change of depth per column
 };
 
 namespace detail {
 
-// Where an edge cuts the rows: column = offset + slope * row. Rows the edge does not reach bound nothing.
+// Intersection of an edge with rows: column = offset + slope * row. Rows beyond the edge are not bounded by it.
 struct RowCut {
   float slope = 0.0F;
   float offset = 0.0F;
@@ -242,15 +240,15 @@ inline RowCut row_cut(const glm::vec3& from, const glm::vec3& to, bool counter_c
 
 }  // namespace detail
 
-/// Calls `fill` with every span of a triangle on a square of side_px. Corners: x and y in pixels, z the
-/// depth. The winding does not matter. Neighbours may share pixels on their edge, but never leave a gap.
-/// Spans are clipped to the square, also for corners that are not finite.
+/// Calls `fill` with every span of a triangle on a square of side_px. Corners: x and y in pixels, z the depth. The
+/// winding does not matter. Neighbours may share pixels on their edge but never leave a gap. Spans are clipped to the
+/// square, also for corners that are not finite.
 template <typename Fill>
 void rasterise_triangle(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c, int side_px, Fill&& fill) {
-  // A hair to spare on every side, px.
-  constexpr float spare = 1e-3F;
-  const auto first_centre = [side_px](float edge) { return whole_within(edge + 0.5F - spare, 0, side_px); };
-  const auto last_centre = [side_px](float edge) { return whole_within(edge + 0.5F + spare, 0, side_px) - 1; };
+  // Safety margin on every side, px.
+  constexpr float margin_px = 1e-3F;
+  const auto first_centre = [side_px](float edge) { return whole_within(edge + 0.5F - margin_px, 0, side_px); };
+  const auto last_centre = [side_px](float edge) { return whole_within(edge + 0.5F + margin_px, 0, side_px) - 1; };
   const int first_row = first_centre(std::min({a.y, b.y, c.y}));
   const int last_row = last_centre(std::max({a.y, b.y, c.y}));
   const float leftmost = std::min({a.x, b.x, c.x});

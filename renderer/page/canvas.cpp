@@ -8,32 +8,32 @@ namespace {
 
 using SurfaceHandle = std::unique_ptr<cairo_surface_t, void (*)(cairo_surface_t*)>;
 
-std::uint32_t premultiplied(const std::uint8_t* pixel, bool has_alpha) {
+std::uint32_t premultiply_pixel(const std::uint8_t* pixel, bool has_alpha) {
   const unsigned alpha = has_alpha ? pixel[3] : 255U;
   const auto part = [alpha](unsigned value) { return (value * alpha + 127U) / 255U; };
   return (alpha << 24U) | (part(pixel[0]) << 16U) | (part(pixel[1]) << 8U) | part(pixel[2]);
 }
 
-SurfaceHandle checked(cairo_surface_t* made) {
-  SurfaceHandle handle(made, cairo_surface_destroy);
-  const cairo_status_t status = cairo_surface_status(made);
+SurfaceHandle check_surface(cairo_surface_t* canvas_surface) {
+  SurfaceHandle handle(canvas_surface, cairo_surface_destroy);
+  const cairo_status_t status = cairo_surface_status(canvas_surface);
   if (status != CAIRO_STATUS_SUCCESS) {
     throw std::runtime_error(std::string("cannot make a canvas: ") + cairo_status_to_string(status));
   }
   return handle;
 }
 
-// Cairo keeps pixels as native 32-bit words, alpha highest.
+// Cairo stores pixels as native 32-bit words, alpha highest.
 SurfaceHandle to_cairo(const Image& image) {
   const bool has_alpha = image.channels == 4;
-  SurfaceHandle surface = checked(cairo_image_surface_create(has_alpha ? CAIRO_FORMAT_ARGB32 : CAIRO_FORMAT_RGB24,
-                                                             image.width_px, image.height_px));
+  SurfaceHandle surface = check_surface(cairo_image_surface_create(has_alpha ? CAIRO_FORMAT_ARGB32 : CAIRO_FORMAT_RGB24,
+                                                                   image.width_px, image.height_px));
   cairo_surface_flush(surface.get());
   unsigned char* data = cairo_image_surface_get_data(surface.get());
   const int stride = cairo_image_surface_get_stride(surface.get());
   for (int y = 0; y < image.height_px; ++y) {
     for (int x = 0; x < image.width_px; ++x) {
-      const std::uint32_t word = premultiplied(image.at(x, y), has_alpha);
+      const std::uint32_t word = premultiply_pixel(image.at(x, y), has_alpha);
       std::memcpy(data + static_cast<std::ptrdiff_t>(y) * stride + 4 * x, &word, 4);
     }
   }
@@ -72,7 +72,7 @@ cairo_status_t append_bytes(void* target, const unsigned char* bytes, unsigned c
   return CAIRO_STATUS_SUCCESS;
 }
 
-// The same glyphs on every machine: not what its font settings say about screens.
+// Fixes the glyphs on every machine, whatever its font settings for screens.
 void set_font_options(cairo_t* pen) {
   cairo_font_options_t* options = cairo_font_options_create();
   cairo_font_options_set_antialias(options, CAIRO_ANTIALIAS_GRAY);
@@ -97,15 +97,14 @@ float horizontal_shift(HorizontalAlign align, const TextSize& size) {
 }
 
 float vertical_shift(VerticalAlign align, const TextSize& size) {
-  // The middle of lower-case letters with ascenders is what the eye takes for the middle of a line.
+  // The eye takes the middle of lower-case letters with ascenders for the middle of a line.
   if (align == VerticalAlign::middle) return 0.36F * (size.ascent_px + size.descent_px) * 0.86F;
   return align == VerticalAlign::top ? size.ascent_px : align == VerticalAlign::bottom ? -size.descent_px : 0.0F;
 }
 
 void draw_bar(Canvas& canvas, const Legend& legend, const LegendPlace& place) {
   const int rows = static_cast<int>(std::ceil(place.bar_height_px));
-  // Rows need not lie on whole pixels: each goes on below, and the bar to under its frame, so that what is
-  // behind shines through no seam.
+  // Rows may lie between whole pixels, so each extends below the next, and the bar under its frame: no seam shows.
   constexpr float under_border = 0.5F;
   for (int row = 0; row < rows; ++row) {
     const float y = static_cast<float>(row);
@@ -118,12 +117,12 @@ void draw_bar(Canvas& canvas, const Legend& legend, const LegendPlace& place) {
                    place.text.colour);
 }
 
-// A small triangle on the bar says that larger values exist and take the last colour.
+// Draws a small triangle on the bar: larger values exist and take the last colour.
 void draw_arrow(Canvas& canvas, const Legend& legend, const LegendPlace& place) {
   const float height = 0.6F * place.bar_width_px;
   for (float y = 0.0F; y < height; y += 1.0F) {
     const float half = 0.5F * place.bar_width_px * (1.0F - (y + 0.5F) / height);
-    // Into the row below, which is wider, so that no seam shows between the two.
+    // Rows overlap the wider row below, so that no seam shows.
     const float depth = y > 0.0F ? 2.0F : 1.0F;
     canvas.fill_rectangle(place.x_px + 0.5F * place.bar_width_px - half, place.y_px - 2.0F - y, 2.0F * half, depth,
                           colour_at(legend.map, 1.0F));
@@ -133,7 +132,7 @@ void draw_arrow(Canvas& canvas, const Legend& legend, const LegendPlace& place) 
 struct Scale {
   const Legend& legend;
   const LegendPlace& place;
-  float y_of(float value) const {
+  float bar_y_px(float value) const {
     const float t = (value - legend.minimum) / (legend.maximum - legend.minimum);
     return place.y_px + (1.0F - t) * place.bar_height_px;
   }
@@ -147,8 +146,8 @@ void draw_ticks(Canvas& canvas, const Legend& legend, const Scale& scale, const 
   const float step = round_step(high - low);
   for (const float shown : multiples_within(low, high, step)) {
     const float value = shown / legend.factor;
-    const float y = std::floor(scale.y_of(value)) + 0.5F;
-    const bool hidden = legend.bound && std::abs(scale.y_of(*legend.bound) - y) < 1.1F * text.size_px;
+    const float y = std::floor(scale.bar_y_px(value)) + 0.5F;
+    const bool hidden = legend.bound && std::abs(scale.bar_y_px(*legend.bound) - y) < 1.1F * text.size_px;
     canvas.line(right, y, right + 4.0F, y, text.colour);
     if (!hidden) canvas.text(right + 8.0F, y, tick_text(shown, step) + legend.suffix, text);
   }
@@ -156,14 +155,14 @@ void draw_ticks(Canvas& canvas, const Legend& legend, const Scale& scale, const 
 
 void draw_bound(Canvas& canvas, const Legend& legend, const Scale& scale, TextStyle text) {
   const LegendPlace& place = scale.place;
-  const float y = std::round(scale.y_of(*legend.bound));
+  const float y = std::round(scale.bar_y_px(*legend.bound));
   const float right = place.x_px + place.bar_width_px;
-  // White under black: visible on every colour of the map.
+  // White under black is visible on every colour of the map.
   canvas.line(place.x_px - 4.0F, y, right + 6.0F, y, Colour{1.0F}, 4.0F);
   canvas.line(place.x_px - 4.0F, y, right + 6.0F, y, text.colour, 2.0F);
   const float range = (legend.maximum - legend.minimum) * legend.factor;
   const float shown = *legend.bound * legend.factor;
-  // One digit more than the ticks where the bound falls between them.
+  // A bound between ticks gets one digit more than they have.
   const float step = round_step(range);
   const bool on_tick = std::abs(shown / step - std::round(shown / step)) < 0.01F;
   text.bold = true;
@@ -173,13 +172,13 @@ void draw_bound(Canvas& canvas, const Legend& legend, const Scale& scale, TextSt
 }  // namespace
 
 struct Canvas::Surface {
-  // Declared first, so that it outlives the surface that streams into it.
+  // Declared first: it has to outlive the surface that streams into it.
   std::vector<std::uint8_t> pdf_bytes;
   bool is_pdf = false;
   int width_px = 0;
   int height_px = 0;
-  float smallest_text_px = INFINITY;
-  float scale = 1.0F;  // pixels of the image, or points of the page, for one of the canvas
+  float min_text_px = INFINITY;
+  float scale = 1.0F;  // pixels of the image, or points of the page, per coordinate
   SurfaceHandle surface{nullptr, cairo_surface_destroy};
   PenHandle pen{nullptr, cairo_destroy};
 
@@ -188,16 +187,16 @@ struct Canvas::Surface {
     set_font_options(pen.get());
     cairo_scale(pen.get(), scale, scale);
   }
-  // A page has no pixels of its own: there they are taken as those of the canvas.
+  // Returns the pixels per coordinate; for a PDF 1, as it has no pixels.
   float pixels_in_one() const { return is_pdf ? 1.0F : scale; }
-  // A baseline between two rows of pixels blurs every letter's foot.
+  // Returns y rounded to whole pixels: a baseline between two rows blurs every letter's foot.
   float on_whole_pixel(float y_px) const { return std::round(y_px * pixels_in_one()) / pixels_in_one(); }
   bool has_as_many_pixels(float length_px, int pixels) const {
     return std::abs(length_px * pixels_in_one() - static_cast<float>(pixels)) < 1.0F;
   }
 };
 
-Canvas::Canvas(std::unique_ptr<Surface> made) : surface_(std::move(made)) {}
+Canvas::Canvas(std::unique_ptr<Surface> canvas_surface) : surface_(std::move(canvas_surface)) {}
 Canvas::~Canvas() = default;
 
 Canvas::Canvas(int width_px, int height_px, float scale) : surface_(std::make_unique<Surface>()) {
@@ -207,7 +206,8 @@ Canvas::Canvas(int width_px, int height_px, float scale) : surface_(std::make_un
   const auto pixels = [scale](int length) {
     return std::max(1, static_cast<int>(std::lround(static_cast<float>(length) * scale)));
   };
-  surface_->surface = checked(cairo_image_surface_create(CAIRO_FORMAT_RGB24, pixels(width_px), pixels(height_px)));
+  surface_->surface =
+      check_surface(cairo_image_surface_create(CAIRO_FORMAT_RGB24, pixels(width_px), pixels(height_px)));
   surface_->start();
   set_colour(surface_->pen.get(), Colour{1.0F});
   cairo_paint(surface_->pen.get());
@@ -221,24 +221,24 @@ Canvas::Canvas(const Image& image) : surface_(std::make_unique<Surface>()) {
 }
 
 Canvas Canvas::pdf(int width_px, int height_px, float pixels_per_inch, const std::string& title) {
-  auto made = std::make_unique<Surface>();
-  made->is_pdf = true;
-  made->width_px = width_px;
-  made->height_px = height_px;
+  auto canvas_surface = std::make_unique<Surface>();
+  canvas_surface->is_pdf = true;
+  canvas_surface->width_px = width_px;
+  canvas_surface->height_px = height_px;
   const double points_per_px = 72.0 / static_cast<double>(pixels_per_inch);
-  made->scale = static_cast<float>(points_per_px);
-  made->surface = checked(cairo_pdf_surface_create_for_stream(append_bytes, &made->pdf_bytes, width_px * points_per_px,
-                                                              height_px * points_per_px));
-  cairo_pdf_surface_set_metadata(made->surface.get(), CAIRO_PDF_METADATA_TITLE, title.c_str());
-  // Otherwise the time of day gets into the file, and no two are alike.
-  cairo_pdf_surface_set_metadata(made->surface.get(), CAIRO_PDF_METADATA_CREATE_DATE, "2000-01-01T00:00:00Z");
-  made->start();
-  return Canvas(std::move(made));
+  canvas_surface->scale = static_cast<float>(points_per_px);
+  canvas_surface->surface = check_surface(cairo_pdf_surface_create_for_stream(
+      append_bytes, &canvas_surface->pdf_bytes, width_px * points_per_px, height_px * points_per_px));
+  cairo_pdf_surface_set_metadata(canvas_surface->surface.get(), CAIRO_PDF_METADATA_TITLE, title.c_str());
+  // A fixed date: without it no two files would be alike.
+  cairo_pdf_surface_set_metadata(canvas_surface->surface.get(), CAIRO_PDF_METADATA_CREATE_DATE, "2000-01-01T00:00:00Z");
+  canvas_surface->start();
+  return Canvas(std::move(canvas_surface));
 }
 
 int Canvas::width_px() const { return surface_->width_px; }
 int Canvas::height_px() const { return surface_->height_px; }
-float Canvas::smallest_text_px() const { return surface_->smallest_text_px; }
+float Canvas::min_text_px() const { return surface_->min_text_px; }
 
 TextSize Canvas::measure(std::string_view text, const TextStyle& style) const {
   cairo_t* pen = surface_->pen.get();
@@ -251,14 +251,14 @@ TextSize Canvas::measure(std::string_view text, const TextStyle& style) const {
 }
 
 void Canvas::text(float x_px, float y_px, std::string_view text, const TextStyle& style) {
-  if (!text.empty()) surface_->smallest_text_px = std::min(surface_->smallest_text_px, style.size_px);
+  if (!text.empty()) surface_->min_text_px = std::min(surface_->min_text_px, style.size_px);
   const TextSize size = measure(text, style);
   cairo_t* pen = surface_->pen.get();
   set_colour(pen, style.colour);
   const float baseline = surface_->on_whole_pixel(y_px + vertical_shift(style.vertical, size));
   cairo_move_to(pen, x_px + horizontal_shift(style.horizontal, size), baseline);
   cairo_show_text(pen, std::string(text).c_str());
-  // The end of a text is a point that an arc would be joined to, which some PDF viewers show as a hairline.
+  // A new path: an arc would be joined to the end of the text, which some PDF viewers show as a hairline.
   cairo_new_path(pen);
 }
 
@@ -330,7 +330,7 @@ std::vector<std::uint8_t> Canvas::finish_pdf() {
 void draw_legend(Canvas& canvas, const Legend& legend, const LegendPlace& place) {
   if (!(legend.maximum > legend.minimum)) return;
   const Scale scale{legend, place};
-  const TextStyle text = place.text.aligned(HorizontalAlign::left, VerticalAlign::middle);
+  const TextStyle text = place.text.with_alignment(HorizontalAlign::left, VerticalAlign::middle);
   draw_bar(canvas, legend, place);
   if (legend.more_above) draw_arrow(canvas, legend, place);
   draw_ticks(canvas, legend, scale, text);
@@ -339,7 +339,7 @@ void draw_legend(Canvas& canvas, const Legend& legend, const LegendPlace& place)
   }
   const float lift = legend.more_above ? 0.6F * place.bar_width_px + 8.0F : 8.0F;
   canvas.text(place.x_px, place.y_px - lift, legend.title,
-              place.text.aligned(HorizontalAlign::left, VerticalAlign::bottom));
+              place.text.with_alignment(HorizontalAlign::left, VerticalAlign::bottom));
 }
 
 }  // namespace taut::renderer

@@ -5,17 +5,17 @@
 
 namespace taut::renderer {
 
-/// Returns value truncated and clamped to lowest..highest; NaN gives lowest. Casting a float that no int can
-/// hold is undefined, and positions may be anywhere.
+/// Returns value truncated and clamped to lowest..highest; NaN gives lowest. Casting a float that no int can hold is
+/// undefined, and positions may be anywhere.
 inline int whole_within(float value, int lowest, int highest) {
   if (!(value > static_cast<float>(lowest))) return lowest;
   return value < static_cast<float>(highest) ? static_cast<int>(value) : highest;
 }
 
-// Round numbers along a scale. In the scale's own precision, float or double: the last bit of a number can
-// decide to which pixel its tick is rounded.
+// Round numbers along a scale, in the scale's own precision, float or double: the last bit of a number can decide the
+// pixel of its tick.
 
-/// 1, 2 or 5 times a power of ten: the step that gives about six ticks in a range above 0.
+/// Returns the tick step for a range above 0: 1, 2 or 5 times a power of ten, with about six ticks.
 template <class Number> Number round_step(Number range) {
   const Number rough = range / Number(6.0);
   const Number power = std::pow(Number(10.0), std::floor(std::log10(rough)));
@@ -25,7 +25,7 @@ template <class Number> Number round_step(Number range) {
   return Number(10.0) * power;
 }
 
-/// The multiples of `step` from minimum to maximum, ascending.
+/// Returns the multiples of `step` from minimum to maximum, ascending.
 template <class Number> std::vector<Number> multiples_within(Number minimum, Number maximum, Number step) {
   const Number slack = Number(0.001);
   std::vector<Number> values;
@@ -35,7 +35,7 @@ template <class Number> std::vector<Number> multiples_within(Number minimum, Num
   return values;
 }
 
-/// A multiple of `step` with as many decimals as the step has, at most 40.
+/// Returns the text of a multiple of `step`, with as many decimals as the step has, at most 40.
 template <class Number> std::string tick_text(Number value, Number step) {
   const int decimals = whole_within(static_cast<float>(std::ceil(-std::log10(step) - Number(0.001))), 0, 40);
   char text[384];
@@ -44,11 +44,11 @@ template <class Number> std::string tick_text(Number value, Number step) {
   return text;
 }
 
-/// Which part of a text its x or y is the position of.
+/// Part of a text that lies at its x or y.
 enum class HorizontalAlign { left, centre, right };
 enum class VerticalAlign { top, middle, baseline, bottom };
 
-/// DejaVu Sans.
+/// Style of a text in DejaVu Sans.
 struct TextStyle {
   float size_px = 16.0F;  ///< height of the em square, pixels
   Colour colour{0.1F};
@@ -56,44 +56,44 @@ struct TextStyle {
   HorizontalAlign horizontal = HorizontalAlign::left;
   VerticalAlign vertical = VerticalAlign::baseline;
 
-  /// The same with its x and y of another part of the text.
-  TextStyle aligned(HorizontalAlign across, VerticalAlign down = VerticalAlign::baseline) const {
+  /// Returns the style with another alignment.
+  TextStyle with_alignment(HorizontalAlign across, VerticalAlign down = VerticalAlign::baseline) const {
     return {size_px, colour, bold, across, down};
   }
 };
 
-/// The size of a line of text as its font gives it, in pixels.
+/// Size of a line of text by its font, in pixels.
 struct TextSize {
   float width_px = 0.0F;    ///< advance width
   float ascent_px = 0.0F;   ///< above the baseline
   float descent_px = 0.0F;  ///< below the baseline, positive
 };
 
-/// Two-dimensional drawing of text, lines, rectangles and images, over an image or into a PDF. Coordinates
-/// are pixels from the upper left corner, x to the right, y down; whole numbers are pixel edges. Text is one
-/// line of UTF-8. Opacity is 0 to 1.
+/// Two-dimensional canvas for text, lines, rectangles and images, over an image or into a PDF. Coordinates are pixels
+/// from the upper left corner, x to the right, y down; whole numbers are pixel edges. Text is one line of UTF-8.
+/// Opacity is 0 to 1.
 class Canvas {
  public:
-  /// A white canvas, whose image has `scale` times as many pixels each way as it has coordinates, rounded. Throws
-  /// std::runtime_error when Cairo cannot make it.
+  /// Makes a white canvas. `scale` is the number of image pixels per coordinate; the image size is rounded. Throws
+  /// std::runtime_error if Cairo cannot make it.
   Canvas(int width_px, int height_px, float scale = 1.0F);
-  /// A canvas that starts as a copy of the image, and has an alpha channel if it has.
+  /// Makes a canvas with a copy of the image, including its alpha channel if any.
   explicit Canvas(const Image& image);
-  /// One page of a document with this title; text stays text. Throws std::runtime_error where Cairo cannot
+  /// Returns a canvas for a one-page PDF with this title; text stays text. Throws std::runtime_error if Cairo cannot
   /// make it.
   static Canvas pdf(int width_px, int height_px, float pixels_per_inch, const std::string& title);
   ~Canvas();
 
-  /// Return the size in coordinates of the canvas, before any scale.
+  /// Return the size in coordinates, before the scale.
   int width_px() const;
   int height_px() const;
 
-  /// Size of the smallest text drawn so far. Infinite before the first.
-  float smallest_text_px() const;
+  /// Returns the size of the smallest text so far; infinite before the first.
+  float min_text_px() const;
 
-  /// Returns the size of a text drawn in this style.
+  /// Returns the size of a text in this style.
   TextSize measure(std::string_view text, const TextStyle& style) const;
-  /// Draws a text with its aligned point, as the style has it, at (x_px, y_px).
+  /// Draws a text with its aligned point at (x_px, y_px).
   void text(float x_px, float y_px, std::string_view text, const TextStyle& style = {});
   /// Draws a line between two points; its middle runs through them.
   void line(float x0_px, float y0_px, float x1_px, float y1_px, Colour colour, float thickness_px = 1.0F);
@@ -108,37 +108,37 @@ class Canvas {
   /// Draws an image scaled to width_px by height_px. It is copied without filtering where the sizes agree.
   void image(float x_px, float y_px, float width_px, float height_px, const Image& image);
 
-  /// Returns what has been drawn, as RGB. Throws std::logic_error for a PDF.
+  /// Returns the picture as RGB. Throws std::logic_error for a PDF.
   Image to_image() const;
-  /// The PDF file, after which nothing more can be drawn. Throws std::runtime_error where Cairo could not
-  /// make it, and std::logic_error for an image.
+  /// Returns the PDF file; nothing more can be drawn. Throws std::runtime_error if Cairo could not make it, and
+  /// std::logic_error for an image.
   std::vector<std::uint8_t> finish_pdf();
 
  private:
   struct Surface;
-  explicit Canvas(std::unique_ptr<Surface> made);
+  explicit Canvas(std::unique_ptr<Surface> canvas_surface);
   std::unique_ptr<Surface> surface_;
 };
 
-/// The text of the colour bar of a ScalarColours.
+/// Content of the colour bar of a ScalarColours.
 struct Legend {
   std::string title;     ///< e.g. "stretch"
   float minimum = 0.0F;  ///< value at the lower end of the bar
   float maximum = 1.0F;  ///< value at the upper end; above minimum
   ColourMap map = ColourMap::viridis;
-  float factor = 1.0F;         ///< values are printed times this, e.g. 100 with suffix " %" for fractions
-  std::string suffix;          ///< printed behind every value
-  std::optional<float> bound;  ///< a value to mark on the bar, in the unit of minimum and maximum
+  float factor = 1.0F;         ///< factor on printed values, e.g. 100 with suffix " %" for fractions
+  std::string suffix;          ///< text behind every value
+  std::optional<float> bound;  ///< value to mark on the bar, in the unit of minimum and maximum
   bool more_above = false;     ///< draws an arrow head: some values are above maximum
 };
 
-/// Where a legend is drawn, in pixels of the canvas.
+/// Position and size of a legend, in pixels of the canvas.
 struct LegendPlace {
   float x_px = 24.0F;  ///< upper left corner of the bar; the title is above, the values are to the right
   float y_px = 48.0F;
   float bar_width_px = 16.0F;
   float bar_height_px = 240.0F;
-  TextStyle text;  ///< of title and values
+  TextStyle text;  ///< style of title and values
 };
 
 /// Draws a vertical colour bar with ticks at round values.

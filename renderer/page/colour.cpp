@@ -4,15 +4,15 @@ namespace taut::renderer {
 
 namespace {
 
-// Equally spaced samples of the published map (van der Walt and Smith 2015, CC0). Linear between samples
-// stays within two units of 255.
+// Equally spaced samples of the published map (van der Walt and Smith 2015, CC0). Linear interpolation stays within two
+// units of 255.
 constexpr std::array viridis{rgb(0x440154), rgb(0x482878), rgb(0x3E4989), rgb(0x31688E), rgb(0x26828E),
                              rgb(0x1F9E89), rgb(0x35B779), rgb(0x6ECE58), rgb(0xB5DE2B), rgb(0xFDE725)};
-// Lightness falls alike on both sides, and blue against orange is told apart with every colour blindness.
+// Lightness falls equally on both sides; blue and orange are distinguishable with every colour blindness.
 constexpr std::array blue_orange{rgb(0x1B4F8C), rgb(0x3F7DBA), rgb(0x7FAED6), rgb(0xBDD5E8), rgb(0xF2F2EE),
                                  rgb(0xF3CFA6), rgb(0xE6A15F), rgb(0xC9722B), rgb(0x8F4A12)};
 
-std::span<const Colour> samples_of(ColourMap map) {
+std::span<const Colour> map_samples(ColourMap map) {
   return map == ColourMap::viridis ? std::span<const Colour>(viridis) : blue_orange;
 }
 
@@ -32,7 +32,7 @@ glm::vec3 linear_light(const Colour& colour) {
   return {srgb_to_linear(colour.r), srgb_to_linear(colour.g), srgb_to_linear(colour.b)};
 }
 
-Colour reverse_of(const Colour& outside) {
+Colour reverse_colour(const Colour& outside) {
   constexpr float greyer = 0.25F;
   constexpr float paler = 0.25F;
   const Colour grey{glm::dot(outside, glm::vec3{0.2126F, 0.7152F, 0.0722F})};
@@ -41,7 +41,7 @@ Colour reverse_of(const Colour& outside) {
 
 Colour colour_at(ColourMap map, float t) {
   if (std::isnan(t)) return Colour{0.5F};
-  const std::span<const Colour> samples = samples_of(map);
+  const std::span<const Colour> samples = map_samples(map);
   const float place = std::clamp(t, 0.0F, 1.0F) * static_cast<float>(samples.size() - 1);
   const auto lower = std::min(static_cast<std::size_t>(place), samples.size() - 2);
   const float fraction = place - static_cast<float>(lower);

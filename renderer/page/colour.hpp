@@ -4,8 +4,8 @@
 
 namespace taut::renderer {
 
-/// Red, green and blue, sRGB-encoded, each 0 to 1. Every colour in this library's interface is encoded;
-/// shading converts it to linear light.
+/// Red, green and blue, sRGB-encoded, each 0 to 1. All colours in this library's interface are encoded; shading
+/// converts them to linear light.
 using Colour = glm::vec3;
 
 /// Returns the colour 0xRRGGBB.
@@ -14,16 +14,15 @@ constexpr Colour rgb(std::uint32_t hex) {
           static_cast<float>(hex & 255U) / 255.0F};
 }
 
-/// Return one channel through the transfer function of sRGB (IEC 61966-2-1) and back. Arguments are clamped
-/// to 0..1.
+/// Return one channel converted by the transfer function of sRGB (IEC 61966-2-1). Arguments are clamped to 0..1.
 float srgb_to_linear(float encoded);
 float linear_to_srgb(float linear);
 
 /// Returns the colour in linear light, each channel 0 to 1.
 glm::vec3 linear_light(const Colour& colour);
 
-/// Returns the colour of the reverse of cloth that is this colour on its outside: paler and greyer.
-Colour reverse_of(const Colour& outside);
+/// Returns the colour of the reverse of cloth with this outside colour: paler and greyer.
+Colour reverse_colour(const Colour& outside);
 
 /// Colour maps ordered by lightness, so that they can be read in grey and by colour-blind readers.
 enum class ColourMap {

@@ -1,4 +1,4 @@
-// Chunks of text, which stb_image_write does not know, are those of the PNG specification (ISO/IEC 15948).
+// Text chunks, which stb_image_write lacks, follow the PNG specification (ISO/IEC 15948).
 #include "renderer/page/png.hpp"
 
 #include <libdeflate.h>
@@ -6,19 +6,19 @@
 namespace taut::renderer {
 namespace {
 
-// Of libdeflate, which packs rendered pictures five times as fast as stb does, and better.
+// Level of libdeflate, which packs rendered pictures five times as fast as stb and smaller.
 constexpr int deflate_level = 3;
 
-/// Compresses as stb_image_write asks for it: bytes that free() frees, null where there is no memory.
+/// Compresses for stb_image_write: returns bytes for free(), or null without memory.
 unsigned char* compress(const unsigned char* bytes, int count, int* compressed_count, int /*quality*/) {
   const std::unique_ptr<libdeflate_compressor, void (*)(libdeflate_compressor*)> compressor(
       libdeflate_alloc_compressor(deflate_level), libdeflate_free_compressor);
   if (compressor == nullptr) return nullptr;
   const auto size = static_cast<std::size_t>(count);
-  const std::size_t most = libdeflate_zlib_compress_bound(compressor.get(), size);
-  auto* compressed = static_cast<unsigned char*>(std::malloc(most));
+  const std::size_t max_bytes = libdeflate_zlib_compress_bound(compressor.get(), size);
+  auto* compressed = static_cast<unsigned char*>(std::malloc(max_bytes));
   if (compressed == nullptr) return nullptr;
-  *compressed_count = static_cast<int>(libdeflate_zlib_compress(compressor.get(), bytes, size, compressed, most));
+  *compressed_count = static_cast<int>(libdeflate_zlib_compress(compressor.get(), bytes, size, compressed, max_bytes));
   return compressed;
 }
 
@@ -83,7 +83,7 @@ void append_text(Bytes& png, const PngText& entry) {
   append_chunk(png, "tEXt", data);
 }
 
-// The difference to the pixel on the left: packs as well as the best filter of each row, in half the time.
+// Filters by the difference to the left pixel: it packs as well as the best filter per row, in half the time.
 Bytes encode(const Image& image) {
   static const bool is_set = (stbi_write_force_png_filter = 1) == 1;
   int size = 0;

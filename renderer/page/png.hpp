@@ -44,8 +44,8 @@ struct PngText {
 /// a wrong number of pixels or a bad keyword.
 std::vector<std::uint8_t> encode_png(const Image& image, std::span<const PngText> texts = {});
 
-/// Returns the tEXt entries of a PNG file. `name` stands in messages. Throws std::runtime_error when it is no
-/// PNG or a broken one.
+/// Returns the tEXt entries of a PNG file. `name` appears in messages. Throws std::runtime_error if it is no PNG or a
+/// broken one.
 std::vector<PngText> read_png_texts(std::span<const std::uint8_t> png, const std::string& name);
 
 }  // namespace taut::renderer

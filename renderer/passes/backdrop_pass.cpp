@@ -6,23 +6,23 @@ namespace taut::renderer {
 
 namespace {
 
-// How much more than its bounds the shaded part of the floor holds, drawn px: the floor's shader moves its
-// points along the normal before it looks them up. Less cuts the shadow off.
+// Margin of the shaded part of the floor, drawn px: the floor's shader moves its points along the normal before it
+// samples the shadow map. Lower values cut the shadow off.
 constexpr float shadow_margin_px = 4.0F;
-// How far the floor's depth is pushed back, in units of glPolygonOffset. Less lets it show through cloth that
-// lies on it.
+// Offset of the floor's depth, in units of glPolygonOffset. With lower values the floor shows through cloth that lies
+// on it.
 constexpr float floor_offset_factor = 2.0F;
 constexpr float floor_offset_units = 8.0F;
 
-// Drawn pixels for a cell of the grid: larger blurs the floor's light where it is seen at a slant, smaller
-// costs time.
+// Returns the drawn pixels per cell of the grid: higher values blur the floor's light at grazing angles, lower ones
+// cost time.
 int cell_px(int tile_height_px, BackdropGrid fineness) {
   if (fineness == BackdropGrid::coarsest) return std::clamp(tile_height_px / 11 / 16 * 16, 16, 64);
   return fineness == BackdropGrid::fine ? std::clamp(tile_height_px / 60, 4, 12)
                                         : std::clamp(tile_height_px / 20, 4, 36);
 }
 
-// Drawn pixels for a texel of the floor's shadow. More is faster and blurs the shadow's edge.
+// Returns the drawn pixels per texel of the floor's shadow. Higher values are faster and blur the shadow's edge.
 int shadow_texel_px(int tile_height_px) { return std::clamp(tile_height_px / 360, 1, 2); }
 
 }  // namespace
@@ -43,7 +43,7 @@ PixelRect shaded_floor(const FrameBlock& block) {
     const glm::vec3 from{map_to_world * glm::vec4{corners[i % 2].x, corners[i / 2].y, 0.0F, 1.0F}};
     const glm::vec3 on_floor = from + ray * ((block.ground.y - from.y) / ray.y);
     const glm::vec4 clip = block.world_to_clip * glm::vec4{on_floor, 1.0F};
-    if (clip.w < 1e-3F) return all;  // behind the eye: no rectangle of the picture holds it
+    if (clip.w < 1e-3F) return all;  // behind the eye: it has no bounding rectangle in the picture
     const glm::vec2 pixel = (0.5F + 0.5F * glm::vec2{clip} / clip.w) * size;
     lower = glm::min(lower, pixel);
     upper = glm::max(upper, pixel);
@@ -77,7 +77,7 @@ void BackdropPass::draw_grid(const Program& program, const FrameBlock& block, bo
   const glm::ivec2 size_px{block.viewport};
   const int cell = cell_px(size_px.y, fineness);
   const glm::ivec2 cells = (size_px + cell - 1) / cell;
-  // The coarsest grid keeps to a software rasteriser's squares, which it fills faster as a whole.
+  // The coarsest grid matches a software rasteriser's squares, which it fills faster as a whole.
   const glm::vec2 across =
       fineness == BackdropGrid::coarsest ? glm::vec2{size_px} / static_cast<float>(cell) : glm::vec2{cells};
   program.set("grid", glm::vec4{across, floor ? 1.0F : 0.0F, 0.0F});
@@ -86,7 +86,7 @@ void BackdropPass::draw_grid(const Program& program, const FrameBlock& block, bo
 
 void BackdropPass::draw_floor_shadow(const FrameBlock& block, const PixelRect& part) {
   const int texel = shadow_texel_px(static_cast<int>(block.viewport.y));
-  // One texel more: the last pixels blend with what is beyond them.
+  // One texel more, as the last pixels blend with the next texels.
   const glm::ivec2 size_px = (glm::ivec2{part.width_px, part.height_px} + texel - 1) / texel + 1;
   floor_shadow_map_.begin(size_px);
   floor_shadow_.use().set("coarse", glm::vec4{static_cast<float>(part.x_px), static_cast<float>(part.y_px),

@@ -4,27 +4,27 @@
 
 namespace taut::renderer {
 
-/// Returns the part of the tile in which the key light's shadow may fall on the floor, drawn pixels. The
-/// block must be complete.
+/// Returns the part of the tile in which the key light's shadow may fall on the floor, in drawn pixels. The block must
+/// be complete.
 PixelRect shaded_floor(const FrameBlock& block);
 
-/// Returns the four rectangles that cover a target of size_px but for `part`: below, left, right, above.
+/// Returns the four rectangles that cover a target of size_px except `part`: below, left, right, above.
 std::array<PixelRect, 4> bands_around(const PixelRect& part, const glm::ivec2& size_px);
 
 /// Size of the grid at whose vertices the background is shaded. Fine costs more.
 enum class BackdropGrid { fine, coarse, coarsest };
 
-/// Draws the background: the backdrop and the floor with its shadow.
+/// Draws the backdrop and the floor with its shadow.
 class BackdropPass {
  public:
   /// The context must be current and outlive this object.
   explicit BackdropPass(const GladGLContext& context);
 
-  /// Draws the block's tile to the lower left corner of a framebuffer, without the depth test. `floor`:
-  /// whether the floor is visible. The block `Frame` and the light's textures must be bound.
+  /// Draws the block's tile to the lower left corner of a framebuffer, without the depth test. `floor`: the floor is
+  /// visible. The block `Frame` and the light's textures must be bound.
   void draw(GLuint framebuffer, const FrameBlock& block, bool floor, BackdropGrid fineness);
 
-  /// Draws only the floor's depth, so that it hides what is below. The block `Frame` must be bound.
+  /// Draws only the floor's depth, so that it hides everything below. The block `Frame` must be bound.
   void draw_floor_depth();
 
  private:
@@ -37,7 +37,7 @@ class BackdropPass {
   LazyProgram floor_shadow_;
   LazyProgram shaded_;
   LazyProgram floor_depth_;
-  GrowingTarget floor_shadow_map_;  // drawn with larger pixels than the picture
+  GrowingTarget floor_shadow_map_;  // has larger pixels than the picture
   VertexArray no_arrays_;
 };
 

@@ -3,15 +3,15 @@
 namespace taut::renderer {
 namespace {
 
-// Segments of each sphere. A few large ones need a round outline, many small ones need to be cheap: a row of
-// pins has more triangles than the garment it holds.
+// Returns the segments of each sphere. A few large ones need a round outline, many small ones have to be cheap: a row
+// of pins has more triangles than the garment it holds.
 int segments_of_each(std::size_t count) {
   if (count <= 8) return 64;
   return count <= 24 ? 20 : 12;
 }
 
-// How far marks are moved towards the eye, as a share of the distance. Less lets the surface eat into them,
-// more shows them through a layer of cloth in front.
+// Motion of marks towards the eye, as a fraction of the distance. With lower values the surface hides parts of them,
+// with higher ones they show through a layer of cloth in front.
 constexpr float lift = 0.0008F;
 // Points are wider than lines, so a slanted surface needs more.
 constexpr float point_lift = 0.004F;
@@ -36,7 +36,7 @@ TriangleMesh merged_spheres(const SphereView& spheres) {
   return all;
 }
 
-SurfaceView view_of(const TriangleMesh& mesh, const SphereView& spheres) {
+SurfaceView make_sphere_view(const TriangleMesh& mesh, const SphereView& spheres) {
   SurfaceView view;
   view.positions = mesh.positions;
   view.normals = mesh.normals;
@@ -57,7 +57,7 @@ MarkPass::MarkPass(const GladGLContext& context)
       line_buffer_(context),
       point_arrays_(context),
       point_buffer_(context) {
-  constexpr int line_floats = sizeof(Segment) / sizeof(float);
+  constexpr int line_floats = sizeof(MarkSegment) / sizeof(float);
   gl_->BindVertexArray(line_arrays_.name());
   for (int i = 0; i < 4; ++i) {
     set_attribute(*gl_, static_cast<GLuint>(i), line_buffer_, 3, line_floats, 3 * i, 1);
@@ -91,7 +91,7 @@ void MarkPass::draw_lines(const LineView& lines) {
 void MarkPass::draw_segments(float width_px, float opacity) {
   if (segments_.empty()) return;
   gl_->BindVertexArray(line_arrays_.name());
-  upload(*gl_, GL_ARRAY_BUFFER, line_buffer_, std::span<const Segment>(segments_));
+  upload(*gl_, GL_ARRAY_BUFFER, line_buffer_, std::span<const MarkSegment>(segments_));
   line_.use().set("mark", glm::vec4{width_px, opacity, lift, 0.0F});
   gl_->DrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, static_cast<GLsizei>(segments_.size()));
 }

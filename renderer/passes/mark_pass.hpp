@@ -7,8 +7,8 @@ namespace taut::renderer {
 /// Returns the spheres of one group as one mesh.
 TriangleMesh merged_spheres(const SphereView& spheres);
 
-/// Returns the mesh as a surface with the group's colour. The mesh must outlive the view.
-SurfaceView view_of(const TriangleMesh& mesh, const SphereView& spheres);
+/// Returns the mesh as a surface with the spheres' colour. The mesh must outlive the view.
+SurfaceView make_sphere_view(const TriangleMesh& mesh, const SphereView& spheres);
 
 /// Draws marks: lines, wireframes and points of constant width in pixels, with antialiased edges.
 class MarkPass {
@@ -23,7 +23,7 @@ class MarkPass {
   void draw_points(const PointView& points);
 
  private:
-  struct Segment {
+  struct MarkSegment {
     glm::vec3 start;
     glm::vec3 end;
     Colour start_colour;
@@ -42,7 +42,7 @@ class MarkPass {
   Buffer line_buffer_;
   VertexArray point_arrays_;
   Buffer point_buffer_;
-  std::vector<Segment> segments_;  // scratch
+  std::vector<MarkSegment> segments_;  // scratch
   std::vector<Point> marks_;       // scratch
 };
 
@@ -52,9 +52,9 @@ class ResolvePass {
   /// The context must be current and outlive this object.
   explicit ResolvePass(const GladGLContext& context);
 
-  /// Averages `drawn` in linear light over its `samples` and over squares of `supersampling` pixels. `drawn`
-  /// is sRGB-encoded and was premultiplied in linear light. The viewport must be its place in the
-  /// framebuffer; `corner_px` is the viewport's lower left corner.
+  /// Averages `drawn` in linear light over its `samples` and over squares of `supersampling` pixels. `drawn` is
+  /// sRGB-encoded and premultiplied in linear light. The viewport must be its rectangle in the framebuffer; `corner_px`
+  /// is the viewport's lower left corner.
   void draw(const Texture& drawn, int samples, int supersampling, const glm::ivec2& corner_px);
 
  private:

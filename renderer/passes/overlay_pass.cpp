@@ -4,7 +4,7 @@
 
 namespace taut::renderer {
 
-struct OverlayPass::Parts {
+struct OverlayPass::OverlayResources {
   Context& context;
   const GladGLContext& gl;
   Program program;
@@ -13,7 +13,7 @@ struct OverlayPass::Parts {
   Buffer indices;
   Texture sheet;
 
-  explicit Parts(Context& made)
+  explicit OverlayResources(Context& made)
       : context(made),
         gl(made.gl()),
         program(gl, embedded_shaders(), "overlay.vert", "overlay.frag"),
@@ -55,7 +55,7 @@ struct OverlayPass::Parts {
 
 OverlayPass::OverlayPass(Context& context) {
   context.make_current();
-  parts_ = std::make_unique<Parts>(context);
+  parts_ = std::make_unique<OverlayResources>(context);
 }
 
 OverlayPass::~OverlayPass() { delete_in_context(parts_->context, parts_); }

@@ -4,7 +4,7 @@
 
 namespace taut::renderer {
 
-/// A vertex of a user interface's triangles.
+/// Vertex of a user interface's triangles.
 struct OverlayVertex {
   glm::vec2 position_px;       ///< pixels right of and below the picture's upper left corner
   glm::vec2 sheet_place;       ///< texture coordinates in the sheet, 0..1
@@ -15,20 +15,20 @@ struct OverlayVertex {
 struct OverlayPart {
   glm::ivec2 clip_lower_px;      ///< upper left corner, pixels
   glm::ivec2 clip_upper_px;      ///< lower right corner, excluded; no larger than the other: nothing is drawn
-  std::size_t first_index = 0;   ///< in OverlayView::indices
+  std::size_t first_index = 0;   ///< index into OverlayView::indices
   std::size_t index_count = 0;   ///< three per triangle
-  std::size_t first_vertex = 0;  ///< in OverlayView::vertices; added to every index
+  std::size_t first_vertex = 0;  ///< index into OverlayView::vertices; added to every index
 };
 
-/// The triangles of a user interface. The spans belong to the caller and must live until draw() returns.
+/// Triangles of a user interface. The spans belong to the caller and must live until draw() returns.
 struct OverlayView {
   std::span<const OverlayVertex> vertices;
   std::span<const std::uint16_t> indices;
   std::vector<OverlayPart> parts;
 };
 
-/// Draws a user interface over a picture: coloured triangles that are multiplied by a sheet, which holds white
-/// letters and small pictures. Blends sRGB-encoded colours, as user interfaces are designed for.
+/// Draws a user interface over a picture: coloured triangles multiplied by a sheet of white letters and small pictures.
+/// It blends sRGB-encoded colours, for which user interfaces are designed.
 class OverlayPass {
  public:
   /// Makes the context current. The context must outlive the pass. Throws ContextError and ShaderError.
@@ -44,8 +44,8 @@ class OverlayPass {
   void draw(unsigned framebuffer, int width_px, int height_px, const OverlayView& overlay);
 
  private:
-  struct Parts;
-  std::unique_ptr<Parts> parts_;
+  struct OverlayResources;
+  std::unique_ptr<OverlayResources> parts_;
 };
 
 }  // namespace taut::renderer

@@ -3,14 +3,14 @@
 namespace taut::renderer {
 namespace {
 
-// Bounds are rounded outwards to blocks of this side, px. Larger reallocates buffers less often while a
-// garment moves, smaller draws fewer pixels.
+// Side in px of the blocks to which bounds are rounded outwards. Higher values reallocate buffers less often while a
+// garment moves, lower ones draw fewer pixels.
 constexpr int block_px = 32;
-// Margin around surfaces and marks, px, besides a mark's width: edges are antialiased half a pixel beyond it,
-// and a line's corners stick out by less than its width. Less cuts marks off.
+// Margin around surfaces and marks, px, besides a mark's width: edges are antialiased half a pixel beyond it, and a
+// line's corners stick out by less than its width. Lower values cut marks off.
 constexpr float soft_px = 2.0F;
 
-// Collects points as they appear in the picture, in pixels from its lower left corner.
+// Bounds of points in the picture, in pixels from its lower left corner.
 class Bounds {
  public:
   Bounds(const glm::mat4& world_to_clip, const PictureSettings& settings)
@@ -19,7 +19,7 @@ class Bounds {
   void add(std::span<const glm::vec3> points, float margin_px) {
     for (const glm::vec3& point : points) {
       const glm::vec4 clip = to_clip_ * glm::vec4{point, 1.0F};
-      if (clip.w < 1e-3F) {  // behind the eye: what hangs on it may be anywhere
+      if (clip.w < 1e-3F) {  // behind the eye: its surface may be anywhere
         lower_px_ = glm::vec2{0.0F};
         upper_px_ = size_px_;
         return;
@@ -53,22 +53,22 @@ constexpr std::uint8_t no_surface = 0;
 constexpr std::uint8_t uniform_shadow = 1;
 constexpr std::uint8_t some_in_shadow = 2;
 
-// The square a coordinate lies in, one pixel's rounding aside.
-int square_of(float coordinate_px, int count) {
+// Returns the square of a coordinate, within one pixel's rounding.
+int square_index(float coordinate_px, int count) {
   const float square = std::floor(coordinate_px / static_cast<float>(CoveredSquares::side_px));
   return whole_within(square, -1, count);
 }
 
-// How far surfaces under marks are pushed back, in units of glPolygonOffset. Less lets the surface eat into
-// wireframes, more lets the far side show through at a silhouette, where the near side is steeper.
+// Depth offset of surfaces under marks, in units of glPolygonOffset. With lower values the surface hides parts of
+// wireframes, with higher ones the far side shows through at a silhouette, where the near side is steeper.
 constexpr float under_marks_factor = 1.5F;
 constexpr float under_marks_units = 4.0F;
 
-// Variants of the shading: the sum of these says which.
+// Flags of the shading variants; a variant is their sum.
 constexpr std::size_t several_samples = 1;
 constexpr std::size_t scalars = 2;
 constexpr std::size_t partial_shadow = 4;
-// Instead of several samples.
+// Excludes several samples.
 constexpr std::size_t halved = 8;
 constexpr std::size_t base_colour_maps = 16;
 constexpr std::size_t variants = 32;
@@ -125,8 +125,8 @@ void CoveredSquares::find(const SurfaceBuffers& surfaces, const glm::mat4& world
     if (a.z * b.z * c.z == 0.0F) return mark_all();
     const glm::vec2 lower = glm::vec2{glm::min(a, glm::min(b, c))} - 1.0F;
     const glm::vec2 upper = glm::vec2{glm::max(a, glm::max(b, c))} + 1.0F;
-    mark({square_of(lower.x, squares_.x), square_of(lower.y, squares_.y), square_of(upper.x, squares_.x),
-          square_of(upper.y, squares_.y)},
+    mark({square_index(lower.x, squares_.x), square_index(lower.y, squares_.y), square_index(upper.x, squares_.x),
+          square_index(upper.y, squares_.y)},
          kind);
   }
 }
@@ -140,7 +140,7 @@ void CoveredSquares::mark(const glm::ivec4& box, std::uint8_t kind) {
   }
 }
 
-// A triangle that reaches behind the eye may be anywhere.
+// Marks all squares: a triangle that reaches behind the eye may be anywhere.
 void CoveredSquares::mark_all() { std::ranges::fill(kinds_, some_in_shadow); }
 
 void CoveredSquares::add_run(int first, int end, int row) {
@@ -196,7 +196,7 @@ SurfacePass::SurfacePass(const GladGLContext& context)
   gl_->BindVertexArray(0);
 }
 
-// Every triangle has corners of its own, so that a vertex knows the number of its triangle.
+// Uploads separate corners for every triangle, so that a vertex knows its triangle's number.
 void SurfacePass::upload_positions(std::span<const SurfaceView> surfaces) {
   corner_positions_.clear();
   for (const SurfaceView& surface : surfaces) {
@@ -210,9 +210,9 @@ void SurfacePass::gather(std::span<const SurfaceView> surfaces, StudioLight& lig
   base_colour_maps_.clear();
   any_scalars_ = false;
   for (const SurfaceView& surface : surfaces) {
-    light.gather(coarse_of(surface), surface_light_);
+    light.gather(coarse_surface(surface), surface_light_);
     if (surface.refinement) spread(surface, surface_light_);
-    surface_buffers_.add(surface, surface_light_, surface.scalars ? colour_maps_.row_of(surface.scalars->map) : -1,
+    surface_buffers_.add(surface, surface_light_, surface.scalars ? colour_maps_.row_index(surface.scalars->map) : -1,
                          base_colour_maps_);
     any_scalars_ = any_scalars_ || surface.scalars;
   }
@@ -276,14 +276,14 @@ void SurfacePass::shade(const VisibilityBuffer& visibility, GLuint framebuffer, 
   squares_.find(surface_buffers_, block.world_to_clip, {place.width_px, place.height_px});
   const bool several = visibility.samples() > 1;
   surface_buffers_.bind();
-  // The map is made when it is first asked for, in the unit that happens to be active.
+  // The first call makes the map in the active texture unit.
   if (any_scalars_) bind_texture(*gl_, scalar_maps_unit, GL_TEXTURE_2D, colour_maps_.texture());
   if (surface_buffers_.has_maps()) {
     bind_texture(*gl_, base_colour_maps_unit, GL_TEXTURE_2D_ARRAY, base_colour_maps_.texture());
   }
   visibility.bind();
   gl_->Disable(GL_DEPTH_TEST);
-  // A single sample covers its pixel or does not: it is encoded by the shader, which is cheaper.
+  // Single samples cover their pixel or not, so the shader encodes them, which is cheaper.
   if (several) begin_blending_over(*gl_);
   if (halve && !several && place.width_px % 2 == 0 && place.height_px % 2 == 0) {
     shade_halved(visibility, framebuffer, place);

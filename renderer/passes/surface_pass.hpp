@@ -5,28 +5,28 @@
 
 namespace taut::renderer {
 
-/// Returns the bounds of surfaces and marks in the picture, rounded outwards to blocks of 32 pixels. Zero
-/// wide when there are none. `world_to_clip` is that of the whole picture. `surfaces`: the frame's surfaces
-/// and the meshes of its spheres.
+/// Returns the bounds of surfaces and marks in the picture, rounded outwards to blocks of 32 pixels; zero wide if there
+/// are none. `world_to_clip` belongs to the whole picture. `surfaces`: the frame's surfaces and the meshes of its
+/// spheres.
 Tile screen_bounds(const FrameView& frame, std::span<const SurfaceView> surfaces, const glm::mat4& world_to_clip,
                    const PictureSettings& settings);
 
 /// Returns whether any surface or mark has a point below y = height_m, metres.
 bool reaches_below(float height_m, const FrameView& frame, std::span<const SurfaceView> surfaces);
 
-/// The squares of a tile's grid that surfaces can touch. Only these are shaded: a software rasteriser takes
-/// as long for a pixel without a surface as for any other.
+/// Squares of a tile's grid that surfaces may touch. Only these are shaded: a software rasteriser takes as long for a
+/// pixel without a surface as for any other.
 class CoveredSquares {
  public:
-  /// Marks the squares that the bounding rectangles of the triangles touch. `world_to_clip` is that of the
-  /// tile, size_px its size in drawn pixels.
+  /// Marks the squares that the bounding rectangles of the triangles touch. `world_to_clip` belongs to the tile,
+  /// size_px is its size in drawn pixels.
   void find(const SurfaceBuffers& surfaces, const glm::mat4& world_to_clip, const glm::ivec2& size_px);
 
-  /// Returns the corners, three per triangle, of triangles in clip space that cover the marked squares: those
-  /// with a triangle of KeyVisibility::partial, or else those without. Valid until the next call.
+  /// Returns triangles in clip space, three corners each, that cover the marked squares with (`partial`) or without a
+  /// triangle of KeyVisibility::partial. Valid until the next call.
   const std::vector<glm::vec2>& corners(bool partial);
 
-  /// Side of a square, drawn pixels. Smaller shades fewer pixels without a surface, but draws more squares.
+  /// Side of a square, drawn pixels. Lower values shade fewer pixels without a surface but draw more squares.
   static constexpr int side_px = 16;
 
  private:
@@ -36,30 +36,30 @@ class CoveredSquares {
 
   glm::ivec2 tile_px_{0};
   glm::ivec2 squares_{0};
-  std::vector<std::uint8_t> kinds_;   // of each square: no surface, uniform or partial shadow
+  std::vector<std::uint8_t> kinds_;   // kind of each square: no surface, uniform or partial shadow
   std::vector<glm::vec3> projected_;  // scratch: pixels, z: 0 behind the eye
   std::vector<glm::vec2> triangles_;  // scratch
 };
 
-/// Draws surfaces: first their triangles into a visibility buffer, then shades what is visible. The block
-/// `Frame` and the light's textures must be bound.
+/// Draws surfaces: first their triangles into a visibility buffer, then the shading of visible ones. The block `Frame`
+/// and the light's textures must be bound.
 class SurfacePass {
  public:
   /// The context must be current and outlive this object.
   explicit SurfacePass(const GladGLContext& context);
 
-  /// Uploads the corners of all surfaces, which draw_visibility() needs.
+  /// Uploads the corners of all surfaces for draw_visibility().
   void upload_positions(std::span<const SurfaceView> surfaces);
-  /// Draws the triangle numbers into the bound visibility buffer. `under_marks`: pushes surfaces back a
-  /// little, so that marks on them are in front.
+  /// Draws the triangle numbers into the bound visibility buffer. `under_marks` pushes surfaces back slightly, so that
+  /// marks on them are in front.
   void draw_visibility(bool under_marks);
-  /// Gathers the light of the same surfaces. Calls no OpenGL, so that another thread may call it meanwhile.
+  /// Gathers the light of the same surfaces. Calls no OpenGL, so another thread may call it meanwhile.
   void gather(std::span<const SurfaceView> surfaces, StudioLight& light);
   /// Uploads surfaces and light, after gather(). Throws ContextError.
   void upload_surfaces();
-  /// Shades what the visibility buffer holds and blends it over a framebuffer, which is bound. `place`: the
-  /// tile's rectangle there, which becomes the viewport. `block`: the tile's. `halve`: squares of 2 by 2
-  /// pixels are shaded as one, if there is one sample and the tile's sides are even.
+  /// Shades the visibility buffer and blends it over a framebuffer, which is bound. `place`: the tile's rectangle
+  /// there, which becomes the viewport. `block`: the tile's. `halve`: squares of 2 by 2 pixels are shaded as one if
+  /// there is one sample and the tile's sides are even.
   void shade(const VisibilityBuffer& visibility, GLuint framebuffer, const FrameBlock& block, const PixelRect& place,
              bool halve);
 
@@ -73,7 +73,7 @@ class SurfacePass {
   VertexArray corner_arrays_;
   Buffer corner_buffer_;
   std::vector<glm::vec3> corner_positions_;  // three for each triangle
-  std::vector<LazyProgram> shading_;         // by what defines() has
+  std::vector<LazyProgram> shading_;         // variants in the order of defines()
   ColourMapTexture colour_maps_;
   BaseColourMapTexture base_colour_maps_;
   SurfaceBuffers surface_buffers_;

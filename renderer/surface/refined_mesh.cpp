@@ -3,41 +3,43 @@
 namespace taut::renderer {
 namespace {
 
-// Cosine of the turn of a border at rest from which it has a corner.
+// Cosine of the smallest turn of a border at rest that makes a corner.
 constexpr float corner_cosine = 0.7071F;
-// More triangles than this are not made: their pictures would take longer than they are worth.
-constexpr std::size_t most_triangles = 400'000;
-constexpr int most_levels = 4;
+// Largest number of triangles made by refinement: pictures of more would take longer than they are worth.
+constexpr std::size_t max_triangles = 400'000;
+constexpr int max_levels = 4;
 
-VertexPair sorted(std::uint32_t a, std::uint32_t b) { return {std::min(a, b), std::max(a, b)}; }
+VertexPair order_pair(std::uint32_t a, std::uint32_t b) { return {std::min(a, b), std::max(a, b)}; }
 
-// The only edge that starts (end 0) or ends (end 1) at each vertex.
-std::vector<std::uint32_t> only_edges(const std::vector<BorderEdge>& border, std::size_t end,
+// Returns the only edge that starts (end 0) or ends (end 1) at each vertex.
+std::vector<std::uint32_t> only_edges(const std::vector<LinkedBorderEdge>& border, std::size_t end,
                                       std::size_t vertex_count) {
-  std::vector<std::uint32_t> found(vertex_count, BorderEdge::none);
+  std::vector<std::uint32_t> found(vertex_count, LinkedBorderEdge::none);
   std::vector<std::uint8_t> counts(vertex_count, 0);
   for (std::uint32_t e = 0; e < border.size(); ++e) {
     const std::uint32_t vertex = border[e].ends[end];
-    found[vertex] = counts[vertex] == 0 ? e : BorderEdge::none;
+    found[vertex] = counts[vertex] == 0 ? e : LinkedBorderEdge::none;
     counts[vertex] = 1;
   }
   return found;
 }
 
-void connect(std::vector<BorderEdge>& border, std::span<const glm::vec3> rest_positions) {
+void connect(std::vector<LinkedBorderEdge>& border, std::span<const glm::vec3> rest_positions) {
   const std::vector<std::uint32_t> starting = only_edges(border, 0, rest_positions.size());
   const std::vector<std::uint32_t> ending = only_edges(border, 1, rest_positions.size());
-  const auto way = [&](const BorderEdge& edge) { return rest_positions[edge.ends[1]] - rest_positions[edge.ends[0]]; };
+  const auto way = [&](const LinkedBorderEdge& edge) {
+    return rest_positions[edge.ends[1]] - rest_positions[edge.ends[0]];
+  };
   for (std::uint32_t e = 0; e < border.size(); ++e) {
     const std::uint32_t vertex = border[e].ends[1];
     const std::uint32_t after = starting[vertex];
-    if (after == BorderEdge::none || ending[vertex] == BorderEdge::none) continue;
+    if (after == LinkedBorderEdge::none || ending[vertex] == LinkedBorderEdge::none) continue;
     border[e].next = after;
     border[after].previous = e;
   }
-  for (BorderEdge& edge : border) {
+  for (LinkedBorderEdge& edge : border) {
     const auto turns = [&](std::uint32_t other) {
-      if (other == BorderEdge::none) return true;
+      if (other == LinkedBorderEdge::none) return true;
       const glm::vec3 own = way(edge);
       const glm::vec3 its = way(border[other]);
       return glm::dot(own, its) < corner_cosine * std::sqrt(glm::dot(own, own) * glm::dot(its, its));
@@ -46,16 +48,15 @@ void connect(std::vector<BorderEdge>& border, std::span<const glm::vec3> rest_po
   }
 }
 
-constexpr float sharp_cosine = 0.6428F;  // of 50 degrees
-// Coordinates that differ by less were written with few digits.
-constexpr float same_coordinate = 1e-5F;
+constexpr float sharp_cosine = 0.6428F;  // cosine of 50 degrees
+// Largest difference of equal coordinates, which may be written with few digits.
+constexpr float coordinate_tolerance = 1e-5F;
 
 bool differ(const glm::vec2& a, const glm::vec2& b) {
-  return std::abs(a.x - b.x) > same_coordinate || std::abs(a.y - b.y) > same_coordinate;
+  return std::abs(a.x - b.x) > coordinate_tolerance || std::abs(a.y - b.y) > coordinate_tolerance;
 }
 
-// A vertex of a ring: where it is, in radii along the cloth's normal and out of the cloth, and where it
-// faces.
+// Vertex of a ring: position in radii along the cloth's normal and out of the cloth, and its normal.
 struct RingVertex {
   float up;
   float out;
@@ -63,14 +64,14 @@ struct RingVertex {
   float facing_out;
 };
 
-// Half a circle below the cloth that starts on its outside, and a slope back to its inside, which closes it.
-// It ends a little before the cloth, so that it never comes out on the other side.
+// Half a circle below the cloth that starts on its outside, closed by a slope back to its inside. It ends slightly
+// before the cloth, so that it never comes out on the other side.
 constexpr std::array<RingVertex, 4> ring{{{-0.5F, 0.866F, 0.5F, 0.866F},
                                           {-1.5F, 0.866F, -0.5F, 0.866F},
                                           {-2.0F, 0.0F, -1.0F, 0.0F},
                                           {-0.4F, -4.0F, -0.9F, -0.436F}}};
 
-glm::vec3 normalised(const glm::vec3& v) {
+glm::vec3 normalise(const glm::vec3& v) {
   const float squared = glm::dot(v, v);
   return squared > 0.0F && std::isfinite(squared) ? v / std::sqrt(squared) : glm::vec3{0.0F};
 }
@@ -81,7 +82,7 @@ std::vector<TriangleSide> sorted_sides(std::span<const std::uint32_t> triangles)
   std::vector<TriangleSide> sides;
   sides.reserve(triangles.size());
   for (std::uint32_t i = 0; i < triangles.size(); ++i) {
-    sides.push_back({sorted(triangles[i], triangles[next_corner(i)]), i});
+    sides.push_back({order_pair(triangles[i], triangles[next_corner(i)]), i});
   }
   std::ranges::sort(sides, [](const TriangleSide& a, const TriangleSide& b) {
     return a.ends != b.ends ? a.ends < b.ends : a.number < b.number;
@@ -89,8 +90,8 @@ std::vector<TriangleSide> sorted_sides(std::span<const std::uint32_t> triangles)
   return sides;
 }
 
-std::vector<BorderEdge> border_edges(std::span<const glm::vec3> rest_positions,
-                                     std::span<const std::uint32_t> triangles) {
+std::vector<LinkedBorderEdge> border_edges(std::span<const glm::vec3> rest_positions,
+                                           std::span<const std::uint32_t> triangles) {
   const std::vector<TriangleSide> sides = sorted_sides(triangles);
   std::vector<std::uint32_t> single;
   for (std::size_t first = 0, end = 0; first < sides.size(); first = end) {
@@ -98,7 +99,7 @@ std::vector<BorderEdge> border_edges(std::span<const glm::vec3> rest_positions,
     if (end == first + 1) single.push_back(sides[first].number);
   }
   std::ranges::sort(single);
-  std::vector<BorderEdge> border;
+  std::vector<LinkedBorderEdge> border;
   border.reserve(single.size());
   for (const std::uint32_t side : single) {
     border.push_back({.ends = {triangles[side], triangles[next_corner(side)]}, .side = side});
@@ -113,15 +114,15 @@ RefinedMesh::RefinedMesh(std::span<const glm::vec3> rest_positions, std::span<co
       vertex_count_(rest_positions.size()),
       triangles_(triangles.begin(), triangles.end()),
       border_(border_edges(rest_positions, triangles)) {
-  assert(levels >= 0 && levels <= most_levels);
+  assert(levels >= 0 && levels <= max_levels);
   assert(triangles.empty() || *std::ranges::max_element(triangles) < rest_positions.size());
   for (int level = 0; level < levels; ++level) split();
 }
 
 void RefinedMesh::split() {
-  Level& level = levels_.emplace_back();
+  SplitLevel& level = levels_.emplace_back();
   level.first_vertex = static_cast<std::uint32_t>(vertex_count_);
-  std::vector<std::uint32_t> midpoints(triangles_.size());  // of each side of each triangle
+  std::vector<std::uint32_t> midpoints(triangles_.size());  // midpoint of each side of each triangle
   for (const TriangleSide& side : sorted_sides(triangles_)) {
     if (level.edges.empty() || level.edges.back() != side.ends) level.edges.push_back(side.ends);
     midpoints[side.number] = level.first_vertex + static_cast<std::uint32_t>(level.edges.size()) - 1;
@@ -139,13 +140,13 @@ void RefinedMesh::split() {
   vertex_count_ += level.edges.size();
 }
 
-// Edge e becomes 2e and 2e + 1.
-void RefinedMesh::split_border(const std::vector<std::uint32_t>& midpoints, Level& level) {
-  constexpr std::uint32_t none = BorderEdge::none;
-  std::vector<BorderEdge> finer;
+// Splits the border: edge e becomes 2e and 2e + 1.
+void RefinedMesh::split_border(const std::vector<std::uint32_t>& midpoints, SplitLevel& level) {
+  constexpr std::uint32_t none = LinkedBorderEdge::none;
+  std::vector<LinkedBorderEdge> finer;
   finer.reserve(2 * border_.size());
   for (std::uint32_t e = 0; e < border_.size(); ++e) {
-    const BorderEdge& edge = border_[e];
+    const LinkedBorderEdge& edge = border_[e];
     const auto [start, end] = edge.ends;
     const std::uint32_t middle = midpoints[edge.side];
     level.curves.push_back({middle, edge.corners[0] ? start : border_[edge.previous].ends[0], start, end,
@@ -168,11 +169,11 @@ void RefinedMesh::split_border(const std::vector<std::uint32_t>& midpoints, Leve
 
 std::vector<VertexPair> RefinedMesh::refined_edges(std::span<const VertexPair> edges) const {
   std::vector<VertexPair> pairs(edges.begin(), edges.end());
-  for (const Level& level : levels_) {
+  for (const SplitLevel& level : levels_) {
     std::vector<VertexPair> finer;
     finer.reserve(2 * pairs.size());
     for (const auto& [start, end] : pairs) {
-      const VertexPair pair = sorted(start, end);
+      const VertexPair pair = order_pair(start, end);
       const auto found = std::ranges::lower_bound(level.edges, pair);
       if (found != level.edges.end() && *found == pair) {
         const std::uint32_t middle = level.first_vertex + static_cast<std::uint32_t>(found - level.edges.begin());
@@ -186,9 +187,9 @@ std::vector<VertexPair> RefinedMesh::refined_edges(std::span<const VertexPair> e
   return pairs;
 }
 
-int refinement_levels(float edge_px, std::size_t triangles, float shortest_px) {
+int refinement_levels(float edge_px, std::size_t triangles, float min_edge_px) {
   int levels = 0;
-  while (levels < most_levels && edge_px > shortest_px && 4 * triangles <= most_triangles) {
+  while (levels < max_levels && edge_px > min_edge_px && 4 * triangles <= max_triangles) {
     edge_px *= 0.5F;
     triangles *= 4;
     ++levels;
@@ -227,12 +228,12 @@ std::vector<VertexPair> seam_edges(std::span<const glm::vec3> rest_positions, st
 
 Rim::Rim(const RefinedMesh& mesh, float radius)
     : first_vertex_(static_cast<std::uint32_t>(mesh.vertex_count())), radius_(radius) {
-  std::vector<std::uint32_t> ring_of(mesh.vertex_count(), BorderEdge::none);
-  for (const BorderEdge& border : mesh.border()) {
+  std::vector<std::uint32_t> ring_of(mesh.vertex_count(), LinkedBorderEdge::none);
+  for (const LinkedBorderEdge& border : mesh.border()) {
     Edge& edge = edges_.emplace_back(Edge{border.ends, {}});
     for (std::size_t i = 0; i < 2; ++i) {
       std::uint32_t& own = ring_of[border.ends[i]];
-      if (own == BorderEdge::none) {
+      if (own == LinkedBorderEdge::none) {
         own = static_cast<std::uint32_t>(bases_.size());
         bases_.push_back(border.ends[i]);
         parents_.insert(parents_.end(), ring.size(), {border.ends[i], border.ends[i]});
@@ -260,17 +261,17 @@ void Rim::add_triangles(const Edge& edge, std::uint32_t at_triangle) {
 void Rim::place(std::span<glm::vec3> positions, std::span<glm::vec3> normals) {
   std::ranges::fill(ways_, glm::vec3{0.0F});
   for (const Edge& edge : edges_) {
-    const glm::vec3 way = normalised(positions[edge.ends[1]] - positions[edge.ends[0]]);
+    const glm::vec3 way = normalise(positions[edge.ends[1]] - positions[edge.ends[0]]);
     for (const std::uint32_t own : edge.rings) ways_[own] += way;
   }
   std::size_t vertex = first_vertex_;
   for (std::size_t i = 0; i < bases_.size(); ++i) {
     const glm::vec3& place = positions[bases_[i]];
     const glm::vec3& up = normals[bases_[i]];
-    const glm::vec3 out = normalised(glm::cross(ways_[i], up));
+    const glm::vec3 out = normalise(glm::cross(ways_[i], up));
     for (const RingVertex& own : ring) {
       positions[vertex] = place + radius_ * (own.up * up + own.out * out);
-      normals[vertex] = normalised(own.facing_up * up + own.facing_out * out);
+      normals[vertex] = normalise(own.facing_up * up + own.facing_out * out);
       ++vertex;
     }
   }

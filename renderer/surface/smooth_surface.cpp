@@ -5,31 +5,31 @@
 namespace taut::renderer {
 namespace {
 
-// Share of the allowed bulge that the first split may use, and of what is left that each later one may: a
-// smooth curve's bulge falls by four from split to split.
+// Fraction of the allowed bulge that the first split may use, and each later one of the rest: a smooth curve's bulge
+// falls by four from split to split.
 constexpr float share_of_split = 0.75F;
-// Two passes, the second back: what turns from vertex to vertex goes, what is wider than four edges stays.
+// Two passes, the second in reverse: waves from vertex to vertex vanish, waves of more than four edges stay.
 constexpr std::array<float, 2> fairing_passes = {0.5F, -0.53F};
-// How far a midpoint of a border may move within the surface, share of its edge. Less leaves necklines
-// polygons, more turns needles around.
-constexpr float most_border_shift = 0.15F;
-// Beyond this lengths are not squared any more.
-constexpr float farthest = 1e18F;
+// Largest motion of a border midpoint within the surface, as a fraction of its edge. Lower values leave necklines
+// polygonal, higher ones turn needles around.
+constexpr float max_border_shift_ratio = 0.15F;
+// Largest length that is squared.
+constexpr float max_squarable_length = 1e18F;
 
-// Cloth that is lost may be so far away that lengths overflow: it is drawn flat.
-glm::vec3 shortened(const glm::vec3& v, float longest) {
+// Shortens a vector. Lost cloth may be so far away that lengths overflow; it is drawn flat.
+glm::vec3 limit_length(const glm::vec3& v, float max_length) {
   const float squared = glm::dot(v, v);
   if (!std::isfinite(squared)) return glm::vec3{0.0F};
-  return squared > longest * longest ? v * (longest / std::sqrt(squared)) : v;
+  return squared > max_length * max_length ? v * (max_length / std::sqrt(squared)) : v;
 }
 
-glm::vec3 normalised(const glm::vec3& v, const glm::vec3& otherwise) {
+glm::vec3 normalise_or(const glm::vec3& v, const glm::vec3& otherwise) {
   const float squared = glm::dot(v, v);
   return squared > 1e-20F ? v / std::sqrt(squared) : otherwise;
 }
 
-// Where the curve through four border vertices is in its middle, from the middle of its edge. Beyond a
-// corner there is none, and the curve is a parabola.
+// Returns the offset of the middle of the curve through four border vertices from the middle of its edge. At a corner
+// the outer vertex is missing, and the curve is a parabola.
 glm::vec3 border_shift(const RefinedMesh::BorderCurve& curve, std::span<const glm::vec3> places) {
   const bool starts = curve.before == curve.start;
   const bool ends = curve.after == curve.end;
@@ -42,16 +42,16 @@ glm::vec3 border_shift(const RefinedMesh::BorderCurve& curve, std::span<const gl
   return (before - after) / 16.0F;
 }
 
-/// Cloth is shortened by so much without a wrinkle, as meshes tremble.
-constexpr float least_shortening = 0.003F;
-/// A wave that runs into the surface by more than this does not show on it.
-constexpr float most_across = 0.7F;
-/// The share of what is lacking that wrinkles take up; folds that the mesh shows take the rest.
+/// Smallest shortening with wrinkles; meshes tremble by less.
+constexpr float min_shortening_fraction = 0.003F;
+/// Largest cosine between a wave's direction and the surface normal for which it shows.
+constexpr float max_normal_cosine = 0.7F;
+/// Fraction of the shortening that wrinkles take up; folds of the mesh take the rest.
 constexpr float share_of_wrinkles = 0.5F;
-/// How often values are averaged with those of neighbours.
-constexpr int rounds = 2;
+/// Rounds of averaging with neighbours.
+constexpr int averaging_rounds = 2;
 
-/// The directions of waves: the axes of a regular dodecahedron's corners, so that each surface has some in it.
+/// Returns the wave directions: the axes of a regular dodecahedron's corners, so that some lie in any surface.
 std::array<glm::vec3, 10> directions() {
   const float a = 1.0F / std::sqrt(3.0F), golden = 0.5F * (1.0F + std::sqrt(5.0F));
   const float b = a / golden, c = a * golden;
@@ -80,7 +80,7 @@ SmoothSurface::SmoothSurface(std::span<const glm::vec3> rest_positions, std::spa
   positions_.resize(mesh_.coarse_vertex_count() + parents_.size());
   normals_.resize(positions_.size());
   first_parted_ = positions_.size();
-  rooms_.resize(mesh_.vertex_count());
+  clearances_.resize(mesh_.vertex_count());
   find_neighbours(rest_positions);
 }
 
@@ -89,7 +89,7 @@ std::vector<glm::vec2> SmoothSurface::part_vertices(std::span<const glm::vec2> c
   constexpr std::uint32_t none = ~0U;
   std::vector<glm::vec2> values(positions_.size(), glm::vec2{0.0F});
   std::vector<std::uint8_t> has_value(positions_.size(), 0);
-  std::vector<std::uint32_t> others(positions_.size(), none);  // the next vertex at the same place
+  std::vector<std::uint32_t> others(positions_.size(), none);  // next vertex at the same position
   for (std::size_t i = 0; i < triangles_.size(); ++i) {
     const std::uint32_t first = triangles_[i];
     std::uint32_t own = first;
@@ -110,14 +110,14 @@ std::vector<glm::vec2> SmoothSurface::part_vertices(std::span<const glm::vec2> c
   return values;
 }
 
-// Tangents of a border are along it. Its corners, and where borders meet, have none and stay.
+// Border vertices have neighbours along the border only. Corners and meeting points of borders have none and stay.
 void SmoothSurface::find_neighbours(std::span<const glm::vec3> rest_positions) {
   neighbour_shares_.assign(rest_positions.size(), 0.0F);
-  if (mesh_.levels().empty() || !(freedom_.most_fairing > 0.0F)) return;
-  const std::vector<BorderEdge> border = border_edges(rest_positions, coarse_triangles_);
+  if (mesh_.levels().empty() || !(freedom_.max_fairing > 0.0F)) return;
+  const std::vector<LinkedBorderEdge> border = border_edges(rest_positions, coarse_triangles_);
   enum : std::uint8_t { inside, along, corner };
   std::vector<std::uint8_t> kinds(rest_positions.size(), inside);
-  for (const BorderEdge& edge : border) {
+  for (const LinkedBorderEdge& edge : border) {
     for (std::size_t end = 0; end < 2; ++end) {
       std::uint8_t& kind = kinds[edge.ends[end]];
       kind = std::max<std::uint8_t>(kind, edge.corners[end] ? corner : along);
@@ -127,13 +127,13 @@ void SmoothSurface::find_neighbours(std::span<const glm::vec3> rest_positions) {
     if (kinds[edge[0]] == kind) neighbours_.push_back(edge);
     if (kinds[edge[1]] == kind) neighbours_.push_back({edge[1], edge[0]});
   };
-  for (const BorderEdge& edge : border) add(edge.ends, along);
+  for (const LinkedBorderEdge& edge : border) add(edge.ends, along);
   for (const VertexPair& edge : mesh_.levels().front().edges) add(edge, inside);
   for (const VertexPair& pair : neighbours_) neighbour_shares_[pair[0]] += 1.0F;
   for (float& share : neighbour_shares_) share = share > 0.0F ? 1.0F / share : 0.0F;
 }
 
-// Vertices go some of the way to the mean of their neighbours.
+// Moves vertices part of the way to the mean of their neighbours.
 void SmoothSurface::fair(std::span<const glm::vec3> coarse_positions) {
   faired_.assign(coarse_positions.begin(), coarse_positions.end());
   for (const float share : fairing_passes) {
@@ -142,19 +142,20 @@ void SmoothSurface::fair(std::span<const glm::vec3> coarse_positions) {
     for (std::size_t v = 0; v < faired_.size(); ++v) faired_[v] += share * neighbour_shares_[v] * means_[v];
   }
   for (std::size_t v = 0; v < faired_.size(); ++v) {
-    const glm::vec3 shift = shortened(faired_[v] - coarse_positions[v], std::min(freedom_.most_fairing, rooms_[v]));
+    const glm::vec3 shift =
+        limit_length(faired_[v] - coarse_positions[v], std::min(freedom_.max_fairing, clearances_[v]));
     positions_[v] = coarse_positions[v] + shift;
-    rooms_[v] -= glm::length(shift);
+    clearances_[v] -= glm::length(shift);
   }
 }
 
-// Where the coarse triangles are, and how far each vertex may be from there, is that of its parents.
-void SmoothSurface::raise(std::span<const glm::vec3> coarse_positions, std::span<const float> rooms,
+// Flat positions and clearances of fine vertices are interpolated from their parents.
+void SmoothSurface::raise(std::span<const glm::vec3> coarse_positions, std::span<const float> clearances,
                           std::span<const float> heights) {
   const std::size_t count = mesh_.vertex_count();
   flat_.assign(coarse_positions.begin(), coarse_positions.end());
   free_.assign(coarse_positions.size(), std::numeric_limits<float>::infinity());
-  if (!rooms.empty()) free_.assign(rooms.begin(), rooms.end());
+  if (!clearances.empty()) free_.assign(clearances.begin(), clearances.end());
   interpolate(std::span(mesh_.parents()), flat_);
   for (const auto& [a, b] : mesh_.parents()) free_.push_back(std::min(free_[a], free_[b]));
   raised_.resize(count);
@@ -162,7 +163,7 @@ void SmoothSurface::raise(std::span<const glm::vec3> coarse_positions, std::span
     const float left = std::max(free_[v] - glm::distance(positions_[v], flat_[v]), 0.0F);
     raised_[v] = std::clamp(heights[v], -left, left);
   }
-  // Per triangle the gradient of its heights times its area, so that a vertex gets their mean.
+  // Slopes are height gradients weighted by area, so that a vertex gets their mean.
   slopes_.assign(count, glm::vec3{0.0F});
   areas_.assign(count, 0.0F);
   const std::vector<std::uint32_t>& corners = mesh_.triangles();
@@ -180,25 +181,25 @@ void SmoothSurface::raise(std::span<const glm::vec3> coarse_positions, std::span
   }
   for (std::size_t v = 0; v < count; ++v) {
     positions_[v] += raised_[v] * normals_[v];
-    normals_[v] = normalised(areas_[v] * normals_[v] - slopes_[v], normals_[v]);
+    normals_[v] = normalise_or(areas_[v] * normals_[v] - slopes_[v], normals_[v]);
   }
 }
 
-void SmoothSurface::place(std::span<const glm::vec3> coarse_positions, std::span<const float> rooms,
+void SmoothSurface::place(std::span<const glm::vec3> coarse_positions, std::span<const float> clearances,
                           std::span<const float> heights) {
   const std::size_t count = mesh_.coarse_vertex_count();
   assert(coarse_positions.size() == count && (rooms.empty() || rooms.size() == count));
-  if (rooms.empty()) {
-    std::fill_n(rooms_.begin(), count, freedom_.most_fairing + freedom_.most_bulge);
+  if (clearances.empty()) {
+    std::fill_n(clearances_.begin(), count, freedom_.max_fairing + freedom_.max_bulge);
   } else {
-    std::ranges::copy(rooms, rooms_.begin());
+    std::ranges::copy(clearances, clearances_.begin());
   }
   fair(coarse_positions);
-  for (std::size_t v = 0; v < count; ++v) rooms_[v] = std::min(rooms_[v], freedom_.most_bulge);
+  for (std::size_t v = 0; v < count; ++v) clearances_[v] = std::min(clearances_[v], freedom_.max_bulge);
   const std::span<glm::vec3> coarse = std::span(positions_).first(count);
   vertex_normals(coarse, coarse_triangles_, std::span(normals_).first(count));
-  for (const RefinedMesh::Level& level : mesh_.levels()) place(level);
-  if (!heights.empty()) raise(coarse_positions, rooms, heights);
+  for (const RefinedMesh::SplitLevel& level : mesh_.levels()) place(level);
+  if (!heights.empty()) raise(coarse_positions, clearances, heights);
   if (rim_) rim_->place(positions_, normals_);
   for (std::size_t v = first_parted_; v < positions_.size(); ++v) {
     const std::uint32_t first = parents_[v - count][0];
@@ -207,37 +208,38 @@ void SmoothSurface::place(std::span<const glm::vec3> coarse_positions, std::span
   }
 }
 
-void SmoothSurface::place(const RefinedMesh::Level& level) {
+void SmoothSurface::place(const RefinedMesh::SplitLevel& level) {
   std::size_t middle = level.first_vertex;
   for (const VertexPair& edge : level.edges) {
-    const float room = std::min(rooms_[edge[0]], rooms_[edge[1]]);
-    const float most_bulge = share_of_split * room;
-    rooms_[middle] = room - most_bulge;
+    const float room = std::min(clearances_[edge[0]], clearances_[edge[1]]);
+    const float max_bulge = share_of_split * room;
+    clearances_[middle] = room - max_bulge;
     const glm::vec3 way = positions_[edge[1]] - positions_[edge[0]];
     const glm::vec3& from = normals_[edge[0]];
     const glm::vec3& to = normals_[edge[1]];
     const glm::vec3 bulge = (glm::dot(way, to) * to - glm::dot(way, from) * from) / 8.0F;
-    positions_[middle] = 0.5F * positions_[edge[0]] + 0.5F * positions_[edge[1]] + shortened(bulge, most_bulge);
-    // Linear, because normals that follow the curve show every unevenness of simulated cloth as a wrinkle.
-    normals_[middle] = normalised(from + to, from);
+    positions_[middle] = 0.5F * positions_[edge[0]] + 0.5F * positions_[edge[1]] + limit_length(bulge, max_bulge);
+    // Normals are linear: normals that follow the curve show every unevenness of simulated cloth as a wrinkle.
+    normals_[middle] = normalise_or(from + to, from);
     ++middle;
   }
   for (const RefinedMesh::BorderCurve& curve : level.curves) {
-    const float most_bulge = share_of_split * std::min(rooms_[curve.start], rooms_[curve.end]);
+    const float max_bulge = share_of_split * std::min(clearances_[curve.start], clearances_[curve.end]);
     const glm::vec3& normal = normals_[curve.middle];
-    const glm::vec3 shift = shortened(border_shift(curve, positions_), farthest);
+    const glm::vec3 shift = limit_length(border_shift(curve, positions_), max_squarable_length);
     const float bulge = glm::dot(shift, normal);
     const glm::vec3& start = positions_[curve.start];
     const glm::vec3& end = positions_[curve.end];
     positions_[curve.middle] =
-        0.5F * start + 0.5F * end + std::clamp(bulge, -most_bulge, most_bulge) * normal +
-        shortened(shift - bulge * normal, most_border_shift * std::min(glm::distance(start, end), farthest));
+        0.5F * start + 0.5F * end + std::clamp(bulge, -max_bulge, max_bulge) * normal +
+        limit_length(shift - bulge * normal,
+                     max_border_shift_ratio * std::min(glm::distance(start, end), max_squarable_length));
   }
 }
 
 Wrinkles::Wrinkles(std::span<const glm::vec3> rest_positions, std::span<const std::uint32_t> triangles,
                    float wavelength)
-    : ways_(directions()),
+    : directions_(directions()),
       triangles_(triangles.begin(), triangles.end()),
       weights_(rest_positions.size(), 0.0F),
       wavelength_(wavelength) {
@@ -249,9 +251,9 @@ Wrinkles::Wrinkles(std::span<const glm::vec3> rest_positions, std::span<const st
     const float inverse = squared > 0.0F ? 1.0F / squared : 0.0F;
     planes_.push_back({inverse * glm::cross(c, normal), inverse * glm::cross(normal, b), std::sqrt(squared), {}});
     for (std::size_t k = 0; k < waves; ++k) {
-      const float into = glm::dot(ways_[k], normal);
+      const float into = glm::dot(directions_[k], normal);
       const float along = 1.0F - into * into * inverse;
-      planes_.back().along[k] = along < 1.0F - most_across * most_across ? 0.0F : along;
+      planes_.back().along[k] = along < 1.0F - max_normal_cosine * max_normal_cosine ? 0.0F : along;
     }
     for (std::size_t k = 0; k < 3; ++k) weights_[triangles_[i + k]] += planes_.back().area;
   }
@@ -267,34 +269,35 @@ void Wrinkles::refine(std::span<const glm::vec3> fine_rest_positions, std::span<
   for (const glm::vec3& p : fine_rest_positions) {
     PerWave& shape = shapes_.emplace_back();
     for (std::size_t k = 0; k < waves; ++k) {
-      // Slow bends of its fronts, so that no wave is straight.
-      const float bend = 1.4F * std::sin(0.23F * number * glm::dot(ways_[(k + 3) % waves], p)) +
-                         0.9F * std::sin(0.41F * number * glm::dot(ways_[(k + 7) % waves], p) + static_cast<float>(k));
-      shape[k] = std::cos(number * glm::dot(ways_[k], p) + bend + 2.4F * static_cast<float>(k)) / number;
+      // Slow bends of the wave fronts, so that no wave is straight.
+      const float bend =
+          1.4F * std::sin(0.23F * number * glm::dot(directions_[(k + 3) % waves], p)) +
+          0.9F * std::sin(0.41F * number * glm::dot(directions_[(k + 7) % waves], p) + static_cast<float>(k));
+      shape[k] = std::cos(number * glm::dot(directions_[k], p) + bend + 2.4F * static_cast<float>(k)) / number;
     }
   }
 }
 
-// The shortest of the waves' directions in the triangle gives the slope, and those near it share it.
-Wrinkles::PerWave Wrinkles::squared_slopes_of(std::size_t t, std::span<const glm::vec3> positions) const {
+// The most shortened wave direction in the triangle gives the slope, and directions near it share it.
+Wrinkles::PerWave Wrinkles::squared_slopes(std::size_t t, std::span<const glm::vec3> positions) const {
   const glm::vec3& a = positions[triangles_[3 * t]];
   const glm::vec3 b = positions[triangles_[3 * t + 1]] - a, c = positions[triangles_[3 * t + 2]] - a;
-  const Plane& plane = planes_[t];
+  const RestTriangle& plane = planes_[t];
   PerWave shares{};
-  float most = 0.0F, sum = 0.0F;
+  float max_share = 0.0F, sum = 0.0F;
   for (std::size_t k = 0; k < waves; ++k) {
     if (plane.along[k] == 0.0F) continue;
-    const glm::vec3 now = glm::dot(plane.side_b, ways_[k]) * b + glm::dot(plane.side_c, ways_[k]) * c;
-    const float shortened = 1.0F - std::sqrt(glm::dot(now, now) / plane.along[k]) - least_shortening;
+    const glm::vec3 now = glm::dot(plane.side_b, directions_[k]) * b + glm::dot(plane.side_c, directions_[k]) * c;
+    const float shortened = 1.0F - std::sqrt(glm::dot(now, now) / plane.along[k]) - min_shortening_fraction;
     shares[k] = std::max(shortened, 0.0F);
-    most = std::max(most, shares[k]);
+    max_share = std::max(max_share, shares[k]);
   }
   for (float& share : shares) {
-    const float nearness = most > 0.0F ? share / most : 0.0F;
+    const float nearness = max_share > 0.0F ? share / max_share : 0.0F;
     share = nearness * nearness * nearness * nearness;
     sum += share;
   }
-  for (float& share : shares) share *= sum > 0.0F ? 4.0F * share_of_wrinkles * most / sum : 0.0F;
+  for (float& share : shares) share *= sum > 0.0F ? 4.0F * share_of_wrinkles * max_share / sum : 0.0F;
   return shares;
 }
 
@@ -317,14 +320,14 @@ void Wrinkles::spread(std::vector<PerWave>& values) const {
 std::span<const float> Wrinkles::heights(std::span<const glm::vec3> positions) {
   slopes_.assign(weights_.size(), PerWave{});
   for (std::size_t t = 0; t < planes_.size(); ++t) {
-    const PerWave squared = squared_slopes_of(t, positions);
+    const PerWave squared = squared_slopes(t, positions);
     for (std::size_t k = 0; k < 3; ++k) {
       const std::uint32_t v = triangles_[3 * t + k];
       const float share = planes_[t].area / std::max(weights_[v], 1e-30F);
       for (std::size_t w = 0; w < waves; ++w) slopes_[v][w] += share * squared[w];
     }
   }
-  for (int round = 0; round < rounds; ++round) spread(slopes_);
+  for (int round = 0; round < averaging_rounds; ++round) spread(slopes_);
   for (PerWave& slopes : slopes_) {
     for (float& slope : slopes) slope = std::sqrt(slope);
   }

@@ -5,23 +5,23 @@
 namespace taut::sim {
 namespace {
 
-SurfacePoint from_centre(const Vec3& centre, double radius_m, const Vec3& point) {
+ShapeSurfacePoint from_centre(const Vec3& centre, double radius_m, const Vec3& point) {
   const Vec3 outwards = point - centre;
   const double length = glm::length(outwards);
-  // At the centre every way out is equally short; up is as good as any.
+  // All directions out of the centre are equally short; up is as good as any.
   const Vec3 normal = length > 0.0 ? outwards / length : Vec3(0.0, 1.0, 0.0);
   return {length - radius_m, normal};
 }
 
-SurfacePoint nearest(const Plane& plane, const Vec3& point) {
+ShapeSurfacePoint find_nearest_point(const Plane& plane, const Vec3& point) {
   return {glm::dot(point - plane.point_m, plane.normal), plane.normal};
 }
 
-SurfacePoint nearest(const Sphere& sphere, const Vec3& point) {
+ShapeSurfacePoint find_nearest_point(const Sphere& sphere, const Vec3& point) {
   return from_centre(sphere.centre_m, sphere.radius_m, point);
 }
 
-SurfacePoint nearest(const Capsule& capsule, const Vec3& point) {
+ShapeSurfacePoint find_nearest_point(const Capsule& capsule, const Vec3& point) {
   const Vec3 axis = capsule.end_m - capsule.start_m;
   const double squared_length = glm::dot(axis, axis);
   const double along =
@@ -30,7 +30,7 @@ SurfacePoint nearest(const Capsule& capsule, const Vec3& point) {
   return from_centre(capsule.start_m + along * axis, radius_m, point);
 }
 
-SurfacePoint nearest(const BodyMesh&, const Vec3&) {
+ShapeSurfacePoint find_nearest_point(const BodyMesh&, const Vec3&) {
   return {std::numeric_limits<double>::infinity(), Vec3(0.0, 1.0, 0.0)};
 }
 
@@ -46,6 +46,9 @@ struct Mover {
 };
 
 void shape_of_frames(const BodyFrames& frames, double time_s, std::span<Vec3> positions_m) {
+  assert(frames.count() > 0);
+  assert(frames.rate_hz() > 0.0);
+  assert(std::isfinite(time_s));
   const auto last = static_cast<double>(frames.count() - 1);
   const double at = std::clamp((time_s - frames.first_s()) * frames.rate_hz(), 0.0, last);
   const double before = std::floor(at);
@@ -57,15 +60,15 @@ void shape_of_frames(const BodyFrames& frames, double time_s, std::span<Vec3> po
   }
 }
 
-/// How vertices of a mesh go from frame to frame while a span lasts.
-struct FrameWays {
+/// Motion of a mesh's vertices from frame to frame within a span.
+struct FrameMotion {
   double off_chord_m = 0.0;
-  double radius_m = 0.0;  ///< the furthest from the axis of the spin
+  double radius_m = 0.0;  ///< largest distance from the axis of the spin
   double speed_m_per_s = 0.0;
 };
 
-// Where their velocity jumps by the second difference of their positions.
-FrameWays ways_in_frames(const BodyMesh& mesh, const Spin& spin, const TimeSpan& time) {
+// Velocities jump at frames by the second difference of the positions.
+FrameMotion measure_frame_motion(const BodyMesh& mesh, const Spin& spin, const TimeSpan& time) {
   const BodyFrames& frames = *mesh.frames;
   const auto last = static_cast<double>(frames.count() - 1);
   const auto frame_at = [&](double time_s) {
@@ -76,12 +79,12 @@ FrameWays ways_in_frames(const BodyMesh& mesh, const Spin& spin, const TimeSpan&
     frames.positions_in(static_cast<std::size_t>(std::clamp(frame, 0.0, last)), positions_m);
     return positions_m;
   };
-  // In the span's ends themselves, rounded, nothing jumps.
-  constexpr double least_s = 1e-12;
-  FrameWays ways;
+  // Rounding at the ends of the span must not count as a jump.
+  constexpr double min_jump_s = 1e-12;
+  FrameMotion ways;
   for (double frame = std::floor(frame_at(time.from_s)); frame <= std::ceil(frame_at(time.to_s)); ++frame) {
     const double per_jump = off_chord_per_jump(frames.first_s() + frame / frames.rate_hz(), time);
-    if (spin.turns_per_s == 0.0 && per_jump < least_s) continue;
+    if (spin.turns_per_s == 0.0 && per_jump < min_jump_s) continue;
     const std::vector<Vec3> before_m = positions_in(frame - 1.0);
     const std::vector<Vec3> at_m = positions_in(frame);
     const std::vector<Vec3> after_m = positions_in(frame + 1.0);
@@ -96,9 +99,9 @@ FrameWays ways_in_frames(const BodyMesh& mesh, const Spin& spin, const TimeSpan&
   return ways;
 }
 
-/// Returns how far the shape's points are from the axis of the spin at most, in m: for a limb those of its
-/// ends, as its radii turn with it.
-struct FurthestFromAxis {
+/// Returns the largest distance in m of a shape's points from the axis of the spin. The ends of a limb suffice, as its
+/// radii turn with it.
+struct MaxAxisDistance {
   const Spin& spin;
 
   double operator()(const Plane& plane) const {
@@ -110,25 +113,26 @@ struct FurthestFromAxis {
     return std::max(distance_from_axis_m(spin, limb.start_m), distance_from_axis_m(spin, limb.end_m));
   }
   double operator()(const BodyMesh& mesh) const {
-    double furthest_m = 0.0;
+    double max_distance_m = 0.0;
     for (const Vec3& position_m : mesh.data->positions_m) {
-      furthest_m = std::max(furthest_m, distance_from_axis_m(spin, position_m));
+      max_distance_m = std::max(max_distance_m, distance_from_axis_m(spin, position_m));
     }
-    return furthest_m;
+    return max_distance_m;
   }
 };
 
-/// `moved` is how far the vertex has moved over the body.
-Vec3 with_friction(double friction, const SurfacePoint& surface, double depth_m, const Vec3& moved,
+/// `moved` is the motion of the vertex relative to the body.
+Vec3 with_friction(double friction, const ShapeSurfacePoint& surface, double depth_m, const Vec3& moved,
                    const Vec3& pushed_out) {
+  assert(friction >= 0.0);
   const Vec3 slid = moved - surface.normal * glm::dot(moved, surface.normal);
   return pushed_out - slid * stopped_share(friction, depth_m, glm::length(slid));
 }
 
 }  // namespace
 
-SurfacePoint nearest_surface(const Shape& shape, const Vec3& point) {
-  return std::visit([&](const auto& s) { return nearest(s, point); }, shape);
+ShapeSurfacePoint nearest_surface(const Shape& shape, const Vec3& point) {
+  return std::visit([&](const auto& s) { return find_nearest_point(s, point); }, shape);
 }
 
 Shape shape_at(const Body& body, double time_s) { return std::visit(Mover{pose_at(body.motion, time_s)}, body.shape); }
@@ -150,6 +154,7 @@ Vec3 point_moved(const Body& body, const Vec3& point_m, const TimeSpan& time) {
 }
 
 bool is_moving_after(const Body& body, double time_s) {
+  assert(!std::isnan(time_s));
   const auto* mesh = std::get_if<BodyMesh>(&body.shape);
   const bool changes =
       mesh != nullptr && mesh->frames &&
@@ -158,12 +163,13 @@ bool is_moving_after(const Body& body, double time_s) {
 }
 
 double off_chord_m(const Body& body, const TimeSpan& time) {
+  assert(time.from_s <= time.to_s);
   const auto* mesh = std::get_if<BodyMesh>(&body.shape);
-  FrameWays ways;
+  FrameMotion ways;
   if (mesh != nullptr && mesh->frames) {
-    ways = ways_in_frames(*mesh, body.motion.spin, time);
+    ways = measure_frame_motion(*mesh, body.motion.spin, time);
   } else if (body.motion.spin.turns_per_s != 0.0) {
-    ways.radius_m = std::visit(FurthestFromAxis{body.motion.spin}, body.shape);
+    ways.radius_m = std::visit(MaxAxisDistance{body.motion.spin}, body.shape);
   }
   return ways.off_chord_m + off_chord_m(body.motion, ways.radius_m, ways.speed_m_per_s, time);
 }
@@ -171,6 +177,7 @@ double off_chord_m(const Body& body, const TimeSpan& time) {
 void push_out_of_bodies(std::span<const Body> bodies, const ClothSurface& cloth, const TimeSpan& step,
                         std::span<const double> inverse_masses_per_kg, std::span<const Vec3> current,
                         std::span<Vec3> predicted) {
+  assert(step.from_s <= step.to_s);
   assert(current.size() == predicted.size() && inverse_masses_per_kg.size() == predicted.size());
   for (const Body& body : bodies) {
     const double friction = friction_against(body, cloth.friction);
@@ -178,7 +185,7 @@ void push_out_of_bodies(std::span<const Body> bodies, const ClothSurface& cloth,
     const RigidMove back(body.motion, {step.to_s, step.from_s});
     for (std::size_t v = 0; v < predicted.size(); ++v) {
       if (inverse_masses_per_kg[v] == 0.0) continue;
-      const SurfacePoint surface = nearest_surface(shape, predicted[v]);
+      const ShapeSurfacePoint surface = nearest_surface(shape, predicted[v]);
       const double depth_m = cloth.thickness_m - surface.distance_m;
       if (depth_m > 0.0) {
         const Vec3 pushed_out = predicted[v] + surface.normal * depth_m;

@@ -1,23 +1,25 @@
 #include "sim/contact/contact_measure.hpp"
 
 #include "sim/mesh/extent.hpp"
+#include "sim/mesh/preconditions.hpp"
 
 namespace taut::sim {
 namespace {
 
-/// A point that is less deep in a plane, sphere or capsule, in m, does not enter it.
-constexpr double least_depth_m = 5e-10;
-/// Each triangle around a vertex faces the same way by at least this part of the squared sum of area vectors.
-constexpr double least_facing = 1e-4;
+/// Smallest depth in m of a point that enters a plane, sphere or capsule.
+constexpr double min_depth_m = 5e-10;
+/// Smallest product of a triangle's area vector with the sum around its vertex, as a fraction of the squared sum, for a
+/// fan that lies open.
+constexpr double min_facing_ratio = 1e-4;
 
-/// The other corners in turn.
+/// Returns the two other corners in ring order.
 Edge opposite(const Triangle& t, Index vertex) {
   const std::size_t k = t[0] == vertex ? 0 : (t[1] == vertex ? 1 : 2);
   return {t[(k + 1) % 3], t[(k + 2) % 3]};
 }
 
-/// Orders triangles around a vertex so that each begins where the one before it ends, if they are one fan. Returns the
-/// vertices around it, empty if they are not.
+/// Orders the triangles of a fan around a vertex so that each begins where the previous one ends. Returns the ring of
+/// neighbours; empty if they form no fan.
 std::vector<Index> order_as_fan(Index vertex, std::span<const Triangle> triangles, std::span<Index> fan) {
   const auto begins = [&](Index t) { return opposite(triangles[t], vertex)[0]; };
   const auto ends = [&](Index t) { return opposite(triangles[t], vertex)[1]; };
@@ -39,27 +41,28 @@ std::vector<Index> order_as_fan(Index vertex, std::span<const Triangle> triangle
   return around;
 }
 
-/// A thing that is further off is neither nearer than what was found nor does it touch.
-double wanted_m(double reach_m, const MeasuredContact& measured) {
-  return std::max(std::min(reach_m, measured.nearest_m), touching_m);
+/// Returns the distance beyond which a pair neither lowers the minimum nor touches.
+double search_reach_m(double reach_m, const MeasuredContact& measured) {
+  return std::max(std::min(reach_m, measured.min_distance_m), touching_m);
 }
 
 void note(double distance_m, bool is_crossing, double reach_m, MeasuredContact& measured) {
   measured.crossing_pairs += is_crossing ? 1 : 0;
-  if (distance_m <= reach_m) measured.nearest_m = std::min(measured.nearest_m, distance_m);
+  if (distance_m <= reach_m) measured.min_distance_m = std::min(measured.min_distance_m, distance_m);
 }
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-/// Each leaves 0.62 of the axis of a capsule: all together as much of it as double precision tells apart.
-constexpr int most_cuts = 40;
+/// Number of golden sections. Each leaves 0.62 of a capsule's axis; together they reach the resolution of double
+/// precision.
+constexpr int section_count = 40;
 
-/// The least value of a convex function between 0 and 1, by golden sections.
-template <typename Function> double least_of(const Function& f) {
+/// Returns the minimum of a convex function on [0, 1], by golden sections.
+template <typename Function> double convex_minimum(const Function& f) {
   constexpr double part = 1.0 / std::numbers::phi;
   double from = 0.0, to = 1.0;
   double low = 1.0 - part, high = part;
   double at_low = f(low), at_high = f(high);
-  for (int cut = 0; cut < most_cuts; ++cut) {
+  for (int cut = 0; cut < section_count; ++cut) {
     if (at_low < at_high) {
       to = high;
       high = low;
@@ -87,11 +90,11 @@ double limb_distance_m(const Corners& t, const Capsule& limb, double reach_m) {
       0.5 * glm::distance(limb.start_m, limb.end_m) + std::max(limb.start_radius_m, limb.end_radius_m);
   if (glm::distance(centre(0.5), middle) > outer_m + size_m + reach_m) return infinity;
   const auto from_middle = [&](double along) { return glm::distance(centre(along), middle) - radius_m(along); };
-  if (least_of(from_middle) > size_m + reach_m) return infinity;
-  return least_of([&](double along) { return point_triangle_distance_m(centre(along), t) - radius_m(along); });
+  if (convex_minimum(from_middle) > size_m + reach_m) return infinity;
+  return convex_minimum([&](double along) { return point_triangle_distance_m(centre(along), t) - radius_m(along); });
 }
 
-struct Distance {
+struct TriangleDistance {
   const Corners& t;
   double reach_m;
 
@@ -112,6 +115,7 @@ ContactMeasure::ContactMeasure(std::span<const Triangle> triangles, std::span<co
       bodies_(std::move(bodies)),
       tree_(triangles, positions_m),
       areas_m2_(triangles.size()) {
+  assert(are_below(triangles, positions_m.size()));
   for (const Body& body : bodies_) {
     if (const auto* mesh = std::get_if<BodyMesh>(&body.shape)) {
       body_trees_.emplace_back(mesh->data->triangles, mesh->data->positions_m);
@@ -121,27 +125,27 @@ ContactMeasure::ContactMeasure(std::span<const Triangle> triangles, std::span<co
 }
 
 void ContactMeasure::make_fans(std::size_t vertices) {
-  triangles_of_ = at_vertices(vertices, triangles_);
-  around_.offsets = {0};
+  vertex_triangles_ = at_vertices(vertices, triangles_);
+  ring_vertices_.offsets = {0};
   for (Index v = 0; v < vertices; ++v) {
     const std::span<Index> fan =
-        std::span(triangles_of_.items).subspan(triangles_of_.offsets[v], triangles_of_[v].size());
+        std::span(vertex_triangles_.items).subspan(vertex_triangles_.offsets[v], vertex_triangles_[v].size());
     const std::vector<Index> around = order_as_fan(v, triangles_, fan);
-    around_.items.insert(around_.items.end(), around.begin(), around.end());
-    around_.offsets.push_back(static_cast<Index>(around_.items.size()));
+    ring_vertices_.items.insert(ring_vertices_.items.end(), around.begin(), around.end());
+    ring_vertices_.offsets.push_back(static_cast<Index>(ring_vertices_.items.size()));
   }
 }
 
-// Seen along the sum of their area vectors all triangles face the same way, and they go around the vertex once: so they
-// lie beside each other, and cross nowhere.
+// All triangles face along the sum of their area vectors and surround the vertex once, so none of them cross.
 bool ContactMeasure::lies_open(Index vertex, std::span<const Vec3> positions_m) const {
-  const std::span<const Index> around = around_[vertex];
-  if (around.empty()) return triangles_of_[vertex].empty();
+  assert(vertex < positions_m.size());
+  const std::span<const Index> around = ring_vertices_[vertex];
+  if (around.empty()) return vertex_triangles_[vertex].empty();
   Vec3 sum(0.0);
-  for (const Index t : triangles_of_[vertex]) sum += areas_m2_[t];
-  const double least = least_facing * glm::dot(sum, sum);
-  for (const Index t : triangles_of_[vertex]) {
-    if (!(glm::dot(areas_m2_[t], sum) > least)) return false;
+  for (const Index t : vertex_triangles_[vertex]) sum += areas_m2_[t];
+  const double min_facing = min_facing_ratio * glm::dot(sum, sum);
+  for (const Index t : vertex_triangles_[vertex]) {
+    if (!(glm::dot(areas_m2_[t], sum) > min_facing)) return false;
   }
   const Vec3& here = positions_m[vertex];
   const Vec3 ahead = glm::cross(sum, positions_m[around[0]] - here);
@@ -155,9 +159,10 @@ bool ContactMeasure::lies_open(Index vertex, std::span<const Vec3> positions_m) 
   return true;
 }
 
-// Two triangles that share more vertices belong to the first of these.
+// Triangles that share several vertices are counted at the lowest one.
 std::size_t ContactMeasure::crossings_around(Index vertex, std::span<const Vec3> positions_m) const {
-  const std::span<const Index> around = triangles_of_[vertex];
+  assert(vertex < positions_m.size());
+  const std::span<const Index> around = vertex_triangles_[vertex];
   std::size_t crossings = 0;
   for (std::size_t k = 0; k < around.size(); ++k) {
     for (std::size_t l = k + 1; l < around.size(); ++l) {
@@ -173,6 +178,8 @@ std::size_t ContactMeasure::crossings_around(Index vertex, std::span<const Vec3>
 
 void ContactMeasure::measure_mesh(const Body& body, TriangleTree& tree, std::span<const Vec3> positions_m,
                                   double time_s, double reach_m, MeasuredContact& measured) {
+  assert(reach_m >= 0.0);
+  assert(std::isfinite(time_s));
   const BodyMeshData& mesh = *std::get<BodyMesh>(body.shape).data;
   std::vector<Vec3> body_m(mesh.positions_m.size());
   positions_at(body, time_s, body_m);
@@ -181,12 +188,14 @@ void ContactMeasure::measure_mesh(const Body& body, TriangleTree& tree, std::spa
   tree_.find_near(tree, near_);
   for (const auto& [s, t] : near_) {
     const TrianglePairMeasure pair =
-        measure_pair(triangles_[s], mesh.triangles[t], positions_m, body_m, wanted_m(reach_m, measured));
+        measure_pair(triangles_[s], mesh.triangles[t], positions_m, body_m, search_reach_m(reach_m, measured));
     note(pair.distance_m(), pair.is_crossing(), reach_m, measured);
   }
 }
 
 MeasuredContact ContactMeasure::measure(std::span<const Vec3> positions_m, double time_s, double reach_m) {
+  assert(reach_m >= 0.0);
+  assert(std::isfinite(time_s));
   MeasuredContact measured;
   if (triangles_.empty()) return measured;
   tree_.fit(positions_m, positions_m.front(), reach_m);
@@ -194,7 +203,7 @@ MeasuredContact ContactMeasure::measure(std::span<const Vec3> positions_m, doubl
   tree_.find_near(near_);
   for (const auto& [s, t] : near_) {
     const TrianglePairMeasure pair =
-        measure_pair(triangles_[s], triangles_[t], positions_m, positions_m, wanted_m(reach_m, measured));
+        measure_pair(triangles_[s], triangles_[t], positions_m, positions_m, search_reach_m(reach_m, measured));
     note(pair.distance_m(), pair.is_crossing(), reach_m, measured);
   }
   for (std::size_t t = 0; t < triangles_.size(); ++t) {
@@ -213,14 +222,15 @@ MeasuredContact ContactMeasure::measure(std::span<const Vec3> positions_m, doubl
     const Shape shape = shape_at(body, time_s);
     for (const auto& [i, j, k] : triangles_) {
       const double distance_m = shape_distance_m({positions_m[i], positions_m[j], positions_m[k]}, shape, reach_m);
-      note(distance_m, distance_m < -least_depth_m, reach_m, measured);
+      note(distance_m, distance_m < -min_depth_m, reach_m, measured);
     }
   }
   return measured;
 }
 
 double shape_distance_m(const Corners& triangle, const Shape& shape, double reach_m) {
-  const double distance_m = std::visit(Distance{triangle, reach_m}, shape);
+  assert(reach_m >= 0.0);
+  const double distance_m = std::visit(TriangleDistance{triangle, reach_m}, shape);
   return distance_m <= reach_m ? distance_m : infinity;
 }
 

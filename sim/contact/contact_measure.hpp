@@ -7,21 +7,21 @@
 
 namespace taut::sim {
 
-/// How near things are in one shape, measured.
+/// Measured contact of one shape.
 struct MeasuredContact {
-  /// The distance of the two nearest triangles that share no vertex, or of a triangle from a body, in m: 0 where they
-  /// cross, below 0 in a plane, sphere or capsule; infinite where nothing is within the reach.
-  double nearest_m = std::numeric_limits<double>::infinity();
-  /// Pairs of triangles that cross, also those that share a vertex or an edge (triangle_pair.hpp), and for each plane,
-  /// sphere and capsule the triangles that enter it.
+  /// Smallest distance in m of two triangles that share no vertex, or of a triangle and a body: 0 if they cross, below
+  /// 0 inside a plane, sphere or capsule, infinite if nothing is within reach.
+  double min_distance_m = std::numeric_limits<double>::infinity();
+  /// Number of crossing triangle pairs, including pairs that share a vertex or an edge (triangle_pair.hpp), plus the
+  /// triangles that enter each plane, sphere and capsule.
   std::size_t crossing_pairs = 0;
 };
 
-/// Measures how near cloth is to itself and to bodies, from where it is alone: nothing here is known to solvers, and
-/// what is measured does not depend on earlier shapes.
+/// Measures contact of the cloth with itself and with bodies. It uses positions alone: neither solvers nor earlier
+/// shapes affect the result.
 class ContactMeasure {
  public:
-  /// `positions_m` is where the mesh is cut into boxes.
+  /// The tree of boxes is built at `positions_m`.
   ContactMeasure(std::span<const Triangle> triangles, std::span<const Vec3> positions_m, std::vector<Body> bodies);
 
   const std::vector<Body>& bodies() const { return bodies_; }
@@ -39,17 +39,17 @@ class ContactMeasure {
   std::vector<Triangle> triangles_;
   std::vector<Body> bodies_;
   TriangleTree tree_;
-  std::vector<TriangleTree> body_trees_;  ///< of bodies that are meshes, in their order
-  std::vector<Vec3> areas_m2_;            ///< by triangle: its area vector, doubled
-  CompressedRows triangles_of_;           ///< by vertex, in turn where they are a fan
-  /// By vertex: the vertices around its fan, of which the last is the first again where it closes. None where its
-  /// triangles are no fan.
-  CompressedRows around_;
+  std::vector<TriangleTree> body_trees_;  ///< trees of the bodies that are meshes, in their order
+  std::vector<Vec3> areas_m2_;            ///< doubled area vector by triangle
+  CompressedRows vertex_triangles_;       ///< triangles by vertex, in ring order if they form a fan
+  /// Ring of neighbours by vertex; the first is repeated at the end if the fan closes. Empty if the triangles form no
+  /// fan.
+  CompressedRows ring_vertices_;
   std::vector<TriangleCouple> near_;
 };
 
-/// Returns the distance of a triangle from a plane, sphere or capsule, in m, below 0 where it enters; infinite for a
-/// mesh and beyond the reach.
+/// Returns the distance of a triangle from a plane, sphere or capsule, in m, below 0 inside; infinite for a mesh and
+/// beyond the reach.
 double shape_distance_m(const Corners& triangle, const Shape& shape, double reach_m);
 
 }  // namespace taut::sim

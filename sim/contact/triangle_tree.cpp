@@ -1,15 +1,16 @@
 #include "sim/contact/triangle_tree.hpp"
 
 #include "sim/mesh/extent.hpp"
+#include "sim/mesh/preconditions.hpp"
 
 namespace taut::sim {
 namespace {
 
 constexpr float no_bound = std::numeric_limits<float>::infinity();
-/// How far rounding to single precision moves anything, at most, in parts of the largest coordinate.
+/// Largest error of rounding to single precision, as a fraction of the largest coordinate.
 constexpr double rounding = 1e-6;
 
-template <std::size_t count> bool any_of(const std::array<int, count>& flags) {
+template <std::size_t count> bool is_any_set(const std::array<int, count>& flags) {
   int any = 0;
   for (const int flag : flags) any |= flag;
   return any != 0;
@@ -24,6 +25,7 @@ bool share_vertex(const Triangle& s, const Triangle& t) {
 
 TriangleTree::TriangleTree(std::span<const Triangle> triangles, std::span<const Vec3> positions_m)
     : order_(triangles.size()) {
+  assert(are_below(triangles, positions_m.size()));
   std::vector<Vec3> middles_m;
   for (const Triangle& t : triangles) {
     middles_m.push_back((positions_m[t[0]] + positions_m[t[1]] + positions_m[t[2]]) / 3.0);
@@ -36,12 +38,13 @@ TriangleTree::TriangleTree(std::span<const Triangle> triangles, std::span<const 
   boxes_.resize(2 * leaves_.size());
 }
 
-// Halves of whole leaves, by the middles' longest axis; equal ones by their numbers.
+// Splits into halves of whole leaves along the longest axis of the middles; the index breaks ties.
 void TriangleTree::order(std::size_t begin, std::size_t end, std::span<const Vec3> middles_m) {
+  assert(begin <= end && end <= order_.size());
   if (end - begin <= lanes) return;
   Extent extent;
   for (std::size_t i = begin; i < end; ++i) extent.add(middles_m[order_[i]]);
-  const int axis = longest_axis(extent);
+  const int axis = long_axis(extent);
   const auto is_before = [&](Index s, Index t) {
     return middles_m[s][axis] != middles_m[t][axis] ? middles_m[s][axis] < middles_m[t][axis] : s < t;
   };
@@ -64,7 +67,7 @@ void TriangleTree::fit_leaf(std::size_t leaf, std::span<const std::array<float, 
       continue;
     }
     const auto& [i, j, l] = triangles_[place];
-    Place& of = places_[place];
+    TreeTriangle& of = places_[place];
     float* const rows[3] = {of.x, of.y, of.z};
     for (std::size_t k = 0; k < 3; ++k) {
       const float a = corners[i][k], b = corners[j][k], c = corners[l][k];
@@ -78,7 +81,7 @@ void TriangleTree::fit_leaf(std::size_t leaf, std::span<const std::array<float, 
   }
 }
 
-std::array<int, TriangleTree::lanes> TriangleTree::which_meet(const Leaf& leaf, const Box& box) {
+std::array<int, TriangleTree::lanes> TriangleTree::find_overlaps(const Leaf& leaf, const TreeBox& box) {
   std::array<int, lanes> meets;
   for (std::size_t k = 0; k < lanes; ++k) {
     meets[k] = static_cast<int>(leaf.lower[0][k] <= box.upper[0]) & static_cast<int>(box.lower[0] <= leaf.upper[0][k]) &
@@ -88,8 +91,8 @@ std::array<int, TriangleTree::lanes> TriangleTree::which_meet(const Leaf& leaf, 
   return meets;
 }
 
-TriangleTree::Box TriangleTree::fit(const Node& node) {
-  Box box;
+TriangleTree::TreeBox TriangleTree::fit(const TreeNode& node) {
+  TreeBox box;
   if (node.size() == 1) {
     const Leaf& leaf = leaves_[node.begin];
     for (std::size_t k = 0; k < 3; ++k) {
@@ -97,7 +100,7 @@ TriangleTree::Box TriangleTree::fit(const Node& node) {
       box.upper[k] = *std::max_element(leaf.upper[k], leaf.upper[k] + lanes);
     }
   } else {
-    const Box first = fit(node.first()), second = fit(node.second());
+    const TreeBox first = fit(node.first()), second = fit(node.second());
     for (std::size_t k = 0; k < 3; ++k) {
       box.lower[k] = std::min(first.lower[k], second.lower[k]);
       box.upper[k] = std::max(first.upper[k], second.upper[k]);
@@ -107,14 +110,16 @@ TriangleTree::Box TriangleTree::fit(const Node& node) {
 }
 
 void TriangleTree::fit(std::span<const Vec3> positions_m, const Vec3& origin_m, double reach_m) {
+  assert(reach_m >= 0.0);
+  assert(is_finite(origin_m));
   std::vector<std::array<float, 3>> corners(positions_m.size());
-  float largest = 0.0F;
+  float max_coordinate = 0.0F;
   for (std::size_t v = 0; v < corners.size(); ++v) {
     const Vec3 p = positions_m[v] - origin_m;
     corners[v] = {static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)};
-    for (const float x : corners[v]) largest = std::max(largest, std::abs(x));
+    for (const float x : corners[v]) max_coordinate = std::max(max_coordinate, std::abs(x));
   }
-  reach_m_ = static_cast<float>(reach_m + rounding * largest);
+  reach_m_ = static_cast<float>(reach_m + rounding * max_coordinate);
   for (std::size_t leaf = 0; leaf < leaves_.size(); ++leaf) fit_leaf(leaf, corners);
   if (!leaves_.empty()) fit(root());
 }
@@ -127,7 +132,7 @@ void TriangleTree::find_near(const TriangleTree& other, std::vector<TriangleCoup
   if (!leaves_.empty() && !other.leaves_.empty()) find_between(root(), other, other.root(), pairs);
 }
 
-void TriangleTree::find_within(const Node& node, std::vector<TriangleCouple>& pairs) const {
+void TriangleTree::find_within(const TreeNode& node, std::vector<TriangleCouple>& pairs) const {
   if (node.size() == 1) {
     compare(node, *this, node, pairs);
     return;
@@ -137,10 +142,10 @@ void TriangleTree::find_within(const Node& node, std::vector<TriangleCouple>& pa
   find_between(node.first(), *this, node.second(), pairs);
 }
 
-void TriangleTree::find_between(const Node& node, const TriangleTree& other, const Node& others,
+void TriangleTree::find_between(const TreeNode& node, const TriangleTree& other, const TreeNode& others,
                                 std::vector<TriangleCouple>& pairs) const {
-  const Box& a = boxes_[node.at];
-  const Box& b = other.boxes_[others.at];
+  const TreeBox& a = boxes_[node.at];
+  const TreeBox& b = other.boxes_[others.at];
   for (std::size_t k = 0; k < 3; ++k) {
     if (a.lower[k] > b.upper[k] || b.lower[k] > a.upper[k]) return;
   }
@@ -155,11 +160,11 @@ void TriangleTree::find_between(const Node& node, const TriangleTree& other, con
   }
 }
 
-// Two triangles meet only where the boxes around both leaves do.
-void TriangleTree::compare(const Node& node, const TriangleTree& other, const Node& others,
+// Triangles meet only in the intersection of the boxes of both leaves.
+void TriangleTree::compare(const TreeNode& node, const TriangleTree& other, const TreeNode& others,
                            std::vector<TriangleCouple>& pairs) const {
   const std::size_t leaf = node.begin;
-  Box both = boxes_[node.at];
+  TreeBox both = boxes_[node.at];
   for (std::size_t k = 0; k < 3; ++k) {
     both.lower[k] = std::max(both.lower[k], other.boxes_[others.at].lower[k]);
     both.upper[k] = std::min(both.upper[k], other.boxes_[others.at].upper[k]);
@@ -167,13 +172,13 @@ void TriangleTree::compare(const Node& node, const TriangleTree& other, const No
   const Leaf& a = leaves_[leaf];
   const Leaf& b = other.leaves_[others.begin];
   const bool is_within = this == &other;
-  const std::array<int, lanes> meets = which_meet(a, both);
-  if (!any_of(meets) || !any_of(which_meet(b, both))) return;
+  const std::array<int, lanes> meets = find_overlaps(a, both);
+  if (!is_any_set(meets) || !is_any_set(find_overlaps(b, both))) return;
   for (std::size_t i = 0; i < lanes; ++i) {
     if (meets[i] == 0) continue;
-    const std::array<int, lanes> is_near =
-        which_meet(b, {{a.lower[0][i], a.lower[1][i], a.lower[2][i]}, {a.upper[0][i], a.upper[1][i], a.upper[2][i]}});
-    if (!any_of(is_near)) continue;
+    const std::array<int, lanes> is_near = find_overlaps(
+        b, {{a.lower[0][i], a.lower[1][i], a.lower[2][i]}, {a.upper[0][i], a.upper[1][i], a.upper[2][i]}});
+    if (!is_any_set(is_near)) continue;
     const std::size_t s = leaf * lanes + i;
     for (std::size_t j = is_within && leaf == others.begin ? i + 1 : 0; j < lanes; ++j) {
       const std::size_t t = others.begin * lanes + j;
@@ -185,10 +190,10 @@ void TriangleTree::compare(const Node& node, const TriangleTree& other, const No
   }
 }
 
-// Not so if a plane at right angles to the line between their middles parts them by the reach.
+// False if a plane at right angles to the line between their means separates them by the reach.
 bool TriangleTree::may_be_near(std::size_t place, const TriangleTree& other, std::size_t others) const {
-  const Place& s = places_[place];
-  const Place& t = other.places_[others];
+  const TreeTriangle& s = places_[place];
+  const TreeTriangle& t = other.places_[others];
   const float x = t.x[3] - s.x[3], y = t.y[3] - s.y[3], z = t.z[3] - s.z[3];
   std::array<float, 4> of_s, of_t;
   for (std::size_t k = 0; k < 4; ++k) {

@@ -4,64 +4,65 @@
 
 namespace taut::sim {
 
-/// Two triangles, by their places in the lists that their trees were made of.
+/// Indices of two triangles, in the lists their trees were made of.
 using TriangleCouple = std::array<Index, 2>;
 
-/// Finds which triangles may be near each other: boxes around boxes, in single precision.
+/// Tree of boxes in single precision, which finds triangles that may be near each other.
 class TriangleTree {
  public:
   TriangleTree() = default;
-  /// `positions_m` are where the mesh is cut into boxes, for all times.
+  /// The tree is built once, at `positions_m`.
   TriangleTree(std::span<const Triangle> triangles, std::span<const Vec3> positions_m);
 
-  /// Takes up where the vertices are now, seen from an origin. Triangles within `reach_m` of each other after this are
-  /// found; it should be the same in trees that are compared.
+  /// Updates the boxes to these positions, relative to an origin. Later searches find triangles within `reach_m`, which
+  /// should be equal in trees that are compared.
   void fit(std::span<const Vec3> positions_m, const Vec3& origin_m, double reach_m);
 
-  /// Appends all pairs of triangles that may be within the reach and share no vertex, each once.
+  /// Appends all pairs of triangles without a common vertex that may be within reach, each once.
   void find_near(std::vector<TriangleCouple>& pairs) const;
-  /// Appends all pairs of a triangle of this one and one of another mesh that may be within the reach.
+  /// Appends all pairs of a triangle of this tree and one of another mesh that may be within reach.
   void find_near(const TriangleTree& other, std::vector<TriangleCouple>& pairs) const;
 
  private:
   static constexpr std::size_t lanes = 8;
-  struct Box {
+  struct TreeBox {
     std::array<float, 3> lower, upper;
   };
-  /// The boxes of so many triangles side by side; those that are not there are empty.
+  /// Boxes of `lanes` triangles side by side; missing ones are empty.
   struct Leaf {
     float lower[3][lanes];
     float upper[3][lanes];
   };
-  /// A triangle as its corners and their mean, coordinate by coordinate.
-  struct Place {
+  /// Corners of a triangle and their mean, by coordinate.
+  struct TreeTriangle {
     float x[4], y[4], z[4];
   };
-  /// A range of leaves with its place among the nodes: those of its first half follow it, then those of the other.
-  struct Node {
+  /// Range of leaves with its index among the nodes: the nodes of its first half follow it, then the nodes of the
+  /// second.
+  struct TreeNode {
     std::size_t at, begin, end;
     std::size_t size() const { return end - begin; }
-    Node first() const { return {at + 1, begin, begin + size() / 2}; }
-    Node second() const { return {at + 2 * (size() / 2), begin + size() / 2, end}; }
+    TreeNode first() const { return {at + 1, begin, begin + size() / 2}; }
+    TreeNode second() const { return {at + 2 * (size() / 2), begin + size() / 2, end}; }
   };
 
   void order(std::size_t begin, std::size_t end, std::span<const Vec3> middles_m);
-  Node root() const { return {0, 0, leaves_.size()}; }
-  Box fit(const Node& node);
+  TreeNode root() const { return {0, 0, leaves_.size()}; }
+  TreeBox fit(const TreeNode& node);
   void fit_leaf(std::size_t leaf, std::span<const std::array<float, 3>> corners);
-  void find_within(const Node& node, std::vector<TriangleCouple>& pairs) const;
-  void find_between(const Node& node, const TriangleTree& other, const Node& others,
+  void find_within(const TreeNode& node, std::vector<TriangleCouple>& pairs) const;
+  void find_between(const TreeNode& node, const TriangleTree& other, const TreeNode& others,
                     std::vector<TriangleCouple>& pairs) const;
-  void compare(const Node& node, const TriangleTree& other, const Node& others,
+  void compare(const TreeNode& node, const TriangleTree& other, const TreeNode& others,
                std::vector<TriangleCouple>& pairs) const;
-  static std::array<int, lanes> which_meet(const Leaf& leaf, const Box& box);
+  static std::array<int, lanes> find_overlaps(const Leaf& leaf, const TreeBox& box);
   bool may_be_near(std::size_t place, const TriangleTree& other, std::size_t others) const;
 
-  std::vector<Index> order_;         ///< of triangles, by their boxes
-  std::vector<Triangle> triangles_;  ///< in that order
+  std::vector<Index> order_;         ///< triangle indices in leaf order
+  std::vector<Triangle> triangles_;  ///< triangles in leaf order
   std::vector<Leaf> leaves_;
-  std::vector<Place> places_;
-  std::vector<Box> boxes_;  ///< of nodes
+  std::vector<TreeTriangle> places_;
+  std::vector<TreeBox> boxes_;  ///< boxes by node
   float reach_m_ = 0.0F;
 };
 

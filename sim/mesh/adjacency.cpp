@@ -3,10 +3,10 @@
 namespace taut::sim {
 namespace {
 
-/// Side k of triangle t is 3 t + k. Row v lists those whose lower end is v, by their higher end, then
-/// ascending.
+/// Returns rows of triangle sides; side k of triangle t is 3 t + k. Row v lists the sides with the lower end v, ordered
+/// by higher end, then side.
 CompressedRows sides_by_lower_end(const Mesh& mesh, std::span<const Edge> ends) {
-  CompressedRows sides = grouped(mesh.positions.size(), [&](const auto& visit) {
+  CompressedRows sides = group_by_row(mesh.positions.size(), [&](const auto& visit) {
     for (std::size_t side = 0; side < ends.size(); ++side) visit(ends[side][0], static_cast<Index>(side));
   });
   for (std::size_t v = 0; v < sides.size(); ++v) {
@@ -47,6 +47,7 @@ Adjacency make_adjacency(const Mesh& mesh) {
 }
 
 Index edge_between(const Adjacency& adjacency, Index a, Index b) {
+  assert(a != b);
   const auto& edges = adjacency.edges;
   const auto found = std::lower_bound(edges.begin(), edges.end(), Edge{std::min(a, b), std::max(a, b)});
   return static_cast<Index>(found - edges.begin());

@@ -6,19 +6,18 @@ namespace taut::sim {
 
 /// Compressed sparse rows (CSR): row r holds items[offsets[r]] up to, not including, items[offsets[r + 1]].
 struct CompressedRows {
-  std::vector<Index> offsets;  ///< the number of rows + 1 entries
+  std::vector<Index> offsets;  ///< number of rows + 1 entries
   std::vector<Index> items;
 
-  /// The number of rows.
   std::size_t size() const { return offsets.empty() ? 0 : offsets.size() - 1; }
   std::span<const Index> operator[](std::size_t row) const {
     return std::span(items).subspan(offsets[row], offsets[row + 1] - offsets[row]);
   }
 };
 
-/// Groups items by row. `for_all(visit)` calls visit(row, item) for each, and the same again when it is
-/// called again; a row keeps that order. Requires rows below `row_count`.
-template <typename ForAll> CompressedRows grouped(std::size_t row_count, const ForAll& for_all) {
+/// Groups items by row. `for_all(visit)` calls visit(row, item) for each item, in the same order at every call; rows
+/// keep that order. Requires rows below `row_count`.
+template <typename ForAll> CompressedRows group_by_row(std::size_t row_count, const ForAll& for_all) {
   CompressedRows rows;
   rows.offsets.assign(row_count + 1, 0);
   for_all([&](Index row, Index) { ++rows.offsets[row + 1]; });
@@ -29,10 +28,10 @@ template <typename ForAll> CompressedRows grouped(std::size_t row_count, const F
   return rows;
 }
 
-/// Row v lists the edges or triangles that have vertex v, ascending. They may be in any order. Requires vertices below
+/// Returns rows: row v lists the edges or triangles with the vertex v, ascending. Requires vertices below
 /// `vertex_count`.
 template <class Simplices> CompressedRows at_vertices(std::size_t vertex_count, const Simplices& simplices) {
-  return grouped(vertex_count, [&](const auto& visit) {
+  return group_by_row(vertex_count, [&](const auto& visit) {
     for (std::size_t i = 0; i < simplices.size(); ++i) {
       for (const Index v : simplices[i]) visit(v, static_cast<Index>(i));
     }
@@ -41,9 +40,9 @@ template <class Simplices> CompressedRows at_vertices(std::size_t vertex_count, 
 
 /// The paper's link list: the edges that meet at each vertex and the triangles that meet at each edge.
 struct Adjacency {
-  std::vector<Edge> edges;      ///< each once, in lexicographic order
-  CompressedRows vertex_edges;  ///< a row per vertex, ascending
-  /// A row per edge, ascending; more than two triangles at a non-manifold edge.
+  std::vector<Edge> edges;      ///< unique, in lexicographic order
+  CompressedRows vertex_edges;  ///< one row per vertex, ascending
+  /// One row per edge, ascending; more than two triangles at a non-manifold edge.
   CompressedRows edge_triangles;
 };
 

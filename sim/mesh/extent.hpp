@@ -21,26 +21,26 @@ struct Extent {
 };
 
 /// Returns the extent of these points, in their unit.
-inline Extent extent_of(std::span<const Vec3> points) {
+inline Extent compute_extent(std::span<const Vec3> points) {
   Extent extent;
   for (const Vec3& point : points) extent.add(point);
   return extent;
 }
 
-/// Returns the extent of those points that are listed by their numbers.
-inline Extent extent_of(std::span<const Vec3> points, std::span<const Index> listed) {
+/// Returns the extent of the points with these indices.
+inline Extent compute_extent(std::span<const Vec3> points, std::span<const Index> listed) {
   Extent extent;
   for (const Index k : listed) extent.add(points[k]);
   return extent;
 }
 
-/// Returns whether the two have a point in common.
+/// Returns whether two extents have a point in common.
 inline bool overlap(const Extent& a, const Extent& b) {
   return glm::all(glm::lessThanEqual(a.lower, b.upper)) && glm::all(glm::lessThanEqual(b.lower, a.upper));
 }
 
-/// Returns the axis along which it is largest, the first of several.
-inline int longest_axis(const Extent& extent) {
+/// Returns the index of the longest axis, the first of equal ones.
+inline int long_axis(const Extent& extent) {
   const Vec3 size = extent.size();
   return size.x >= size.y && size.x >= size.z ? 0 : (size.y >= size.z ? 1 : 2);
 }

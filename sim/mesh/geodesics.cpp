@@ -3,13 +3,13 @@
 namespace taut::sim {
 namespace {
 
-/// Returns the distance of corner c of a triangle from a source at the distances `from_a` and `from_b` from
-/// the other two corners. The distance is a straight line in the unfolded triangle. Returns nothing if that
-/// line does not cross the edge a-b.
+/// Returns the distance of corner c of a triangle from a source, along a straight line in the unfolded triangle.
+/// `from_a` and `from_b` are the source's distances from the other corners. Returns nothing if the line does not cross
+/// the edge a-b.
 std::optional<double> unfolded_distance(const Vec3& a, const Vec3& b, const Vec3& c, double from_a, double from_b) {
   const double base = glm::length(b - a);
   if (!(base > 0.0)) return std::nullopt;
-  // In the plane of the triangle: a at the origin, b on the x axis, c above it and the source below.
+  // Coordinates in the plane of the triangle: a at the origin, b on the x axis, c above it and the source below.
   const double source_x = (from_a * from_a - from_b * from_b + base * base) / (2.0 * base);
   const double source_depth2 = from_a * from_a - source_x * source_x;
   const double c_x = glm::dot(c - a, b - a) / base;
@@ -24,10 +24,10 @@ std::optional<double> unfolded_distance(const Vec3& a, const Vec3& b, const Vec3
   return std::sqrt(along * along + across * across);
 }
 
-/// A front that spreads from the sources and passes the nearest vertex first (Dijkstra 1959).
-class Front {
+/// Front that spreads from the sources, nearest vertex first (Dijkstra 1959).
+class GeodesicFront {
  public:
-  Front(const Mesh& mesh, const Adjacency& adjacency) : mesh_(mesh), adjacency_(adjacency) {
+  GeodesicFront(const Mesh& mesh, const Adjacency& adjacency) : mesh_(mesh), adjacency_(adjacency) {
     const std::size_t count = mesh.positions.size();
     reached_.distances_m.assign(count, std::numeric_limits<double>::infinity());
     reached_.nearest_sources.assign(count, GeodesicDistances::no_source);
@@ -85,7 +85,7 @@ class Front {
 }  // namespace
 
 GeodesicDistances geodesic_distances(const Mesh& mesh, const Adjacency& adjacency, std::span<const Index> sources) {
-  Front front(mesh, adjacency);
+  GeodesicFront front(mesh, adjacency);
   for (const Index source : sources) {
     assert(source < mesh.positions.size());
     front.reach(source, 0.0, source);

@@ -4,14 +4,13 @@
 
 namespace taut::sim {
 
-/// Sets of items that can be joined: union-find with path halving (Tarjan and van Leeuwen 1984). A set is
-/// named by its smallest item.
+/// Union-find with path halving (Tarjan and van Leeuwen 1984). A set is named by its smallest item.
 class Groups {
  public:
-  /// Starts with the items 0 to size - 1, each a set of its own.
+  /// Starts with one set for each of the items 0 to size - 1.
   explicit Groups(std::size_t size) : parent_(size) { std::iota(parent_.begin(), parent_.end(), Index{0}); }
 
-  /// The name of the set that holds the item.
+  /// Returns the name of the item's set.
   Index find(Index item) {
     while (parent_[item] != item) item = parent_[item] = parent_[parent_[item]];
     return item;
@@ -26,8 +25,8 @@ class Groups {
   std::vector<Index> parent_;
 };
 
-/// Returns groups of vertices that these edges or triangles connect.
-template <class Simplices> Groups connected(std::size_t vertex_count, const Simplices& simplices) {
+/// Returns the groups of vertices connected by these edges or triangles.
+template <class Simplices> Groups connect_vertices(std::size_t vertex_count, const Simplices& simplices) {
   Groups groups(vertex_count);
   for (const auto& simplex : simplices) {
     for (const Index v : simplex) groups.join(simplex[0], v);

@@ -3,6 +3,7 @@
 #include <unordered_set>
 
 #include "sim/mesh/point_cells.hpp"
+#include "sim/mesh/preconditions.hpp"
 #include "sim/mesh/topology.hpp"
 #include "sim/mesh/welding.hpp"
 
@@ -32,17 +33,18 @@ void require_well_formed(const Mesh& mesh) {
 struct TriangleHash {
   std::size_t operator()(const Triangle& t) const {
     std::size_t hash = 0;
-    for (const Index v : t) hash = mixed(hash, v);
+    for (const Index v : t) hash = mix_hash(hash, v);
     return hash;
   }
 };
 
-/// Drops triangles without area and repeated triangles. Both are judged by `vertices`, which holds, per
-/// vertex, the vertex that stands for it.
+/// Drops triangles without area and duplicate triangles, judged by the replacement vertices in `vertices`, one per
+/// vertex.
 void drop_unsound(const std::vector<Index>& vertices, Mesh& mesh, MeshReport& report) {
+  assert(vertices.size() == mesh.positions.size());
   std::unordered_set<Triangle, TriangleHash> seen;
   seen.reserve(mesh.triangles.size());
-  std::size_t kept = 0;
+  std::size_t kept_count = 0;
   for (const Triangle& raw : mesh.triangles) {
     Triangle t = {vertices[raw[0]], vertices[raw[1]], vertices[raw[2]]};
     const bool is_sound = has_area(mesh.positions, t);
@@ -52,51 +54,52 @@ void drop_unsound(const std::vector<Index>& vertices, Mesh& mesh, MeshReport& re
     } else if (!seen.insert(t).second) {
       ++report.duplicate_triangles;
     } else {
-      mesh.triangles[kept++] = raw;
+      mesh.triangles[kept_count++] = raw;
     }
   }
-  mesh.triangles.resize(kept);
+  mesh.triangles.resize(kept_count);
 }
 
-/// Returns by how many the vertices that triangles use exceed the places that they use.
-std::size_t count_parted(const Mesh& mesh, const std::vector<Index>& places, const std::vector<Index>& welded) {
+/// Returns the number of used vertices minus the number of their distinct positions.
+std::size_t count_unwelded(const Mesh& mesh, const std::vector<Index>& places, const std::vector<Index>& welded) {
   const auto count_used = [&](const std::vector<Index>& named) {
-    const std::vector<char> used = used_vertices(renumbered(mesh, named));
+    const std::vector<char> used = used_vertices(renumber_corners(mesh, named));
     return std::count(used.begin(), used.end(), 1);
   };
   return static_cast<std::size_t>(count_used(welded) - count_used(places));
 }
 
-/// Drops the vertices that no triangle uses and renumbers the others. Returns the new index per old vertex,
-/// `no_vertex` for a dropped one.
+/// Drops unused vertices and renumbers the others. Returns the new index per old vertex, or `no_vertex`.
 std::vector<Index> compact_vertices(Mesh& mesh) {
   const std::vector<char> used = used_vertices(mesh);
   std::vector<Index> number(mesh.positions.size(), no_vertex);
-  Index kept = 0;
+  Index kept_count = 0;
   for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
     if (used[v]) {
-      number[v] = kept;
-      mesh.positions[kept++] = mesh.positions[v];
+      number[v] = kept_count;
+      mesh.positions[kept_count++] = mesh.positions[v];
     }
   }
-  mesh.positions.resize(kept);
-  mesh = renumbered(mesh, number);
+  mesh.positions.resize(kept_count);
+  mesh = renumber_corners(mesh, number);
   return number;
 }
 
 }  // namespace
 
 Vec3 doubled_area_vector(std::span<const Vec3> positions, const Triangle& t) {
+  assert(are_below(std::span(&t, 1), positions.size()));
   return glm::cross(positions[t[1]] - positions[t[0]], positions[t[2]] - positions[t[0]]);
 }
 
-// Of two equal corners the product is exactly 0.
+// Two equal corners make the cross product exactly 0.
 bool has_area(std::span<const Vec3> positions, const Triangle& t) {
   const Vec3 area = doubled_area_vector(positions, t);
   return glm::dot(area, area) > 0.0;
 }
 
 std::array<Vec3, 3> corners_at_rest(const Mesh& mesh, std::size_t triangle) {
+  assert(triangle < mesh.triangles.size());
   if (mesh.cut_m.empty()) {
     const auto& [a, b, c] = mesh.triangles[triangle];
     return {mesh.positions[a], mesh.positions[b], mesh.positions[c]};
@@ -127,7 +130,7 @@ ValidatedMesh weld_and_validate(const Mesh& input, const RepairSettings& setting
   for (std::size_t v = 0; v < welded.size(); ++v) {
     report.welded_vertices += welded[v] != v;
   }
-  report.parted_vertices = count_parted(mesh, places, welded);
+  report.unwelded_vertices = count_unwelded(mesh, places, welded);
   if (settings.weld_distance_m > 0.0) {
     report.near_vertices = weld_near_borders(settings.weld_distance_m, mesh, welded);
     drop_unsound(welded, mesh, report);
@@ -140,15 +143,15 @@ ValidatedMesh weld_and_validate(const Mesh& input, const RepairSettings& setting
     throw std::invalid_argument("no triangle with an area remains of " + std::to_string(input.triangles.size()) +
                                 " triangles");
   }
-  mesh = renumbered(mesh, welded);
+  mesh = renumber_corners(mesh, welded);
   report.turned_triangles = orient_consistently(mesh);
   const std::vector<Index> number = compact_vertices(mesh);
   const std::size_t dropped = input.positions.size() - mesh.positions.size();
   report.unused_vertices = dropped - report.welded_vertices - report.near_vertices - report.sewn_vertices;
   const std::vector<char> used = used_vertices(input);
   for (std::size_t v = 0; v < used.size(); ++v) {
-    // An unused vertex is not part of the mesh, even if another vertex at its place is.
-    out.kept.push_back(used[v] ? number[welded[v]] : no_vertex);
+    // An unused vertex has no result vertex, even if another vertex at its position has one.
+    out.result_vertices.push_back(used[v] ? number[welded[v]] : no_vertex);
   }
   return out;
 }

@@ -5,21 +5,22 @@
 namespace taut::sim {
 namespace {
 
-/// The most ratings of ears per corner of a face. It limits the work on outlines that cross themselves; a
-/// smaller value cuts these worse.
+/// Largest number of ear ratings per corner of a face. It limits the work on outlines that cross themselves; smaller
+/// values cut these worse.
 constexpr std::size_t ratings_per_corner = 50;
-/// A quad is cut along its second diagonal if the fullness of the first cut is below this fraction of the
-/// second's. A larger value cuts fewer quads of one cloth the same way.
-constexpr double least_relative_fullness = 0.5;
+/// A quad is cut along its second diagonal if the fullness of the first cut is below this fraction of the second's.
+/// Larger values cut fewer quads of one cloth the same way.
+constexpr double min_fullness_ratio = 0.5;
 
-/// Area over squared edge lengths: largest for an equilateral triangle, 0 for a line, negative if clockwise.
+/// Returns the area over the squared edge lengths: largest for an equilateral triangle, 0 for a line, negative if
+/// clockwise.
 double fullness(const Vec2& a, const Vec2& b, const Vec2& c) {
   const double squares = glm::dot(b - a, b - a) + glm::dot(c - b, c - b) + glm::dot(a - c, a - c);
   return squares > 0.0 ? doubled_area(a, b, c) / squares : 0.0;
 }
 
-/// The corners in the plane of the face, scaled to about 1 so that no product can overflow.
-std::vector<Vec2> flattened(std::span<const Vec3> positions, std::span<const Index> face) {
+/// Returns the corners in the face's mean plane, scaled to about 1 so that no product overflows.
+std::vector<Vec2> flatten_face(std::span<const Vec3> positions, std::span<const Index> face) {
   const Vec3 origin = positions[face[0]];
   double size = 0.0;
   for (const Index v : face) {
@@ -43,7 +44,7 @@ std::vector<Vec2> flattened(std::span<const Vec3> positions, std::span<const Ind
   return flat;
 }
 
-/// The rest of one face while ears are cut off: a ring of corners.
+/// Ring of the remaining corners of a face while ears are cut off.
 class Ring {
  public:
   explicit Ring(std::vector<Vec2> corners) : corners_(std::move(corners)) {
@@ -62,7 +63,7 @@ class Ring {
   std::size_t left() const { return left_; }
   std::size_t before(std::size_t k) const { return before_[k]; }
   std::size_t after(std::size_t k) const { return after_[k]; }
-  /// The corner whose ear is the fullest.
+  /// Returns the corner with the fullest ear.
   std::size_t best() const {
     std::size_t best = first_;
     for (std::size_t n = 0, k = first_; n < left_; ++n, k = after_[k]) {
@@ -81,7 +82,7 @@ class Ring {
   }
 
  private:
-  /// A corner of the outline inside the ear at k; k itself where there is none.
+  /// Returns a corner of the outline inside the ear at k, or k if there is none.
   std::size_t blocker(std::size_t k) const {
     const Vec2 &a = corners_[before_[k]], &b = corners_[k], &c = corners_[after_[k]];
     for (std::size_t n = 3, m = after_[after_[k]]; n < left_; ++n, m = after_[m]) {
@@ -93,14 +94,14 @@ class Ring {
     }
     return k;
   }
-  // An outline that crosses itself may have no ear: then the least bad is cut, so that it comes to an end.
+  // An outline that crosses itself may have no ear. The least bad corner is cut then, so that cutting ends.
   void rate(std::size_t k) {
     constexpr double no_ear = 10.0;
     const double full = fullness(corners_[before_[k]], corners_[k], corners_[after_[k]]);
     blockers_[k] = full > 0.0 ? blocker(k) : k;
     gains_[k] = full > 0.0 && blockers_[k] == k ? full : full - no_ear;
   }
-  /// Ears that only this corner was known to block.
+  /// Rates ears again that this corner blocked.
   void free_ears_blocked_by(std::size_t cut) {
     for (std::size_t n = 0, m = first_; n < left_; ++n, m = after_[m]) {
       if (blockers_[m] == cut && ratings_left_ > 0) {
@@ -114,17 +115,18 @@ class Ring {
   std::vector<std::size_t> before_, after_;
   std::vector<double> gains_;
   std::vector<std::size_t> blockers_;
-  std::size_t ratings_left_ = 0;  ///< how many more ears may be rated; limits the work
+  std::size_t ratings_left_ = 0;  ///< remaining ear ratings; limits the work
   std::size_t left_ = 0;
   std::size_t first_ = 0;
 };
 
 void cut_quad(std::span<const Vec3> positions, std::span<const Index> q, std::vector<Triangle>& triangles) {
-  const std::vector<Vec2> p = flattened(positions, q);
+  assert(q.size() == 4);
+  const std::vector<Vec2> p = flatten_face(positions, q);
   const double first = std::min(fullness(p[0], p[1], p[2]), fullness(p[0], p[2], p[3]));
   const double second = std::min(fullness(p[0], p[1], p[3]), fullness(p[1], p[2], p[3]));
-  // All quads of one cloth should be cut the same way, however they are folded, unless that makes needles.
-  if (first < least_relative_fullness * second) {
+  // All quads of one cloth should be cut the same way, however they fold, unless that makes needles.
+  if (first < min_fullness_ratio * second) {
     triangles.push_back({q[0], q[1], q[3]});
     triangles.push_back({q[1], q[2], q[3]});
   } else {
@@ -134,7 +136,8 @@ void cut_quad(std::span<const Vec3> positions, std::span<const Index> q, std::ve
 }
 
 void cut_ears(std::span<const Vec3> positions, std::span<const Index> face, std::vector<Triangle>& triangles) {
-  Ring ring(flattened(positions, face));
+  assert(face.size() >= 3);
+  Ring ring(flatten_face(positions, face));
   while (ring.left() >= 3) {
     const std::size_t k = ring.best();
     triangles.push_back({face[ring.before(k)], face[k], face[ring.after(k)]});
@@ -145,8 +148,8 @@ void cut_ears(std::span<const Vec3> positions, std::span<const Index> face, std:
 
 void require_corners(std::size_t face, std::uint32_t count, std::size_t there) {
   const std::string name = "face " + std::to_string(face) + " has " + std::to_string(count) + " corners";
-  if (count < 3 || count > most_corners) {
-    throw std::invalid_argument(name + "; expected 3 to " + std::to_string(most_corners));
+  if (count < 3 || count > max_face_corners) {
+    throw std::invalid_argument(name + "; expected 3 to " + std::to_string(max_face_corners));
   }
   if (count > there) throw std::invalid_argument(name + ", but only " + std::to_string(there) + " are there");
 }

@@ -4,7 +4,7 @@
 
 namespace taut::sim {
 
-/// A mesh and its pinned vertices.
+/// Mesh with pinned vertices.
 struct PinnedMesh {
   Mesh mesh;
   std::vector<Index> pins;  ///< ascending, each once

@@ -1,19 +1,22 @@
 #include "sim/mesh/topology.hpp"
 
+#include "sim/mesh/preconditions.hpp"
+
 namespace taut::sim {
 namespace {
 
-/// Returns how many vertices have triangles that are not all connected through edges at the vertex.
+/// Returns the number of vertices whose triangles form more than one fan.
 std::size_t count_split_fans(const Mesh& mesh, const Adjacency& adjacency) {
-  Groups corners = fans_of(mesh.triangles, adjacency);
+  assert(are_below(mesh.triangles, mesh.positions.size()));
+  Groups corners = find_fans(mesh.triangles, adjacency);
   std::vector<Index> fans(mesh.positions.size(), 0);
   for (Index c = 0; c < 3 * mesh.triangles.size(); ++c) fans[mesh.triangles[c / 3][c % 3]] += corners.find(c) == c;
   return static_cast<std::size_t>(std::count_if(fans.begin(), fans.end(), [](Index count) { return count > 1; }));
 }
 
-/// Returns the first vertices of the parts that these edges or triangles connect, ascending.
+/// Returns the first vertex of each part connected by these edges or triangles, ascending.
 template <class Simplices> std::vector<Index> first_vertices(std::size_t vertex_count, const Simplices& simplices) {
-  Groups parts = connected(vertex_count, simplices);
+  Groups parts = connect_vertices(vertex_count, simplices);
   std::set<Index> first;
   for (const auto& simplex : simplices) first.insert(parts.find(simplex[0]));
   return {first.begin(), first.end()};
@@ -29,6 +32,7 @@ bool runs_along(const Triangle& t, const Edge& edge) {
 }
 
 bool is_misoriented(const Mesh& mesh, const Adjacency& adjacency, std::size_t edge) {
+  assert(edge < adjacency.edges.size());
   const auto pair = adjacency.edge_triangles[edge];
   const auto along = [&](Index t) { return runs_along(mesh.triangles[t], adjacency.edges[edge]); };
   return pair.size() == 2 && along(pair[0]) == along(pair[1]);
@@ -54,10 +58,11 @@ Topology measure_topology(const Mesh& mesh, const Adjacency& adjacency) {
 }
 
 std::vector<Index> first_vertices_of_parts(std::size_t vertex_count, std::span<const Triangle> triangles) {
+  assert(are_below(triangles, vertex_count));
   return first_vertices(vertex_count, triangles);
 }
 
-Groups fans_of(std::span<const Triangle> triangles, const Adjacency& adjacency) {
+Groups find_fans(std::span<const Triangle> triangles, const Adjacency& adjacency) {
   Groups fans(3 * triangles.size());
   const auto corner = [&](Index t, Index v) { return 3 * t + corner_at(triangles[t], v); };
   for (std::size_t e = 0; e < adjacency.edges.size(); ++e) {
@@ -70,7 +75,7 @@ Groups fans_of(std::span<const Triangle> triangles, const Adjacency& adjacency) 
 }
 
 std::vector<char> turns_to_agree(std::size_t triangle_count, std::span<const Joint> joints) {
-  const CompressedRows joints_of = grouped(triangle_count, [&](const auto& visit) {
+  const CompressedRows triangle_joints = group_by_row(triangle_count, [&](const auto& visit) {
     for (Index j = 0; j < joints.size(); ++j) {
       visit(joints[j].a, j);
       visit(joints[j].b, j);
@@ -84,7 +89,7 @@ std::vector<char> turns_to_agree(std::size_t triangle_count, std::span<const Joi
     reached[seed] = 1;
     std::size_t turned_in_part = 0;
     for (std::size_t next = 0; next < part.size(); ++next) {
-      for (const Index j : joints_of[part[next]]) {
+      for (const Index j : triangle_joints[part[next]]) {
         const Index other = joints[j].a == part[next] ? joints[j].b : joints[j].a;
         if (std::exchange(reached[other], 1)) continue;
         turned[other] = turned[part[next]] != joints[j].run_alike;

@@ -8,14 +8,14 @@ namespace taut::sim {
 using Vec2 = glm::dvec2;
 /// A position, direction or other vector of three components.
 using Vec3 = glm::dvec3;
-/// The index of a vertex, edge, triangle or spring, from 0.
+/// Index of a vertex, edge, triangle or spring, from 0.
 using Index = std::uint32_t;
 
-/// The vertices of an edge or spring, the smaller index first.
+/// Vertices of an edge or spring, the smaller index first.
 using Edge = std::array<Index, 2>;
-/// Counter-clockwise seen from outside.
+/// Vertices counter-clockwise seen from outside.
 using Triangle = std::array<Index, 3>;
-/// Counter-clockwise seen from outside.
+/// Vertices counter-clockwise seen from outside.
 using Quad = std::array<Index, 4>;
 
 }  // namespace taut::sim

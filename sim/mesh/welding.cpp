@@ -9,7 +9,7 @@ namespace {
 constexpr Index none = no_vertex;
 
 struct PositionHash {
-  std::size_t operator()(const Vec3& p) const { return hash_of(p.x, p.y, p.z); }
+  std::size_t operator()(const Vec3& p) const { return hash_numbers(p.x, p.y, p.z); }
 };
 
 /// Returns, per vertex, 1 if an edge with only one triangle ends there.
@@ -23,30 +23,30 @@ std::vector<char> border_vertices(const Mesh& mesh, const Adjacency& adjacency) 
   return at_border;
 }
 
-/// A first guess: a vertex with triangles all around it stays alone; the others at a place become one.
+/// Returns a first guess: vertices surrounded by triangles stay alone; the others at a position become one.
 std::vector<Index> join_open_vertices(const Mesh& mesh, const std::vector<Index>& places) {
+  assert(places.size() == mesh.positions.size());
   const std::vector<char> open = border_vertices(mesh, make_adjacency(mesh));
   const std::vector<char> used = used_vertices(mesh);
   std::vector<Index> first_open(mesh.positions.size(), none);
-  std::vector<Index> joined(places.size());
+  std::vector<Index> joined_vertices(places.size());
   for (Index v = 0; v < places.size(); ++v) {
     Index& first = first_open[places[v]];
     const bool closed = used[v] && !open[v];
     first = first == none && !closed ? v : first;
-    joined[v] = closed ? v : first;
+    joined_vertices[v] = closed ? v : first;
   }
-  return joined;
+  return joined_vertices;
 }
 
-/// The corners of a mesh, joined into the fans they form around their vertices. Corner 3t + k is corner k of
-/// triangle t.
+/// Corners of a mesh, joined into fans around their vertices. Corner 3t + k is corner k of triangle t.
 struct Fans {
-  Fans(const Mesh& source, const Mesh& joined, const Adjacency& adjacency)
-      : groups(fans_of(joined.triangles, adjacency)), is_open(3 * source.triangles.size(), 0) {
+  Fans(const Mesh& source, const Mesh& joined_vertices, const Adjacency& adjacency)
+      : groups(find_fans(joined_vertices.triangles, adjacency)), is_open(3 * source.triangles.size(), 0) {
     for (std::size_t e = 0; e < adjacency.edges.size(); ++e) {
       const Index t = adjacency.edge_triangles[e][0];
       for (const Index v : adjacency.edges[e]) {
-        if (adjacency.edge_triangles[e].size() == 1) is_open[3 * t + corner_at(joined.triangles[t], v)] = 1;
+        if (adjacency.edge_triangles[e].size() == 1) is_open[3 * t + corner_at(joined_vertices.triangles[t], v)] = 1;
       }
     }
     join_corners_of_one_vertex(source);
@@ -56,10 +56,10 @@ struct Fans {
   }
 
   Groups groups;
-  std::vector<char> is_open;  ///< by corner; of a group's first corner: of the group
+  std::vector<char> is_open;  ///< flag per corner; a group's first corner holds the value of the group
 
  private:
-  // Corners that share a vertex in the file stay together.
+  // Joins corners that share a vertex in the file.
   void join_corners_of_one_vertex(const Mesh& source) {
     std::vector<Index> first(source.positions.size(), none);
     for (Index c = 0; c < 3 * source.triangles.size(); ++c) {
@@ -70,22 +70,22 @@ struct Fans {
   }
 };
 
-// Cosine of the angle between the ways in which the cloth goes on from two borders. Above it one lies on the
-// other. Side seams of a shirt that was modelled flat meet at some 10 degrees.
-constexpr double layered = 0.99;
+// Cosine of the angle between the inward directions of two borders above which one part lies on the other. The side
+// seams of a shirt modelled flat meet at some 10 degrees.
+constexpr double min_overlap_cosine = 0.99;
 
-struct Nearest {
+struct BorderNeighbour {
   double distance_m;
   Index vertex;
 
-  auto operator<=>(const Nearest&) const = default;
+  auto operator<=>(const BorderNeighbour&) const = default;
 };
 
-/// Borders of a mesh and the parts they belong to.
+/// Borders of a mesh, with the parts of their vertices.
 struct Borders {
   Borders(const Mesh& source, double distance_m)
       : mesh(source),
-        part_of(connected(source.positions.size(), source.triangles)),
+        part_groups(connect_vertices(source.positions.size(), source.triangles)),
         inwards(source.positions.size(), Vec3(0.0)) {
     const Adjacency adjacency = make_adjacency(mesh);
     for (std::size_t e = 0; e < adjacency.edges.size(); ++e) {
@@ -101,25 +101,25 @@ struct Borders {
         cells.add(mesh.positions[v], v);
       }
     }
-    nearest.resize(inwards.size());
+    nearest_by_part.resize(inwards.size());
     for (const Index v : vertices) {
       cells.visit_near(mesh.positions[v], [&](Index other) { note(v, other, distance_m); });
     }
   }
 
-  bool lie_on_each_other(Index a, Index b) const { return glm::dot(inwards[a], inwards[b]) > layered; }
+  bool lie_on_each_other(Index a, Index b) const { return glm::dot(inwards[a], inwards[b]) > min_overlap_cosine; }
 
-  /// Whether the two are each other's nearest.
+  /// Returns whether the two are each other's nearest and do not lie on each other.
   bool belong_together(Index a, Index b) {
-    const auto back = nearest[b].find(part_of.find(a));
-    return back != nearest[b].end() && back->second.vertex == a && !lie_on_each_other(a, b);
+    const auto back = nearest_by_part[b].find(part_groups.find(a));
+    return back != nearest_by_part[b].end() && back->second.vertex == a && !lie_on_each_other(a, b);
   }
 
   const Mesh& mesh;
-  Groups part_of;
-  std::vector<Vec3> inwards;    ///< by vertex: the way in which the cloth goes on from the border; 0 within
-  std::vector<Index> vertices;  ///< at borders, ascending
-  std::vector<std::map<Index, Nearest>> nearest;  ///< by vertex, then by part
+  Groups part_groups;
+  std::vector<Vec3> inwards;                      ///< inward direction from the border per vertex; 0 within
+  std::vector<Index> vertices;                    ///< border vertices, ascending
+  std::vector<std::map<Index, BorderNeighbour>> nearest_by_part;  ///< nearest border vertex per vertex and other part
 
  private:
   void add_inwards(const Edge& edge, const Triangle& t) {
@@ -135,20 +135,20 @@ struct Borders {
   }
 
   void note(Index v, Index other, double distance_m) {
-    const Index part = part_of.find(other);
-    const Nearest found{glm::distance(mesh.positions[v], mesh.positions[other]), other};
-    if (part != part_of.find(v) && found.distance_m < distance_m) {
-      const auto [best, is_new] = nearest[v].try_emplace(part, found);
+    const Index part = part_groups.find(other);
+    const BorderNeighbour found{glm::distance(mesh.positions[v], mesh.positions[other]), other};
+    if (part != part_groups.find(v) && found.distance_m < distance_m) {
+      const auto [best, is_new] = nearest_by_part[v].try_emplace(part, found);
       best->second = std::min(best->second, found);
     }
   }
 };
 
-/// Whether all of these may become one.
+/// Returns whether all of these vertices may become one.
 bool are_unambiguous(Borders& borders, const std::vector<Index>& vertices) {
   for (std::size_t i = 0; i < vertices.size(); ++i) {
     for (std::size_t k = 0; k < i; ++k) {
-      if (borders.part_of.find(vertices[i]) == borders.part_of.find(vertices[k]) ||
+      if (borders.part_groups.find(vertices[i]) == borders.part_groups.find(vertices[k]) ||
           borders.lie_on_each_other(vertices[i], vertices[k])) {
         return false;
       }
@@ -159,15 +159,15 @@ bool are_unambiguous(Borders& borders, const std::vector<Index>& vertices) {
 
 }  // namespace
 
-Mesh renumbered(const Mesh& mesh, const std::vector<Index>& vertices) {
+Mesh renumber_corners(const Mesh& mesh, const std::vector<Index>& vertices) {
   Mesh result{mesh.positions, mesh.triangles, {}};
   for (Triangle& t : result.triangles) t = {vertices[t[0]], vertices[t[1]], vertices[t[2]]};
   return result;
 }
 
-Groups pieces_of(const Mesh& mesh) {
+Groups find_pieces(const Mesh& mesh) {
   const std::vector<Index> places = first_at_same_position(mesh.positions);
-  Groups pieces = connected(mesh.positions.size(), mesh.triangles);
+  Groups pieces = connect_vertices(mesh.positions.size(), mesh.triangles);
   for (const Triangle& t : mesh.triangles) {
     for (const Index v : t) pieces.join(places[v], v);
   }
@@ -193,30 +193,33 @@ std::vector<Index> first_at_same_position(const std::vector<Vec3>& positions) {
 }
 
 std::vector<Index> weld_at_places(const Mesh& mesh, const std::vector<Index>& places) {
-  std::vector<Index> joined = join_open_vertices(mesh, places);
-  const Mesh guess = renumbered(mesh, joined);
+  assert(places.size() == mesh.positions.size());
+  std::vector<Index> joined_vertices = join_open_vertices(mesh, places);
+  const Mesh guess = renumber_corners(mesh, joined_vertices);
   Fans fans(mesh, guess, make_adjacency(guess));
-  // Closed fans of different vertices at one place become vertices of their own, the open ones stay together.
+  // Closed fans of different vertices at one position become separate vertices; open fans become one.
   Groups together(mesh.positions.size());
   std::vector<Index> open_at(mesh.positions.size(), none);
   std::vector<Index> vertex_of_fan(fans.is_open.size(), none);
   for (Index c = 0; c < fans.is_open.size(); ++c) {
     const Index vertex = mesh.triangles[c / 3][c % 3];
     const Index fan = fans.groups.find(c);
-    Index& same = fans.is_open[fan] ? open_at[joined[vertex]] : vertex_of_fan[fan];
+    Index& same = fans.is_open[fan] ? open_at[joined_vertices[vertex]] : vertex_of_fan[fan];
     same = same == none ? vertex : same;
     together.join(same, vertex);
   }
   const std::vector<char> used = used_vertices(mesh);
-  for (Index v = 0; v < joined.size(); ++v) {
-    joined[v] = used[v] ? together.find(v) : places[v] == v ? v : joined[places[v]];
+  for (Index v = 0; v < joined_vertices.size(); ++v) {
+    joined_vertices[v] = used[v] ? together.find(v) : places[v] == v ? v : joined_vertices[places[v]];
   }
-  return joined;
+  return joined_vertices;
 }
 
 std::size_t weld_near_borders(double distance_m, const Mesh& mesh, std::vector<Index>& welded) {
-  const Mesh joined = renumbered(mesh, welded);
-  const std::vector<char> at_border = border_vertices(joined, make_adjacency(joined));
+  assert(distance_m >= 0.0);
+  assert(welded.size() == mesh.positions.size());
+  const Mesh joined_vertices = renumber_corners(mesh, welded);
+  const std::vector<char> at_border = border_vertices(joined_vertices, make_adjacency(joined_vertices));
   PointCells cells(distance_m);
   Groups groups(mesh.positions.size());
   std::size_t count = 0;
@@ -236,11 +239,13 @@ std::size_t weld_near_borders(double distance_m, const Mesh& mesh, std::vector<I
 }
 
 std::size_t sew_parts(double distance_m, const Mesh& mesh, std::vector<Index>& welded) {
-  const Mesh joined = renumbered(mesh, welded);
-  Borders borders(joined, distance_m);
+  assert(distance_m >= 0.0);
+  assert(welded.size() == mesh.positions.size());
+  const Mesh joined_vertices = renumber_corners(mesh, welded);
+  Borders borders(joined_vertices, distance_m);
   Groups places(mesh.positions.size());
   for (const Index v : borders.vertices) {
-    for (const auto& [part, near] : borders.nearest[v]) {
+    for (const auto& [part, near] : borders.nearest_by_part[v]) {
       if (borders.belong_together(v, near.vertex)) places.join(v, near.vertex);
     }
   }

@@ -8,14 +8,14 @@ struct Share {
   double when_short;
 };
 
-Share share_of(SpringKind kind, const Rigidity& rigidity) {
+Share correction_share(SpringKind kind, const Rigidity& rigidity) {
   if (kind == SpringKind::flexural) return {rigidity.flexural, rigidity.flexural};
   return {1.0, rigidity.compression};
 }
 
-// The fraction of the longest stable step that is used. Wind adds up to 1 to the left side of the inequality
-// and a hand less. With this value they may add 1.2. A larger value leaves less for them.
-constexpr double share_of_limit = 0.7;
+// Fraction of the longest stable step to use. Wind adds up to 1 to the left side of the inequality and a hand less; at
+// this value they may add 1.2. Larger values leave less for them.
+constexpr double stable_step_fraction = 0.7;
 
 }  // namespace
 
@@ -23,8 +23,8 @@ void compensate_springs(const Springs& springs, std::span<const double> inverse_
                         std::span<Vec3> predicted) {
   assert(inverse_masses_per_kg.size() == predicted.size());
   for (const SpringKind kind : all_spring_kinds) {
-    const Share share = share_of(kind, rigidity);
-    for (std::size_t s = springs.begin_of(kind); s < springs.end_of(kind); ++s) {
+    const Share share = correction_share(kind, rigidity);
+    for (std::size_t s = springs.begin_index(kind); s < springs.end_index(kind); ++s) {
       const auto [i, j] = springs.ends[s];
       const Vec3 spring = predicted[i] - predicted[j];
       const double length_m = glm::length(spring);
@@ -35,16 +35,17 @@ void compensate_springs(const Springs& springs, std::span<const double> inverse_
   }
 }
 
-double stiffness_of(SpringKind kind, const SpringStiffness& stiffness) {
+double spring_stiffness(SpringKind kind, const SpringStiffness& stiffness) {
   return std::array{stiffness.structural_n_per_m, stiffness.shear_n_per_m,
                     stiffness.flexural_n_per_m}[static_cast<std::size_t>(kind)];
 }
 
 void IdealSprings::add_spring_forces(const Garment& garment, const State& state, std::span<Vec3> forces_n) const {
+  assert(forces_n.size() == state.current.size());
   const Springs& springs = garment.springs;
   for (const SpringKind kind : all_spring_kinds) {
-    const double stiffness = stiffness_of(kind, stiffness_);
-    for (std::size_t s = springs.begin_of(kind); s < springs.end_of(kind); ++s) {
+    const double stiffness = spring_stiffness(kind, stiffness_);
+    for (std::size_t s = springs.begin_index(kind); s < springs.end_index(kind); ++s) {
       const auto [i, j] = springs.ends[s];
       const Vec3 spring = state.current[i] - state.current[j];
       const double length = glm::length(spring);
@@ -67,7 +68,7 @@ void StrongConstraint::compensate(const Garment& garment, const Pins& pins, Stat
 
 void ProvotThreshold::compensate(const Garment& garment, const Pins& pins, State& state) const {
   const Springs& springs = garment.springs;
-  for (std::size_t s = 0; s < springs.begin_of(SpringKind::flexural); ++s) {
+  for (std::size_t s = 0; s < springs.begin_index(SpringKind::flexural); ++s) {
     const auto [i, j] = springs.ends[s];
     const Vec3 spring = state.predicted[i] - state.predicted[j];
     const double length_m = glm::length(spring);
@@ -80,12 +81,12 @@ void ProvotThreshold::compensate(const Garment& garment, const Pins& pins, State
 
 void VelocityModification::compensate(const Garment& garment, const Pins& pins, State& state) const {
   const Springs& springs = garment.springs;
-  for (std::size_t s = 0; s < springs.begin_of(SpringKind::flexural); ++s) {
+  for (std::size_t s = 0; s < springs.begin_index(SpringKind::flexural); ++s) {
     const auto [i, j] = springs.ends[s];
     const Vec3 spring = state.current[i] - state.current[j];
     const double length_m = glm::length(spring);
     if (!(length_m > (1.0 + max_stretch_) * springs.rest_lengths_m[s])) continue;
-    // Velocities times the time step: without it, as Verlet has them.
+    // Verlet's velocities, not divided by the time step.
     const Vec3 moved_i = state.predicted[i] - state.current[i];
     const Vec3 moved_j = state.predicted[j] - state.current[j];
     const double parting_m = glm::dot(moved_i - moved_j, spring) / length_m;
@@ -97,13 +98,14 @@ void VelocityModification::compensate(const Garment& garment, const Pins& pins, 
 
 double stable_time_step_s(const Garment& garment, const Pins& pins, const SpringStiffness& stiffness,
                           double air_drag_per_s) {
+  assert(air_drag_per_s >= 0.0);
   const Springs& springs = garment.springs;
   std::vector<double> stiffness_about(garment.masses_kg.size(), 0.0);
   std::vector<double> springs_about(garment.masses_kg.size(), 0.0);
   for (const SpringKind kind : all_spring_kinds) {
-    for (std::size_t s = springs.begin_of(kind); s < springs.end_of(kind); ++s) {
+    for (std::size_t s = springs.begin_index(kind); s < springs.end_index(kind); ++s) {
       for (const Index end : springs.ends[s]) {
-        stiffness_about[end] += stiffness_of(kind, stiffness);
+        stiffness_about[end] += spring_stiffness(kind, stiffness);
         springs_about[end] += 1.0;
       }
     }
@@ -115,7 +117,7 @@ double stable_time_step_s(const Garment& garment, const Pins& pins, const Spring
     c = std::max(c, air_drag_per_s + 2.0 * stiffness.damping_n_s_per_m * springs_about[v] * inverse_mass);
   }
   const double root = c + std::sqrt(c * c + 4.0 * w_squared);
-  return root > 0.0 ? share_of_limit * 4.0 / root : std::numeric_limits<double>::infinity();
+  return root > 0.0 ? stable_step_fraction * 4.0 / root : std::numeric_limits<double>::infinity();
 }
 
 }  // namespace taut::sim

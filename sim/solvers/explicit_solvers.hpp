@@ -6,21 +6,21 @@
 
 namespace taut::sim {
 
-/// The fraction of its length error that a spring corrects in one sweep, 0 to 1. With both at 1 the springs
-/// are rigid, as in the paper.
+/// Fraction of its length error that a spring corrects in one sweep, 0 to 1. With both at 1 the springs are rigid, as
+/// in the paper.
 struct Rigidity {
-  /// For structural and shear springs that are too short. Below 1 a triangle mesh can fold and shear, which
+  /// Fraction for structural and shear springs that are too short. Below 1 a triangle mesh can fold and shear, which
   /// rigid triangles cannot. At 0 the springs act as strings.
   double compression = 1.0;
-  /// For flexural springs, too long or too short. At 1 the cloth is as stiff as a plate.
+  /// Fraction for flexural springs, too long or too short. At 1 the cloth is as stiff as a plate.
   double flexural = 1.0;
 
   bool operator==(const Rigidity&) const = default;
 };
 
-/// Eq. (3) for one spring. `spring` is L' = p'_i - p'_j in metres and `length_m` its length. Shortens the
-/// spring by `error_m`, or lengthens it if that is negative. The lighter end moves more. Does nothing if both
-/// ends are pinned or at the same point. The spans have one entry per vertex.
+/// Eq. (3) for one spring. `spring` is L' = p'_i - p'_j in metres and `length_m` its length. Shortens the spring by
+/// `error_m`, or lengthens it if that is negative. The lighter end moves more. Does nothing if both ends are pinned or
+/// at one point. The spans have one entry per vertex.
 inline void compensate_spring(const Edge& ends, const Vec3& spring, double length_m, double error_m,
                               std::span<const double> inverse_masses_per_kg, std::span<Vec3> predicted) {
   const auto [i, j] = ends;
@@ -40,7 +40,7 @@ inline void compensate_spring(const Edge& ends, const Vec3& spring, double lengt
 void compensate_springs(const Springs& springs, std::span<const double> inverse_masses_per_kg, const Rigidity& rigidity,
                         std::span<Vec3> predicted);
 
-/// The stiffness of springs per kind, and the damping of every spring.
+/// Stiffness of springs per kind, and the damping of every spring.
 struct SpringStiffness {
   double structural_n_per_m = 200.0;
   double shear_n_per_m = 100.0;
@@ -50,7 +50,7 @@ struct SpringStiffness {
   bool operator==(const SpringStiffness&) const = default;
 };
 
-/// The settings of `ideal`.
+/// Settings of `ideal`.
 struct IdealSettings {
   SpringStiffness stiffness = {};
 
@@ -58,11 +58,11 @@ struct IdealSettings {
 };
 
 /// Returns the stiffness of springs of that kind, in N/m.
-double stiffness_of(SpringKind kind, const SpringStiffness& stiffness);
+double spring_stiffness(SpringKind kind, const SpringStiffness& stiffness);
 
-/// The ideal mass-spring model: elongation in proportion to stress (Hooke) and no constraint, so that the
-/// cloth over-stretches (section III of the paper). It is explicit and therefore stable in short steps only;
-/// see stable_time_step_s.
+/// Ideal mass-spring model: elongation in proportion to stress (Hooke) and no constraint, so that the cloth
+/// over-stretches (section III of the paper). It is explicit and therefore stable only for short steps; see
+/// stable_time_step_s.
 class IdealSprings : public SpringResponse {
  public:
   explicit IdealSprings(const IdealSettings& settings) : stiffness_(settings.stiffness) {}
@@ -74,7 +74,7 @@ class IdealSprings : public SpringResponse {
   SpringStiffness stiffness_;
 };
 
-/// The settings of `strong`.
+/// Settings of `strong`.
 struct StrongSettings {
   int iterations = 4;  ///< sweeps of the constraint per time step, at least 1
   Rigidity rigidity = {};
@@ -82,8 +82,8 @@ struct StrongSettings {
   bool operator==(const StrongSettings&) const = default;
 };
 
-/// The paper, literally. Springs exert no force. After each prediction, the strong constraint sweeps over all
-/// springs in their order, `iterations` times.
+/// The paper's method to the letter. Springs exert no force. After each prediction, the strong constraint sweeps over
+/// all springs in their order, `iterations` times.
 class StrongConstraint : public SpringResponse {
  public:
   explicit StrongConstraint(const StrongSettings& settings) : settings_(settings) {}
@@ -95,18 +95,17 @@ class StrongConstraint : public SpringResponse {
   StrongSettings settings_;
 };
 
-/// The settings of `provot`.
+/// Settings of `provot`.
 struct ProvotSettings {
   SpringStiffness stiffness = {};
-  double max_stretch = 0.05;  ///< the threshold; a spring stretched more is pulled back to it
+  double max_stretch = 0.05;  ///< threshold; springs stretched more are pulled back to it
 
   bool operator==(const ProvotSettings&) const = default;
 };
 
-/// The threshold method that the paper compares itself with (Provot 1995). Springs obey Hooke's law. After
-/// each prediction, every structural or shear spring that is longer than the threshold allows is pulled back
-/// to exactly that length, once, in spring order. Springs below the threshold are left to their forces. A
-/// spring that follows may stretch a corrected one again.
+/// Threshold method that the paper compares itself with (Provot 1995). Springs obey Hooke's law. After each prediction,
+/// every structural or shear spring longer than the threshold is pulled back to exactly that length, once, in spring
+/// order. A later spring may stretch a corrected one again. Springs below the threshold are left to their forces.
 class ProvotThreshold : public IdealSprings {
  public:
   explicit ProvotThreshold(const ProvotSettings& settings)
@@ -118,23 +117,22 @@ class ProvotThreshold : public IdealSprings {
   double max_stretch_;
 };
 
-/// The settings of `vassilev`.
+/// Settings of `vassilev`.
 struct VassilevSettings {
   SpringStiffness stiffness = {};
-  /// The threshold. Springs stretched more may not stretch further; less makes tighter cloth that moves
-  /// less freely. The paper takes 0.01 to 0.15.
+  /// Threshold; springs stretched more may not stretch further. Lower values make tighter cloth that moves less freely.
+  /// The paper takes 0.01 to 0.15.
   double max_stretch = 0.05;
 
   bool operator==(const VassilevSettings&) const = default;
 };
 
-/// Velocities are changed where `provot` changes positions (Vassilev, Spanlang and Chrysanthou 2001, velocity
-/// directional modification). Springs obey Hooke's law. A structural or shear spring that is longer than the
-/// threshold allows, and whose ends are about to part further, has the components of their velocities along
-/// it set to their common mean. Masses weigh it, so that momentum is kept; where they are equal it is the
-/// paper's one half. The velocities are those that the forces of the step lead to: what pulls the ends apart
-/// is balanced too. Nothing pulls such a spring back but its own force, and a spring that follows in the
-/// order may part its ends again.
+/// Velocity directional modification (Vassilev, Spanlang and Chrysanthou 2001): it changes velocities where `provot`
+/// changes positions. Springs obey Hooke's law. If a structural or shear spring is longer than the threshold and its
+/// ends are about to part further, their velocity components along it become their mean. The mean is weighted by mass,
+/// which keeps momentum; for equal masses it is the paper's one half. The velocities include the forces of the step, so
+/// pulling forces are balanced too. Only its own force pulls such a spring back, and a later spring may part its ends
+/// again.
 class VelocityModification : public IdealSprings {
  public:
   explicit VelocityModification(const VassilevSettings& settings)
@@ -146,12 +144,11 @@ class VelocityModification : public IdealSprings {
   double max_stretch_;
 };
 
-/// Returns the longest time step, in seconds, in which Hooke's springs stay stable under Verlet's explicit
-/// prediction. Velocities lag by one step. The condition is
+/// Returns the longest time step, in seconds, for which Hooke's springs are stable under Verlet's explicit prediction.
+/// Velocities lag by one step. The condition is
 ///   dt^2 w^2 + 2 c dt < 4,   w^2 <= 2 sum k / m,   c <= 2 sum d / m + air drag
-/// with the stiffness k and the damping d of the springs at a vertex (Gershgorin's bound on the eigenvalues).
-/// A margin is left for wind and hands; their own formulas limit how much they add. Returns infinity if
-/// nothing can swing.
+/// with the stiffness k and the damping d of the springs at a vertex (Gershgorin's bound on the eigenvalues). A margin
+/// remains for wind and hands; their own formulas limit how much they add. Returns infinity if nothing can oscillate.
 double stable_time_step_s(const Garment& garment, const Pins& pins, const SpringStiffness& stiffness,
                           double air_drag_per_s);
 

@@ -12,34 +12,32 @@ inline constexpr std::array all_solver_kinds = {SolverKind::ideal,   SolverKind:
                                                 SolverKind::bounded, SolverKind::vassilev, SolverKind::fast_projection,
                                                 SolverKind::implicit};
 
-const char* name_of(SolverKind kind);
+const char* to_name(SolverKind kind);
 
-/// The settings of one solver. The alternatives are in the order of SolverKind.
+/// Settings of one solver, in the order of SolverKind.
 using SolverMethod = std::variant<IdealSettings, ProvotSettings, StrongSettings, BoundedSettings, VassilevSettings,
                                   FastProjectionSettings, ImplicitSettings>;
 
 struct SolverSettings {
-  /// Time steps in a frame; none leaves the choice to the solver. More steps stretch less and cost in
-  /// proportion; stretch falls about with their square, far better than iterations do (Macklin and others
-  /// 2019).
+  /// Time steps per frame; chosen by the solver if not set. More steps stretch less and cost in proportion. Stretch
+  /// falls about with their square, far better than with iterations (Macklin and others 2019).
   std::optional<int> substeps = {};
-  /// No frame is divided into more time steps than this by a solver that may choose, even if its bound cannot
-  /// be kept or its springs are too stiff for them.
+  /// Largest number of time steps per frame of a solver that chooses them, even if its bound cannot be kept or its
+  /// springs are too stiff.
   int max_substeps = 2000;
   SolverMethod method = BoundedSettings{};
 
   bool operator==(const SolverSettings&) const = default;
 };
 
-SolverKind kind_of(const SolverMethod& method);
+SolverKind solver_kind(const SolverMethod& method);
 
-/// The time steps in a frame of the solvers that divide all frames alike: those asked for, or 20. Solvers
-/// with Hooke's springs that may choose take more where these would swing up, see stable_time_step_s.
+/// Returns the time steps per frame of solvers with equal steps: the number asked for, or 20. With Hooke's springs and
+/// no given number, solvers take more where stable_time_step_s requires it.
 int equal_substeps(const SolverSettings& settings);
 
-/// Throws std::invalid_argument on fewer than one substep or iteration, a number of threads that is out of
-/// range, a largest stretch below 0, settings of `implicit` that are
-/// out of range or a vector unit this processor lacks.
+/// Throws std::invalid_argument on fewer than one substep or iteration, a number of threads out of range, a largest
+/// stretch below 0, settings of `implicit` out of range or a vector unit this processor lacks.
 std::unique_ptr<Solver> make_solver(const SolverSettings& settings);
 
 }  // namespace taut::sim

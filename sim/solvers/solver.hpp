@@ -7,70 +7,69 @@
 
 namespace taut::sim {
 
-/// The cost of keeping things apart in a frame, its repeated attempts included.
+/// Cost and result of contact in a frame, including repeated attempts.
 struct ContactReport {
-  int detections = 0;          ///< how often all of the cloth and the bodies was searched for what is near
-  int partial_detections = 0;  ///< how often that was done around single vertices alone
-  int most_pairs = 0;          ///< near pairs that were kept apart at a time, the most of them
-  /// Distance of the two nearest things in the shape that the frame ended with, in m, as ContactMeasure measures it
-  /// whatever the solver does: 0 where they cross, below 0 in a plane, sphere or capsule, infinite where nothing is
-  /// near.
-  double smallest_distance_m = std::numeric_limits<double>::infinity();
-  std::size_t crossing_pairs = 0;  ///< in that shape, measured likewise
-  /// `bounded`: the part of the cloth's area at rest that was not kept apart from all else, as it crossed something
-  /// when the run began.
-  double left_out_share = 0.0;
+  int detections = 0;          ///< number of searches of the whole cloth and all bodies
+  int partial_detections = 0;  ///< number of searches around single vertices
+  int max_pairs = 0;          ///< largest number of near pairs kept apart at a time
+  /// Smallest distance in the final shape of the frame, in m, as ContactMeasure measures it for any solver: 0 if
+  /// something crosses, below 0 in a plane, sphere or capsule, infinite if nothing is near.
+  double min_distance_m = std::numeric_limits<double>::infinity();
+  std::size_t crossing_pairs = 0;  ///< crossing pairs in that shape, measured the same way
+  /// `bounded`: fraction of the cloth's rest area left out of contact because it crossed something at the start.
+  double excluded_area_fraction = 0.0;
 
   bool operator==(const ContactReport&) const = default;
 };
 
-/// A triangle around what crosses since the cloth began. Within a group nothing is kept apart.
-struct LeftOutTriangle {
-  std::optional<std::size_t> body = {};  ///< its place among the surroundings' bodies; empty: of the cloth
+/// Triangle near a crossing that exists since the start. Contact does not act within its group.
+struct ExcludedTriangle {
+  std::optional<std::size_t> body = {};  ///< index into the surroundings' bodies; empty for the cloth
   Index triangle = 0;
   Index group = 0;
 
-  bool operator==(const LeftOutTriangle&) const = default;
-  bool operator<(const LeftOutTriangle& other) const {
+  bool operator==(const ExcludedTriangle&) const = default;
+  bool operator<(const ExcludedTriangle& other) const {
     return std::tie(body, triangle, group) < std::tie(other.body, other.triangle, other.group);
   }
 };
 
-/// Processor time of all threads: no two runs take the same, and so it is no reason for reports to differ.
-struct Took {
+/// Processor time of all threads. It differs between runs, so all values compare equal.
+struct CpuTime {
   double ms = 0.0;
 
-  bool operator==(const Took&) const { return true; }
+  bool operator==(const CpuTime&) const { return true; }
 };
 
-/// How a frame went.
+/// Report of a frame.
 struct FrameReport {
   int substeps = 0;
-  bool bound_promised = false;   ///< whether the solver promises a bound on stretch
-  bool bound_kept = true;        ///< whether it could keep its promise in this frame
-  double raw_max_stretch = 0.0;  ///< before the last correction of the frame
-  /// `bounded`: sweeps over all that is held, including repeated frames and the projection.
+  bool bound_promised = false;   ///< the solver promises a bound on stretch
+  bool bound_kept = true;        ///< the frame keeps the bound
+  double raw_max_stretch = 0.0;  ///< largest stretch before the last correction of the frame
+  /// `bounded`: sweeps over all springs and triangles, including repeated frames and the projection.
   double sweeps = 0.0;
-  /// `bounded`: about the largest stiffness against compression that time steps of this length answer to:
-  /// springs of a fabric that is stiffer push back as if they had this one. Infinite where nothing limits it.
+  /// `bounded`: approximate largest compression stiffness that time steps of this length can express. Stiffer springs
+  /// push as if they had this one. Infinite if nothing limits it.
   double followed_compression_n_per_m = std::numeric_limits<double>::infinity();
-  /// `bounded`: what may cross in this frame, where its settings accept that. Not saved.
+  /// `bounded`: the contact that may cross in this frame, if the settings accept crossings. Not saved.
   std::optional<BlockedContact> blocked = {};
   ContactReport contact = {};
-  Took search = {};                            ///< `bounded`: of finding what is near. Not saved.
-  std::vector<LeftOutTriangle> left_out = {};  ///< `bounded`: in this frame, the cloth's first. Not saved.
+  CpuTime search = {};  ///< `bounded`: time of the broad phase. Not saved.
+  std::vector<ExcludedTriangle> excluded_triangles =
+      {};  ///< `bounded`: in this frame; the cloth's come first. Not saved.
 
   bool operator==(const FrameReport&) const = default;
 };
 
-/// A frame to be made: which cloth, under which influences, and how long.
+/// Input of one frame: cloth, influences and duration.
 struct Frame {
   const Garment& garment;
   const Pins& pins;
   const Surroundings& surroundings;
   double duration_s;  ///< above 0
-  /// Called at least once in every time step and search. An exception that it throws ends the frame; the
-  /// cloth and the solver are then as they were.
+  /// Called at least once in every time step and search. An exception that it throws ends the frame; cloth and solver
+  /// are then unchanged.
   const std::function<void()>& poll;
 
   void ask() const {
@@ -78,33 +77,32 @@ struct Frame {
   }
 };
 
-/// Moves cloth from one frame to the next. The solver decides how it divides a frame.
+/// Moves cloth from one frame to the next. The solver decides how to divide a frame.
 class Solver {
  public:
   virtual ~Solver() = default;
 
-  /// Throws std::invalid_argument if the solver makes promises and cannot make them for this garment or in
-  /// these surroundings.
+  /// Throws std::invalid_argument if the solver makes promises that it cannot keep for this garment or in these
+  /// surroundings.
   virtual void require_promised(const Garment&, const Surroundings&) const {}
 
-  /// Moves a start, keeping its velocity, within the bound on stretch that the solver promises, if any.
+  /// Moves a start within the promised bound on stretch, if any, and keeps its velocity.
   virtual void move_within_bound(const Garment&, const Pins&, State&) const {}
 
-  /// Returns whether cloth may cross itself and nobody asks whether it does.
+  /// Returns whether the solver does not prevent cloth from crossing itself.
   virtual bool ignores_contact() const { return false; }
 
-  /// Advances `state` by one frame. The solver itself stays as it was until keep_frame(). Throws
-  /// ContactBlocked where the solver keeps things from crossing and cannot; `state` is undefined then.
+  /// Advances `state` by one frame. The solver itself is unchanged until keep_frame(). Throws ContactBlocked if it
+  /// cannot prevent a crossing; `state` is then undefined.
   [[nodiscard]] virtual FrameReport advance_frame(const Frame& frame, State& state) = 0;
 
-  /// The last frame that was advanced is kept: the next one goes on from it.
+  /// Accepts the last advanced frame as the start of the next one.
   virtual void keep_frame() {}
 
-  /// The state that its next frames depend on besides their arguments, as flat data; no measurements that only
-  /// save time.
+  /// Writes the solver state that later frames depend on, as flat data, without measurements that only save time.
   virtual void save(const Garment& garment, const Pins& pins, ByteWriter& memory) const = 0;
 
-  /// Takes over what a solver of the same settings saved; `frame` is its next one. Throws BadBytes.
+  /// Restores the state saved by a solver with the same settings; `frame` is the next frame. Throws BadBytes.
   virtual void restore(const Frame& frame, ByteReader& memory) = 0;
 };
 

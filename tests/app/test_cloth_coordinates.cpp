@@ -7,8 +7,8 @@
 namespace taut::app {
 namespace {
 
-// Two squares of 1 m side by side, each a piece of its own: the left one a quarter of the image wide, the
-// right one a tenth and mirrored.
+// Two separate squares of 1 m, side by side. The left one is a quarter of the image wide. The right one is a tenth of
+// it wide and mirrored.
 struct TwoPieces {
   sim::Garment garment;
   std::vector<glm::vec2> corner_uv;
@@ -52,9 +52,9 @@ TEST(ClothCoordinates, AreNoneWithoutAnAreaToScaleBy) {
 
 TEST(GarmentSurface, TheWeaveOfEachPieceIsItsOwn) {
   const TwoPieces pieces;
-  for (const float shortest_px : {1e6F, 200.0F}) {
+  for (const float min_edge_px : {1e6F, 200.0F}) {
     GarmentSurface surface(pieces.garment, pieces.corner_uv);
-    surface.set_detail(1000.0F, shortest_px);
+    surface.set_detail(1000.0F, min_edge_px);
     std::vector<glm::vec3> moved;
     for (const sim::Vec3& place : pieces.garment.mesh.positions) {
       moved.emplace_back(place.x, place.y, 0.1 * place.x);

@@ -7,8 +7,8 @@
 #include "app/drawing/drawn_scene.hpp"
 #include "app/frame_loop.hpp"
 #include "app/models/garment_loading.hpp"
-#include "app/output/frame_record.hpp"
 #include "app/output/output_pattern.hpp"
+#include "app/runs/frame_record.hpp"
 #include "sim/mesh/grid.hpp"
 #include "temporary_folder.hpp"
 
@@ -93,8 +93,8 @@ TEST(FrameLoop, EndsWithAFrameThatBreaksAPromise) {
     outputs.write_frame = [&](const FrameRecord& record, const auto&) { drawn.push_back(record.frame); };
     outputs.write_shape = [&](int frame, const sim::Simulation&) { written.push_back(frame); };
     outputs.report = [&](const FrameRecord& record) { reported.push_back(record.frame); };
-    EXPECT_EQ(test::message_of<PromiseBroken>([&] { run_frames(simulation, 6, outputs); }), "frame 4 is broken");
-    checked.resize(5);  // overlapped, it may have begun with later ones
+    EXPECT_EQ(test::error_message<PromiseBroken>([&] { run_frames(simulation, 6, outputs); }), "frame 4 is broken");
+    checked.resize(5);  // overlapped checks may have begun with later frames
     EXPECT_EQ(checked, (std::vector<int>{0, 1, 2, 3, 4})) << "the start too";
     EXPECT_EQ(reported, (std::vector<int>{1, 2, 3, 4}));
     EXPECT_EQ(drawn, (std::vector<int>{2, 3}));
@@ -109,7 +109,7 @@ TEST(FrameLoop, VerifiesAStartThatIsNotHandedOut) {
     return record.frame == 0 ? "the start is broken" : "";
   };
   outputs.report = [](const FrameRecord& record) { ADD_FAILURE() << record.frame; };
-  EXPECT_EQ(test::message_of<PromiseBroken>([&] { run_frames(simulation, 6, outputs); }), "the start is broken");
+  EXPECT_EQ(test::error_message<PromiseBroken>([&] { run_frames(simulation, 6, outputs); }), "the start is broken");
 }
 
 TEST(FrameLoop, DrawsAndWritesTheFramesAskedFor) {
@@ -216,14 +216,14 @@ TEST(FrameRange, HasOpenEndsAndALast) {
   EXPECT_EQ(count_of("30"), std::pair(0, 29)) << "30 frames";
   EXPECT_EQ(count_of("last"), std::pair(90, 90));
   EXPECT_EQ(count_of("3:7"), std::pair(3, 7));
-  EXPECT_CONTAINS(test::message_of<UsageError>([&] { count_of("0"); }), "at least one frame");
+  EXPECT_CONTAINS(test::error_message<UsageError>([&] { count_of("0"); }), "at least one frame");
   EXPECT_EQ(range_of("80:last"), std::pair(80, 90));
   EXPECT_EQ(range_of("100:200"), std::pair(100, 200)) << "a run may be longer than its scene says";
 }
 
 TEST(FrameRange, SaysWhatItExpects) {
   const auto error = [](const std::string& text) {
-    return test::message_of<UsageError>([&] { frame_range(text, 90); });
+    return test::error_message<UsageError>([&] { frame_range(text, 90); });
   };
   EXPECT_CONTAINS(error("1:x"), "--frames 1:x: found 'x', expected a frame from 0");
   EXPECT_CONTAINS(error("-1"), "--frames -1: found '-1'");
@@ -231,7 +231,7 @@ TEST(FrameRange, SaysWhatItExpects) {
   EXPECT_CONTAINS(error("91:"), "--frames 91:: the last frame, 90, comes before the first, 91");
 }
 
-RunSummary summary_of(const std::vector<FrameRecord>& records) {
+RunSummary summarise(const std::vector<FrameRecord>& records) {
   RunSummary summary;
   for (const FrameRecord& record : records) {
     summary.add(record);
@@ -250,7 +250,7 @@ TEST(RunSummary, FindsTheWorstFrameAndTheRest) {
   records[3].surface_stretch = {0.2, 0.1};
   records[3].stretch.max = 0.1;
   records[2].asleep = records[3].asleep = true;
-  const RunSummary summary = summary_of(records);
+  const RunSummary summary = summarise(records);
   EXPECT_EQ(summary.max_stretch, 0.3);
   EXPECT_EQ(summary.max_stretch_frame, 2);
   EXPECT_EQ(summary.final_max_stretch, 0.1);
@@ -261,7 +261,7 @@ TEST(RunSummary, FindsTheWorstFrameAndTheRest) {
   EXPECT_EQ(summary.asleep_since_frame, 3);
   EXPECT_EQ(summary.mean_sim_ms(), 2.0);
   records.back().asleep = false;
-  EXPECT_EQ(summary_of(records).asleep_since_frame, -1);
+  EXPECT_EQ(summarise(records).asleep_since_frame, -1);
 }
 
 TEST(FrameRecord, IsWithinTheBoundOfWhatItHolds) {
@@ -309,7 +309,7 @@ TEST(BoundVerdict, SaysWhatExceedsTheBoundAndByHowMuch) {
   const auto said = [&](sim::BoundKind bound) {
     scene.simulation.solver.bounded.bound = bound;
     testing::internal::CaptureStderr();
-    EXPECT_EQ(judge_bound(scene, summary_of(records)), 3);
+    EXPECT_EQ(judge_bound(scene, summarise(records)), 3);
     return testing::internal::GetCapturedStderr();
   };
   EXPECT_CONTAINS(said(sim::BoundKind::surface),
@@ -326,11 +326,11 @@ TEST(BoundVerdict, SaysWhatExceedsTheBoundAndByHowMuch) {
 TEST(BoundVerdict, EndsTheProgramAsASchedulerCanTell) {
   std::vector<FrameRecord> records(2);
   Scene scene;
-  EXPECT_EQ(judge_bound(scene, summary_of(records)), 0);
+  EXPECT_EQ(judge_bound(scene, summarise(records)), 0);
   records[1].bound_kept = false;
-  EXPECT_EQ(judge_bound(scene, summary_of(records)), 3);
+  EXPECT_EQ(judge_bound(scene, summarise(records)), 3);
   scene.simulation.solver.bounded.allow_exceeding = true;
-  EXPECT_EQ(judge_bound(scene, summary_of(records)), 0);
+  EXPECT_EQ(judge_bound(scene, summarise(records)), 0);
 }
 
 }  // namespace

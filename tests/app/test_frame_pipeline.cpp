@@ -15,7 +15,7 @@ namespace {
 
 constexpr int frame_count = 40;
 
-// Stages that note which frames came through; one of them can fail.
+// Stages that record the frames they process. One stage can be made to fail.
 struct Trace {
   int next = 1;
   std::vector<int> drawn;
@@ -106,20 +106,20 @@ TEST(FramePipeline, AFastStageWaitsForASlowOne) {
     ++simulated;
     return simulate();
   };
-  int furthest_ahead = 0;
+  int max_frames_ahead = 0;
   stages.write = [&](FrameInWork& work) {
     std::this_thread::sleep_for(std::chrono::milliseconds(2));
-    furthest_ahead = std::max(furthest_ahead, simulated - work.record.frame);
+    max_frames_ahead = std::max(max_frames_ahead, simulated - work.record.frame);
   };
   run_overlapped(stages);
-  EXPECT_GT(furthest_ahead, 0);
-  EXPECT_LE(furthest_ahead, 10);  // two queues of three, and what the stages hold
+  EXPECT_GT(max_frames_ahead, 0);
+  EXPECT_LE(max_frames_ahead, 10);  // two queues of three frames, and the frames inside the stages
 }
 
 TEST(FramePipeline, GathersAllFramesBeforeItDrawsOne) {
   Trace trace;
   std::size_t gathered = 0;
-  run_gathered(trace.stages(), [&](std::span<const FrameInWork> frames) {
+  run_simulation_first(trace.stages(), [&](std::span<const FrameInWork> frames) {
     gathered = frames.size();
     EXPECT_TRUE(trace.drawn.empty());
   });
@@ -132,7 +132,7 @@ TEST(FramePipeline, DrawsWhatWasGatheredBeforeASimulationFailed) {
   Trace trace;
   trace.failing_stage = "simulate";
   trace.failing_frame = 17;
-  EXPECT_THROW(run_gathered(trace.stages(), [](std::span<const FrameInWork>) {}), std::runtime_error);
+  EXPECT_THROW(run_simulation_first(trace.stages(), [](std::span<const FrameInWork>) {}), std::runtime_error);
   EXPECT_EQ(trace.written.size(), 16U);
 }
 
@@ -145,7 +145,7 @@ TEST(FramePipeline, DrawsWhatWasGatheredBeforeAnInterruption) {
     }
     return FrameInWork();
   };
-  EXPECT_THROW(run_gathered(stages, [](std::span<const FrameInWork>) {}), Interrupted);
+  EXPECT_THROW(run_simulation_first(stages, [](std::span<const FrameInWork>) {}), Interrupted);
   EXPECT_EQ(trace.written.size(), 3U);
 }
 
@@ -154,8 +154,8 @@ sim::Simulation small_cloth() {
   return {sim::share(sim::make_garment(std::move(mesh))), {0, 4}, {}, {}};
 }
 
-// A picture that shows the positions bit for bit.
-renderer::Image picture_of(const std::vector<sim::Vec3>& positions, double) {
+// Makes a picture from the bytes of the positions.
+renderer::Image draw_picture(const std::vector<sim::Vec3>& positions, double) {
   renderer::Image image;
   const auto* bytes = reinterpret_cast<const std::uint8_t*>(positions.data());
   image.pixels.assign(bytes, bytes + positions.size() * sizeof(sim::Vec3));
@@ -175,7 +175,7 @@ Outcome run_with(bool overlap) {
   FrameOutputs outputs;
   outputs.pictures = frames;
   outputs.overlap = overlap;
-  outputs.draw_positions = picture_of;
+  outputs.draw_positions = draw_picture;
   outputs.write_frame = [&](const FrameRecord& record, const renderer::Image& picture) {
     run.reported.push_back(record.frame);
     run.pictures.push_back(picture.pixels);

@@ -16,23 +16,23 @@ DrawnScene horizontal_cloth() {
   return scene;
 }
 
-renderer::Box reach_of(const DrawnScene& scene, const std::vector<sim::Index>& pins) {
+renderer::Box compute_reach(const DrawnScene& scene, const std::vector<sim::Index>& pins) {
   return expected_reach(scene, sim::make_garment(sim::make_grid(scene.garment.grid)), pins);
 }
 
 TEST(Framing, ExpectsClothToHangBelowItsPins) {
   const DrawnScene scene = horizontal_cloth();
-  const renderer::Box reach = reach_of(scene, {0, 2});
+  const renderer::Box reach = compute_reach(scene, {0, 2});
   EXPECT_NEAR(reach.lower.y, -std::sqrt(1.25), 1e-6);
   EXPECT_EQ(reach.upper.y, 0.0F);
-  EXPECT_EQ(reach_of(scene, {}).lower.y, 0.0F);
+  EXPECT_EQ(compute_reach(scene, {}).lower.y, 0.0F);
 }
 
 TEST(Framing, SeesWhatClothFallsOnto) {
   DrawnScene scene = horizontal_cloth();
   scene.surroundings.bodies = {{.shape = sim::Sphere{sim::Vec3(0, -2, 0), 0.5}},
                                {.shape = sim::Plane{sim::Vec3(0, -3, 0)}}};
-  const renderer::Box reach = reach_of(scene, {});
+  const renderer::Box reach = compute_reach(scene, {});
   EXPECT_EQ(reach.lower.y, -3.0F);
   EXPECT_EQ(*ground_height(scene, reach), -3.0F);
 }
@@ -56,9 +56,9 @@ TEST(Framing, TakesTheEyeAsGiven) {
   EXPECT_EQ(camera.target, *scene.camera.target);
 }
 
-sim::Garment cloth_of(const DrawnScene& scene) { return sim::make_garment(sim::make_grid(scene.garment.grid)); }
+sim::Garment make_cloth(const DrawnScene& scene) { return sim::make_garment(sim::make_grid(scene.garment.grid)); }
 
-/// Share of the vertices that the camera sees within the picture, 0 to 1.
+/// Fraction of the vertices that the camera sees within the picture.
 float share_in_picture(const renderer::Camera& camera, float aspect, std::span<const sim::Vec3> positions) {
   const glm::mat4 to_clip = camera.projection(aspect) * camera.view();
   const auto is_seen = [&](const sim::Vec3& position) {
@@ -69,7 +69,7 @@ float share_in_picture(const renderer::Camera& camera, float aspect, std::span<c
   return static_cast<float>(seen) / static_cast<float>(std::max<std::size_t>(positions.size(), 1));
 }
 
-std::vector<sim::Vec3> moved(std::vector<sim::Vec3> positions, const sim::Vec3& way) {
+std::vector<sim::Vec3> translate(std::vector<sim::Vec3> positions, const sim::Vec3& way) {
   for (sim::Vec3& position : positions) {
     position += way;
   }
@@ -78,8 +78,8 @@ std::vector<sim::Vec3> moved(std::vector<sim::Vec3> positions, const sim::Vec3& 
 
 TEST(FittedView, SeesTheGarmentInEveryFrameAndNoMore) {
   DrawnScene scene = horizontal_cloth();
-  const sim::Garment cloth = cloth_of(scene);
-  const std::vector<sim::Vec3> far = moved(cloth.mesh.positions, {3, 1, 0});
+  const sim::Garment cloth = make_cloth(scene);
+  const std::vector<sim::Vec3> far = translate(cloth.mesh.positions, {3, 1, 0});
   FittedView both(scene, cloth);
   both.add(cloth.mesh.positions, cloth.mesh.positions, 0.0);
   both.add(far, far, 0.1);
@@ -118,34 +118,34 @@ TEST(FittedView, LeavesACameraThatIsGivenAlone) {
 TEST(FittedView, OfACameraThatFollowsIsThatOfAGarmentThatStays) {
   DrawnScene scene = horizontal_cloth();
   scene.camera.follow = true;
-  const sim::Garment cloth = cloth_of(scene);
+  const sim::Garment cloth = make_cloth(scene);
   DrawnScene stays = scene;
   FittedView still(scene, cloth);
   still.add(cloth.mesh.positions, cloth.mesh.positions, 0.0);
   still.place_camera(stays);
   DrawnScene moves = scene;
   FittedView moving(scene, cloth);
-  const std::vector<sim::Vec3> away = moved(cloth.mesh.positions, {30, -7, 2});
+  const std::vector<sim::Vec3> away = translate(cloth.mesh.positions, {30, -7, 2});
   moving.add(away, away, 0.0);
   moving.place_camera(moves);
   EXPECT_LT(glm::distance(*stays.camera.eye, *moves.camera.eye), 1e-4F);
 
   OffscreenRenderer offscreen("auto");
   GarmentPainter painter(offscreen.renderer(), stays, cloth, {});
-  painter.view(moved(cloth.mesh.positions, {30, -7, 2}), 0.0);
+  painter.view(translate(cloth.mesh.positions, {30, -7, 2}), 0.0);
   EXPECT_LT(glm::distance(painter.camera().eye, *stays.camera.eye + glm::vec3(30, -7, 2)), 1e-4F);
 }
 
 TEST(DrawingQuality, CostsMoreForPrintAndLessForADraft) {
   PictureStyle style;
-  const renderer::PictureSettings normal = settings_of(style);
+  const renderer::PictureSettings normal = to_picture_settings(style);
   style.quality = DrawingQuality::draft;
-  EXPECT_EQ(settings_of(style).samples, 1);
-  EXPECT_GT(shortest_edge_px(style), shortest_edge_px({}));
+  EXPECT_EQ(to_picture_settings(style).samples, 1);
+  EXPECT_GT(min_edge_px(style), min_edge_px({}));
   style.quality = DrawingQuality::high;
-  EXPECT_EQ(settings_of(style).supersampling, 2 * normal.supersampling);
-  EXPECT_EQ(settings_of(style).width_px, normal.width_px) << "of the finished picture";
-  EXPECT_LT(shortest_edge_px(style), shortest_edge_px({}));
+  EXPECT_EQ(to_picture_settings(style).supersampling, 2 * normal.supersampling);
+  EXPECT_EQ(to_picture_settings(style).width_px, normal.width_px) << "of the finished picture";
+  EXPECT_LT(min_edge_px(style), min_edge_px({}));
 }
 
 TEST(WindArrows, ComeFromWhereItBlowsAndGrowWithIt) {
@@ -166,9 +166,9 @@ TEST(WindArrows, ComeFromWhereItBlowsAndGrowWithIt) {
 }
 
 TEST(SpringLines, ShowOneKindOrAllInAColourEach) {
-  const sim::Garment cloth = cloth_of(horizontal_cloth());
+  const sim::Garment cloth = make_cloth(horizontal_cloth());
   const std::vector<glm::vec3> positions = to_float(cloth.mesh.positions);
-  const auto lines_of = [&](WhichSprings shown) {
+  const auto make_lines = [&](WhichSprings shown) {
     SpringLines lines(cloth, shown, 1.0F);
     renderer::FrameView frame;
     lines.add(positions, frame);
@@ -179,9 +179,9 @@ TEST(SpringLines, ShowOneKindOrAllInAColourEach) {
     return counts;
   };
   using Counts = std::vector<std::pair<std::size_t, std::size_t>>;
-  EXPECT_EQ(lines_of(WhichSprings::none), Counts{});
-  EXPECT_EQ(lines_of(WhichSprings::structural), (Counts{{12, 1}}));
-  EXPECT_EQ(lines_of(WhichSprings::all), (Counts{{6, 1}, {8, 1}, {12, 1}}));
+  EXPECT_EQ(make_lines(WhichSprings::none), Counts{});
+  EXPECT_EQ(make_lines(WhichSprings::structural), (Counts{{12, 1}}));
+  EXPECT_EQ(make_lines(WhichSprings::all), (Counts{{6, 1}, {8, 1}, {12, 1}}));
 }
 
 TEST(StretchLegend, EndsAtTheBoundWhereTheSceneSaysNothingElse) {

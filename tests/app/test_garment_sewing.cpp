@@ -10,7 +10,7 @@
 namespace taut::app {
 namespace {
 
-// Of all bands of one kind, in mm.
+// Widths of all bands that are ribbed, or of all that are not, in mm.
 std::set<int> widths_mm(const GarmentSewing& sewing, bool ribbed) {
   std::set<int> widths;
   for (const renderer::BorderBand& band : sewing.bands) {
@@ -21,7 +21,7 @@ std::set<int> widths_mm(const GarmentSewing& sewing, bool ribbed) {
   return widths;
 }
 
-sim::Garment scaled(sim::Mesh mesh, double factor) {
+sim::Garment scale_mesh(sim::Mesh mesh, double factor) {
   for (sim::Vec3& position : mesh.positions) {
     position *= factor;
   }
@@ -29,27 +29,27 @@ sim::Garment scaled(sim::Mesh mesh, double factor) {
 }
 
 TEST(GarmentSewing, AShirtHasHemsAndARibbedNeckband) {
-  const GarmentSewing sewing = sewing_of(sim::make_garment(test::shirt()));
+  const GarmentSewing sewing = make_garment_sewing(sim::make_garment(test::shirt()));
   EXPECT_EQ(widths_mm(sewing, true), std::set<int>{18});
   EXPECT_EQ(widths_mm(sewing, false), std::set<int>{20});
   EXPECT_EQ(sewing.stitch_m, 0.004F);
 }
 
 TEST(GarmentSewing, TrousersHaveHemsAlone) {
-  const GarmentSewing sewing = sewing_of(sim::make_garment(test::trousers()));
+  const GarmentSewing sewing = make_garment_sewing(sim::make_garment(test::trousers()));
   EXPECT_TRUE(widths_mm(sewing, true).empty());
   EXPECT_FALSE(widths_mm(sewing, false).empty());
 }
 
 TEST(GarmentSewing, ATinyGarmentHasAQuarterOfIt) {
-  const GarmentSewing sewing = sewing_of(scaled(test::shirt(), 0.1));
+  const GarmentSewing sewing = make_garment_sewing(scale_mesh(test::shirt(), 0.1));
   EXPECT_EQ(*widths_mm(sewing, false).rbegin(), 5) << "those of its sleeves are narrower still";
   EXPECT_EQ(sewing.stitch_m, 0.001F);
 }
 
 TEST(GarmentSewing, AGridIsPlainCloth) {
   const sim::Garment garment = sim::make_garment(sim::make_grid({}));
-  const GarmentSewing sewing = sewing_of(garment);
+  const GarmentSewing sewing = make_garment_sewing(garment);
   EXPECT_TRUE(sewing.bands.empty());
   EXPECT_TRUE(sewing.seams.empty());
   EXPECT_EQ(sewing.rim_radius_m, 0.5F * static_cast<float>(garment.material.thickness_m));

@@ -1,5 +1,5 @@
-// Changes that an eye hardly sees and a picture test must, besides the changes in tests/golden/CMakeLists.txt: those
-// that no scene can ask for.
+// Changes that an eye hardly sees and a picture test must detect. No scene can ask for these;
+// tests/golden/CMakeLists.txt has the changes that a scene can ask for.
 
 #include <gtest/gtest.h>
 
@@ -18,8 +18,8 @@
 namespace taut::app {
 namespace {
 
-// By one degree around x.
-glm::vec3 turned(const glm::vec3& v) {
+// Rotates by one degree around x.
+glm::vec3 turn(const glm::vec3& v) {
   constexpr float turn_rad = std::numbers::pi_v<float> / 180.0F;
   const float c = std::cos(turn_rad), s = std::sin(turn_rad);
   return {v.x, c * v.y - s * v.z, s * v.y + c * v.z};
@@ -36,7 +36,7 @@ class PictureLimit : public testing::Test {
     expected = drawn(frame);
   }
   renderer::Image drawn(const renderer::FrameView& view) {
-    return offscreen.renderer().draw(view, settings_of(scene.picture));
+    return offscreen.renderer().draw(view, to_picture_settings(scene.picture));
   }
   bool is_seen(const renderer::FrameView& changed) {
     const tests::PictureLimit limit;
@@ -57,13 +57,13 @@ TEST_F(PictureLimit, PassesTheSamePicture) {
 TEST_F(PictureLimit, TellsNormalsTurnedByADegree) {
   const std::span<const glm::vec3> before = frame.surfaces.back().normals;
   std::vector<glm::vec3> normals(before.size());
-  std::transform(before.begin(), before.end(), normals.begin(), turned);
+  std::transform(before.begin(), before.end(), normals.begin(), turn);
   frame.surfaces.back().normals = normals;
   EXPECT_TRUE(is_seen(frame));
 }
 
 TEST_F(PictureLimit, TellsALightTurnedByADegree) {
-  frame.lighting.towards_key = turned(frame.lighting.towards_key);
+  frame.lighting.towards_key = turn(frame.lighting.towards_key);
   EXPECT_TRUE(is_seen(frame));
 }
 

@@ -5,7 +5,7 @@
 #include "app/bodies/body_loading.hpp"
 #include "app/drawing/drawn_scene.hpp"
 #include "app/models/garment_loading.hpp"
-#include "app/output/run_checkpoint.hpp"
+#include "app/runs/run_checkpoint.hpp"
 #include "temporary_folder.hpp"
 
 namespace taut::app {
@@ -17,10 +17,10 @@ TEST_P(BuiltIn, GoesOnWithTheSameBits) {
   DrawnScene scene = find_scene(GetParam().name, {});
   load_bodies(scene);
   const LoadedGarment loaded = load_garment(scene);
-  // Those about contact are ten times as large, and what they add is there from the first frames on.
+  // Scenes about contact are ten times as large, and their contacts begin in the first frames.
   const int last = GetParam().is_of_contact ? 4 : 16;
   sim::Simulation whole = make_simulation(scene, loaded);
-  go_to_start(scene, whole);  // some dress a body first
+  go_to_start(scene, whole);  // some scenes dress a body first
   std::vector<std::string> saved;
   for (int frame = 0; frame < last; ++frame) {
     saved.push_back(sim::encode(whole.save(), whole.garment()));
@@ -85,7 +85,7 @@ TEST(RunCheckpoint, RefusesEveryDamage) {
     std::string damaged = whole;
     damaged[at] = static_cast<char>(damaged[at] ^ 4);
     const auto file = folder.write("damaged", damaged);
-    EXPECT_CONTAINS(test::message_of<InputError>([&] { read_run_checkpoint(file); }), "damaged': byte ");
+    EXPECT_CONTAINS(test::error_message<InputError>([&] { read_run_checkpoint(file); }), "damaged': byte ");
   }
 }
 
@@ -95,7 +95,7 @@ TEST(RunCheckpoint, BelongsToItsScene) {
   EXPECT_NO_THROW(require_same_scene(
       "run", run, "moved", "title = \"a\"\n\n[garment]\nfile = \"/y/x.obj\"\n\n[wind]\nspeed = 4.0\n"));
   const auto refusal = [&](const std::string& text) {
-    return test::message_of<InputError>([&] { require_same_scene("run", run, "other", text); });
+    return test::error_message<InputError>([&] { require_same_scene("run", run, "other", text); });
   };
   EXPECT_EQ(
       refusal("title = \"a\"\n\n[wind]\nspeed = 5.0\n"),
@@ -107,7 +107,7 @@ TEST(RunCheckpoint, BelongsToItsScene) {
                   "nothing; found the scene 'other' with wind.seed = 2");
 }
 
-// As the window keeps a moment: a scene that begins with it.
+// The window stores a moment in this way: as a scene that starts from a checkpoint.
 TEST(RunCheckpoint, IsWhereASceneBegins) {
   const test::TemporaryFolder folder;
   DrawnScene scene = find_scene("pinned-9x9-5", {});

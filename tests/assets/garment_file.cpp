@@ -6,7 +6,7 @@
 #include <stdexcept>
 
 #include "app/base/files.hpp"
-#include "app/models/model_arrays.hpp"
+#include "app/models/reading/model_arrays.hpp"
 
 namespace taut::test {
 

@@ -1,4 +1,4 @@
-// The same shirt as three models: one fabric hangs alike however finely it is meshed.
+// One shirt at three mesh resolutions: the same fabric hangs alike on all of them.
 
 #include <gtest/gtest.h>
 
@@ -15,16 +15,16 @@ namespace {
 
 const std::filesystem::path assets = TAUT_ASSETS_DIR;
 
-/// Measures of a shape that do not depend on its mesh, over its surface, in m.
+/// Measures of a shape over its surface, which do not depend on the mesh.
 struct Shape {
   double mean_height_m = 0.0;
-  double lowest_m = 0.0;
-  double width_m = 0.0;  ///< standard deviations
+  double min_height_m = 0.0;
+  double width_m = 0.0;  ///< standard deviations of the positions along x, y and z
   double height_m = 0.0;
   double depth_m = 0.0;
 };
 
-Shape shape_of(const sim::Garment& garment, std::span<const sim::Vec3> positions) {
+Shape make_shape(const sim::Garment& garment, std::span<const sim::Vec3> positions) {
   sim::Vec3 mean(0.0);
   double mass_kg = 0.0;
   for (std::size_t v = 0; v < positions.size(); ++v) {
@@ -33,13 +33,13 @@ Shape shape_of(const sim::Garment& garment, std::span<const sim::Vec3> positions
   }
   mean /= mass_kg;
   sim::Vec3 squares(0.0);
-  double lowest_m = mean.y;
+  double min_height_m = mean.y;
   for (std::size_t v = 0; v < positions.size(); ++v) {
     squares += garment.masses_kg[v] * (positions[v] - mean) * (positions[v] - mean);
-    lowest_m = std::min(lowest_m, positions[v].y);
+    min_height_m = std::min(min_height_m, positions[v].y);
   }
   squares /= mass_kg;
-  return {mean.y, lowest_m, std::sqrt(squares.x), std::sqrt(squares.y), std::sqrt(squares.z)};
+  return {mean.y, min_height_m, std::sqrt(squares.x), std::sqrt(squares.y), std::sqrt(squares.z)};
 }
 
 Shape hung(const std::string& triangles, sim::BoundKind bound, double max_stretch) {
@@ -59,24 +59,24 @@ Shape hung(const std::string& triangles, sim::BoundKind bound, double max_stretc
   for (int frame = 0; frame < 360; ++frame) {
     simulation.advance_frame();
   }
-  return shape_of(garment, simulation.state().current);
+  return make_shape(garment, simulation.state().current);
 }
 
-/// How far a model may be from the finest: lengths in m, the others in parts.
+/// Tolerances between a model and the finest one: height_m for heights, part as a fraction of each extent.
 struct Tolerance {
   std::string triangles;
   double height_m;
   double part;
 };
 
-// Edges of the coarsest are 4 cm long: its sleeves stand out a little further. Held in every direction they
-// fold less.
+// The coarsest model has edges of 4 cm, so its sleeves stand out a little further. Cloth that is bound in every
+// direction folds less.
 void expect_alike(sim::BoundKind bound, double max_stretch) {
   const Shape fine = hung("10600", bound, max_stretch);
   for (const auto& [triangles, height_m, part] : {Tolerance{"5280", 0.004, 0.05}, {"1028", 0.011, 0.11}}) {
     const Shape coarse = hung(triangles, bound, max_stretch);
     EXPECT_NEAR(coarse.mean_height_m, fine.mean_height_m, height_m) << triangles;
-    EXPECT_NEAR(coarse.lowest_m, fine.lowest_m, height_m) << triangles;
+    EXPECT_NEAR(coarse.min_height_m, fine.min_height_m, height_m) << triangles;
     EXPECT_NEAR(coarse.width_m, fine.width_m, part * fine.width_m) << triangles;
     EXPECT_NEAR(coarse.height_m, fine.height_m, 0.2 * part * fine.height_m) << triangles;
     EXPECT_NEAR(coarse.depth_m, fine.depth_m, 2.3 * part * fine.depth_m) << triangles;

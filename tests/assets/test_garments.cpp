@@ -1,4 +1,4 @@
-// The committed garments, as files: whatever made them, they have to be these.
+// Checks the files of the committed garments, whatever program made them.
 
 #include <gtest/gtest.h>
 #include <toml++/toml.h>
@@ -27,7 +27,7 @@ using sim::Vec3;
 const std::filesystem::path assets = TAUT_ASSETS_DIR;
 constexpr double metres_per_uv = 1.5;
 
-/// A pattern file: the lines of its pieces, in mm, each around its piece.
+/// A pattern file: the outlines of its pieces, in mm. Each outline goes around its piece.
 struct PatternFile {
   explicit PatternFile(const std::string& name)
       : table(toml::parse_file((assets / "patterns/tshirt" / (name + ".toml")).string())) {}
@@ -58,7 +58,7 @@ struct PatternFile {
     }
     return 0.5 * std::abs(doubled_m2);
   }
-  /// Front and back are halves, and there are two sleeves.
+  /// Area of the whole garment: the front and the back are stored as halves, and there are two sleeves.
   double area_m2() const {
     const std::vector<const char*> half = {"hem", "side_seam", "armhole", "shoulder_seam", "neckline"};
     return 2.0 * (area_m2("front", half) + area_m2("back", half) +
@@ -68,15 +68,15 @@ struct PatternFile {
   toml::table table;
 };
 
-/// The edges and angles of a mesh.
+/// Edge lengths and angles of a mesh.
 struct MeshQuality {
   explicit MeshQuality(const sim::Mesh& mesh) {
     const sim::Adjacency adjacency = sim::make_adjacency(mesh);
     double sum_m = 0.0;
     for (const auto& [a, b] : adjacency.edges) {
       const double length_m = glm::distance(mesh.positions[a], mesh.positions[b]);
-      shortest_edge_m = std::min(shortest_edge_m, length_m);
-      longest_edge_m = std::max(longest_edge_m, length_m);
+      min_edge_m = std::min(min_edge_m, length_m);
+      max_edge_m = std::max(max_edge_m, length_m);
       sum_m += length_m;
     }
     mean_edge_m = sum_m / static_cast<double>(adjacency.edges.size());
@@ -85,18 +85,20 @@ struct MeshQuality {
         const Vec3& at = mesh.positions[t[k]];
         const Vec3 a = mesh.positions[t[(k + 1) % 3]] - at, b = mesh.positions[t[(k + 2) % 3]] - at;
         const double angle_deg = glm::degrees(std::acos(glm::dot(a, b) / (glm::length(a) * glm::length(b))));
-        smallest_angle_deg = std::min(smallest_angle_deg, angle_deg);
+        min_angle_deg = std::min(min_angle_deg, angle_deg);
       }
     }
   }
 
-  double smallest_angle_deg = 180.0;
-  double shortest_edge_m = 1e9, mean_edge_m = 0.0, longest_edge_m = 0.0;
+  double min_angle_deg = 180.0;
+  double min_edge_m = 1e9, mean_edge_m = 0.0, max_edge_m = 0.0;
 };
 
-std::size_t crossings_of(const sim::Mesh& mesh) { return app::crossing_pairs({mesh.positions, mesh.triangles}).size(); }
+std::size_t count_crossings(const sim::Mesh& mesh) {
+  return app::crossing_pairs({mesh.positions, mesh.triangles}).size();
+}
 
-/// Under each triangle as seen from the middle, which stands in for the missing caps.
+/// Volume between the surface and its middle, by signed tetrahedra. The middle stands in for the missing caps.
 double volume_m3(const sim::Mesh& mesh) {
   Vec3 middle(0.0);
   for (const Vec3& p : mesh.positions) middle += p / static_cast<double>(mesh.positions.size());
@@ -117,8 +119,7 @@ void expect_one_surface_with_four_openings(const sim::Mesh& mesh) {
   EXPECT_EQ(topology.misoriented_edges, 0U);
 }
 
-/// The flat pieces of a garment: its triangles, and where their corners are in the square of texture
-/// coordinates.
+/// Flat pieces of a garment: its triangles, and the texture coordinates of their corners.
 struct FlatPieces {
   explicit FlatPieces(const std::string& name)
       : mesh(read_obj(assets / "garments" / (name + ".obj"))),
@@ -133,7 +134,7 @@ struct FlatPieces {
     const glm::dvec2 a(corner_uv[3 * triangle]), b(corner_uv[3 * triangle + 1]), c(corner_uv[3 * triangle + 2]);
     return 0.5 * metres_per_uv * metres_per_uv * ((b.x - a.x) * (c.y - a.y) - (c.x - a.x) * (b.y - a.y));
   }
-  /// The edges at which it was sewn: their ends lie elsewhere in the two triangles.
+  /// Sewn edges: the texture coordinates of their ends differ between the two triangles.
   std::vector<Edge> seams() const {
     std::vector<Edge> edges;
     for (std::size_t e = 0; e < adjacency.edges.size(); ++e) {
@@ -168,7 +169,7 @@ TEST_P(Texture, ShowsThePiecesUprightAndToScale) {
   for (std::size_t c = 0; c < pieces.corner_uv.size(); ++c) {
     const glm::vec2& uv = pieces.corner_uv[c];
     EXPECT_TRUE(uv.x > 0.0F && uv.x < 1.0F && uv.y > 0.0F && uv.y < 1.0F);
-    // The front, from in front: to the right is the wearer's left, and up is up.
+    // The texture shows the front as seen from in front: the wearer's left is on the right, and up is up.
     const Vec3& p = pieces.mesh.positions[pieces.mesh.triangles[c / 3][c % 3]];
     if (uv.x < 0.45F && uv.y > 0.55F && std::abs(p.x) < 0.1) {
       EXPECT_NEAR(p.x, metres_per_uv * (static_cast<double>(uv.x) - 0.25), 0.05);
@@ -179,7 +180,7 @@ TEST_P(Texture, ShowsThePiecesUprightAndToScale) {
   }
 }
 
-// On each side the armhole, and from it the shoulder seam to the neck, the side seam to the hem and the
+// The seams of each side: the armhole, the shoulder seam from it to the neck, the side seam to the hem and the
 // underarm seam to the cuff.
 TEST_P(Texture, IsCutAtTheSeamsAlone) {
   const std::vector<Edge> seams = pieces.seams();
@@ -211,13 +212,13 @@ TEST_P(Texture, IsCutAtTheSeamsAlone) {
   }
 }
 
-/// Which piece shows this place.
+/// Name of the piece that shows this texture coordinate.
 std::string piece_at(const glm::vec2& uv) {
   return uv.y > 0.42F ? (uv.x < 0.5F ? "front" : "back") : uv.x < 0.5F ? "left_sleeve" : "right_sleeve";
 }
 
 TEST_P(Texture, HasAllSeamsAsLongAsDrafted) {
-  const double middle_m = sim::extent_of(pieces.mesh.positions).upper.y - 0.15;
+  const double middle_m = sim::compute_extent(pieces.mesh.positions).upper.y - 0.15;
   std::map<std::string, double> lengths_m;
   for (std::size_t e = 0; e < pieces.adjacency.edges.size(); ++e) {
     const auto [a, b] = pieces.adjacency.edges[e];
@@ -227,7 +228,7 @@ TEST_P(Texture, HasAllSeamsAsLongAsDrafted) {
       const glm::dvec2 from(pieces.place(own, a)), to(pieces.place(own, b)), beyond(pieces.place(other, a));
       if (from == beyond && to == glm::dvec2(pieces.place(other, b))) continue;
       const std::string piece = piece_at(from), next = piece_at(beyond);
-      // Of front and back: shoulder seams are above the armholes.
+      // Seams between front and back: shoulder seams are above the armholes.
       const bool is_side = pieces.mesh.positions[a].y < middle_m;
       const bool is_left = pieces.mesh.positions[a].x > 0.0;
       const bool is_sleeve = piece != "front" && piece != "back";
@@ -273,7 +274,7 @@ class Garment : public testing::TestWithParam<std::size_t> {
 
   const Vec3& at(Index vertex) const { return mesh.positions.at(vertex); }
 
-  /// The triangles at the edge between two vertices; 0 where there is no edge.
+  /// Number of triangles at the edge between two vertices; 0 if there is no edge.
   std::size_t triangles_between(Index a, Index b) const {
     const Edge edge = {std::min(a, b), std::max(a, b)};
     const auto found = std::lower_bound(adjacency.edges.begin(), adjacency.edges.end(), edge);
@@ -283,7 +284,7 @@ class Garment : public testing::TestWithParam<std::size_t> {
     return adjacency.edge_triangles[static_cast<std::size_t>(found - adjacency.edges.begin())].size();
   }
 
-  /// Every step of the walk has to be an edge with that many triangles.
+  /// Requires that every step of the walk is an edge with this number of triangles.
   void expect_walk(const std::string& name, bool is_loop, std::size_t triangles) const {
     const std::vector<Index>& walk = landmark(name);
     ASSERT_GE(walk.size(), 3U) << name;
@@ -293,7 +294,7 @@ class Garment : public testing::TestWithParam<std::size_t> {
     }
   }
 
-  double length_of(const std::string& name, bool is_loop) const {
+  double vector_length(const std::string& name, bool is_loop) const {
     const std::vector<Index>& walk = landmark(name);
     double length_m = is_loop ? glm::length(at(walk.front()) - at(walk.back())) : 0.0;
     for (std::size_t i = 1; i < walk.size(); ++i) {
@@ -302,7 +303,7 @@ class Garment : public testing::TestWithParam<std::size_t> {
     return length_m;
   }
 
-  Vec3 mean_of(const std::string& name) const {
+  Vec3 mean_position(const std::string& name) const {
     Vec3 sum(0.0);
     for (const Index v : landmark(name)) {
       sum += at(v);
@@ -329,7 +330,7 @@ TEST_P(Garment, NeedsNoRepair) {
 
 TEST_P(Garment, HasTheOutsideOutside) {
   EXPECT_GT(volume_m3(mesh), 0.03);
-  // On the chest the cloth faces forwards, on the back backwards.
+  // Cloth faces forwards on the chest and backwards on the back.
   for (const Triangle& t : mesh.triangles) {
     const Vec3 centre = (at(t[0]) + at(t[1]) + at(t[2])) / 3.0;
     if (std::abs(centre.x) < 0.1 && std::abs(centre.y - 1.3) < 0.1) {
@@ -338,19 +339,19 @@ TEST_P(Garment, HasTheOutsideOutside) {
   }
 }
 
-TEST_P(Garment, HasNoNeedles) { EXPECT_GE(MeshQuality(mesh).smallest_angle_deg, 10.0); }
+TEST_P(Garment, HasNoNeedles) { EXPECT_GE(MeshQuality(mesh).min_angle_deg, 10.0); }
 
-TEST_P(Garment, DoesNotPassThroughItself) { EXPECT_EQ(crossings_of(mesh), 0U); }
+TEST_P(Garment, DoesNotPassThroughItself) { EXPECT_EQ(count_crossings(mesh), 0U); }
 
 TEST_P(Garment, HasEvenEdges) {
   const MeshQuality quality(mesh);
-  // A coarse mesh needs short edges along curved seams, which are to be as long as drafted.
-  EXPECT_GT(quality.shortest_edge_m, (GetParam() == 1028 ? 0.2 : 0.4) * quality.mean_edge_m);
-  EXPECT_LT(quality.longest_edge_m, 1.8 * quality.mean_edge_m);
+  // A coarse mesh needs short edges along curved seams to keep their drafted length.
+  EXPECT_GT(quality.min_edge_m, (GetParam() == 1028 ? 0.2 : 0.4) * quality.mean_edge_m);
+  EXPECT_LT(quality.max_edge_m, 1.8 * quality.mean_edge_m);
 }
 
 TEST_P(Garment, IsIrregular) {
-  // In a regular grid nearly every vertex has six edges.
+  // Nearly every vertex of a regular grid has six edges.
   std::size_t other_than_six = 0;
   for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
     other_than_six += adjacency.vertex_edges[v].size() != 6 ? 1 : 0;
@@ -370,11 +371,11 @@ TEST_P(Garment, StandsAtWearingHeightAndFacesForwards) {
     EXPECT_LT(std::abs(p.x), 0.45);
     EXPECT_LT(std::abs(p.z), 0.22);
   }
-  EXPECT_GT(mean_of("front_neckline").z, 0.01);
-  EXPECT_LT(mean_of("back_neckline").z, -0.02);
-  EXPECT_GT(mean_of("left_cuff").x, 0.2);
-  EXPECT_LT(mean_of("right_cuff").x, -0.2);
-  EXPECT_LT(mean_of("hem").y, 1.03);
+  EXPECT_GT(mean_position("front_neckline").z, 0.01);
+  EXPECT_LT(mean_position("back_neckline").z, -0.02);
+  EXPECT_GT(mean_position("left_cuff").x, 0.2);
+  EXPECT_LT(mean_position("right_cuff").x, -0.2);
+  EXPECT_LT(mean_position("hem").y, 1.03);
 }
 
 TEST_P(Garment, HasContiguousSeams) {
@@ -397,7 +398,7 @@ TEST_P(Garment, HasItsBordersNamed) {
 }
 
 TEST_P(Garment, HasSeamsThatMeet) {
-  // Shoulder seams end where front and back neckline meet, side seams begin at the hem.
+  // Shoulder seams end where the front and back necklines meet. Side seams begin at the hem.
   EXPECT_EQ(landmark("left_shoulder_seam").back(), landmark("front_neckline").front());
   EXPECT_EQ(landmark("left_shoulder_seam").back(), landmark("back_neckline").back());
   EXPECT_EQ(landmark("right_shoulder_seam").back(), landmark("front_neckline").back());
@@ -409,15 +410,15 @@ TEST_P(Garment, HasSeamsThatMeet) {
 }
 
 TEST_P(Garment, HasSeamsAsLongAsThePattern) {
-  // From the pattern, in metres. Coarse edges cut the corners of curved borders.
+  // Lengths of the pattern, in metres. Coarse edges cut the corners of curved borders.
   for (const char* side : {"left_", "right_"}) {
-    EXPECT_NEAR(length_of(std::string(side) + "shoulder_seam", false), 0.10716, 0.0005);
-    EXPECT_NEAR(length_of(std::string(side) + "side_seam", false), 0.43626, 0.0005);
-    EXPECT_NEAR(length_of(std::string(side) + "cuff", true), 0.43096, 0.008);
+    EXPECT_NEAR(vector_length(std::string(side) + "shoulder_seam", false), 0.10716, 0.0005);
+    EXPECT_NEAR(vector_length(std::string(side) + "side_seam", false), 0.43626, 0.0005);
+    EXPECT_NEAR(vector_length(std::string(side) + "cuff", true), 0.43096, 0.008);
   }
-  EXPECT_NEAR(length_of("hem", true), 1.04312, 0.02);
-  EXPECT_NEAR(length_of("front_neckline", false), 0.35938, 0.007);
-  EXPECT_NEAR(length_of("back_neckline", false), 0.27958, 0.007);
+  EXPECT_NEAR(vector_length("hem", true), 1.04312, 0.02);
+  EXPECT_NEAR(vector_length("front_neckline", false), 0.35938, 0.007);
+  EXPECT_NEAR(vector_length("back_neckline", false), 0.27958, 0.007);
 }
 
 TEST_P(Garment, IsAboutSymmetrical) {
@@ -429,7 +430,7 @@ TEST_P(Garment, IsAboutSymmetrical) {
     EXPECT_LT(glm::length(at(left.front()) - mirrored(at(right.front()))), 0.02) << seam;
     EXPECT_LT(glm::length(at(left.back()) - mirrored(at(right.back()))), 0.02) << seam;
   }
-  EXPECT_LT(glm::length(mean_of("left_cuff") - mirrored(mean_of("right_cuff"))), 0.02);
+  EXPECT_LT(glm::length(mean_position("left_cuff") - mirrored(mean_position("right_cuff"))), 0.02);
 }
 
 class OtherSize : public testing::TestWithParam<const char*> {};
@@ -441,9 +442,9 @@ TEST_P(OtherSize, IsAsSoundAsTheFirst) {
   const PatternFile pattern("teagan_" + wearer);
   EXPECT_EQ(mesh.triangles.size(), 5280U);
   expect_one_surface_with_four_openings(mesh);
-  EXPECT_EQ(crossings_of(mesh), 0U);
+  EXPECT_EQ(count_crossings(mesh), 0U);
   EXPECT_GT(volume_m3(mesh), 0.03);
-  EXPECT_GE(MeshQuality(mesh).smallest_angle_deg, 10.0);
+  EXPECT_GE(MeshQuality(mesh).min_angle_deg, 10.0);
   EXPECT_NEAR(sim::surface_area(mesh) / pattern.area_m2(), 1.0, 0.01);
   for (const char* line : {"left_shoulder_seam", "right_shoulder_seam", "back_neckline", "front_neckline", "hem",
                            "left_cuff", "right_cuff", "left_side_seam", "right_side_seam"}) {

@@ -180,7 +180,7 @@ GltfModel tube() {
   for (sim::Index ring = 0; ring < rings; ++ring) {
     for (sim::Index k = 0; k < around; ++k) {
       const double angle = 2.0 * 3.14159265358979 * k / around;
-      // Exact in single precision, so that nothing is rounded on the way.
+      // The coordinates are exact in single precision, so the file rounds nothing.
       model.positions.emplace_back(static_cast<float>(0.2 * std::cos(angle)), 0.25 * ring,
                                    static_cast<float>(0.2 * std::sin(angle)));
     }

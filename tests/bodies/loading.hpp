@@ -11,7 +11,7 @@
 
 namespace taut::app {
 
-/// A scene with one body, and what was said of it.
+/// A scene's only body, with the messages about it.
 struct LoadedBody {
   sim::Body body;
   std::vector<std::string> remarks;
@@ -22,7 +22,7 @@ struct LoadedBody {
     sim::positions_at(body, time_s, places_m);
     return places_m;
   }
-  /// All that was said, in one text.
+  /// All messages as one text.
   std::string said() const {
     std::string text;
     for (const std::string& remark : remarks) {
@@ -42,8 +42,8 @@ inline LoadedBody load(const BodySource& source) {
   return loaded;
 }
 
-inline std::string error_of(const BodySource& source) {
-  return test::message_of<InputError>([&] { load(source); });
+inline std::string error_text(const BodySource& source) {
+  return test::error_message<InputError>([&] { load(source); });
 }
 
 }  // namespace taut::app

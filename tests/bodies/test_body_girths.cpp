@@ -1,4 +1,4 @@
-// Girths of bodies as a tape measure has them.
+// Girths of bodies, as a tape measures them.
 
 #include <fmt/core.h>
 
@@ -7,10 +7,10 @@
 #include <glm/geometric.hpp>
 #include <map>
 
-#include "app/bodies/body_girths.hpp"
 #include "app/bodies/body_loading.hpp"
-#include "app/bodies/dressing.hpp"
-#include "app/models/garment_measures.hpp"
+#include "app/garments/dressing/body_girths.hpp"
+#include "app/garments/dressing/dressing.hpp"
+#include "app/models/hanging/garment_measures.hpp"
 #include "loading.hpp"
 
 namespace taut::app {
@@ -18,13 +18,13 @@ namespace {
 
 constexpr double pi = 3.14159265358979;
 
-/// Half width and half depth of a body at a height.
+/// Ellipse of a body at a height: its half axes, and the displacement of its middle forwards.
 struct Ring {
   double height_m, half_width_m, half_depth_m, forward_m;
 };
 
 /// A closed surface through ellipses, one above the other.
-sim::Mesh stacked(const std::vector<Ring>& rings) {
+sim::Mesh stack_rings(const std::vector<Ring>& rings) {
   constexpr sim::Index around = 48;
   sim::Mesh mesh;
   for (const Ring& ring : rings) {
@@ -50,7 +50,7 @@ sim::Mesh stacked(const std::vector<Ring>& rings) {
   return mesh;
 }
 
-/// Ramanujan 1914.
+/// Perimeter of an ellipse (Ramanujan 1914).
 double around_ellipse(double a, double b) { return pi * (3.0 * (a + b) - std::sqrt((3.0 * a + b) * (a + 3.0 * b))); }
 
 /// A person in a long robe, without arms.
@@ -59,20 +59,20 @@ const std::vector<Ring> robe = {{0.0, 0.20, 0.13, 0},    {0.9, 0.20, 0.13, 0},  
                                 {1.6, 0.06, 0.06, 0},    {1.65, 0.09, 0.11, 0.0}, {1.75, 0.08, 0.09, 0}};
 
 TEST(BodyGirths, OfABodyOfEllipsesAreThoseOfTheEllipses) {
-  const sim::Mesh mesh = stacked(robe);
+  const sim::Mesh mesh = stack_rings(robe);
   const BodyMeasures measures = measure_body({mesh.positions, mesh.triangles}, {});
   const auto expect = [&](const char* name, double girth_m, double height_m) {
-    const Girth* girth = girth_of(measures, name);
+    const Girth* girth = find_girth(measures, name);
     ASSERT_NE(girth, nullptr) << name;
     EXPECT_NEAR(girth->girth_m, girth_m, 0.01 * girth_m) << name;
     EXPECT_NEAR(girth->height_m, height_m, 0.01) << name;
   };
   expect("chest", around_ellipse(0.17, 0.13), 1.3);
   expect("waist", around_ellipse(0.15, 0.10), 1.1);
-  EXPECT_NEAR(girth_of(measures, "seat")->girth_m, around_ellipse(0.20, 0.13), 0.01);
-  EXPECT_NEAR(girth_of(measures, "neck")->girth_m, around_ellipse(0.06, 0.06), 0.01);
-  EXPECT_EQ(girth_of(measures, "thigh"), nullptr) << "it has no legs";
-  EXPECT_EQ(girth_of(measures, "upper arm"), nullptr);
+  EXPECT_NEAR(find_girth(measures, "seat")->girth_m, around_ellipse(0.20, 0.13), 0.01);
+  EXPECT_NEAR(find_girth(measures, "neck")->girth_m, around_ellipse(0.06, 0.06), 0.01);
+  EXPECT_EQ(find_girth(measures, "thigh"), nullptr) << "it has no legs";
+  EXPECT_EQ(find_girth(measures, "upper arm"), nullptr);
   ASSERT_TRUE(measures.neck_m);
   EXPECT_NEAR(measures.neck_m->y, 1.47, 0.01) << "where the shoulders begin";
 }
@@ -87,17 +87,17 @@ void add(const sim::Mesh& part, const sim::Vec3& at_m, sim::Mesh& mesh) {
   }
 }
 
-// Arms that hang beside a trunk are nearer to its sides than its middle is.
+// Arms that hang beside a trunk are nearer to its sides than the middle of the trunk is.
 TEST(ShapeRig, TheTrunkFollowsNoArm) {
-  sim::Mesh mesh = stacked({robe.begin() + 1, robe.end()});
-  add(stacked({robe.begin(), robe.begin() + 2}), sim::Vec3(0.0), mesh);
+  sim::Mesh mesh = stack_rings({robe.begin() + 1, robe.end()});
+  add(stack_rings({robe.begin(), robe.begin() + 2}), sim::Vec3(0.0), mesh);
   const std::size_t of_trunk = mesh.positions.size();
   for (const double side : {-1.0, 1.0}) {
-    add(stacked({{0.9, 0.04, 0.04, 0}, {1.35, 0.05, 0.05, 0}}), {0.26 * side, 0.0, 0.0}, mesh);
+    add(stack_rings({{0.9, 0.04, 0.04, 0}, {1.35, 0.05, 0.05, 0}}), {0.26 * side, 0.0, 0.0}, mesh);
   }
-  add(stacked({{1.34, 0.36, 0.06, 0}, {1.44, 0.36, 0.06, 0}}), sim::Vec3(0.0), mesh);
+  add(stack_rings({{1.34, 0.36, 0.06, 0}, {1.44, 0.36, 0.06, 0}}), sim::Vec3(0.0), mesh);
   const Surface body = {mesh.positions, mesh.triangles};
-  const std::optional<Rig> rig = rig_by_shape(body, measure_body(body, {}));
+  const std::optional<Rig> rig = guess_rig(body, measure_body(body, {}));
   ASSERT_TRUE(rig);
   for (const RigInfluence& influence : rig->influences) {
     const sim::Vec3& p = mesh.positions[influence.vertex];
@@ -107,28 +107,27 @@ TEST(ShapeRig, TheTrunkFollowsNoArm) {
       EXPECT_EQ(is_arm, influence.vertex >= of_trunk) << joint << ' ' << p.x << ' ' << p.y;
     }
   }
-  EXPECT_FALSE(rig_by_shape(body, {})) << "nothing was measured";
+  EXPECT_FALSE(guess_rig(body, {})) << "nothing was measured";
 }
 
-// Hips at 0.37, a belly at 0.54 and a chest at 0.7 of the trunk's height: the belly is neither seat nor
-// chest.
+// The trunk has hips at 0.37 of its height, a belly at 0.54 and a chest at 0.7. The belly is neither seat nor chest.
 TEST(BodyGirths, SeatAndChestAreLookedForWhereTheyAre) {
-  const sim::Mesh mesh = stacked({{0.0, 0.15, 0.10, 0},
-                                  {0.55, 0.20, 0.13, 0},
-                                  {0.65, 0.15, 0.10, 0},
-                                  {0.8, 0.22, 0.14, 0},
-                                  {0.9, 0.15, 0.10, 0},
-                                  {1.03, 0.17, 0.12, 0.01},
-                                  {1.15, 0.15, 0.10, 0},
-                                  {1.4, 0.15, 0.11, 0},
-                                  {1.5, 0.06, 0.06, 0},
-                                  {1.6, 0.06, 0.06, 0},
-                                  {1.65, 0.09, 0.11, 0.0},
-                                  {1.75, 0.08, 0.09, 0}});
+  const sim::Mesh mesh = stack_rings({{0.0, 0.15, 0.10, 0},
+                                      {0.55, 0.20, 0.13, 0},
+                                      {0.65, 0.15, 0.10, 0},
+                                      {0.8, 0.22, 0.14, 0},
+                                      {0.9, 0.15, 0.10, 0},
+                                      {1.03, 0.17, 0.12, 0.01},
+                                      {1.15, 0.15, 0.10, 0},
+                                      {1.4, 0.15, 0.11, 0},
+                                      {1.5, 0.06, 0.06, 0},
+                                      {1.6, 0.06, 0.06, 0},
+                                      {1.65, 0.09, 0.11, 0.0},
+                                      {1.75, 0.08, 0.09, 0}});
   const BodyMeasures measures = measure_body({mesh.positions, mesh.triangles}, {});
-  ASSERT_NE(girth_of(measures, "chest"), nullptr);
-  EXPECT_NEAR(girth_of(measures, "seat")->height_m, 0.55, 0.005);
-  EXPECT_NEAR(girth_of(measures, "chest")->height_m, 1.03, 0.005);
+  ASSERT_NE(find_girth(measures, "chest"), nullptr);
+  EXPECT_NEAR(find_girth(measures, "seat")->height_m, 0.55, 0.005);
+  EXPECT_NEAR(find_girth(measures, "chest")->height_m, 1.03, 0.005);
 }
 
 TEST(BodyGirths, ABellyIsNoChest) {
@@ -136,10 +135,10 @@ TEST(BodyGirths, ABellyIsNoChest) {
   rings[2] = {1.1, 0.15, 0.13, 0.03};
   rings[4] = {1.4, 0.17, 0.12, -0.01};
   rings.insert(rings.begin() + 3, {1.2, 0.16, 0.12, 0.0});
-  const sim::Mesh mesh = stacked(rings);
+  const sim::Mesh mesh = stack_rings(rings);
   const BodyMeasures measures = measure_body({mesh.positions, mesh.triangles}, {});
-  EXPECT_NEAR(girth_of(measures, "chest")->height_m, 1.3, 0.01);
-  EXPECT_NEAR(girth_of(measures, "waist")->height_m, 1.1, 0.01);
+  EXPECT_NEAR(find_girth(measures, "chest")->height_m, 1.3, 0.01);
+  EXPECT_NEAR(find_girth(measures, "waist")->height_m, 1.1, 0.01);
 }
 
 TEST(BodyGirths, ANeckIsNarrowerThanAHead) {
@@ -147,27 +146,27 @@ TEST(BodyGirths, ANeckIsNarrowerThanAHead) {
     std::vector<Ring> rings = robe;
     rings[5].half_width_m = rings[5].half_depth_m = half_width_m;
     rings[6] = {1.6, half_width_m, half_width_m, 0};
-    const sim::Mesh mesh = stacked(rings);
-    return girth_of(measure_body({mesh.positions, mesh.triangles}, {}), "neck") != nullptr;
+    const sim::Mesh mesh = stack_rings(rings);
+    return find_girth(measure_body({mesh.positions, mesh.triangles}, {}), "neck") != nullptr;
   };
   EXPECT_TRUE(has_neck(0.08)) << "0.8 of its girth";
   EXPECT_FALSE(has_neck(0.09)) << "0.9";
 }
 
-/// A person with legs to 0.8 m, arms that hang beside the trunk down to 0.7 m and a slab across the arms,
-/// which begins at 1.34 m.
+/// A person with legs up to 0.8 m, arms that hang beside the trunk down to 0.7 m, and a slab across the arms from
+/// 1.34 m up.
 sim::Mesh person(double arms_m) {
-  sim::Mesh mesh = stacked({robe.begin() + 1, robe.end()});
-  add(stacked({{0.8, 0.20, 0.13, 0}, {0.9, 0.20, 0.13, 0}}), sim::Vec3(0.0), mesh);
+  sim::Mesh mesh = stack_rings({robe.begin() + 1, robe.end()});
+  add(stack_rings({{0.8, 0.20, 0.13, 0}, {0.9, 0.20, 0.13, 0}}), sim::Vec3(0.0), mesh);
   for (const double side : {-1.0, 1.0}) {
-    add(stacked({{0.3, 0.08, 0.08, 0}, {0.82, 0.08, 0.08, 0}}), {0.1 * side, 0.0, 0.0}, mesh);
-    // A shaft about the leg; toes point forwards.
-    add(stacked({{0.0, 0.09, 0.09, 0}, {0.05, 0.09, 0.09, 0.1}, {0.12, 0.09, 0.09, -0.3}, {0.55, 0.09, 0.09, 0}}),
+    add(stack_rings({{0.3, 0.08, 0.08, 0}, {0.82, 0.08, 0.08, 0}}), {0.1 * side, 0.0, 0.0}, mesh);
+    // A boot: its shaft goes around the leg, and its toes point forwards.
+    add(stack_rings({{0.0, 0.09, 0.09, 0}, {0.05, 0.09, 0.09, 0.1}, {0.12, 0.09, 0.09, -0.3}, {0.55, 0.09, 0.09, 0}}),
         {0.2 * side, 0.0, 0.0}, mesh);
-    add(stacked({{0.70, 0.04, 0.04, 0}, {0.82, 0.04, 0.04, 0}, {0.9, 0.04, 0.04, 0}, {1.35, 0.05, 0.05, 0}}),
+    add(stack_rings({{0.70, 0.04, 0.04, 0}, {0.82, 0.04, 0.04, 0}, {0.9, 0.04, 0.04, 0}, {1.35, 0.05, 0.05, 0}}),
         {0.26 * side, 0.0, 0.0}, mesh);
   }
-  add(stacked({{1.34, arms_m, 0.06, 0}, {1.44, arms_m, 0.06, 0}}), sim::Vec3(0.0), mesh);
+  add(stack_rings({{1.34, arms_m, 0.06, 0}, {1.44, arms_m, 0.06, 0}}), sim::Vec3(0.0), mesh);
   return mesh;
 }
 
@@ -177,10 +176,10 @@ TEST(BodyGirths, ATapeIsTightGoesAroundBothLegsAndLeavesArmsOut) {
   ASSERT_FALSE(measures.levels.empty());
   const LevelTape& chest = measures.level_at(1.3);
   EXPECT_NEAR(chest.girth_m, around_ellipse(0.17, 0.13), 0.01);
-  EXPECT_EQ(chest.beside, 2U);
-  EXPECT_FALSE(chest.is_parted);
+  EXPECT_EQ(chest.arm_count, 2U);
+  EXPECT_FALSE(chest.has_legs_apart);
   EXPECT_NEAR(chest.front_m, 0.14, 0.002);
-  EXPECT_TRUE(measures.level_at(0.7).is_parted);
+  EXPECT_TRUE(measures.level_at(0.7).has_legs_apart);
   EXPECT_NEAR(measures.levels[measures.fork].height_m, 0.81, 0.012);
   EXPECT_NEAR(tight_tape_m({{0, 0}, {1, 0}, {0.5, 0.1}, {1, 1}, {0, 1}}), 4.0, 1e-12) << "over a dent";
   EXPECT_TRUE(is_in_hull(convex_hull({{0, 0}, {1, 0}, {1, 1}, {0, 1}}), {0.5, 0.9}));
@@ -191,7 +190,7 @@ TEST(BodyGirths, ArmsBeginWhereTheGirthJumps) {
   const auto upper_chest_m = [](double arms_m) {
     const sim::Mesh mesh = person(arms_m);
     const BodyMeasures measures = measure_body({mesh.positions, mesh.triangles}, {});
-    const Girth* const girth = girth_of(measures, "upper chest");
+    const Girth* const girth = find_girth(measures, "upper chest");
     return girth == nullptr ? 0.0 : girth->height_m;
   };
   EXPECT_EQ(upper_chest_m(0.17), 0.0) << "by less than 1.08";
@@ -202,11 +201,11 @@ TEST(ShapeRig, PutsJointsWhereTheyAreInPeople) {
   const sim::Mesh mesh = person(0.36);
   const Surface body = {mesh.positions, mesh.triangles};
   const BodyMeasures measures = measure_body(body, {});
-  ASSERT_NE(girth_of(measures, "thigh"), nullptr);
-  EXPECT_NEAR(girth_of(measures, "thigh")->height_m, 0.8, 0.02);
-  const std::optional<Rig> rig = rig_by_shape(body, measures);
+  ASSERT_NE(find_girth(measures, "thigh"), nullptr);
+  EXPECT_NEAR(find_girth(measures, "thigh")->height_m, 0.8, 0.02);
+  const std::optional<Rig> rig = guess_rig(body, measures);
   ASSERT_TRUE(rig);
-  const JointPlaces places = joint_places(*rig, stored_pose(*rig), {});
+  const JointPlaces places = compute_joint_positions(*rig, stored_pose(*rig), {});
   EXPECT_LT(glm::distance(places.at("left arm"), sim::Vec3(0.138, 1.409, 0.003)), 0.002);
   EXPECT_LT(glm::distance(places.at("left upleg"), sim::Vec3(0.081, 0.867, 0.0)), 0.002);
   EXPECT_LT(glm::distance(places.at("left hand"), sim::Vec3(0.3, 0.7, 0.0)), 0.002) << "the farthest";
@@ -222,27 +221,28 @@ TEST(ShapeRig, PutsJointsWhereTheyAreInPeople) {
 }
 
 TEST(BodyGirths, ATableHasNone) {
-  const sim::Mesh mesh = stacked({{0.0, 0.1, 0.1, 0}, {0.7, 0.1, 0.1, 0}, {0.71, 0.6, 0.6, 0}, {0.75, 0.6, 0.6, 0}});
+  const sim::Mesh mesh =
+      stack_rings({{0.0, 0.1, 0.1, 0}, {0.7, 0.1, 0.1, 0}, {0.71, 0.6, 0.6, 0}, {0.75, 0.6, 0.6, 0}});
   EXPECT_TRUE(measure_body({mesh.positions, mesh.triangles}, {}).girths.empty());
 }
 
-// A curve that ends where the surface does, and one around the point.
+// One curve ends where the surface ends, the other goes around the point.
 TEST(Section, TellsCurvesThatEndFromThoseThatGoAround) {
-  sim::Mesh tube = stacked({{0.0, 0.2, 0.1, 0}, {1.0, 0.2, 0.1, 0}});
-  auto curves = section_of({tube.positions, tube.triangles}, {{0.0, 0.5, 0.0}});
+  sim::Mesh tube = stack_rings({{0.0, 0.2, 0.1, 0}, {1.0, 0.2, 0.1, 0}});
+  auto curves = cut_section({tube.positions, tube.triangles}, {{0.0, 0.5, 0.0}});
   ASSERT_EQ(curves.size(), 1U);
   EXPECT_TRUE(curves[0].is_closed);
   EXPECT_TRUE(is_around_point(curves[0]));
   EXPECT_NEAR(length_m(curves[0]), around_ellipse(0.2, 0.1), 0.002);
-  EXPECT_FALSE(is_around_point(section_of({tube.positions, tube.triangles}, {{0.5, 0.5, 0.0}})[0]));
-  tube.triangles.erase(tube.triangles.begin());  // of the first side
-  curves = section_of({tube.positions, tube.triangles}, {{0.0, 0.5, 0.0}});
+  EXPECT_FALSE(is_around_point(cut_section({tube.positions, tube.triangles}, {{0.5, 0.5, 0.0}})[0]));
+  tube.triangles.erase(tube.triangles.begin());  // a triangle of the side
+  curves = cut_section({tube.positions, tube.triangles}, {{0.0, 0.5, 0.0}});
   ASSERT_EQ(curves.size(), 1U);
   EXPECT_FALSE(curves[0].is_closed);
   EXPECT_LT(length_m(curves[0]), around_ellipse(0.2, 0.1));
 }
 
-/// A mannequin whose arms point so many degrees below the horizontal and are so many times as long and thick.
+/// A mannequin whose arms point `degrees` below the horizontal and are scaled by `scale`.
 sim::Mesh with_arms(const char* mannequin, double degrees, double scale) {
   BodySource source;
   source.file = std::string(TAUT_ASSETS_FOLDER) + "/bodies/mannequin_" + mannequin + ".glb";
@@ -266,33 +266,34 @@ sim::Mesh with_arms(const char* mannequin, double degrees, double scale) {
   }
   sim::Mesh mesh{std::vector<sim::Vec3>(body.mesh.data->positions_m.size()), body.mesh.data->triangles, {}};
   std::vector<sim::Vec3> in_file(body.rig->in_part.size());
-  pose_vertices(*body.rig, turning_back(*body.rig, pose, bones).front(), in_file);
+  pose_vertices(*body.rig, make_turning_poses(*body.rig, pose, bones).front(), in_file);
   mesh.positions = placed_m(body.places, in_file);
   return mesh;
 }
 
 void expect_girths(const sim::Mesh& mesh, const BodyMeasures& truth, const std::string& which) {
-  const BodyMeasures measures = measures_of({mesh.positions, mesh.triangles}, {});
+  const BodyMeasures measures = measure_body_and_arms({mesh.positions, mesh.triangles}, {});
   for (const char* name : {"chest", "waist", "seat", "thigh"}) {
-    const Girth* const girth = girth_of(measures, name);
+    const Girth* const girth = find_girth(measures, name);
     ASSERT_NE(girth, nullptr) << name << ' ' << which;
-    EXPECT_NEAR(girth->girth_m / girth_of(truth, name)->girth_m, 1.0, 0.01) << name << ' ' << which;
+    EXPECT_NEAR(girth->girth_m / find_girth(truth, name)->girth_m, 1.0, 0.01) << name << ' ' << which;
   }
 }
 
-// Forearms that are cut obliquely have longer curves than legs; those of arms stretched out merge with the trunk.
+// Oblique sections of forearms are longer than sections of legs. Sections of arms that are stretched out merge with
+// the trunk.
 TEST(BodyGirths, AreTheSameWhereverArmsHang) {
   for (const char* mannequin : {"female_34", "male_40"}) {
     const sim::Mesh stored = with_arms(mannequin, 43.0, 1.0);
-    const BodyMeasures truth = measures_of({stored.positions, stored.triangles}, {});
+    const BodyMeasures truth = measure_body_and_arms({stored.positions, stored.triangles}, {});
     for (const double degrees : {0.0, 10.0, 25.0, 30.0, 60.0, 80.0}) {
       for (const double scale : {1.0, 1.22}) {
         const sim::Mesh mesh = with_arms(mannequin, degrees, scale);
         expect_girths(mesh, truth, fmt::format("{} {} {}", mannequin, degrees, scale));
-        const BodyMeasures measures = measures_of({mesh.positions, mesh.triangles}, {});
+        const BodyMeasures measures = measure_body_and_arms({mesh.positions, mesh.triangles}, {});
         for (const char* name : {"upper arm", "armhole"}) {
-          ASSERT_NE(girth_of(measures, name), nullptr) << name << degrees;
-          const double times = girth_of(measures, name)->girth_m / girth_of(truth, name)->girth_m;
+          ASSERT_NE(find_girth(measures, name), nullptr) << name << degrees;
+          const double times = find_girth(measures, name)->girth_m / find_girth(truth, name)->girth_m;
           EXPECT_NEAR(times, 0.5 * (1.0 + scale), 0.5 * scale - 0.42) << name << ' ' << mannequin << ' ' << degrees;
         }
       }
@@ -300,27 +301,27 @@ TEST(BodyGirths, AreTheSameWhereverArmsHang) {
   }
 }
 
-// As where the hem of a shoulder is rolled in.
+// Rolls like this arise where the hem of a shoulder is rolled in.
 TEST(BodyGirths, ARollOfClothIsNoArmhole) {
   const ArmJoints arm = {{0.2, 1.4, 0.0}, {0.2, 1.1, 0.0}, {1.0, 0.0, 0.0}};
-  sim::Mesh sleeve = stacked({{1.0, 0.09, 0.09, 0}, {1.6, 0.09, 0.09, 0}});
+  sim::Mesh sleeve = stack_rings({{1.0, 0.09, 0.09, 0}, {1.6, 0.09, 0.09, 0}});
   for (sim::Vec3& p : sleeve.positions) p.x += 0.2;
-  const auto hole = armhole_of({sleeve.positions, sleeve.triangles}, arm, 0.56);
+  const auto hole = find_armhole({sleeve.positions, sleeve.triangles}, arm, 0.56);
   ASSERT_TRUE(hole.has_value());
   EXPECT_GT(hole->tape_m, 0.5);
-  add(stacked({{1.0, 0.003, 0.003, 0}, {1.6, 0.003, 0.003, 0}}), {0.2, 0.0, 0.0}, sleeve);
-  const auto beside_roll = armhole_of({sleeve.positions, sleeve.triangles}, arm, 0.56);
+  add(stack_rings({{1.0, 0.003, 0.003, 0}, {1.6, 0.003, 0.003, 0}}), {0.2, 0.0, 0.0}, sleeve);
+  const auto beside_roll = find_armhole({sleeve.positions, sleeve.triangles}, arm, 0.56);
   ASSERT_TRUE(beside_roll.has_value());
   EXPECT_DOUBLE_EQ(beside_roll->tape_m, hole->tape_m);
 }
 
-// Hair down to the hips and shoes.
+// Hair down to the hips, and shoes.
 TEST(BodyGirths, WhatIsNoSkinIsLeftOut) {
   sim::Mesh mesh = with_arms("female_34", 43.0, 1.0);
-  const BodyMeasures truth = measures_of({mesh.positions, mesh.triangles}, {});
-  add(stacked({{0.9, 0.2, 0.15, 0}, {1.72, 0.12, 0.14, 0}}), sim::Vec3(0.0), mesh);
+  const BodyMeasures truth = measure_body_and_arms({mesh.positions, mesh.triangles}, {});
+  add(stack_rings({{0.9, 0.2, 0.15, 0}, {1.72, 0.12, 0.14, 0}}), sim::Vec3(0.0), mesh);
   for (const double side : {-1.0, 1.0}) {
-    add(stacked({{-0.02, 0.08, 0.15, 0.04}, {0.12, 0.07, 0.1, 0}}), {0.13 * side, 0.0, 0.0}, mesh);
+    add(stack_rings({{-0.02, 0.08, 0.15, 0.04}, {0.12, 0.07, 0.1, 0}}), {0.13 * side, 0.0, 0.0}, mesh);
   }
   expect_girths(mesh, truth, "with hair");
 }
@@ -330,8 +331,8 @@ struct Published {
   double neck, chest, waist, seat, biceps;
 };
 
-// The mannequins have their published girths at published heights. A tape that looks for the fullest and the
-// narrowest level by itself finds others nearby.
+// The published girths of the mannequins are at published heights. A tape that searches for the fullest and the
+// narrowest level finds levels near those.
 TEST(BodyGirths, OfTheMannequinsAreNearThePublishedOnes) {
   for (const Published& p : {Published{"male_40", 0.400, 1.053, 0.846, 1.052, 0.368},
                              Published{"female_34", 0.340, 0.925, 0.750, 1.010, 0.270},

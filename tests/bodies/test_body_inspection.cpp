@@ -1,7 +1,7 @@
 #include <cmath>
 
 #include "app/bodies/body_loading.hpp"
-#include "app/models/inspection.hpp"
+#include "app/models/inspecting/inspection.hpp"
 #include "gltf_text.hpp"
 #include "loading.hpp"
 
@@ -11,7 +11,7 @@ namespace {
 TEST(BodyInspection, SaysWhatIsInABodyAndHowItMoves) {
   const test::TemporaryFolder folder;
   test::GltfModel model = test::tube();
-  // A metre and a half in a second, then back at half that speed.
+  // The tube rises by 1.5 m in a second, then sinks at half that speed.
   model.clips = {{"Rise", {{0, "translation", {0.0F, 1.0F, 3.0F}, {0, 1, 0, 0, 2.5F, 0, 0, 1, 0}}}}};
   BodySource source;
   source.file = folder.write("body.gltf", gltf_text(model));
@@ -37,7 +37,7 @@ TEST(BodyInspection, SaysInWhichFrameABodyCrossesItself) {
   const test::TemporaryFolder folder;
   test::GltfModel model = test::tube();
   const auto half = static_cast<float>(std::sqrt(0.5));
-  // Folded over by more than half a turn, the upper end goes through the tube.
+  // The upper end is folded by more than half a turn, through the tube.
   const float c = std::cos(1.5F);
   const float s = std::sin(1.5F);
   model.clips = {

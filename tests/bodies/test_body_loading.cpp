@@ -13,7 +13,7 @@
 namespace taut::app {
 namespace {
 
-/// A tetrahedron; its faces look outwards.
+/// A tetrahedron with outward faces.
 const std::string corners = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n";
 const std::string tetrahedron = corners + "f 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
 
@@ -40,7 +40,7 @@ std::string pc2(const std::vector<Frame>& frames) {
   return out.bytes();
 }
 
-BodySource sized(double scale, ModelAxis up) {
+BodySource make_sized_body(double scale, ModelAxis up) {
   BodySource source;
   source.scale = scale;
   source.up = up;
@@ -53,7 +53,7 @@ BodySource file_source(const std::filesystem::path& file) {
   return source;
 }
 
-std::vector<sim::Vec3> frame_of(const sim::BodyMesh& body, std::size_t frame) {
+std::vector<sim::Vec3> frame_positions(const sim::BodyMesh& body, std::size_t frame) {
   std::vector<sim::Vec3> positions_m(body.data->positions_m.size());
   body.frames->positions_in(frame, positions_m);
   return positions_m;
@@ -72,12 +72,12 @@ struct BodyLoading : testing::Test {
     remarks = load_bodies(scene);
     return std::get<sim::BodyMesh>(scene.surroundings.bodies[1].shape);
   }
-  std::string error_of(const std::string& obj, const std::string& frames = "") {
-    return test::message_of<InputError>([&] { load(obj, frames); });
+  std::string error_text(const std::string& obj, const std::string& frames = "") {
+    return test::error_message<InputError>([&] { load(obj, frames); });
   }
 
   test::TemporaryFolder folder;
-  std::vector<std::string> remarks;  ///< of the body that was loaded last
+  std::vector<std::string> remarks;  ///< messages about the body that was loaded last
 };
 
 double volume_m3(const sim::BodyMeshData& mesh) {
@@ -92,7 +92,7 @@ TEST_F(BodyLoading, ReadsAMeshInItsUnitAndAxes) {
   EXPECT_EQ(load(tetrahedron).data->positions_m.size(), 4U);
   EXPECT_NEAR(volume_m3(*load(tetrahedron).data), 1.0 / 6.0, 1e-15) << "in metres where nobody says otherwise";
   const auto data =
-      load("v 9 9 9\n" + corners + "f 2 4 3\nf 2 3 5\nf 2 5 4\nf 3 4 5\n", "", sized(0.1, ModelAxis::z)).data;
+      load("v 9 9 9\n" + corners + "f 2 4 3\nf 2 3 5\nf 2 5 4\nf 3 4 5\n", "", make_sized_body(0.1, ModelAxis::z)).data;
   EXPECT_NEAR(volume_m3(*data), 1e-3 / 6.0, 1e-15);
   EXPECT_EQ(data->positions_m.size(), 4U) << "no face uses the first";
   EXPECT_NE(std::find(data->positions_m.begin(), data->positions_m.end(), sim::Vec3(0, 0.1, 0)),
@@ -118,11 +118,11 @@ TEST_F(BodyLoading, LeavesWhatWasReadAlone) {
 }
 
 TEST_F(BodyLoading, NamesWhatIsNotClosed) {
-  const std::string hole = error_of(corners + "f 1 3 2\nf 1 2 4\nf 1 4 3\n");
+  const std::string hole = error_text(corners + "f 1 3 2\nf 1 2 4\nf 1 4 3\n");
   EXPECT_CONTAINS(hole, "body 'avatar': '");
   EXPECT_CONTAINS(hole, "body.obj': found the edge from [");
   EXPECT_CONTAINS(hole, "with 1 triangle, expected two at every edge: a body has no holes");
-  const std::string fin = error_of(tetrahedron + "v 2 2 2\nf 1 2 5\n");
+  const std::string fin = error_text(tetrahedron + "v 2 2 2\nf 1 2 5\n");
   EXPECT_CONTAINS(fin, "with 3 triangles, expected two at every edge");
 }
 
@@ -146,14 +146,14 @@ TEST_F(BodyLoading, ClosesSmallHolesAndSaysWhere) {
   EXPECT_EQ(remarks.size(), 1U);
   load(cube(0.1, "f 5 7 8 6\n"));
   EXPECT_TRUE(remarks.empty());
-  EXPECT_CONTAINS(error_of(cube(0.155, "")), "with 1 triangle, expected two at every edge: a body has no holes");
+  EXPECT_CONTAINS(error_text(cube(0.155, "")), "with 1 triangle, expected two at every edge: a body has no holes");
 }
 
 TEST_F(BodyLoading, LeavesHolesOpenThatAFanCannotClose) {
   const std::string line = "v 0 0 0\nv 0.1 0 0\nv 0.05 0 0\nv 0.05 0.1 0\nv 0.05 0.05 0.1\n";
-  // The hole runs along a straight edge, there and back.
-  EXPECT_CONTAINS(error_of(line + "f 1 3 5\nf 3 2 5\nf 2 4 5\nf 4 1 5\nf 1 2 4\n"), "a body has no holes");
-  EXPECT_CONTAINS(error_of("v 0 0 0\nv 0.1 0 0\nv 0 0.1 0\nf 1 2 3\n"), "a body has no holes") << "a triangle";
+  // The hole runs along a straight edge and back.
+  EXPECT_CONTAINS(error_text(line + "f 1 3 5\nf 3 2 5\nf 2 4 5\nf 4 1 5\nf 1 2 4\n"), "a body has no holes");
+  EXPECT_CONTAINS(error_text("v 0 0 0\nv 0.1 0 0\nv 0 0.1 0\nf 1 2 3\n"), "a body has no holes") << "a triangle";
 }
 
 TEST_F(BodyLoading, TakesSeveralShells) {
@@ -175,12 +175,12 @@ TEST_F(BodyLoading, GuessesTheUnitOfAPersonAloneAndSaysIt) {
 }
 
 TEST_F(BodyLoading, NamesFacesWithoutAreaAndThoseThatAreThereTwice) {
-  EXPECT_CONTAINS(error_of(corners + "v 0.5 0 0\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\nf 1 5 2\n"),
+  EXPECT_CONTAINS(error_text(corners + "v 0.5 0 0\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\nf 1 5 2\n"),
                   "body.obj': found a face without area at [0, 0, 0]");
-  EXPECT_CONTAINS(error_of(tetrahedron + "f 1 3 2\n"), "found a triangle that is there twice");
+  EXPECT_CONTAINS(error_text(tetrahedron + "f 1 3 2\n"), "found a triangle that is there twice");
 }
 
-// As remeshing leaves them, and polygons that are split along three corners in a line.
+// Remeshing leaves such faces. So do polygons that are split along three corners in a line.
 TEST_F(BodyLoading, MendsFacesWithoutArea) {
   const sim::BodyMesh body = load(corners + "v 0.5 0 0\nf 1 3 5\nf 5 3 2\nf 1 5 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n");
   EXPECT_EQ(body.data->triangles.size(), 6U);
@@ -190,13 +190,13 @@ TEST_F(BodyLoading, MendsFacesWithoutArea) {
   }
   ASSERT_EQ(remarks.size(), 1U);
   EXPECT_CONTAINS(remarks[0], "of its faces without area 0 left out and 1 turned");
-  // Two in a row, cut along seams.
+  // Two faces without area in a row, between seams.
   const std::string row = "v 0.25 0 0\nv 0.5 0 0\nv 0 0 0\nv 1 0 0\n";
   load(corners + row + "f 1 3 5\nf 5 3 6\nf 6 3 2\nf 1 5 6\nf 1 6 2\nf 7 8 4\nf 1 4 3\nf 2 3 4\n");
   EXPECT_CONTAINS(remarks.at(0), "0 left out and 2 turned");
 }
 
-// The third vertex is there three times, each with triangles all around it.
+// The third vertex occurs three times, each time with triangles all around it.
 TEST_F(BodyLoading, LeavesOutFacesThatArePointsOrLines) {
   const sim::BodyMesh body =
       load(corners + "v 0 1 0\nv 0 1 0\nf 1 3 2\nf 1 2 4\nf 1 4 5\nf 2 6 4\nf 3 6 2\nf 3 1 5\nf 3 5 6\nf 6 5 4\n");
@@ -206,7 +206,7 @@ TEST_F(BodyLoading, LeavesOutFacesThatArePointsOrLines) {
   EXPECT_CONTAINS(remarks.at(0), "of its faces without area 4 left out and 0 turned");
 }
 
-// A Klein bottle as a torus of quads whose last ring is joined to the first the other way around.
+// A Klein bottle: a torus of quads whose last ring is joined to the first in the opposite direction.
 TEST_F(BodyLoading, NamesASurfaceWithOneSide) {
   constexpr int n = 8;
   std::string obj;
@@ -226,17 +226,17 @@ TEST_F(BodyLoading, NamesASurfaceWithOneSide) {
       obj += 'f' + vertex(i, j) + vertex(i + 1, j + 1) + vertex(i + 1, j) + '\n';
     }
   }
-  EXPECT_CONTAINS(error_of(obj), "found triangles that face different sides at the edge from [");
+  EXPECT_CONTAINS(error_text(obj), "found triangles that face different sides at the edge from [");
 }
 
 TEST_F(BodyLoading, NamesWhatIsNoModel) {
-  EXPECT_CONTAINS(error_of("v 0 nan 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"),
+  EXPECT_CONTAINS(error_text("v 0 nan 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"),
                   "body.obj': vertex 0 has a coordinate that is not finite: found [0, nan, 0], expected numbers");
-  EXPECT_CONTAINS(error_of("v 0 0 0\nv 1 0 0\n"), "it has no faces");
+  EXPECT_CONTAINS(error_text("v 0 0 0\nv 1 0 0\n"), "it has no faces");
   Scene scene;
   scene.surroundings.bodies = {{.shape = sim::BodyMesh{}}};
   scene.body_sources = {file_source(folder / "none.obj")};
-  EXPECT_CONTAINS(test::message_of<InputError>([&] { load_bodies(scene); }), "body 1: there is no file '");
+  EXPECT_CONTAINS(test::error_message<InputError>([&] { load_bodies(scene); }), "body 1: there is no file '");
 }
 
 TEST_F(BodyLoading, ReadsFramesInTheOrderOfTheFile) {
@@ -244,7 +244,7 @@ TEST_F(BodyLoading, ReadsFramesInTheOrderOfTheFile) {
   for (sim::Vec3& p : grown) {
     p *= 1.5;
   }
-  // Faces use the vertices in another order than the file has them, and one vertex is there twice.
+  // The faces use the vertices in another order than the file lists them, and one vertex occurs twice.
   Frame first = modelled;
   first.emplace_back(0, 0, 0);
   grown.emplace_back(0, 0, 0);
@@ -255,13 +255,13 @@ TEST_F(BodyLoading, ReadsFramesInTheOrderOfTheFile) {
       load(corners + "v 0 0 0\nf 4 2 3\nf 5 3 2\nf 1 2 4\nf 1 4 3\n", pc2({first, grown}), source);
   ASSERT_EQ(body.frames->count(), 2U);
   EXPECT_EQ(body.frames->rate_hz(), 24.0);
-  EXPECT_EQ(frame_of(body, 0), body.data->positions_m);
+  EXPECT_EQ(frame_positions(body, 0), body.data->positions_m);
   for (std::size_t v = 0; v < 4; ++v) {
-    EXPECT_EQ(frame_of(body, 1)[v], 1.5 * body.data->positions_m[v]);
+    EXPECT_EQ(frame_positions(body, 1)[v], 1.5 * body.data->positions_m[v]);
   }
 }
 
-// Blender writes caches with z up beside OBJ with y up, others in a left-handed system.
+// Blender writes caches with z up beside OBJ with y up. Other programs write left-handed axes.
 TEST_F(BodyLoading, GuessesTheAxesOfFramesFromTheFirst) {
   const auto written = [&](auto turned) {
     std::vector<Frame> frames = {modelled, modelled};
@@ -273,7 +273,9 @@ TEST_F(BodyLoading, GuessesTheAxesOfFramesFromTheFirst) {
     }
     return pc2(frames);
   };
-  const auto moved_to = [](const sim::BodyMesh& body) { return frame_of(body, 1)[3] - body.data->positions_m[3]; };
+  const auto moved_to = [](const sim::BodyMesh& body) {
+    return frame_positions(body, 1)[3] - body.data->positions_m[3];
+  };
   BodySource at_60_hz;
   at_60_hz.frame_rate_hz = 60.0;
   for (const auto& frames : {written([](const sim::Vec3& p) { return sim::Vec3(p.x, -p.z, p.y); }),
@@ -291,17 +293,17 @@ TEST_F(BodyLoading, GuessesTheAxesOfFramesFromTheFirst) {
 TEST_F(BodyLoading, NamesWhatIsWrongWithFrames) {
   const std::string good = pc2({modelled, modelled});
   load(tetrahedron, good);
-  EXPECT_CONTAINS(error_of(tetrahedron, pc2({{{0, 0, 0}}})), "body.pc2': found 1 vertex, expected the 4 of '");
-  EXPECT_CONTAINS(error_of(tetrahedron, good.substr(0, good.size() - 1)),
+  EXPECT_CONTAINS(error_text(tetrahedron, pc2({{{0, 0, 0}}})), "body.pc2': found 1 vertex, expected the 4 of '");
+  EXPECT_CONTAINS(error_text(tetrahedron, good.substr(0, good.size() - 1)),
                   "found 127 bytes, expected 128 for 2 frames of 4 vertices");
-  EXPECT_CONTAINS(error_of(tetrahedron, good.substr(0, 20)), "body.pc2': byte 20, the first frame: found 0 bytes");
-  EXPECT_CONTAINS(error_of(tetrahedron, "POINTCACHE3" + good.substr(11)), "what the file is: found 'POINTCACHE3");
+  EXPECT_CONTAINS(error_text(tetrahedron, good.substr(0, 20)), "body.pc2': byte 20, the first frame: found 0 bytes");
+  EXPECT_CONTAINS(error_text(tetrahedron, "POINTCACHE3" + good.substr(11)), "what the file is: found 'POINTCACHE3");
   Frame jumped = modelled;
   jumped[2] = {0, 2.5, 0};
-  EXPECT_CONTAINS(error_of(tetrahedron, pc2({modelled, modelled, jumped})),
+  EXPECT_CONTAINS(error_text(tetrahedron, pc2({modelled, modelled, jumped})),
                   "frame 2, vertex 2: found at [0, 2.5, 0] m, 1.5 m from where it is in the frame before");
   jumped[2].x = NAN;
-  EXPECT_CONTAINS(error_of(tetrahedron, pc2({modelled, jumped})),
+  EXPECT_CONTAINS(error_text(tetrahedron, pc2({modelled, jumped})),
                   "body.pc2': frame 1, vertex 2: found at [nan, 2.5, 0], expected numbers");
 }
 

@@ -1,4 +1,4 @@
-// Motions of joints on a body with joints of its own, against positions computed here.
+// BVH motions on a body with joints of its own, against positions computed here.
 
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -14,7 +14,8 @@ using test::GltfModel;
 
 constexpr double tolerance_m = 1e-6;
 
-/// In centimetres; the foot hangs 50 below hips that are 50 over the floor: half as large as the tube.
+/// A skeleton in centimetres, half as large as the tube: the hips are 50 above the floor, and the foot hangs 50 below
+/// them.
 std::string bvh(const std::string& names_and_root, const std::string& frames) {
   return "HIERARCHY\nROOT " + names_and_root + "MOTION\n" + frames;
 }
@@ -43,7 +44,7 @@ struct Bvh : testing::Test {
     source.motion = folder.write("walk.bvh", motion);
     return source;
   }
-  std::string error_of_motion(const std::string& motion) const { return error_of(source_of(test::tube(), motion)); }
+  std::string error_of_motion(const std::string& motion) const { return error_text(source_of(test::tube(), motion)); }
   test::TemporaryFolder folder;
 };
 
@@ -58,12 +59,12 @@ TEST_F(Bvh, TurnsJointsFromTheStoredPoseInTheAxesOfTheScene) {
   const std::vector<sim::Vec3> second_m = body.positions_m(0.5);
   const std::vector<sim::Vec3> third_m = body.positions_m(1.5);
   const sim::Vec3 hips(0, 1, 0);
-  const sim::Vec3 spine(0, 0.5, 0);  // from the hips
+  const sim::Vec3 spine(0, 0.5, 0);  // offset from the hips
   for (std::size_t v = 0; v < model.positions.size(); ++v) {
     const sim::Vec3& p = model.positions[v];
     const double share = upper_share(p);
     EXPECT_LT(glm::distance(zero_m[v], p), tolerance_m) << v;
-    // Twice as large: hips that go 5 cm go 10.
+    // The body is twice as large as the skeleton: 5 cm of the skeleton's hips move the body's by 10 cm.
     const sim::Vec3 bent = hips + spine + about_z(p - hips - spine);
     EXPECT_LT(glm::distance(second_m[v], sim::Vec3(0.1, 0.2, 0) + (1.0 - share) * p + share * bent), tolerance_m) << v;
     const sim::Vec3 with_hips = hips + about_y(p - hips);
@@ -76,28 +77,28 @@ TEST_F(Bvh, TurnsJointsFromTheStoredPoseInTheAxesOfTheScene) {
 
 TEST_F(Bvh, OrderOfChannelsIsTheOrderOfRotations) {
   const GltfModel model = test::tube();
-  const auto furthest_m = [&](const std::string& channels, const std::string& numbers, const auto& turned) {
+  const auto max_distance_m = [&](const std::string& channels, const std::string& numbers, const auto& turned) {
     const std::vector<sim::Vec3> shown_m =
         load(source_of(model, bvh("Hips\n{\nOFFSET 0 0 0\nCHANNELS 3 " + channels + "\n}\n",
                                   "Frames: 1\nFrame Time: 1\n" + numbers + "\n")))
             .positions_m(0.0);
-    double furthest_m = 0.0;
+    double max_distance_m = 0.0;
     for (std::size_t v = 0; v < shown_m.size(); ++v) {
       const sim::Vec3 expected_m = turned(model.positions[v] - model.positions[0]);
-      furthest_m = std::max(furthest_m, glm::distance(shown_m[v] - shown_m[0], expected_m));
+      max_distance_m = std::max(max_distance_m, glm::distance(shown_m[v] - shown_m[0], expected_m));
     }
-    return furthest_m;
+    return max_distance_m;
   };
-  EXPECT_LT(
-      furthest_m("Zrotation Xrotation Yrotation", "90 90 0", [](const sim::Vec3& d) { return about_z(about_x(d)); }),
-      tolerance_m);
-  EXPECT_LT(
-      furthest_m("Xrotation Yrotation Zrotation", "90 0 90", [](const sim::Vec3& d) { return about_x(about_z(d)); }),
-      tolerance_m);
-  EXPECT_LT(furthest_m("Yrotation Zrotation Xrotation", "90 0 0", about_y), tolerance_m);
+  EXPECT_LT(max_distance_m("Zrotation Xrotation Yrotation", "90 90 0",
+                           [](const sim::Vec3& d) { return about_z(about_x(d)); }),
+            tolerance_m);
+  EXPECT_LT(max_distance_m("Xrotation Yrotation Zrotation", "90 0 90",
+                           [](const sim::Vec3& d) { return about_x(about_z(d)); }),
+            tolerance_m);
+  EXPECT_LT(max_distance_m("Yrotation Zrotation Xrotation", "90 0 0", about_y), tolerance_m);
 }
 
-// The same body lying in its file with z up moves in the same way.
+// The same body moves in the same way if its file has z up.
 TEST_F(Bvh, KnowsWhichWayIsUpInTheBody) {
   const GltfModel model = test::tube();
   GltfModel lying = model;
@@ -138,11 +139,11 @@ TEST_F(Bvh, KnowsWhichWayIsUpInTheMotion) {
   }
 }
 
-// Recorded motions have the root's zero pose at the origin, and walk from anywhere.
+// Recorded motions have the root's zero pose at the origin and may begin anywhere.
 TEST_F(Bvh, HipsBeginWhereTheBodyIs) {
   std::string recorded = skeleton;
   recorded.replace(recorded.find("0 50 0"), 6, "0 0 0");
-  // Both have the joint of the foot over the ground.
+  // The joint of the foot is above the ground in the motion and in the model.
   recorded.replace(recorded.find("0 -50 0"), 7, "0 -40 0");
   GltfModel model = test::tube();
   model.joints[2].translation.y = -0.8;
@@ -173,7 +174,7 @@ TEST_F(Bvh, RefusesAMotionOfAnotherSkeleton) {
                   "Hips, Spine, LeftFoot");
   GltfModel still = test::tube();
   still.weights.clear();
-  EXPECT_CONTAINS(error_of(source_of(still, bvh(skeleton, frames))), "a body whose vertices follow no joints");
+  EXPECT_CONTAINS(error_text(source_of(still, bvh(skeleton, frames))), "a body whose vertices follow no joints");
 }
 
 TEST_F(Bvh, NamesTheLineOfWhatIsWrong) {

@@ -1,16 +1,16 @@
-// Bodies that grow into the clothes before the run.
+// Bodies that grow into their clothes before the run.
 
 #include <cmath>
 #include <glm/ext/matrix_transform.hpp>
 #include <glm/geometric.hpp>
 #include <numeric>
 
-#include "app/bodies/dressing.hpp"
 #include "app/drawing/drawn_scene.hpp"
+#include "app/garments/dressing/dressing.hpp"
 #include "app/models/garment_loading.hpp"
-#include "app/models/inspection.hpp"
-#include "app/models/scene_crossings.hpp"
-#include "app/output/run_checkpoint.hpp"
+#include "app/models/inspecting/inspection.hpp"
+#include "app/models/inspecting/scene_crossings.hpp"
+#include "app/runs/run_checkpoint.hpp"
 #include "gltf_text.hpp"
 #include "loading.hpp"
 
@@ -19,7 +19,7 @@ namespace {
 
 using test::GltfModel;
 
-/// How far a point is from the axis of the tube.
+/// Distance of a point from the axis of the tube.
 double from_axis(const sim::Vec3& p) { return glm::length(sim::Vec3(p.x, 0.0, p.z)); }
 
 struct Dressing : testing::Test {
@@ -29,8 +29,7 @@ struct Dressing : testing::Test {
     source.dress = 30;
     return source;
   }
-  /// An octagon of cloth around a vertical axis at this x, wide enough for the tube, which grows in 60
-  /// frames.
+  /// An octagon of cloth around a vertical axis at this x. It is wide enough for the tube, which grows in 60 frames.
   DrawnScene ring_at(double x_m) const {
     folder.write("body.gltf", gltf_text(test::tube()));
     std::string ring;
@@ -58,7 +57,7 @@ TEST_F(Dressing, AStillBodyGrowsFromItsBones) {
   const GltfModel model = test::tube();
   const LoadedBody body = load(source_of(model));
   const auto thin_m = body.positions_m(-0.5);
-  const auto half_m = body.positions_m(-0.3);  // it is grown at -0.1 s
+  const auto half_m = body.positions_m(-0.3);  // the body has full size from -0.1 s on
   const auto full_m = body.positions_m(0.0);
   for (std::size_t v = 0; v < model.positions.size(); ++v) {
     const sim::Vec3& p = model.positions[v];
@@ -92,14 +91,14 @@ TEST_F(Dressing, AMotionBeginsWhenTheBodyHasGrown) {
   EXPECT_NEAR(dressed.positions_m(-0.5)[0].y, 0.5, 1e-6) << "it grows in the pose that the motion begins with";
 }
 
-// Half a turn: vertices go straight from pose to pose and come no nearer to the joint than by 2 %.
+// Half a turn. Vertices move straight from pose to pose and come nearer to the joint by at most 2 %.
 TEST(TurningBack, GoesThroughPosesThatAreNear) {
   Rig rig;
   rig.nodes = {{"Arm", no_node, glm::dmat4(1.0)}, {"Hand", 0, glm::dmat4(1.0)}};
   RigPose pose = stored_pose(rig);
   pose.to_model[1][3] = glm::dvec4(1.0, 0.0, 0.0, 1.0);
   const std::vector<TurnedBone> bones = {{0, 1, {-1.0, 0.01, 0.0}}};
-  std::vector<RigPose> poses = turning_back(rig, pose, bones);
+  std::vector<RigPose> poses = make_turning_poses(rig, pose, bones);
   ASSERT_EQ(poses.size(), 8U);
   EXPECT_NEAR(poses[0].to_model[1][3].x, -1.0, 1e-3) << "it begins where it shall point";
   poses.push_back(pose);
@@ -111,10 +110,10 @@ TEST(TurningBack, GoesThroughPosesThatAreNear) {
 TEST_F(Dressing, NeedsJoints) {
   GltfModel model = test::tube();
   model.weights.clear();
-  EXPECT_CONTAINS(error_of(source_of(model)), "found a body to be dressed (dress, --dress) without joints; expected");
+  EXPECT_CONTAINS(error_text(source_of(model)), "found a body to be dressed (dress, --dress) without joints; expected");
   BodySource source = source_of(test::tube());
   source.file = folder.write("body.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n");
-  EXPECT_CONTAINS(error_of(source), "without joints");
+  EXPECT_CONTAINS(error_text(source), "without joints");
 }
 
 TEST_F(Dressing, ClothThatBeganInTheBodyIsAroundItAtFrame0) {
@@ -143,14 +142,15 @@ TEST_F(Dressing, ClothThatCrossesTheBodyWhenItHasGrownEndsTheRun) {
   DrawnScene scene = ring_at(0.25);
   const LoadedGarment loaded = load_garment(scene);
   sim::Simulation simulation = make_simulation(scene, loaded);
-  EXPECT_CONTAINS(test::message_of<PromiseBroken>([&] { go_to_start(scene, simulation); }), "when it is dressed, ");
+  EXPECT_CONTAINS(test::error_message<PromiseBroken>([&] { go_to_start(scene, simulation); }), "when it is dressed, ");
   scene.simulation.solver.bounded.allow_crossing = true;
   sim::Simulation allowed = make_simulation(scene, loaded);
   EXPECT_EQ(go_to_start(scene, allowed), 0);
 }
 
-/// Two upright square tubes, each with a joint in its middle, whose walls are so far apart: legs, or fingers of a hand.
-std::optional<RoomForCloth> room_between(double gap_m, bool are_fingers = false, int garments = 1) {
+/// Clearance for two upright square tubes whose walls are `gap_m` apart. Each has a joint in its middle: a leg, or a
+/// finger of one hand.
+std::optional<ClearanceResult> room_between(double gap_m, bool are_fingers = false, int garments = 1) {
   Rig rig;
   if (are_fingers) {
     rig.nodes.push_back({"LeftHand", no_node, glm::dmat4(1.0)});
@@ -183,16 +183,16 @@ std::optional<RoomForCloth> room_between(double gap_m, bool are_fingers = false,
   places.file_vertex.resize(rig.in_part.size());
   std::iota(places.file_vertex.begin(), places.file_vertex.end(), 0U);
   const std::vector<RigPose> poses = {stored_pose(rig)};
-  return leave_room(rig, poses, places, triangles, garments);
+  return leave_clearance(rig, poses, places, triangles, garments);
 }
 
-TEST(RoomForCloth, IsLeftBetweenLimbsThatTouch) {
+TEST(ClearanceResult, IsLeftBetweenLimbsThatTouch) {
   EXPECT_FALSE(room_between(0.05));
   const auto room = room_between(0.001);
   ASSERT_TRUE(room);
   EXPECT_GT(room->vertices, 10U);
-  EXPECT_GT(room->most_m, 0.002);
-  EXPECT_LT(room->most_m, 0.03);
+  EXPECT_GT(room->max_distance_m, 0.002);
+  EXPECT_LT(room->max_distance_m, 0.03);
   EXPECT_FALSE(room_between(0.001, true)) << "no cloth goes there";
   EXPECT_FALSE(room_between(0.012));
   EXPECT_TRUE(room_between(0.012, false, 2)) << "another garment is worn over it";

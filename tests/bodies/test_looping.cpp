@@ -11,7 +11,7 @@ namespace taut::app {
 namespace {
 
 struct Looping : testing::Test {
-  /// A tube that rises and sinks to these heights, half a second each, two frames a second.
+  /// A tube that moves up and down to these heights, half a second for each, at two frames a second.
   BodySource source_of(const std::vector<float>& heights_m) const {
     test::GltfModel model = test::tube();
     std::vector<float> times_s;
@@ -27,7 +27,7 @@ struct Looping : testing::Test {
     source.loop = true;
     return source;
   }
-  /// Where a vertex is in each frame from 0 s on, above where it is at 0 s.
+  /// Height of a vertex in each frame above its height at 0 s, in mm.
   static std::vector<int> millimetres(const LoadedBody& body, int frames) {
     std::vector<int> heights;
     for (int frame = 0; frame < frames; ++frame) {
@@ -65,7 +65,7 @@ TEST_F(Looping, RepeatsFromItsFirstFrameAndSaysHowFarThatIs) {
 
 TEST_F(Looping, RefusesAJumpThatIsTooFarForAFrame) {
   const BodySource far = source_of({1.0F, 1.6F, 2.2F});
-  EXPECT_CONTAINS(error_of(far),
+  EXPECT_CONTAINS(error_text(far),
                   "body.gltf': found a motion to be repeated (loop, --body-loop) whose last frame is up to 1.2 m "
                   "from its first, expected at most 1 m");
 }
@@ -94,7 +94,7 @@ TEST_P(MotionsOfMannequins, RepeatWithoutAJump) {
   const LoopBegin begin = find_loop_begin(*body.mesh().frames, body.mesh().data->positions_m.size());
   EXPECT_TRUE(begin.meets);
   EXPECT_EQ(begin.frame, 15U) << "what is before leads into it";
-  EXPECT_LT(begin.furthest_m, 1e-5);
+  EXPECT_LT(begin.max_distance_m, 1e-5);
 }
 
 INSTANTIATE_TEST_SUITE_P(Motions, MotionsOfMannequins,

@@ -1,4 +1,4 @@
-// Files that hold the vertices of each frame.
+// Point caches: files that hold the vertices of each frame.
 
 #include <array>
 #include <bit>
@@ -6,7 +6,7 @@
 #include <thread>
 
 #include "app/bodies/frame_source.hpp"
-#include "app/models/import_process.hpp"
+#include "app/models/reading/import_process.hpp"
 #include "loading.hpp"
 #include "sim/bytes.hpp"
 
@@ -16,7 +16,7 @@ namespace {
 const std::string corners = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n";
 const std::string tetrahedron = corners + "f 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
 
-/// The frames of the tetrahedron, which moves along x from one frame to the next.
+/// Frames of the tetrahedron, which moves along x by `step_m` in each frame.
 std::string pc2(std::size_t frames, double step_m) {
   std::string bytes = pc2_header({4, frames, 0});
   for (std::size_t k = 0; k < frames; ++k) {
@@ -38,8 +38,8 @@ struct PointCaches : testing::Test {
 };
 
 TEST_F(PointCaches, AFrameInWhichAVertexJumpsIsNamed) {
-  EXPECT_EQ(error_of(source_of("walk.PC2", pc2(3, 0.1))), "");
-  EXPECT_CONTAINS(error_of(source_of("walk.pc2", pc2(3, 1.5))),
+  EXPECT_EQ(error_text(source_of("walk.PC2", pc2(3, 0.1))), "");
+  EXPECT_CONTAINS(error_text(source_of("walk.pc2", pc2(3, 1.5))),
                   "walk.pc2': frame 1, vertex 0: found at [1.5, 0, 0] m, 1.5 m from where");
 }
 
@@ -48,7 +48,7 @@ TEST_F(PointCaches, OneFrameIsSaid) {
 }
 
 TEST_F(PointCaches, OtherEndingsAreRefused) {
-  EXPECT_CONTAINS(error_of(source_of("walk.abc", "x")), "walk.abc': expected a motion that ends in .pc2 or .bvh");
+  EXPECT_CONTAINS(error_text(source_of("walk.abc", "x")), "walk.abc': expected a motion that ends in .pc2 or .bvh");
 }
 
 TEST_F(PointCaches, AFileThatShrinksDuringTheRunIsNamed) {
@@ -57,7 +57,7 @@ TEST_F(PointCaches, AFileThatShrinksDuringTheRunIsNamed) {
   std::vector<sim::Vec3> positions(4);
   frames->read(4, positions);
   std::filesystem::resize_file(source.motion, 200);
-  EXPECT_CONTAINS(test::message_of<InputError>([&] { frames->read(4, positions); }),
+  EXPECT_CONTAINS(test::error_message<InputError>([&] { frames->read(4, positions); }),
                   "walk.pc2': found 0 bytes from byte 224 on, expected 48; it was changed while it was read");
 }
 
@@ -78,7 +78,7 @@ TEST_F(PointCaches, MemoryDoesNotGrowWithTheLengthOfAMotion) {
     header.append(bytes.begin(), bytes.end());
   }
   std::ofstream(source.motion, std::ios::binary) << header;
-  std::filesystem::resize_file(source.motion, header.size() + frames * 4 * 12);  // of zeros
+  std::filesystem::resize_file(source.motion, header.size() + frames * 4 * 12);  // the added bytes are zeros
   const std::size_t before = resident_bytes();
   const auto cache = open_pc2(source.motion);
   std::vector<sim::Vec3> positions(4, sim::Vec3(1.0));
@@ -90,7 +90,7 @@ TEST_F(PointCaches, MemoryDoesNotGrowWithTheLengthOfAMotion) {
   for (std::size_t frame = 0; frame < placed->count(); ++frame) {
     placed->positions_in(frame, positions);
   }
-  // All frames at once take 12 MB and more. Sanitizers keep what was given back.
+  // All frames together take at least 12 MB. Sanitizers keep memory that was freed.
   if (memory_is_limited) {
     EXPECT_LT(resident_bytes(), before + 2'000'000);
   }

@@ -14,7 +14,7 @@ using test::GltfModel;
 
 const double half = std::sqrt(0.5);
 
-/// Numbers in the file are of single precision.
+/// Numbers in the file have single precision.
 constexpr double tolerance_m = 1e-6;
 
 sim::Vec3 turned_about_z(const sim::Vec3& p, const sim::Vec3& about, double angle) {
@@ -23,15 +23,16 @@ sim::Vec3 turned_about_z(const sim::Vec3& p, const sim::Vec3& about, double angl
                            std::sin(angle) * d.x + std::cos(angle) * d.y, d.z);
 }
 
-/// Where a vertex of the tube is with its spine turned about z and the hips moved. The hips take all along.
+/// Position of a vertex of the tube after the spine rotated about z and the hips moved. All vertices move with the
+/// hips.
 sim::Vec3 bent(const sim::Vec3& p, double angle, const sim::Vec3& hips_moved = sim::Vec3(0.0)) {
   const double upper = std::clamp(2.0 * (p.y - 1.0), 0.0, 1.0);
   return hips_moved + (1.0 - upper) * p + upper * turned_about_z(p, {0, 1.5, 0}, angle);
 }
 
-/// In a second the spine turns a quarter about z, in the axes of the model.
+/// A clip in which the spine rotates by a quarter turn about the model's z axis in one second.
 GltfModel::Clip bending(const std::string& name) {
-  // A quarter about z after the quarter about y at rest.
+  // A quarter turn about z after the quarter turn about y of the rest pose.
   return {name,
           {{1,
             "rotation",
@@ -90,14 +91,13 @@ TEST_F(Rigs, AClipIsChosenByItsName) {
   source.clip = "none";
   EXPECT_EQ(load(source).mesh().frames, nullptr);
   source.clip = "Walk";
-  EXPECT_CONTAINS(
-      error_of(source),
-      "body.gltf': it has no animation 'Walk'; expected one of those it has: 'Rise' (2 s), 'Bend' (1 s)");
+  EXPECT_CONTAINS(error_text(source),
+                  "body.gltf': it has no animation 'Walk'; expected one of those it has: 'Rise' (2 s), 'Bend' (1 s)");
   model.clips.clear();
   source = source_of(model);
   EXPECT_EQ(load(source).mesh().frames, nullptr);
   source.clip = "Walk";
-  EXPECT_CONTAINS(error_of(source), "expected one of those it has: none");
+  EXPECT_CONTAINS(error_text(source), "expected one of those it has: none");
 }
 
 TEST_F(Rigs, AMotionBeginsLaterIfItIsAskedTo) {
@@ -110,7 +110,7 @@ TEST_F(Rigs, AMotionBeginsLaterIfItIsAskedTo) {
   EXPECT_LT(glm::distance(body.positions_m(0.0).back(), bent({0, 2, 0}, 0.25 * 3.14159265358979)),
             tolerance_m);
   source.start_s = 1.1;
-  EXPECT_CONTAINS(error_of(source), "found start = 1.1 s, expected a time of the motion, which ends at 1 s");
+  EXPECT_CONTAINS(error_text(source), "found start = 1.1 s, expected a time of the motion, which ends at 1 s");
 }
 
 TEST_F(Rigs, ShapesAreMixedIn) {
@@ -130,20 +130,19 @@ TEST_F(Rigs, ShapesAreMixedIn) {
 TEST_F(Rigs, WeightsThatDoNotSumToOneAreRefusedWithTheirVertex) {
   GltfModel model = test::tube();
   model.weights[5] = {{0, 0.5F}};
-  EXPECT_CONTAINS(error_of(source_of(model)), "vertex 5 of its mesh 'tube");
-  EXPECT_CONTAINS(error_of(source_of(model)), "sum to 0.5, expected 1");
+  EXPECT_CONTAINS(error_text(source_of(model)), "vertex 5 of its mesh 'tube");
+  EXPECT_CONTAINS(error_text(source_of(model)), "sum to 0.5, expected 1");
   model.weights[5] = {};
-  EXPECT_CONTAINS(error_of(source_of(model)), "sum to 0, expected 1");
+  EXPECT_CONTAINS(error_text(source_of(model)), "sum to 0, expected 1");
   model.weights[5] = {{0, 0.25F}, {1, 0.746F}};
-  EXPECT_EQ(error_of(source_of(model)), "") << "as 8 bits round it";
+  EXPECT_EQ(error_text(source_of(model)), "") << "as 8 bits round it";
 }
 
 TEST_F(Rigs, JointsThatMoveNothingAreRefused) {
   GltfModel model = test::tube();
   model.weights.clear();
   model.clips = {bending("Bend")};
-  EXPECT_CONTAINS(error_of(source_of(model)),
-                  "its animation 'Bend' moves 1 nodes, and no vertex follows any");
+  EXPECT_CONTAINS(error_text(source_of(model)), "its animation 'Bend' moves 1 nodes, and no vertex follows any");
 }
 
 TEST_F(Rigs, TheHeightOfADollAndOfAHouseIsSaid) {
@@ -163,7 +162,7 @@ TEST_F(Rigs, TheHeightOfADollAndOfAHouseIsSaid) {
 TEST(Rotations, GoAlongTheShorterArcAtAConstantRate) {
   const glm::dvec4 from(0, 0, 0, 1);
   for (const double share : {0.0, 0.1, 0.5, 0.7, 1.0}) {
-    const double angle = 0.9 * share;  // half of that between the rotations
+    const double angle = 0.9 * share;  // half of the angle between the rotations
     const glm::dvec4 expected(std::sin(angle), 0, 0, std::cos(angle));
     const glm::dvec4 to(std::sin(0.9), 0, 0, std::cos(0.9));
     EXPECT_LT(glm::length(rotation_between(from, to, share) - expected), 1e-14) << share;
@@ -171,7 +170,7 @@ TEST(Rotations, GoAlongTheShorterArcAtAConstantRate) {
   }
 }
 
-// Blender writes the joints and the shapes of one action as two animations of glTF.
+// Blender writes the joints and the shapes of one action as two glTF animations.
 TEST(RigClips, AllAreLookedAtAtOnce) {
   const test::TemporaryFolder folder;
   GltfModel model = test::tube();
@@ -189,7 +188,7 @@ TEST(RigClips, AllAreLookedAtAtOnce) {
   EXPECT_LT(glm::distance(moved_m("all", 9.0), sim::Vec3(0.0, 0.5, 0.25)), tolerance_m) << "the longer";
 }
 
-// For a file in another unit than its format has.
+// The height in the message reveals a file in another unit than its format prescribes.
 TEST(RigClips, AJumpOfABodyThatIsNoPersonsSizeIsSaidWithItsHeight) {
   const test::TemporaryFolder folder;
   GltfModel model = test::tube();
@@ -197,10 +196,10 @@ TEST(RigClips, AJumpOfABodyThatIsNoPersonsSizeIsSaidWithItsHeight) {
   BodySource source;
   source.file = folder.write("body.gltf", gltf_text(model));
   source.scale = 100.0;
-  EXPECT_CONTAINS(error_of(source), "expected at most 1 m; it is 200 m high (scale, --body-units)");
+  EXPECT_CONTAINS(error_text(source), "expected at most 1 m; it is 200 m high (scale, --body-units)");
 }
 
-/// A tetrahedron as FBX, with a shape that is `percent` mixed in and moves its first vertex up by 1.
+/// A tetrahedron as FBX. Its shape is mixed in by `percent` % and moves the first vertex up by 1.
 std::string fbx_with_shape(int percent) {
   return R"(; FBX 7.4.0 project file
 FBXHeaderExtension:  { FBXVersion: 7400 }
@@ -237,18 +236,18 @@ Connections:  {
 )";
 }
 
-// assimp says of each that all of it is.
+// The importer assimp reports each of these shapes as fully mixed in.
 TEST(RigOfFbx, ShapesAreNotMixedInByThemselves) {
   const test::TemporaryFolder folder;
   for (const int percent : {0, 40}) {
     BodySource source;
     source.file = folder.write("body.fbx", fbx_with_shape(percent));
     const LoadedBody body = load(source);
-    double lowest_m = 1.0;
+    double min_height_m = 1.0;
     for (const sim::Vec3& place_m : body.positions_m(0.0)) {
-      lowest_m = std::min(lowest_m, place_m.y);
+      min_height_m = std::min(min_height_m, place_m.y);
     }
-    EXPECT_EQ(lowest_m, 0.0) << percent;
+    EXPECT_EQ(min_height_m, 0.0) << percent;
     EXPECT_CONTAINS(body.said(), "none of its shapes is mixed in: how much of them is not read from FBX");
   }
 }

@@ -2,12 +2,12 @@
 
 #include <stdexcept>
 
-#include "app/models/model_arrays.hpp"
+#include "app/models/reading/model_arrays.hpp"
 
 namespace taut::app {
 namespace {
 
-/// With one of everything.
+/// A model with one element of every kind.
 ModelArrays small_model() {
   ModelArrays model;
   model.positions = {{1, 2, 3}, {4, 5, 6}};

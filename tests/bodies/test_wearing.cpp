@@ -1,15 +1,15 @@
-// Garments that are put on bodies they do not lie about.
+// Garments that do not surround the body at first and are put on it.
 
 #include <algorithm>
 #include <glm/geometric.hpp>
 
 #include "../models/garment_shapes.hpp"
-#include "app/bodies/fit.hpp"
-#include "app/bodies/wearing.hpp"
-#include "app/models/file_mesh.hpp"
-#include "app/models/garment_measures.hpp"
-#include "app/models/scene_crossings.hpp"
-#include "app/output/run_checkpoint.hpp"
+#include "app/garments/dressing/fit.hpp"
+#include "app/garments/dressing/wearing.hpp"
+#include "app/models/hanging/garment_measures.hpp"
+#include "app/models/inspecting/scene_crossings.hpp"
+#include "app/models/reading/file_mesh.hpp"
+#include "app/runs/run_checkpoint.hpp"
 #include "loading.hpp"
 
 namespace taut::app {
@@ -17,7 +17,7 @@ namespace {
 
 const std::filesystem::path assets = TAUT_ASSETS_FOLDER;
 
-/// A garment and a body to be dressed.
+/// A garment, the body that wears it, and the messages.
 struct Fitting {
   Scene scene;
   LoadedGarment loaded;
@@ -28,7 +28,7 @@ struct Fitting {
     const Surface cloth = {places_m(), loaded.garment->mesh.triangles};
     return scene_crossings(cloth, scene.surroundings.bodies, time_s).back().pairs.size();
   }
-  std::vector<FitRow> fit() const { return fit_of(scene, *loaded.garment, places_m()); }
+  std::vector<FitRow> fit() const { return compute_fit(scene, *loaded.garment, places_m()); }
 };
 
 struct Wearing : testing::Test {
@@ -48,7 +48,7 @@ struct Wearing : testing::Test {
     return fitting;
   }
 
-  /// The T-shirt in a file of its own, without landmarks.
+  /// Writes the T-shirt, moved by `go`, as a file without landmarks.
   std::filesystem::path shirt(const std::function<sim::Vec3(const sim::Vec3&)>& go) const {
     Scene scene;
     scene.garment.file = assets / "garments/tshirt_1028.obj";
@@ -60,11 +60,11 @@ struct Wearing : testing::Test {
     return folder.write("garment.obj", obj_text(mesh, mesh.positions));
   }
 
-  /// The body stands turned by this angle.
+  /// Rotates the body by this angle about its vertical axis.
   void turn(double degrees) { motion.spin = {.turns_per_s = degrees / 360.0, .from_s = -9.0, .until_s = -8.0}; }
-  /// Returns the message when the skirt, which is wider than deep, is put on by a body that stands so.
+  /// Returns the message when the skirt, which is wider than deep, is put on a body that is rotated by this angle.
   std::string said_of_skirt(const sim::Vec3& at_m, double degrees) {
-    sim::Mesh mesh = test::moved(test::skirt(), at_m);
+    sim::Mesh mesh = test::translate(test::skirt(), at_m);
     for (sim::Vec3& p : mesh.positions) {
       p.x += 0.2 * (p.x - at_m.x);
     }
@@ -93,7 +93,7 @@ TEST_F(Wearing, AGarmentComesToTheBodyFromAnywhere) {
   ASSERT_EQ(from_far.said.size(), 1U);
   EXPECT_CONTAINS(from_far.said[0], "it is moved by 3.2 m, so that its neck is at that of the body 'male_40'");
   EXPECT_EQ(from_far.crossings(-1.5), 0U);
-  const GarmentMarks marks = marks_of(*from_far.loaded.garment, from_far.places_m(), {});
+  const GarmentMarks marks = find_garment_marks(*from_far.loaded.garment, from_far.places_m(), {});
   EXPECT_NEAR(marks.top->upper.y, 1.64, 1e-6) << "as high as the joint of the neck";
   const Fitting turned = put(shirt([](const sim::Vec3& p) { return sim::Vec3(-p.x, p.y, -p.z); }), "male_40");
   EXPECT_CONTAINS(turned.said.at(0), "turned about the vertical");
@@ -142,9 +142,9 @@ TEST_F(Wearing, ABodyWithoutJointsGrowsFromThoseOfItsShape) {
   EXPECT_CONTAINS(remarks[0], "those that it grows from are guessed from its shape");
   LoadedGarment loaded = load_garment(scene);
   put_on(loaded, scene);
-  const JointPlaces found = joint_places(*scene.wearers[0]->rig, scene.wearers[0]->pose, {});
+  const JointPlaces found = compute_joint_positions(*scene.wearers[0]->rig, scene.wearers[0]->pose, {});
   const Wearer& known = *person.scene.wearers[0];
-  const JointPlaces there = joint_places(*known.rig, known.pose, known.places.placement);
+  const JointPlaces there = compute_joint_positions(*known.rig, known.pose, known.places.placement);
   for (const char* joint : {"neck", "left arm", "right arm"}) {
     EXPECT_LT(glm::distance(found.at(joint), there.at(joint)), 0.06) << joint;
   }
@@ -159,7 +159,7 @@ TEST_F(Wearing, ABodyIsLedFromWhereTheGarmentLiesToItsMotion) {
   ASSERT_EQ(worn.said.size(), 1U);
   EXPECT_CONTAINS(worn.said[0], "is led to the first frame of its motion");
   EXPECT_EQ(worn.crossings(-1.5), 0U);
-  EXPECT_NEAR(sim::extent_of(worn.places_m()).lower.y, 1.0, 0.2) << "it is not moved";
+  EXPECT_NEAR(sim::compute_extent(worn.places_m()).lower.y, 1.0, 0.2) << "it is not moved";
 }
 
 TEST_F(Wearing, ArmsBeginInTheSleeves) {
@@ -180,7 +180,7 @@ TEST_F(Wearing, ArmsBeginInTheSleeves) {
 TEST_F(Wearing, WhatIsTooSmallByItsGirthsIsRefusedBeforeTheFirstFrame) {
   Fitting worn = put(tshirt, "male_40", 0.8);
   sim::Simulation simulation = make_simulation(worn.scene, worn.loaded);
-  const std::string error = test::message_of<InputError>([&] { go_to_start(worn.scene, simulation); });
+  const std::string error = test::error_message<InputError>([&] { go_to_start(worn.scene, simulation); });
   EXPECT_CONTAINS(error, "the garment cannot be put on: found ");
   EXPECT_CONTAINS(error, "chest 102.6 cm in a garment of ");
   EXPECT_CONTAINS(error, "stretched by at most solver.max_stretch = ");
@@ -188,9 +188,9 @@ TEST_F(Wearing, WhatIsTooSmallByItsGirthsIsRefusedBeforeTheFirstFrame) {
 
 TEST_F(Wearing, WhatIsTooSmallSaysWhere) {
   Fitting worn = put(tshirt, "male_40", 0.93);
-  worn.scene.simulation.solver.max_substeps = 40;  // it gives up sooner
+  worn.scene.simulation.solver.max_substeps = 40;  // the run gives up sooner
   sim::Simulation simulation = make_simulation(worn.scene, worn.loaded);
-  const std::string error = test::message_of<PromiseBroken>([&] { go_to_start(worn.scene, simulation); });
+  const std::string error = test::error_message<PromiseBroken>([&] { go_to_start(worn.scene, simulation); });
   EXPECT_CONTAINS(error, "while it is dressed, in frame ");
   EXPECT_CONTAINS(error, "; it does not fit: ");
   EXPECT_CONTAINS(error, "upper chest 111.9 cm in a garment of 109.8 cm");
@@ -225,9 +225,9 @@ TEST_F(Wearing, EaseIsWhatTheClothIsLarger) {
 TEST_F(Wearing, ASkirtComesToTheWaist) {
   const Fitting worn = put(written(test::skirt()), "female_34");
   EXPECT_CONTAINS(worn.said.at(0), "so that its waist is at that of the body");
-  const GarmentMarks marks = marks_of(*worn.loaded.garment, worn.places_m(), {});
+  const GarmentMarks marks = find_garment_marks(*worn.loaded.garment, worn.places_m(), {});
   EXPECT_TRUE(marks.is_worn_at_waist);
-  EXPECT_NEAR(marks.top_height_m, girth_of(worn.scene.wearers[0]->measures, "waist")->height_m, 1e-6);
+  EXPECT_NEAR(marks.top_height_m, find_girth(worn.scene.wearers[0]->measures, "waist")->height_m, 1e-6);
   const std::vector<FitRow> rows = worn.fit();
   ASSERT_FALSE(rows.empty());
   EXPECT_EQ(rows.front().name, "waist") << "it does not reach to the chest";
@@ -235,7 +235,7 @@ TEST_F(Wearing, ASkirtComesToTheWaist) {
 
 TEST_F(Wearing, WhatIsNearAndFacesAsTheBodyDoesStays) {
   const Fitting worn = put(written(test::skirt()), "female_34");
-  const double low_m = sim::extent_of(worn.places_m()).lower.y;
+  const double low_m = sim::compute_extent(worn.places_m()).lower.y;
   const sim::Vec3 there_m = {0.0, low_m, worn.scene.wearers[0]->measures.waist_m->z};
   EXPECT_EQ(said_of_skirt(there_m + sim::Vec3(0.04, 0.0, 0.0), 0.0), "");
   EXPECT_CONTAINS(said_of_skirt(there_m + sim::Vec3(0.06, 0.0, 0.0), 0.0), "it is moved by 0.06 m");
@@ -256,26 +256,26 @@ TEST_F(Wearing, AWaistAtTheEdgeOfAGarmentCounts) {
     for (sim::Vec3& p : places_m) {
       p.y -= lower_m;
     }
-    return fit_of(worn.scene, *worn.loaded.garment, places_m).at(0).name;
+    return compute_fit(worn.scene, *worn.loaded.garment, places_m).at(0).name;
   };
   EXPECT_EQ(first_row(0.015), "waist");
   EXPECT_EQ(first_row(0.025), "seat");
 }
 
 TEST_F(Wearing, WhatHasNoOpeningStaysAndSaysSo) {
-  const Fitting worn = put(written(test::moved(test::cape(), {3.0, 0.0, 0.0})), "female_34");
+  const Fitting worn = put(written(test::translate(test::cape(), {3.0, 0.0, 0.0})), "female_34");
   ASSERT_EQ(worn.said.size(), 1U);
   EXPECT_CONTAINS(worn.said[0], "it stays where it is: no neck opening and no waist was found on it");
 }
 
 TEST_F(Wearing, TrousersComeForkToForkAndAreMeasuredRoundBothLegs) {
-  sim::Mesh mesh = test::moved(test::trousers(), {3.0, 0.0, 0.0});
+  sim::Mesh mesh = test::translate(test::trousers(), {3.0, 0.0, 0.0});
   const Fitting worn = put(written(mesh), "female_34");
   const BodyMeasures& measures = worn.scene.wearers[0]->measures;
-  const auto tube = tube_of({worn.places_m(), worn.loaded.garment->mesh.triangles});
+  const auto tube = find_tube({worn.places_m(), worn.loaded.garment->mesh.triangles});
   ASSERT_TRUE(tube && tube->fork_m);
   EXPECT_NEAR(*tube->fork_m, measures.levels[measures.fork].height_m - 0.01, 0.005);
-  const sim::Extent box = sim::extent_of(worn.places_m());
+  const sim::Extent box = sim::compute_extent(worn.places_m());
   const double leg_m = leg_at({worn.places_m(), worn.loaded.garment->mesh.triangles}, box.lower.y + 0.05).value();
   EXPECT_GT(girth_at({worn.places_m(), worn.loaded.garment->mesh.triangles}, box.lower.y + 0.05).value(), 1.2 * leg_m);
 }
@@ -286,7 +286,7 @@ TEST_F(Wearing, SaysWhereClothIsStretchedMost) {
   std::vector<sim::Vec3> wide_m = worn.places_m();
   EXPECT_EQ(describe_tightness(worn.scene, *worn.loaded.garment, wide_m, rows), "");
   for (sim::Vec3& p : wide_m) {
-    p.z *= p.y < 1.25 && p.z > 0.0 ? 1.2 : 1.0;  // at the waist in front
+    p.z *= p.y < 1.25 && p.z > 0.0 ? 1.2 : 1.0;  // widens the waist in front
   }
   EXPECT_CONTAINS(describe_tightness(worn.scene, *worn.loaded.garment, wide_m, rows), "stretched most: at the ");
 }

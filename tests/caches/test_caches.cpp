@@ -13,9 +13,9 @@
 namespace taut::app {
 namespace {
 
-// Two panels of quads with a seam down the middle, where coordinates of the print differ and vertices are
-// doubled; a polygon of five corners and a triangle; vertices that come in another order than faces use them,
-// and one that none does.
+// Two panels of quads with a seam down the middle, along which texture coordinates differ and vertices are doubled;
+// then a polygon of five corners and a triangle. Faces do not use the vertices in the file's order, and no face uses
+// the first.
 const std::string seamed =
     "mtllib shirt.mtl\n"
     "v 9 9 9\nv 0.5 0.5 0\nv 0 0 0\nv 0.5 0 0\nv 0 0.5 0\n"
@@ -25,8 +25,7 @@ const std::string seamed =
     "o shirt\ng left panel\nusemtl red\ns 1\nf 3/1/1 4/2/1 2/3/1 5/4/1\nf 5/4/1 2/3/1 11/3/1 12/2/1 10/1/1\n"
     "g right panel\nusemtl blue\nf 7/5/1 6/6/1 8/7/1 9/8/1\nf 9/8/1 8/7/1 13/6/1\n";
 
-/// The faces of an OBJ: a line each, with the numbers of vertices and the coordinates of their
-/// texture; and of groups and materials.
+/// Faces of an OBJ, one line each, as numbers of vertices with texture coordinates; also its groups and materials.
 std::vector<std::string> faces_in(const std::string& obj) {
   std::vector<std::string> found;
   std::vector<std::string> uv;
@@ -66,7 +65,7 @@ struct Caches : testing::Test {
   ExportSettings settings(const std::string& name, FrameRange frames = {3, 6}) const {
     return {(folder / name).string(), frames, 25.0};
   }
-  /// Writes the frames up to this one. Returns their positions in the file's vertices.
+  /// Writes the frames from `first` to `last`. Returns their positions in the vertices of the file.
   std::vector<std::vector<sim::Vec3>> write(FrameSink& sink, sim::Simulation& moment, int first, int last) const {
     std::vector<std::vector<sim::Vec3>> written;
     for (int frame = first; frame <= last; ++frame) {
@@ -167,18 +166,18 @@ TEST_F(Caches, GoesOnOnlyFromTheFrameItStoppedAt) {
   {
     const auto sink = open_sink(stopped, loaded, moment.state().current);
     expected = write(*sink, moment, 1, 2);
-    sink->keep();
+    sink->save_frames();
     EXPECT_EQ(std::filesystem::file_size(stopped.name + ".part"), pc2_header_bytes + 2 * 13 * 12)
         << "the frames that a checkpoint counts are in the file";
   }
   stopped.last_kept = 2;
-  EXPECT_CONTAINS(test::message_of<InputError>([&] { open_sink(stopped, loaded, start.state().current); }),
+  EXPECT_CONTAINS(test::error_message<InputError>([&] { open_sink(stopped, loaded, start.state().current); }),
                   ".part': its frame 2 is not the one that the run goes on from");
   stopped.last_kept = 3;
-  EXPECT_CONTAINS(test::message_of<InputError>([&] { open_sink(stopped, loaded, moment.state().current); }),
+  EXPECT_CONTAINS(test::error_message<InputError>([&] { open_sink(stopped, loaded, moment.state().current); }),
                   "for 3 frames of 13 vertices and more");
   stopped.last_kept = 2;
-  // The end may have become another.
+  // The last frame may be another than before.
   stopped.frames.last = 6;
   const auto sink = open_sink(stopped, loaded, moment.state().current);
   for (std::vector<sim::Vec3>& frame : write(*sink, moment, 3, 6)) {
@@ -192,7 +191,7 @@ TEST_F(Caches, NamesAreRefusedWithWhatIsExpected) {
   const auto refusal = [&](const std::string& name, bool can_be_resumed = false) {
     ExportSettings asked = settings(name);
     asked.can_be_resumed = can_be_resumed;
-    return test::message_of<UsageError>([&] { require_export(asked); });
+    return test::error_message<UsageError>([&] { require_export(asked); });
   };
   EXPECT_EQ(refusal("deeper/clip.pc2", true), "");
   EXPECT_EQ(refusal("deeper/{frame:04}.obj", true), "");
@@ -202,11 +201,11 @@ TEST_F(Caches, NamesAreRefusedWithWhatIsExpected) {
   const auto names = [&](const std::string& name, FrameRange range) { return require_export(settings(name, range)).size(); };
   EXPECT_EQ(names("{frame}.obj", {3, 9}), 7U);
   EXPECT_EQ(names("last.obj", {3, 9}), 1U);
-  EXPECT_EQ(names("clip.pc2", {3, 9}), 2U);  // with an OBJ beside it
+  EXPECT_EQ(names("clip.pc2", {3, 9}), 2U);  // the clip, and an OBJ beside it
 }
 
 TEST_F(Caches, GltfHasALimit) {
-  const std::string said = test::message_of<InputError>([&] {
+  const std::string said = test::error_message<InputError>([&] {
     open_sink(settings("clip.glb", {1, 100'000}), loaded, simulation().state().current);
   });
   EXPECT_CONTAINS(said, "clip.glb': 100000 frames of 12 vertices are 37.3 GiB");

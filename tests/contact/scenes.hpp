@@ -7,7 +7,7 @@
 
 namespace taut::sim {
 
-/// A sheet that lies level or hangs, its middle or the middle of its upper edge at a place.
+/// A level sheet with its middle at `at_m`, or a hanging sheet with the middle of its upper edge there.
 struct Sheet {
   Index columns = 9;
   Index rows = 9;
@@ -17,7 +17,7 @@ struct Sheet {
   Vec3 at_m = {0.0, 0.0, 0.0};
 };
 
-inline Mesh mesh_of(const Sheet& sheet) {
+inline Mesh make_mesh(const Sheet& sheet) {
   const bool is_level = sheet.plane == GridPlane::horizontal;
   const Vec3 top_m = sheet.at_m - Vec3(0.0, 0.0, is_level ? 0.5 * sheet.length_m : 0.0);
   return make_grid({sheet.columns, sheet.rows, sheet.width_m, sheet.length_m, sheet.plane, top_m});

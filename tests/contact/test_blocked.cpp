@@ -1,4 +1,4 @@
-// Pins and bodies that close in, so that there is no frame without a crossing.
+// Pins and bodies that close in on cloth until no frame without a crossing exists.
 
 #include <gtest/gtest.h>
 
@@ -21,7 +21,7 @@ Body ball_at(const char* name, double z_m) {
 
 /// A sheet that hangs by its upper edge between two balls that close in on it.
 ContactScene sheet_between_balls() {
-  ContactScene scene = {.mesh = mesh_of({13, 13, 0.3, 0.3, GridPlane::vertical, {0.0, 0.15, 0.0}})};
+  ContactScene scene = {.mesh = make_mesh({13, 13, 0.3, 0.3, GridPlane::vertical, {0.0, 0.15, 0.0}})};
   scene.bounded.max_stretch = 0.05;
   for (Index v = 0; v < 13; ++v) {
     scene.pins.push_back(v);
@@ -30,9 +30,9 @@ ContactScene sheet_between_balls() {
   return scene;
 }
 
-/// A level sheet, one corner of which is led down through what is below it.
+/// A level sheet whose corner is pulled down through the body below it.
 ContactScene sheet_led_into(const Shape& shape) {
-  ContactScene scene = {.mesh = mesh_of({.at_m = {0.0, 0.12, 0.0}}), .pins = {0, 40, 80}};
+  ContactScene scene = {.mesh = make_mesh({.at_m = {0.0, 0.12, 0.0}}), .pins = {0, 40, 80}};
   scene.surroundings.bodies = {{.name = "below", .shape = shape}};
   scene.surroundings.moving_pins = {{{40}, {.shift = {{0.0, -speed_m_per_s, 0.0}, 0.0, 1.0}}}};
   scene.bounded.max_stretch = 0.05;
@@ -122,7 +122,7 @@ TEST(Blocked, NamesThePinThatIsLedIntoABody) {
 }
 
 TEST(Blocked, AHandThatPullsIntoABodyOnlyPullsHarder) {
-  ContactScene scene = {.mesh = mesh_of({13, 13, 0.4, 0.4, GridPlane::horizontal, {0.003, 0.11, 0.002}})};
+  ContactScene scene = {.mesh = make_mesh({13, 13, 0.4, 0.4, GridPlane::horizontal, {0.003, 0.11, 0.002}})};
   scene.surroundings.bodies = {
       {.name = "ball", .shape = Sphere{{0.0, 0.0, 0.0}, 0.1}},
       {.name = "wall", .shape = box(), .motion = {.path = {{0.0, {0.0, 0.4, 0.0}}}}}};
@@ -131,7 +131,7 @@ TEST(Blocked, AHandThatPullsIntoABodyOnlyPullsHarder) {
   for (int frame = 1; frame <= 40; ++frame) {
     Surroundings pulled = scene.surroundings;
     const Vec3 hand_m = frame <= 20 ? Vec3(0.0) : Vec3(0.0, 0.4, 0.0);
-    pulled.forces.held_vertices = {{84, hand_m, 500.0, 5.0}, {85, hand_m, 500.0, 5.0}};
+    pulled.forces.grabbed_vertices = {{84, hand_m, 500.0, 5.0}, {85, hand_m, 500.0, 5.0}};
     simulation.set_surroundings(pulled);
     ASSERT_NO_THROW(simulation.advance_frame()) << "frame " << frame;
     ASSERT_FALSE(simulation.frame_report().blocked) << "frame " << frame;

@@ -18,7 +18,7 @@ std::size_t crossings(const Simulation& simulation) {
 
 /// A band that stands on the ground and folds over itself many times as it falls.
 ContactScene falling_band() {
-  ContactScene scene = {.mesh = mesh_of({5, 61, 0.08, 1.2, GridPlane::vertical, {0.003, 1.203, 0.001}})};
+  ContactScene scene = {.mesh = make_mesh({5, 61, 0.08, 1.2, GridPlane::vertical, {0.003, 1.203, 0.001}})};
   for (std::size_t v = 0; v < scene.mesh.positions.size(); ++v) {
     Vec3& p = scene.mesh.positions[v];
     p.z += 0.004 * std::sin(37.0 * p.y + 3.0 * p.x);
@@ -39,12 +39,12 @@ TEST(Contact, ABandThatFallsOnItselfCrossesNothing) {
   }
 }
 
-// Nothing brings pins back into regions: those end before pins have left a straight way.
+// Pins are not projected into regions; instead, regions end before pins have left a straight path.
 TEST(Contact, SheetsOnPinsThatSwingFastCrossNothing) {
   ContactScene scene = {
       .mesh = both(
-          mesh_of({.columns = 13, .rows = 13, .plane = GridPlane::vertical}),
-          mesh_of({.columns = 13, .rows = 13, .plane = GridPlane::vertical, .at_m = {0.011, 0.007, 0.004}}))};
+          make_mesh({.columns = 13, .rows = 13, .plane = GridPlane::vertical}),
+          make_mesh({.columns = 13, .rows = 13, .plane = GridPlane::vertical, .at_m = {0.011, 0.007, 0.004}}))};
   scene.pins = {0, 12, 169, 181};
   scene.surroundings.pin_motion = {.amplitude_m = {0.1, 0.1, 0.2}, .frequency_hz = 3.0};
   scene.bounded.max_stretch = 0.05;
@@ -56,7 +56,7 @@ TEST(Contact, SheetsOnPinsThatSwingFastCrossNothing) {
 }
 
 TEST(Contact, AFrameReportsItsSearchesAndTheDistanceThatItBeganWith) {
-  ContactScene scene = {.mesh = mesh_of({.at_m = {0.0, 7e-4, 0.0}})};
+  ContactScene scene = {.mesh = make_mesh({.at_m = {0.0, 7e-4, 0.0}})};
   for (Index v = 0; v < scene.mesh.positions.size(); ++v) {
     scene.pins.push_back(v);
   }
@@ -66,14 +66,14 @@ TEST(Contact, AFrameReportsItsSearchesAndTheDistanceThatItBeganWith) {
   simulation.advance_frame();
   const ContactReport report = simulation.frame_report().contact;
   EXPECT_GE(report.detections, 1);
-  EXPECT_EQ(report.most_pairs, 81) << "every vertex";
-  EXPECT_NEAR(report.smallest_distance_m, 7e-4, 1e-8);
+  EXPECT_EQ(report.max_pairs, 81) << "every vertex";
+  EXPECT_NEAR(report.min_distance_m, 7e-4, 1e-8);
 
   scene.surroundings.bodies.clear();
   Simulation apart = begin(scene);
   apart.advance_frame();
   EXPECT_GE(apart.frame_report().contact.detections, 1) << "for what is near within the cloth";
-  EXPECT_GT(apart.frame_report().contact.smallest_distance_m, 7e-4);
+  EXPECT_GT(apart.frame_report().contact.min_distance_m, 7e-4);
   scene.bounded.contact = false;
   Simulation off = begin(scene);
   off.advance_frame();
@@ -106,7 +106,7 @@ TEST(Contact, VectorUnitsAndThreadsChangeNothing) {
         simulation.advance_frame();
       }
       expected = expected.value_or(hash(simulation.state()));
-      EXPECT_EQ(hash(simulation.state()), *expected) << name_of(unit) << ", threads: " << threads;
+      EXPECT_EQ(hash(simulation.state()), *expected) << to_name(unit) << ", threads: " << threads;
     }
   }
 }
@@ -128,8 +128,8 @@ TEST(Contact, GoesOnFromACheckpointWithTheSameBits) {
 TEST(Contact, LayersComeToRestAThicknessApart) {
   ContactScene scene = {
       .mesh = both(
-          mesh_of({.at_m = {0.0, 0.003, 0.0}}),
-          mesh_of({.columns = 8, .rows = 8, .width_m = 0.3, .length_m = 0.3, .at_m = {0.01, 0.006, 0.003}}))};
+          make_mesh({.at_m = {0.0, 0.003, 0.0}}),
+          make_mesh({.columns = 8, .rows = 8, .width_m = 0.3, .length_m = 0.3, .at_m = {0.01, 0.006, 0.003}}))};
   scene.surroundings.bodies = {{.name = "ground", .shape = Plane{}}};
   const double thickness_m = scene.material.thickness_m;
   Simulation simulation = begin(std::move(scene));
@@ -147,7 +147,7 @@ TEST(Contact, LayersComeToRestAThicknessApart) {
   EXPECT_NEAR(upper_m, 2.0 * thickness_m, 0.1 * thickness_m);
 }
 
-/// In m/s, of the vertices from `first` on.
+/// Returns the mean speed upwards, in m/s, of `count` vertices from `first` on.
 double mean_speed_upwards(const Simulation& simulation, Index first, Index count) {
   double sum = 0.0;
   for (Index v = first; v < first + count; ++v) {
@@ -158,7 +158,7 @@ double mean_speed_upwards(const Simulation& simulation, Index first, Index count
 
 TEST(Contact, ACollisionKeepsMomentumAndDoesNotRebound) {
   ContactScene scene = {
-      .mesh = both(mesh_of({.at_m = {0.0, 0.0, 0.0}}), mesh_of({.at_m = {0.011, 0.0044, 0.007}}))};
+      .mesh = both(make_mesh({.at_m = {0.0, 0.0, 0.0}}), make_mesh({.at_m = {0.011, 0.0044, 0.007}}))};
   scene.surroundings.forces.gravity_m_per_s2 = Vec3(0.0);
   scene.surroundings.forces.air_drag_per_s = 0.0;
   Simulation simulation = begin(std::move(scene));
@@ -180,7 +180,7 @@ TEST(Contact, ACollisionKeepsMomentumAndDoesNotRebound) {
 }
 
 TEST(Contact, ClothHangsOverABoxThatRisesAndTurns) {
-  ContactScene scene = {.mesh = mesh_of({.columns = 17, .rows = 17, .at_m = {0.006, 0.11, 0.004}})};
+  ContactScene scene = {.mesh = make_mesh({.columns = 17, .rows = 17, .at_m = {0.006, 0.11, 0.004}})};
   scene.surroundings.bodies = {
       {.name = "box",
        .shape = box(),
@@ -197,14 +197,14 @@ TEST(Contact, ClothHangsOverABoxThatRisesAndTurns) {
     ASSERT_EQ(crossings(simulation), 0U) << "frame " << frame;
     ASSERT_TRUE(simulation.frame_report().bound_kept) << "frame " << frame;
   }
-  // It was lifted by 0.2 m and did not slide off.
+  // The box lifts the sheet by 0.2 m, and the sheet does not slide off.
   EXPECT_GT(simulation.state().current[8 * 17 + 8].y, 0.29);
 }
 
 TEST(Contact, WhatCrossesAtTheStartIsLeftOutUntilItIsApart) {
-  // A standing sheet through a level one, which gravity pulls out of it.
-  ContactScene scene = {.mesh = both(mesh_of({.columns = 9, .rows = 9, .at_m = {0.0, 0.0, 0.0}}),
-                                     mesh_of({5, 5, 0.1, 0.1, GridPlane::vertical, {0.013, 0.04, 0.007}}))};
+  // A standing sheet goes through a level one, and gravity pulls it out.
+  ContactScene scene = {.mesh = both(make_mesh({.columns = 9, .rows = 9, .at_m = {0.0, 0.0, 0.0}}),
+                                     make_mesh({5, 5, 0.1, 0.1, GridPlane::vertical, {0.013, 0.04, 0.007}}))};
   for (Index v = 0; v < 81; ++v) {
     scene.pins.push_back(v);
   }
@@ -223,7 +223,7 @@ TEST(Contact, WhatCrossesAtTheStartIsLeftOutUntilItIsApart) {
 TEST(Contact, ClothThatBeginsWithinABallComesOut) {
   ContactScene scene = {
       .mesh =
-          mesh_of({.columns = 9, .rows = 9, .width_m = 0.2, .length_m = 0.2, .at_m = {0.003, 0.14, 0.004}})};
+          make_mesh({.columns = 9, .rows = 9, .width_m = 0.2, .length_m = 0.2, .at_m = {0.003, 0.14, 0.004}})};
   scene.surroundings.bodies = {{.name = "ball", .shape = Sphere{{}, 0.15}}};
   Simulation simulation = begin(std::move(scene));
   for (int frame = 1; frame <= 60; ++frame) {

@@ -28,7 +28,7 @@ Vec3 random_in(double size_m, std::mt19937& random) {
   return {of(random), of(random), of(random)};
 }
 
-/// A sheet that is crumpled at random: neighbours fold through each other, and so does what is further off.
+/// A sheet that is crumpled at random, so that neighbouring and distant triangles cross each other.
 Shape3 crumpled_sheet(double by_m, unsigned seed) {
   std::mt19937 random(seed);
   Mesh mesh = make_grid({.columns = 15, .rows = 15});
@@ -64,7 +64,7 @@ TEST(ContactMeasure, CountsWhatExactPredicatesCount) {
     const Shape3 triangles = soup(300, 0.06, seed);
     const std::size_t expected = app::crossing_pairs(triangles.surface()).size();
     EXPECT_EQ(triangles.measured(0.001).crossing_pairs, expected) << seed;
-    EXPECT_EQ(triangles.measured(0.001).nearest_m == 0.0, expected > 0) << seed;
+    EXPECT_EQ(triangles.measured(0.001).min_distance_m == 0.0, expected > 0) << seed;
   }
   EXPECT_GT(all, 1000U);
 }
@@ -83,7 +83,7 @@ TEST(ContactMeasure, CountsAFanThatGoesAroundTwice) {
   EXPECT_EQ(fan.measured(0.001).crossing_pairs, expected);
 }
 
-/// The least distance of points all over both triangles.
+/// Returns the smallest distance of points all over triangle a from triangle b.
 double sampled_distance_m(const Corners& a, const Corners& b) {
   double least = INFINITY;
   constexpr int cuts = 40;
@@ -110,12 +110,12 @@ TEST(ContactMeasure, FindsTheNearestPair) {
             {expected, sampled_distance_m(corners(s), corners(t)), sampled_distance_m(corners(t), corners(s))});
       }
     }
-    const double found = triangles.measured(1.0).nearest_m;
+    const double found = triangles.measured(1.0).min_distance_m;
     if (app::crossing_pairs(triangles.surface()).empty()) {
       EXPECT_LE(found, expected + 1e-12) << seed;
       EXPECT_GT(found, expected - 2e-3) << seed;
-      EXPECT_EQ(triangles.measured(0.99 * found).nearest_m, INFINITY) << seed;
-      EXPECT_EQ(triangles.measured(1.01 * found).nearest_m, found) << seed;
+      EXPECT_EQ(triangles.measured(0.99 * found).min_distance_m, INFINITY) << seed;
+      EXPECT_EQ(triangles.measured(1.01 * found).min_distance_m, found) << seed;
     }
   }
 }
@@ -142,10 +142,10 @@ TEST(ContactMeasure, MeasuresBodies) {
   EXPECT_EQ(alone.measured(0.001, {{.shape = Sphere{far_m, 0.1}}}).crossing_pairs, own);
 
   const Shape3 triangle = {{{0.0, 0.5, 0.0}, {1.0, 0.5, 0.0}, {0.0, 0.5, 1.0}}, {{0, 1, 2}}};
-  EXPECT_NEAR(triangle.measured(1.0, {{.shape = Sphere{{0.2, 0.8, 0.2}, 0.1}}}).nearest_m, 0.2, 1e-12);
-  EXPECT_NEAR(triangle.measured(1.0, {{.shape = Plane{{0.0, 0.6, 0.0}, {0.0, 1.0, 0.0}}}}).nearest_m, -0.1, 1e-12);
-  EXPECT_NEAR(triangle.measured(1.0, {{.shape = Capsule{{0.2, 0.9, 0.2}, {0.2, 1.4, 0.2}, 0.1, 0.3}}}).nearest_m, 0.3,
-              1e-9);
+  EXPECT_NEAR(triangle.measured(1.0, {{.shape = Sphere{{0.2, 0.8, 0.2}, 0.1}}}).min_distance_m, 0.2, 1e-12);
+  EXPECT_NEAR(triangle.measured(1.0, {{.shape = Plane{{0.0, 0.6, 0.0}, {0.0, 1.0, 0.0}}}}).min_distance_m, -0.1, 1e-12);
+  EXPECT_NEAR(triangle.measured(1.0, {{.shape = Capsule{{0.2, 0.9, 0.2}, {0.2, 1.4, 0.2}, 0.1, 0.3}}}).min_distance_m,
+              0.3, 1e-9);
 }
 
 }  // namespace

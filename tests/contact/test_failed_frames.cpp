@@ -1,4 +1,4 @@
-// A frame that fails leaves no trace: the bytes of a checkpoint, the bits and the steps of the next frames.
+// A failed frame leaves no trace: the bytes of a checkpoint and the bits and steps of later frames stay the same.
 
 #include <gtest/gtest.h>
 
@@ -14,9 +14,7 @@ namespace {
 
 struct Interrupted {};
 
-std::string bytes_of(const Simulation& simulation) {
-  return encode(simulation.save(), simulation.garment());
-}
+std::string to_bytes(const Simulation& simulation) { return encode(simulation.save(), simulation.garment()); }
 
 Body closing_ball(const char* name, double z_m, double speed_m_per_s) {
   return {.name = name,
@@ -26,7 +24,7 @@ Body closing_ball(const char* name, double z_m, double speed_m_per_s) {
 
 /// A sheet that hangs by its upper edge between two balls.
 ContactScene sheet_between_balls(double speed_m_per_s) {
-  ContactScene scene = {.mesh = mesh_of({13, 13, 0.3, 0.3, GridPlane::vertical, {0.0, 0.15, 0.0}})};
+  ContactScene scene = {.mesh = make_mesh({13, 13, 0.3, 0.3, GridPlane::vertical, {0.0, 0.15, 0.0}})};
   scene.bounded.max_stretch = 0.05;
   for (Index v = 0; v < 13; ++v) {
     scene.pins.push_back(v);
@@ -36,7 +34,7 @@ ContactScene sheet_between_balls(double speed_m_per_s) {
   return scene;
 }
 
-/// Counts the calls of a frame's poll and throws in the one asked for; 0 throws in none.
+/// Counts the calls of a frame's poll and throws in call number `throws_in`; 0 throws in none.
 struct Poll {
   std::shared_ptr<int> calls = std::make_shared<int>(0);
   int throws_in = 0;
@@ -54,7 +52,7 @@ TEST(FailedFrames, ABlockedFrameLeavesEveryByteAndTheCountOfSteps) {
   int steps = 0;
   bool is_blocked = false;
   for (int frame = 0; frame < 60 && !is_blocked; ++frame) {
-    before = bytes_of(simulation);
+    before = to_bytes(simulation);
     steps = simulation.frame_report().substeps;
     try {
       simulation.advance_frame();
@@ -63,7 +61,7 @@ TEST(FailedFrames, ABlockedFrameLeavesEveryByteAndTheCountOfSteps) {
     }
   }
   ASSERT_TRUE(is_blocked);
-  EXPECT_TRUE(bytes_of(simulation) == before);
+  EXPECT_TRUE(to_bytes(simulation) == before);
 
   Surroundings still = simulation.surroundings();
   still.bodies.clear();
@@ -77,7 +75,7 @@ ContactScene pressed_sheets() {
   ContactScene scene = sheet_between_balls(8.0);
   for (int layer = 1; layer < 6; ++layer) {
     const auto count = static_cast<Index>(scene.mesh.positions.size());
-    scene.mesh = both(scene.mesh, mesh_of({13, 13, 0.3, 0.3, GridPlane::vertical, {0.0, 0.15, 0.004 * layer}}));
+    scene.mesh = both(scene.mesh, make_mesh({13, 13, 0.3, 0.3, GridPlane::vertical, {0.0, 0.15, 0.004 * layer}}));
     for (Index v = 0; v < 13; ++v) {
       scene.pins.push_back(count + v);
     }
@@ -85,7 +83,7 @@ ContactScene pressed_sheets() {
   return scene;
 }
 
-// 36 calls where the last attempt goes on to the frame's end whatever it costs; a usual frame has 12.
+// An attempt that goes on to the frame's end at any cost makes 36 calls; a usual frame makes 12.
 TEST(FailedFrames, TheLastAttemptEndsInsideItsStepsWhenItsWorkIsSpent) {
   Simulation simulation = begin(pressed_sheets());
   std::vector<int> calls;
@@ -103,8 +101,9 @@ TEST(FailedFrames, TheLastAttemptEndsInsideItsStepsWhenItsWorkIsSpent) {
   ASSERT_TRUE(is_blocked);
 }
 
-// All attempts together have a budget. Nothing is kept apart from where it is spent, and the bound is kept all the
-// same. 1029 calls where nothing is counted; a usual frame has 12. Later frames begin with cloth that flies apart.
+// All attempts together have a budget of work. Once it is spent, nothing is kept apart, but the bound still holds. A
+// frame without a budget makes 1029 calls, a usual one 12. Only the first blocked frame is checked, as cloth flies
+// apart after it.
 TEST(FailedFrames, WhereCrossingsAreAcceptedASpentAttemptGoesOn) {
   ContactScene scene = pressed_sheets();
   scene.bounded.allow_crossing = true;
@@ -129,13 +128,13 @@ TEST(FailedFrames, AnInterruptedFrameGoesOnWithTheSameBits) {
     const Poll count;
     straight.advance_frame(count);
     ASSERT_GT(*count.calls, straight.frame_report().substeps);
-    const std::string before = bytes_of(interrupted);
+    const std::string before = to_bytes(interrupted);
     for (const int call : {1, *count.calls / 2, *count.calls}) {
       EXPECT_THROW(interrupted.advance_frame(Poll{.throws_in = call}), Interrupted);
-      ASSERT_TRUE(bytes_of(interrupted) == before) << "frame " << frame << ", call " << call;
+      ASSERT_TRUE(to_bytes(interrupted) == before) << "frame " << frame << ", call " << call;
     }
     interrupted.advance_frame();
-    ASSERT_TRUE(bytes_of(interrupted) == bytes_of(straight)) << "frame " << frame;
+    ASSERT_TRUE(to_bytes(interrupted) == to_bytes(straight)) << "frame " << frame;
   }
 }
 
@@ -147,12 +146,12 @@ TEST(FailedFrames, ADivergedFrameLeavesEveryByte) {
   std::string before;
   const auto run = [&] {
     for (int frame = 0; frame < 60; ++frame) {
-      before = bytes_of(simulation);
+      before = to_bytes(simulation);
       simulation.advance_frame();
     }
   };
   EXPECT_THROW(run(), Diverged);
-  EXPECT_TRUE(bytes_of(simulation) == before);
+  EXPECT_TRUE(to_bytes(simulation) == before);
 }
 
 }  // namespace

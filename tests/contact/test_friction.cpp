@@ -11,7 +11,7 @@ namespace {
 
 constexpr double gravity_m_per_s2 = 9.81;
 
-Vec3 middle_of(const Simulation& simulation) {
+Vec3 compute_middle(const Simulation& simulation) {
   Vec3 sum(0.0);
   for (const Vec3& p : simulation.state().current) {
     sum += p;
@@ -19,19 +19,19 @@ Vec3 middle_of(const Simulation& simulation) {
   return sum / static_cast<double>(simulation.state().current.size());
 }
 
-/// A sheet that lies on level ground, where gravity is that of a slope. Returns how far it is after `frames`.
+/// Returns how far a sheet on level ground slides in this many frames under the gravity of a slope.
 double slid_m(double slope, double friction, int frames) {
-  ContactScene scene = {.mesh = mesh_of({.at_m = {0.0, 0.0011, 0.0}})};
+  ContactScene scene = {.mesh = make_mesh({.at_m = {0.0, 0.0011, 0.0}})};
   const double cosine = 1.0 / std::sqrt(1.0 + slope * slope);
   scene.surroundings.forces.gravity_m_per_s2 = gravity_m_per_s2 * cosine * Vec3(slope, -1.0, 0.0);
   scene.surroundings.forces.air_drag_per_s = 0.0;
   scene.surroundings.bodies = {{.name = "slope", .shape = Plane{}, .friction = friction}};
   Simulation simulation = begin(std::move(scene));
-  const Vec3 before_m = middle_of(simulation);
+  const Vec3 before_m = compute_middle(simulation);
   for (int frame = 0; frame < frames; ++frame) {
     simulation.advance_frame();
   }
-  return middle_of(simulation).x - before_m.x;
+  return compute_middle(simulation).x - before_m.x;
 }
 
 class Slope : public testing::TestWithParam<double> {};
@@ -49,9 +49,9 @@ TEST_P(Slope, LetsASheetSlideThatIsSteeperAsCoulombSays) {
 
 INSTANTIATE_TEST_SUITE_P(Friction, Slope, testing::Values(0.1, 0.3, 0.8));
 
-/// The angle in rad that cloth on a ball turns with it within a second.
+/// Returns the angle in rad by which cloth on a turning ball turns within a second.
 double turned_by_ball(double aside_m) {
-  ContactScene scene = {.mesh = mesh_of({.columns = 15, .rows = 15, .at_m = {aside_m, 0.152, 0.002}})};
+  ContactScene scene = {.mesh = make_mesh({.columns = 15, .rows = 15, .at_m = {aside_m, 0.152, 0.002}})};
   scene.surroundings.bodies = {{.name = "ball",
                                 .shape = Sphere{{}, 0.15},
                                 .motion = {.spin = {{}, {0.0, 1.0, 0.0}, 0.25, 0.5}},
@@ -71,7 +71,7 @@ double turned_by_ball(double aside_m) {
                      before_m.x * after_m.x + before_m.z * after_m.z);
 }
 
-// It begins to turn at once, and the cloth slides until it is as fast, for longer from some starts.
+// The ball begins to turn abruptly, and the cloth slides until it is as fast, longer from some starts.
 TEST(Friction, ABallThatTurnsTakesClothAlong) {
   const double quarter = 0.25 * 6.283185307;
   double sum = 0.0;

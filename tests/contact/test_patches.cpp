@@ -1,4 +1,4 @@
-// Cloth that crosses when it begins: nothing new crosses outside the patches around it.
+// Cloth that crosses itself at the start: nothing new crosses outside the patches around these crossings.
 
 #include <gtest/gtest.h>
 
@@ -17,9 +17,9 @@ namespace {
 
 using TrianglePlace = std::pair<std::optional<std::size_t>, Index>;
 
-std::map<TrianglePlace, Index> groups_of(const FrameReport& report) {
+std::map<TrianglePlace, Index> map_groups(const FrameReport& report) {
   std::map<TrianglePlace, Index> groups;
-  for (const LeftOutTriangle& t : report.left_out) {
+  for (const ExcludedTriangle& t : report.excluded_triangles) {
     groups[{t.body, t.triangle}] = t.group;
   }
   return groups;
@@ -32,20 +32,20 @@ struct Counted {
 
 void count(std::span<const app::CrossingPair> pairs, std::optional<std::size_t> body, const FrameReport& report,
            Counted& counted) {
-  std::map<TrianglePlace, Index> groups = groups_of(report);
+  std::map<TrianglePlace, Index> groups = map_groups(report);
   for (const app::CrossingPair& pair : pairs) {
     const Index first = groups[{std::nullopt, pair.first}], second = groups[{body, pair.second}];
     ++(first > 0 && first == second ? counted.in_patches : counted.outside);
   }
 }
 
-app::Surface cloth_of(const Simulation& simulation) {
+app::Surface make_cloth(const Simulation& simulation) {
   return {simulation.state().current, simulation.garment().mesh.triangles};
 }
 
 Counted crossings(const Simulation& simulation) {
   Counted counted;
-  count(app::crossing_pairs(cloth_of(simulation)), {}, simulation.frame_report(), counted);
+  count(app::crossing_pairs(make_cloth(simulation)), {}, simulation.frame_report(), counted);
   return counted;
 }
 
@@ -60,10 +60,10 @@ void turn(Mesh& mesh, std::mt19937& random) {
   }
 }
 
-/// Two sheets that go through each other as chance has it, above a ball.
+/// Two sheets that go through each other at random, above a ball.
 ContactScene pierced_sheets(unsigned seed) {
   std::mt19937 random(seed);
-  Mesh first = mesh_of({11, 11, 0.3, 0.3}), second = mesh_of({10, 13, 0.3, 0.3});
+  Mesh first = make_mesh({11, 11, 0.3, 0.3}), second = make_mesh({10, 13, 0.3, 0.3});
   turn(first, random);
   turn(second, random);
   ContactScene scene = {.mesh = both(std::move(first), second)};
@@ -77,7 +77,7 @@ TEST(Patches, NothingNewCrossesOutsideThem) {
   std::size_t began = 0, ended = 0, most = 0;
   for (unsigned seed = 0; seed < 40; ++seed) {
     Simulation simulation = begin(pierced_sheets(seed));
-    const std::size_t at_start = app::crossing_pairs(cloth_of(simulation)).size();
+    const std::size_t at_start = app::crossing_pairs(make_cloth(simulation)).size();
     Counted found;
     for (int frame = 1; frame <= 30; ++frame) {
       simulation.advance_frame();
@@ -95,16 +95,15 @@ TEST(Patches, NothingNewCrossesOutsideThem) {
   EXPECT_GT(ended, 0U);
 }
 
-/// A sheet whose corner is through a level one.
+/// A sheet whose corner goes through a level sheet.
 ContactScene corner_through() {
-  ContactScene scene = {
-      .mesh = both(mesh_of({17, 17, 0.4, 0.4}),
-                   mesh_of({9, 9, 0.2, 0.2, GridPlane::vertical, {0.0037, 0.1873, 0.0021}}))};
+  ContactScene scene = {.mesh = both(make_mesh({17, 17, 0.4, 0.4}),
+                                     make_mesh({9, 9, 0.2, 0.2, GridPlane::vertical, {0.0037, 0.1873, 0.0021}}))};
   scene.bounded.max_stretch = 0.05;
   return scene;
 }
 
-/// These triangles and those that share a vertex with one of them.
+/// Returns these triangles and all that share a vertex with one of them.
 std::set<Index> with_ring(const std::set<Index>& triangles, const Mesh& mesh) {
   std::set<Index> vertices, ring;
   for (const Index t : triangles) {
@@ -123,16 +122,16 @@ TEST(Patches, AreTwoRingsAroundWhatCrossesAndTheShareOfTheirArea) {
   Simulation simulation = begin(corner_through());
   const Mesh mesh = simulation.garment().mesh;
   std::set<Index> expected;
-  for (const app::CrossingPair& pair : app::crossing_pairs(cloth_of(simulation))) {
+  for (const app::CrossingPair& pair : app::crossing_pairs(make_cloth(simulation))) {
     expected.insert({pair.first, pair.second});
   }
   expected = with_ring(with_ring(expected, mesh), mesh);
   simulation.advance_frame();
   std::set<Index> found;
   double area = 0.0, all = 0.0;
-  for (const LeftOutTriangle& t : simulation.frame_report().left_out) {
+  for (const ExcludedTriangle& t : simulation.frame_report().excluded_triangles) {
     found.insert(t.triangle);
-    EXPECT_EQ(t.group, simulation.frame_report().left_out.front().group);
+    EXPECT_EQ(t.group, simulation.frame_report().excluded_triangles.front().group);
   }
   EXPECT_EQ(found, expected);
   for (Index t = 0; t < mesh.triangles.size(); ++t) {
@@ -140,29 +139,29 @@ TEST(Patches, AreTwoRingsAroundWhatCrossesAndTheShareOfTheirArea) {
     all += size;
     area += found.contains(t) ? size : 0.0;
   }
-  EXPECT_NEAR(simulation.frame_report().contact.left_out_share, area / all, 1e-12);
+  EXPECT_NEAR(simulation.frame_report().contact.excluded_area_fraction, area / all, 1e-12);
   EXPECT_GT(area, 0.0);
 }
 
-// A sheet lies so near on another at rest that single precision does not tell them apart.
+// A sheet rests so near to another that their distance is not resolved above rounding in single precision.
 TEST(Patches, CountWhatTouchesAtRest) {
   const auto share_at = [](double apart_m) {
-    ContactScene scene = {.mesh = both(mesh_of({5, 5, 0.2, 0.2}),
-                                       mesh_of({3, 3, 0.02, 0.02, GridPlane::horizontal, {0.003, apart_m, 0.002}}))};
+    ContactScene scene = {.mesh = both(make_mesh({5, 5, 0.2, 0.2}),
+                                       make_mesh({3, 3, 0.02, 0.02, GridPlane::horizontal, {0.003, apart_m, 0.002}}))};
     Simulation simulation = begin(scene);
     simulation.advance_frame();
-    EXPECT_TRUE(simulation.frame_report().left_out.empty());
-    return simulation.frame_report().contact.left_out_share;
+    EXPECT_TRUE(simulation.frame_report().excluded_triangles.empty());
+    return simulation.frame_report().contact.excluded_area_fraction;
   };
   EXPECT_GT(share_at(1.5e-6), 0.0404 / 4.04);
   EXPECT_EQ(share_at(3e-6), 0.0);
 }
 
-// Each of two layers is pierced by a small sheet of its own: the one falls onto the other.
+// Each of two layers is pierced by a small sheet of its own, and one falls onto the other.
 TEST(Patches, OfSeveralGroupsAreKeptApart) {
   const auto pierced = [](double height_m) {
-    return both(mesh_of({11, 11, 0.2, 0.2, GridPlane::horizontal, {0.0, height_m, 0.0}}),
-                mesh_of({4, 4, 0.03, 0.03, GridPlane::vertical, {0.004, height_m + 0.015, 0.003}}));
+    return both(make_mesh({11, 11, 0.2, 0.2, GridPlane::horizontal, {0.0, height_m, 0.0}}),
+                make_mesh({4, 4, 0.03, 0.03, GridPlane::vertical, {0.004, height_m + 0.015, 0.003}}));
   };
   ContactScene scene = {.mesh = both(pierced(0.0), pierced(0.05))};
   scene.bounded.max_stretch = 0.05;
@@ -174,14 +173,14 @@ TEST(Patches, OfSeveralGroupsAreKeptApart) {
     simulation.advance_frame();
     ASSERT_EQ(crossings(simulation).outside, 0U) << frame;
     if (frame == 1) {
-      const std::vector<LeftOutTriangle>& left_out = simulation.frame_report().left_out;
-      EXPECT_NE(left_out.front().group, left_out.back().group);
+      const std::vector<ExcludedTriangle>& excluded_triangles = simulation.frame_report().excluded_triangles;
+      EXPECT_NE(excluded_triangles.front().group, excluded_triangles.back().group);
     }
   }
-  EXPECT_LT(simulation.frame_report().contact.smallest_distance_m, 0.0011);
+  EXPECT_LT(simulation.frame_report().contact.min_distance_m, 0.0011);
 }
 
-// The one sheet is lifted out of the other by its pins: then they are kept apart like all else.
+// One sheet is lifted out of the other by its pins. Contact then keeps them apart like all other cloth.
 TEST(Patches, AreFreeWhenNothingCrossesInThem) {
   ContactScene scene = corner_through();
   for (Index v = 0; v < 17; ++v) {
@@ -198,13 +197,13 @@ TEST(Patches, AreFreeWhenNothingCrossesInThem) {
   std::sort(scene.pins.begin(), scene.pins.end());
   Simulation simulation = begin(scene);
   simulation.advance_frame();
-  EXPECT_GT(simulation.frame_report().contact.left_out_share, 0.0);
+  EXPECT_GT(simulation.frame_report().contact.excluded_area_fraction, 0.0);
   for (int frame = 2; frame <= 30; ++frame) {
     simulation.advance_frame();
     ASSERT_EQ(crossings(simulation).outside, 0U) << frame;
   }
-  EXPECT_EQ(simulation.frame_report().contact.left_out_share, 0.0);
-  EXPECT_TRUE(simulation.frame_report().left_out.empty());
+  EXPECT_EQ(simulation.frame_report().contact.excluded_area_fraction, 0.0);
+  EXPECT_TRUE(simulation.frame_report().excluded_triangles.empty());
   EXPECT_EQ(simulation.frame_report().contact.crossing_pairs, 0U);
 }
 
@@ -219,7 +218,7 @@ TEST(Patches, OfBodiesAndAfterACheckpointAreTheSame) {
     positions_at(scene.surroundings.bodies[0], through.state().time_s, box_m);
     const std::vector<Triangle>& triangles =
         std::get<BodyMesh>(scene.surroundings.bodies[0].shape).data->triangles;
-    count(app::crossing_pairs(cloth_of(through), {box_m, triangles}), 0, through.frame_report(), found);
+    count(app::crossing_pairs(make_cloth(through), {box_m, triangles}), 0, through.frame_report(), found);
     ASSERT_EQ(found.outside, 0U) << frame;
     ASSERT_EQ(found.in_patches, through.frame_report().contact.crossing_pairs) << frame;
     EXPECT_GT(found.in_patches, 10U);
@@ -232,7 +231,7 @@ TEST(Patches, OfBodiesAndAfterACheckpointAreTheSame) {
     ASSERT_EQ(hash(through.state()), hash(resumed.state())) << frame;
     EXPECT_EQ(through.frame_report(), resumed.frame_report()) << frame;
   }
-  EXPECT_FALSE(through.frame_report().left_out.empty());
+  EXPECT_FALSE(through.frame_report().excluded_triangles.empty());
 }
 
 }  // namespace

@@ -12,7 +12,7 @@
 namespace taut::app {
 namespace {
 
-/// A sheet of 5 by 5 that falls on a ball of which a part is `depth_m` above it.
+/// A sheet of 5 by 5 that falls on a ball, whose top begins `depth_m` above the sheet.
 Scene falling_sheet(double depth_m, double max_stretch = 0.01) {
   Scene scene;
   scene.garment.grid = {.columns = 5, .rows = 5, .plane = sim::GridPlane::horizontal};
@@ -25,7 +25,7 @@ Scene falling_sheet(double depth_m, double max_stretch = 0.01) {
   return scene;
 }
 
-ContactRun run_of(const Scene& scene, int frames, std::uint64_t seed = 0) {
+ContactRun make_run(const Scene& scene, int frames, std::uint64_t seed = 0) {
   return run_contact(scene, load_garment(scene), frames, seed, [](int, sim::Simulation&) {});
 }
 
@@ -38,16 +38,16 @@ TEST(ContactBench, StartsAreMovedAtRandomAndCanBeRepeated) {
   EXPECT_EQ(start_m, jittered_start(cloth, 0.002, 7));
   EXPECT_NE(start_m, jittered_start(cloth, 0.002, 8));
   EXPECT_EQ(start_m[3], rest_m[3]) << "pinned";
-  // From a generator whose numbers are the same everywhere.
+  // The generator gives the same numbers on every machine.
   EXPECT_NEAR(start_m[0].x - rest_m[0].x, 5.0877061e-05, 1e-12);
-  double furthest_m = 0.0;
+  double max_distance_m = 0.0;
   for (std::size_t v = 0; v < rest_m.size(); ++v) {
     for (int axis = 0; axis < 3; ++axis) {
-      furthest_m = std::max(furthest_m, std::abs(start_m[v][axis] - rest_m[v][axis]));
+      max_distance_m = std::max(max_distance_m, std::abs(start_m[v][axis] - rest_m[v][axis]));
     }
   }
-  EXPECT_LE(furthest_m, jitter_part * 0.002);
-  EXPECT_GT(furthest_m, 0.8 * jitter_part * 0.002);
+  EXPECT_LE(max_distance_m, jitter_fraction * 0.002);
+  EXPECT_GT(max_distance_m, 0.8 * jitter_fraction * 0.002);
 }
 
 TEST(ContactBench, DragsTheWindUpAndBack) {
@@ -65,38 +65,38 @@ TEST(ContactBench, TellsTheSlowestSecond) {
   ContactRun run;
   run.frames.resize(100);
   for (std::size_t k = 0; k < 100; ++k) run.frames[k].took_ms = run.frames[k].cpu_ms = k < 20 || k >= 80 ? 1.0 : 3.0;
-  EXPECT_DOUBLE_EQ(facts_of({&run, 1}).second_ms, 3.0);
+  EXPECT_DOUBLE_EQ(summarise_contact({&run, 1}).slowest_second_ms, 3.0);
   run.frames.resize(40);
-  EXPECT_DOUBLE_EQ(facts_of({&run, 1}).second_ms, 2.0);
+  EXPECT_DOUBLE_EQ(summarise_contact({&run, 1}).slowest_second_ms, 2.0);
 }
 
 TEST(ContactBench, ARunThatKeepsBothPromisesPasses) {
   const Scene scene = falling_sheet(-0.001);
-  const ContactRun run = run_of(scene, 8);
+  const ContactRun run = make_run(scene, 8);
   EXPECT_EQ(run.first_broken, "");
   EXPECT_EQ(run.frames.size(), 8U);
-  const ContactFacts facts = facts_of({&run, 1});
-  EXPECT_EQ(facts.passed, 1U);
+  const ContactFacts facts = summarise_contact({&run, 1});
+  EXPECT_EQ(facts.passed_runs, 1U);
   EXPECT_EQ(facts.crossing_pairs + facts.broken_frames, 0U);
   EXPECT_GE(facts.detections, 1.0);
-  EXPECT_GT(facts.most_pairs, 0);
-  EXPECT_GT(facts.smallest_distance_m, 0.0);
-  EXPECT_LE(facts.smallest_distance_m, 0.001 + 1e-6);
+  EXPECT_GT(facts.max_pairs, 0);
+  EXPECT_GT(facts.min_distance_m, 0.0);
+  EXPECT_LE(facts.min_distance_m, 0.001 + 1e-6);
   EXPECT_GT(facts.stretch, 0.0005);
   EXPECT_LE(facts.stretch, 0.01 + 1e-9);
-  const ContactRun moved = run_of(scene, 8, 1), again = run_of(scene, 8, 1);
+  const ContactRun moved = make_run(scene, 8, 1), again = make_run(scene, 8, 1);
   EXPECT_NE(moved.stretch, run.stretch);
   EXPECT_EQ(moved.stretch, again.stretch);
 }
 
 TEST(ContactBench, ARunThatBreaksAPromiseIsNamedAndGoesOn) {
   const Scene scene = falling_sheet(0.05);
-  ContactTrial trial = {"needles", 0.01, 32, {run_of(falling_sheet(-0.001), 3), run_of(scene, 3, 5)}};
+  ContactTrial trial = {"needles", 0.01, 32, {make_run(falling_sheet(-0.001), 3), make_run(scene, 3, 5)}};
   EXPECT_CONTAINS(trial.runs[1].first_broken, "frame 0, 0.0000 s: ");
   EXPECT_CONTAINS(trial.runs[1].first_broken, "the body 'ball', the first: triangle ");
   EXPECT_EQ(trial.runs[1].frames.size(), 3U);
-  const ContactFacts facts = facts_of(trial.runs);
-  EXPECT_EQ(facts.passed, 1U);
+  const ContactFacts facts = summarise_contact(trial.runs);
+  EXPECT_EQ(facts.passed_runs, 1U);
   EXPECT_EQ(facts.frames, 6U);
   EXPECT_GE(facts.broken_frames, 1U);
   EXPECT_GE(facts.crossing_pairs, trial.runs[1].start.crossing_pairs);
@@ -126,22 +126,22 @@ TEST(ContactBench, BodiesAreDressedBeforeTheStart) {
   DrawnScene scene = find_scene("tshirt-worn", std::vector{parse_override("garment.file=\"" TAUT_ASSETS_FOLDER
                                                                           "/garments/tshirt_1028.obj\"")});
   load_bodies(scene);
-  const ContactRun dressed = run_of(scene, 1);
+  const ContactRun dressed = make_run(scene, 1);
   EXPECT_EQ(dressed.start.crossing_pairs, 0U);
   EXPECT_EQ(dressed.first_broken, "");
   scene.body_sources.front().dress = 0;
-  EXPECT_GT(run_of(scene, 0).start.crossing_pairs, 0U) << "on a body that did not grow";
+  EXPECT_GT(make_run(scene, 0).start.crossing_pairs, 0U) << "on a body that did not grow";
 }
 
-// Whatever vectors the library's own detection was limited to.
+// The vector unit that is measured does not depend on any limit set for the library's own detection.
 TEST(ContactBench, MeasuresTheVectorsThatMostProcessorsHave) {
   std::ifstream file("/proc/cpuinfo");
   const std::string processor((std::istreambuf_iterator<char>(file)), {});
   if (processor.find(" avx2 ") == std::string::npos) {
     GTEST_SKIP() << "this processor has no AVX2";
   }
-  EXPECT_STREQ(sim::name_of(measured_vector_unit()), "avx2");
-  EXPECT_CONTAINS(contact_head(sim::name_of(measured_vector_unit()), 1), "with avx2. ");
+  EXPECT_STREQ(sim::to_name(measured_vector_unit()), "avx2");
+  EXPECT_CONTAINS(contact_head(sim::to_name(measured_vector_unit()), 1), "with avx2. ");
   EXPECT_NE(&sim::bounded::kernels_for(sim::VectorUnit::avx2),
             &sim::bounded::kernels_for(sim::VectorUnit::sse));
 }
@@ -153,19 +153,19 @@ TEST(ContactBench, FactsAreThoseOfAllFrames) {
   runs[1].frames = {{2.0, 4.0, 1.5, far, 5, true}};
   runs[1].stretch = 0.02;
   runs[1].first_broken = "frame 1";
-  const ContactFacts facts = facts_of(runs);
+  const ContactFacts facts = summarise_contact(runs);
   EXPECT_EQ(facts.median_ms, 1.5) << "of the medians 1 and 2";
   EXPECT_EQ(facts.p99_ms, 2.0) << "between two frames the faster";
   EXPECT_EQ(facts.search_share, 3.0 / 24.0) << "of what all threads used";
   EXPECT_EQ(facts.worst_ms, 9.0);
   EXPECT_NEAR(facts.detections, 8.0 / 3.0, 1e-15);
   EXPECT_NEAR(facts.partial_detections, 2.0 / 3.0, 1e-15);
-  EXPECT_EQ(facts.most_pairs, 30);
-  EXPECT_EQ(facts.smallest_distance_m, 1e-4);
+  EXPECT_EQ(facts.max_pairs, 30);
+  EXPECT_EQ(facts.min_distance_m, 1e-4);
   EXPECT_EQ(facts.stretch, 0.02);
   EXPECT_EQ(facts.crossing_pairs, 5U);
   EXPECT_EQ(facts.broken_frames, 1U);
-  EXPECT_EQ(facts_of({}).median_ms, 0.0);
+  EXPECT_EQ(summarise_contact({}).median_ms, 0.0);
 }
 
 }  // namespace

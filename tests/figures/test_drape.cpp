@@ -32,7 +32,7 @@ TEST(Disc, IsCoveredOnceByEvenTriangles) {
   EXPECT_NE(other.positions, make_disc(clamped_radius_m, draped_radius_m, drape_meshes[0]).positions);
 }
 
-/// The disc with its border moved in by `depth_m` at the dents of so many folds.
+/// The disc with its border moved inwards by `depth_m` at the dents of `folds` folds.
 DrapeShadow shadow_of_waves(int folds, double depth_m) {
   const sim::Mesh disc = make_disc(clamped_radius_m, draped_radius_m, {0.005, 1});
   std::vector<sim::Vec3> positions_m = disc.positions;
@@ -51,7 +51,7 @@ TEST(DrapeShadow, CountsFoldsAndWhatOfTheRingIsShaded) {
   for (const int folds : {3, 6, 8}) {
     EXPECT_EQ(shadow_of_waves(folds, 0.03).folds, folds);
   }
-  // The area within r - d/2 + d/2 cos is that of its mean radius and of half its amplitude's square.
+  // The curve r - d/2 + d/2 cos encloses pi (mean radius^2 + amplitude^2 / 2).
   const double mean_m = draped_radius_m - 0.015;
   const double shaded_m2 = std::numbers::pi * (mean_m * mean_m + 0.5 * 0.015 * 0.015);
   const double clamped_m2 = std::numbers::pi * clamped_radius_m * clamped_radius_m;
@@ -59,7 +59,7 @@ TEST(DrapeShadow, CountsFoldsAndWhatOfTheRingIsShaded) {
 }
 
 double drape_percent(const std::string& fabric, const DiscMesh& mesh) {
-  return 100.0 * run_drape(made_of({}, fabric).material, mesh).shadow.coefficient;
+  return 100.0 * run_drape(set_fabric({}, fabric).material, mesh).shadow.coefficient;
 }
 
 void expect_as_published(const DiscMesh& mesh) {
@@ -75,7 +75,7 @@ void expect_as_published(const DiscMesh& mesh) {
   EXPECT_LT(percent["cotton"], percent["denim"]);
 }
 
-// Coarser meshes are an experiment of the figure "truth".
+// The experiments of the figure "truth" use coarser meshes.
 TEST(Drape, FabricsHangAsPublishedOnAFineMesh) { expect_as_published(drape_meshes[2]); }
 
 }  // namespace

@@ -5,14 +5,14 @@
 
 #include "app/drawing/drawing.hpp"
 #include "app/drawing/plots/plot.hpp"
-#include "app/output/csv.hpp"
+#include "app/runs/csv.hpp"
 
 namespace taut::app {
 namespace {
 
-std::vector<std::string> labels_of(const Axis& axis) {
+std::vector<std::string> tick_labels(const Axis& axis) {
   std::vector<std::string> labels;
-  for (const Tick& tick : ticks_of(axis)) {
+  for (const Tick& tick : make_ticks(axis)) {
     if (!tick.label.empty()) {
       labels.push_back(tick.label);
     }
@@ -23,25 +23,25 @@ std::vector<std::string> labels_of(const Axis& axis) {
 using Labels = std::vector<std::string>;
 
 TEST(Axis, LinearTicksAreRoundAndWithin) {
-  EXPECT_EQ(labels_of({"", 0.0, 10.0}), (Labels{"0", "2", "4", "6", "8", "10"}));
-  EXPECT_EQ(labels_of({"", -0.013, 0.031}), (Labels{"-0.01", "0.00", "0.01", "0.02", "0.03"}));
-  EXPECT_EQ(labels_of({"", 0.0, 20.0, false, " %"}), (Labels{"0 %", "5 %", "10 %", "15 %", "20 %"}));
+  EXPECT_EQ(tick_labels({"", 0.0, 10.0}), (Labels{"0", "2", "4", "6", "8", "10"}));
+  EXPECT_EQ(tick_labels({"", -0.013, 0.031}), (Labels{"-0.01", "0.00", "0.01", "0.02", "0.03"}));
+  EXPECT_EQ(tick_labels({"", 0.0, 20.0, false, " %"}), (Labels{"0 %", "5 %", "10 %", "15 %", "20 %"}));
 }
 
 TEST(Axis, LogarithmicTicksAreDecadesWithSmallOnesBetween) {
   const Axis axis{"", 1e-3, 1.0, true};
-  EXPECT_EQ(labels_of(axis), (Labels{"10⁻³", "10⁻²", "10⁻¹", "10⁰"}));
-  const std::vector<Tick> ticks = ticks_of(axis);
+  EXPECT_EQ(tick_labels(axis), (Labels{"10⁻³", "10⁻²", "10⁻¹", "10⁰"}));
+  const std::vector<Tick> ticks = make_ticks(axis);
   EXPECT_EQ(ticks.size(), 28U);
   EXPECT_TRUE(std::is_sorted(ticks.begin(), ticks.end(), [](auto& a, auto& b) { return a.value < b.value; }));
   EXPECT_NEAR(ticks[1].value, 2e-3, 1e-12);
 }
 
 TEST(Axis, SmallDecadesAreWrittenInFullAndManyThinnedOut) {
-  EXPECT_EQ(labels_of({"", 0.1, 100.0, true}), (Labels{"0.1", "1", "10", "100"}));
-  EXPECT_EQ(labels_of({"", 1.0, 20.0, true}), (Labels{"1", "2", "5", "10", "20"}));
-  EXPECT_LE(labels_of({"", 1e-18, 1.0, true}).size(), 8U);
-  EXPECT_EQ(labels_of({"", 1.0, 9.0, true, "", {3.0, 7.0}}), (Labels{"3", "7"}));
+  EXPECT_EQ(tick_labels({"", 0.1, 100.0, true}), (Labels{"0.1", "1", "10", "100"}));
+  EXPECT_EQ(tick_labels({"", 1.0, 20.0, true}), (Labels{"1", "2", "5", "10", "20"}));
+  EXPECT_LE(tick_labels({"", 1e-18, 1.0, true}).size(), 8U);
+  EXPECT_EQ(tick_labels({"", 1.0, 9.0, true, "", {3.0, 7.0}}), (Labels{"3", "7"}));
 }
 
 TEST(Axis, PlacesValuesInProportionOrByTheirLogarithm) {
@@ -69,12 +69,12 @@ TEST(Axis, WritesPowersAsPeopleDo) {
 
 TEST(Plot, CutsSegmentsAtTheEdgeOfTheArea) {
   const Area data_area{0.0F, 0.0F, 10.0F, 10.0F};
-  const auto crossing = clipped({-5.0F, 5.0F}, {15.0F, 5.0F}, data_area);
+  const auto crossing = clip_segment({-5.0F, 5.0F}, {15.0F, 5.0F}, data_area);
   ASSERT_TRUE(crossing);
   EXPECT_NEAR((*crossing)[0].x, 0.0F, 1e-5F);
   EXPECT_NEAR((*crossing)[1].x, 10.0F, 1e-5F);
-  EXPECT_FALSE(clipped({-5.0F, 20.0F}, {15.0F, 20.0F}, data_area));
-  const auto inside = clipped({1.0F, 2.0F}, {3.0F, 4.0F}, data_area);
+  EXPECT_FALSE(clip_segment({-5.0F, 20.0F}, {15.0F, 20.0F}, data_area));
+  const auto inside = clip_segment({1.0F, 2.0F}, {3.0F, 4.0F}, data_area);
   ASSERT_TRUE(inside);
   EXPECT_EQ((*inside)[1], glm::vec2(3.0F, 4.0F));
 }
@@ -94,7 +94,7 @@ TEST(Plot, ThinningKeepsTheExtremes) {
   for (int i = 0; i < 1000; ++i) {
     noise.emplace_back(static_cast<float>(i) / 100.0F, i == 555 ? 99.0F : static_cast<float>(i % 7));
   }
-  const auto thin = thinned_out(noise);
+  const auto thin = thin_out(noise);
   EXPECT_LE(thin.size(), 40U);
   EXPECT_TRUE(std::any_of(thin.begin(), thin.end(), [](auto& p) { return p.y == 99.0F; }));
   EXPECT_EQ(thin.back(), noise.back());
@@ -109,7 +109,7 @@ TEST(Plot, CurveEndsAtTheDataAreaAndStandsWhereItsValuesSay) {
       {"", {{0.0, 10.0}, {0.5, 10.0}, {0.6, 0.0}, {0.7, 1e9}, {0.8, 1e9}}, {renderer::Colour{0.0F}, 6.0F, {}}}};
   const Area area{0.0F, 0.0F, 600.0F, 400.0F};
   renderer::Canvas canvas(600, 400);
-  const Area data_area = data_area_of(canvas, plot, area);
+  const Area data_area = compute_data_area(canvas, plot, area);
   draw_plot(canvas, plot, area);
   const renderer::Image image = canvas.to_image();
   const auto is_dark = [&](double x, double y) {
@@ -129,7 +129,7 @@ TEST(Plot, CrossesAreCrosses) {
   plot.legend = LegendCorner::none;
   const Area area{0.0F, 0.0F, 600.0F, 400.0F};
   renderer::Canvas canvas(600, 400);
-  const Area data_area = data_area_of(canvas, plot, area);
+  const Area data_area = compute_data_area(canvas, plot, area);
   draw_plot(canvas, plot, area, {.marker_px = 20.0F});
   const renderer::Image image = canvas.to_image();
   const auto is_dark = [&](float right_px, float down_px) {

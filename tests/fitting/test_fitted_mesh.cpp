@@ -4,8 +4,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "app/fitting/fitted_mesh.hpp"
-#include "app/fitting/sheets.hpp"
+#include "app/garments/fitting/fitted_mesh.hpp"
+#include "app/garments/fitting/sheets.hpp"
 #include "app/verify/crossing_pairs.hpp"
 #include "sim/mesh/topology.hpp"
 #include "sim/mesh/welding.hpp"
@@ -16,7 +16,7 @@ namespace {
 using sim::Index;
 using sim::Vec3;
 
-/// A grid of quads cut in two; `place` takes its columns and rows from 0 to 1.
+/// A grid of quads cut in two. `place` maps columns and rows, both from 0 to 1, to positions.
 template <class Place> sim::Mesh patch(Index columns, Index rows, const Place& place) {
   sim::Mesh mesh;
   for (Index r = 0; r <= rows; ++r) {
@@ -42,7 +42,8 @@ void add(const sim::Mesh& part, sim::Mesh& all) {
   }
 }
 
-/// A way once around the y axis and back, to be welded at its end.
+/// Point of a circle around the y axis, at this fraction of a turn. A full turn gives the first point again, so that
+/// the ends can be welded.
 Vec3 around(double turn, double radius, double y) {
   const double angle = turn == 1.0 ? 0.0 : -2.0 * std::numbers::pi * turn;
   return {radius * std::cos(angle), y, radius * std::sin(angle)};
@@ -57,12 +58,12 @@ sim::Mesh sheet(Index columns, Index rows, double width, double height, Vec3 cor
 struct Judged {
   FittedMesh fitted;
   sim::Topology topology;
-  double angle_deg = 0.0;                    ///< the smallest of a triangle, 1st percentile
-  double shortest_m = 0.0, longest_m = 0.0;  ///< edges, 1st and 99th percentile
+  double angle_deg = 0.0;                    ///< smallest angle of a triangle, 1st percentile
+  double min_length_m = 0.0, max_length_m = 0.0;  ///< edges, 1st and 99th percentile
   double area_m2 = 0.0;
 };
 
-double smallest_angle(const sim::Mesh& mesh, const sim::Triangle& t) {
+double min_angle(const sim::Mesh& mesh, const sim::Triangle& t) {
   double smallest = 180.0;
   for (int k = 0; k < 3; ++k) {
     const Vec3 x = mesh.positions[t[(k + 1) % 3]] - mesh.positions[t[k]];
@@ -72,28 +73,28 @@ double smallest_angle(const sim::Mesh& mesh, const sim::Triangle& t) {
   return smallest;
 }
 
-/// Fits a model and requires of the result what is promised for every model.
-Judged fit(const sim::Mesh& soup, const FittingSettings& settings = {.most_triangles = 3000}) {
+/// Fits a model and requires all promises that hold for every model.
+Judged fit(const sim::Mesh& soup, const FittingSettings& settings = {.max_triangles = 3000}) {
   Judged judged;
   judged.fitted = fit_mesh(sim::weld_and_validate(soup).mesh, settings);
   const sim::Mesh& mesh = judged.fitted.mesh;
   judged.topology = sim::measure_topology(mesh, sim::make_adjacency(mesh));
   std::vector<double> angles, lengths;
   for (const sim::Triangle& t : mesh.triangles) {
-    angles.push_back(smallest_angle(mesh, t));
+    angles.push_back(min_angle(mesh, t));
     lengths.push_back(glm::distance(mesh.positions[t[0]], mesh.positions[t[1]]));
   }
   std::sort(angles.begin(), angles.end());
   std::sort(lengths.begin(), lengths.end());
   judged.angle_deg = angles.at(angles.size() / 100);
-  judged.shortest_m = lengths.at(lengths.size() / 100);
-  judged.longest_m = lengths.at(lengths.size() * 99 / 100);
+  judged.min_length_m = lengths.at(lengths.size() / 100);
+  judged.max_length_m = lengths.at(lengths.size() * 99 / 100);
   judged.area_m2 = sim::surface_area(mesh);
   EXPECT_EQ(judged.topology.non_manifold_edges, 0U);
   EXPECT_EQ(judged.topology.non_manifold_vertices, 0U);
   EXPECT_EQ(judged.topology.misoriented_edges, 0U);
   EXPECT_GT(judged.angle_deg, 20.0);
-  EXPECT_LE(mesh.triangles.size(), settings.most_triangles);
+  EXPECT_LE(mesh.triangles.size(), settings.max_triangles);
   EXPECT_TRUE(crossing_pairs({mesh.positions, mesh.triangles}).empty());
   EXPECT_EQ(judged.fitted.crossings, 0U);
   return judged;
@@ -105,7 +106,7 @@ constexpr double tube_area_m2 = 2.0 * std::numbers::pi * 0.2 * 0.8;
 sim::Mesh thick_tube(double thickness) {
   return patch(60, 44, [&](double u, double v) {
     const double row = std::round(v * 44.0);
-    // Up outside in rows 0 to 21, down inside in rows 22 to 43, then back to the first.
+    // Rows 0 to 21 go up outside and rows 22 to 43 down inside; row 44 is the first again.
     const bool is_outer = row < 22.0 || row == 44.0;
     const double y = row == 44.0 ? 0.0 : (is_outer ? row : 43.0 - row) / 21.0 * 0.8;
     return around(u, is_outer ? 0.2 : 0.2 - thickness, y);
@@ -201,7 +202,7 @@ TEST(FittedMesh, LeavesPanelsApartThatDoNotMeet) {
   EXPECT_EQ(fit(panels).fitted.sheets, 2U);
 }
 
-/// A skirt and what is sewn to it above a gap, with this radius and so much of its turn.
+/// A skirt with a band above it, after a gap. The band has this radius and covers this fraction of a turn.
 sim::Mesh skirt_below_band(double radius, double gap, double turn = 1.0) {
   sim::Mesh mesh = tube(60, 40, 0.2, 0.6);
   add(patch(50, 6, [&](double u, double v) { return around(turn * u, radius, 0.6 + gap + 0.08 * v); }), mesh);
@@ -221,16 +222,16 @@ TEST(FittedMesh, HangsTogetherWhereAPartGoesOnBeyondAGap) {
 }
 
 TEST(FittedMesh, KeepsBordersAndTheirCornersInPlace) {
-  // Needles: columns 50 times as narrow as they are high.
+  // Triangles are needles: columns are 50 times as narrow as rows are high.
   const Judged judged = fit(sheet(500, 10, 0.5, 0.5));
   EXPECT_NEAR(judged.area_m2, 0.25, 0.0002);
   EXPECT_EQ(judged.topology.boundary_loops, 1U);
   for (const Vec3& corner : {Vec3(0.0), Vec3(0.5, 0.0, 0.0), Vec3(0.0, 0.5, 0.0), Vec3(0.5, 0.5, 0.0)}) {
-    double nearest_m = 1.0;
+    double min_distance_m = 1.0;
     for (const Vec3& p : judged.fitted.mesh.positions) {
-      nearest_m = std::min(nearest_m, glm::distance(p, corner));
+      min_distance_m = std::min(min_distance_m, glm::distance(p, corner));
     }
-    EXPECT_LT(nearest_m, 1e-9);
+    EXPECT_LT(min_distance_m, 1e-9);
   }
 }
 
@@ -238,10 +239,10 @@ TEST(FittedMesh, HasEdgesOfOneLengthAndFewerTriangles) {
   const sim::Mesh model =
       patch(200, 100, [](double u, double v) { return around(u, 0.2 + 0.01 * std::sin(50.0 * u) * v, v * 0.8); });
   for (const std::size_t most : {2000U, 8000U}) {
-    const Judged judged = fit(model, {.most_triangles = most});
+    const Judged judged = fit(model, {.max_triangles = most});
     EXPECT_GT(judged.fitted.mesh.triangles.size(), most * 7 / 10);
-    EXPECT_GT(judged.shortest_m, 0.6 * judged.fitted.edge_m);
-    EXPECT_LT(judged.longest_m, 1.4 * judged.fitted.edge_m);
+    EXPECT_GT(judged.min_length_m, 0.6 * judged.fitted.edge_m);
+    EXPECT_LT(judged.max_length_m, 1.4 * judged.fitted.edge_m);
   }
 }
 
@@ -259,7 +260,7 @@ TEST(FittedMesh, KeepsNarrowStraps) {
   const Judged judged = fit(top);
   EXPECT_EQ(judged.fitted.sheets, 1U);
   EXPECT_EQ(judged.topology.boundary_loops,
-            4U);  // the hem, the neck between the straps and an armhole beside each
+            4U);  // the hem, the neck between the straps, and an armhole beside each strap
   const auto highest = std::max_element(judged.fitted.mesh.positions.begin(), judged.fitted.mesh.positions.end(),
                                         [](const Vec3& a, const Vec3& b) { return a.y < b.y; });
   EXPECT_GT(highest->y, 0.54);
@@ -278,7 +279,7 @@ TEST(FittedMesh, IsAsGoodOfAFewLargeTriangles) {
   EXPECT_NEAR(judged.area_m2, sim::surface_area(model), 0.01 * sim::surface_area(model));
 }
 
-// No collapse takes away the edges of a hole with three sides, here a micrometre long.
+// A hole with three sides, here a micrometre long: no collapse can remove its edges.
 TEST(Remeshing, LeavesNoEdgeWithoutLength) {
   sim::Mesh model = sheet(20, 20, 0.5, 0.5);
   const std::size_t hole = 2 * (10 * 20 + 10);
@@ -300,8 +301,8 @@ TEST(Remeshing, EndsWhenItsBudgetIsSpent) {
   EXPECT_THROW(remesh(sheet(20, 20, 0.5, 0.5), 0.03, 500), std::invalid_argument);
 }
 
-// Two sheets that share a line, where four triangles meet at an edge, are two, and neither has a border
-// there.
+// Two sheets that share a line count as two, although four triangles meet at each edge of the line. Neither has a
+// border there.
 TEST(Sheets, BothOfTwoGoOnWhereTheyCross) {
   sim::Mesh cross = sheet(20, 20, 0.5, 0.5, Vec3(-0.25, 0.0, 0.0));
   const auto second = static_cast<Index>(cross.positions.size());

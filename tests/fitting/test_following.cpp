@@ -1,4 +1,4 @@
-// Points that follow a mesh they are bound to.
+// Points that follow a mesh to which they are bound.
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "app/fitting/following.hpp"
+#include "app/garments/fitting/following.hpp"
 #include "sim/mesh/grid.hpp"
 #include "sim/mesh/mesh.hpp"
 
@@ -15,7 +15,7 @@ namespace {
 
 using sim::Vec3;
 
-/// A level sheet of 1 m with this height, which faces up.
+/// A level sheet of 1 m at this height, which faces up.
 sim::Mesh sheet(int columns, double height_m = 0.0) {
   sim::Mesh mesh;
   for (int z = 0; z <= columns; ++z) {
@@ -35,8 +35,7 @@ sim::Mesh sheet(int columns, double height_m = 0.0) {
 
 Vec3 wave(const Vec3& p) { return {p.x, p.y + 0.1 * std::sin(5.0 * p.x) * std::cos(4.0 * p.z), p.z}; }
 
-template <class Move>
-std::vector<Vec3> moved(const std::vector<Vec3>& points, Move move) {
+template <class Move> std::vector<Vec3> translate(const std::vector<Vec3>& points, Move move) {
   std::vector<Vec3> result;
   for (const Vec3& p : points) {
     result.push_back(move(p));
@@ -44,7 +43,7 @@ std::vector<Vec3> moved(const std::vector<Vec3>& points, Move move) {
   return result;
 }
 
-double largest_distance(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
+double max_distance(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
   double largest = a.size() == b.size() ? 0.0 : INFINITY;
   for (std::size_t k = 0; k < std::min(a.size(), b.size()); ++k) {
     largest = std::max(largest, glm::distance(a[k], b[k]));
@@ -52,7 +51,7 @@ double largest_distance(const std::vector<Vec3>& a, const std::vector<Vec3>& b) 
   return largest;
 }
 
-/// Points at, above and below the sheet, and beyond its border.
+/// Points on, above and below the sheet, and beyond its border.
 std::vector<Vec3> points_about() {
   std::vector<Vec3> points;
   for (int k = 0; k < 200; ++k) {
@@ -64,23 +63,24 @@ std::vector<Vec3> points_about() {
 TEST(Following, AMeshThatFollowsItselfMovesWithIt) {
   const sim::Mesh mesh = sheet(12);
   const std::vector<Bond> bonds = bonds_to(mesh.positions, mesh);
-  const std::vector<Vec3> waves = moved(mesh.positions, wave);
-  EXPECT_LT(largest_distance(follow(bonds, waves, mesh.triangles), waves), 1e-9);
+  const std::vector<Vec3> waves = translate(mesh.positions, wave);
+  EXPECT_LT(max_distance(follow(bonds, waves, mesh.triangles), waves), 1e-9);
 }
 
 TEST(Following, PointsStayWhereTheMeshWasWhenTheyWereBound) {
   sim::Mesh mesh = sheet(12);
-  mesh.positions = moved(mesh.positions, wave);
+  mesh.positions = translate(mesh.positions, wave);
   const std::vector<Vec3> points = points_about();
-  EXPECT_LT(largest_distance(follow(bonds_to(points, mesh), mesh.positions, mesh.triangles), points), 1e-9);
+  EXPECT_LT(max_distance(follow(bonds_to(points, mesh), mesh.positions, mesh.triangles), points), 1e-9);
 }
 
 TEST(Following, PointsTurnWithTheMesh) {
   sim::Mesh mesh = sheet(12);
-  mesh.positions = moved(mesh.positions, wave);
+  mesh.positions = translate(mesh.positions, wave);
   const auto turn = [](const Vec3& p) { return Vec3(0.6 * p.x - 0.8 * p.y, 0.8 * p.x + 0.6 * p.y, p.z) + Vec3(3.0, 1.0, -2.0); };
   const std::vector<Vec3> points = points_about();
-  EXPECT_LT(largest_distance(follow(bonds_to(points, mesh), moved(mesh.positions, turn), mesh.triangles), moved(points, turn)),
+  EXPECT_LT(max_distance(follow(bonds_to(points, mesh), translate(mesh.positions, turn), mesh.triangles),
+                         translate(points, turn)),
             1e-9);
 }
 
@@ -115,7 +115,7 @@ TEST(Following, WhatIsCarriedStaysBelowTheWallAsItIsDrawn) {
   ASSERT_EQ(carried.vertices.size(), carried_at.size());
   const std::vector<float> shares(model.positions.size(), 1.0F);
   std::vector<Vec3> points_m =
-      follow(bonds_of_model(model, is_wall, mesh), moved(mesh.positions, wave), mesh.triangles, shares);
+      follow(bonds_of_model(model, is_wall, mesh), translate(mesh.positions, wave), mesh.triangles, shares);
   carry(carried, shares, points_m);
   const sim::Mesh wall{points_m, carried.wall, {}};
   for (sim::Index v = first; v < points_m.size(); ++v) {
@@ -128,7 +128,7 @@ TEST(Following, WhatIsCarriedStaysBelowTheWallAsItIsDrawn) {
 TEST(Following, TheNearestCornerIsThatOfTheLargestWeight) {
   const sim::Mesh mesh = sheet(2);
   const std::vector<Bond> bonds = bonds_to(std::vector<Vec3>{{0.48, 0.01, 0.03}}, mesh);
-  EXPECT_EQ(nearest_corner(bonds[0], mesh.triangles), 1U);
+  EXPECT_EQ(find_nearest_corner(bonds[0], mesh.triangles), 1U);
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
-// Any bytes as what the importing process hands back: they are refused, or mean what encode makes of them, and can be
-// used.
+// Any bytes as the output of the importing process. They are refused, or they are exactly the encoding of a model
+// that can be used.
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
@@ -9,7 +9,7 @@
 #include "../models/any_arrays.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  // Bytes as they are seldom get further than the lengths: others begin with a letter and become arrays first.
+  // Raw bytes seldom pass the checks of lengths. Bytes that begin with 'a' are therefore turned into arrays first.
   if (size > 0 && data[0] == 'a') {
     taut::test::are_taken_and_used({data + 1, size - 1});
     return 0;

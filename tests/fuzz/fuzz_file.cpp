@@ -1,5 +1,5 @@
-// Any bytes as a file of the kind that TAUT_FUZZ_KIND names, through its reader and what is made of it: nothing but an
-// error that people are shown may come of it.
+// Any bytes as a file of the kind that TAUT_FUZZ_KIND names. They pass its reader and the code that uses the result.
+// Only errors that people are shown may come of them.
 #include <unistd.h>
 
 #include <cstddef>
@@ -12,11 +12,11 @@
 
 #include "app/base/errors.hpp"
 #include "app/bodies/frame_source.hpp"
+#include "app/garments/sewing/cutting.hpp"
 #include "app/models/garment_loading.hpp"
 #include "app/output/picture_record.hpp"
-#include "app/output/run_checkpoint.hpp"
+#include "app/runs/run_checkpoint.hpp"
 #include "app/scene/scene_format.hpp"
-#include "app/sewing/cutting.hpp"
 #include "app/viewer/session/session.hpp"
 
 namespace {
@@ -31,7 +31,7 @@ std::string text_in(const fs::path& file) { return read_text_file(file, max_mode
 
 void use_pattern(const fs::path& file) { cut_pieces(read_sewing_pattern(file), panel_triangles); }
 
-void use_fabric(const fs::path& file) { material_of(file.string(), "--fabric"); }
+void use_fabric(const fs::path& file) { find_fabric_material(file.string(), "--fabric"); }
 
 void use_session(const fs::path& file) { parse_session(text_in(file), "fuzzed.session"); }
 
@@ -43,7 +43,7 @@ void use_scene_in_picture(const fs::path& file) {
   decode_image(text_in(file));
 }
 
-/// A body of three joints, each with a vertex.
+/// A body of three joints, each with one vertex.
 std::shared_ptr<const Rig> make_rig() {
   Rig rig;
   glm::dmat4 up(1.0);
@@ -74,7 +74,7 @@ void use_bvh(const fs::path& file) {
 
 void use_pc2(const fs::path& file) { use_frames(*open_pc2(file)); }
 
-/// The bytes are sealed anew: behind the seal everything may be wrong.
+/// The bytes get a valid seal, so that the reader accepts them; everything behind the seal may be wrong.
 void use_checkpoint(const fs::path& file) {
   static const LoadedGarment garment = [] {
     Scene scene;
@@ -84,7 +84,7 @@ void use_checkpoint(const fs::path& file) {
   sim::ByteWriter sealed;
   for (const char byte : text_in(file)) sealed.put(byte);
   sealed.seal();
-  const RunCheckpoint checkpoint = run_checkpoint_of(sealed.bytes(), file);
+  const RunCheckpoint checkpoint = parse_run_checkpoint(sealed.bytes(), file);
   Scene scene;
   scene.garment.grid.columns = scene.garment.grid.rows = 4;
   sim::Simulation simulation = make_simulation(scene, garment);

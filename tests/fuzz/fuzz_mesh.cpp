@@ -1,6 +1,5 @@
-// Any bytes as flat arrays, through the mesh pipeline to springs and a few steps: nothing but
-// std::invalid_argument may come of it, or ContactBlocked, and no coordinate that is not finite without
-// Diverged.
+// Any bytes as flat arrays, through the mesh pipeline to springs and a few steps. Only std::invalid_argument,
+// ContactBlocked and Diverged may be thrown. Coordinates that are not finite must throw Diverged.
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
@@ -39,7 +38,7 @@ class Bytes {
   std::size_t size_;
 };
 
-// Small whole coordinates make vertices meet and lines align; raw floats reach every other case.
+// Small whole coordinates make vertices coincide and lines align. Raw floats reach every other case.
 Vec3 take_position(Bytes& bytes, bool raw) {
   if (raw) {
     const auto x = bytes.take<float>(), y = bytes.take<float>(), z = bytes.take<float>();
@@ -111,12 +110,12 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         report.welded_vertices + report.near_vertices + report.sewn_vertices + report.unused_vertices +
                 valid.mesh.positions.size() !=
             report.input_vertices) {
-      std::abort();  // something was repaired silently
+      std::abort();  // the report misses a repair
     }
     run(valid.mesh, choice);
   } catch (const std::invalid_argument&) {
   } catch (const Diverged&) {
-  } catch (const ContactBlocked&) {  // of cloth as large as a planet, or that is nothing but touching parts
+  } catch (const ContactBlocked&) {  // cloth as large as a planet, or nothing but touching primitives
   }
   return 0;
 }

@@ -1,5 +1,4 @@
-// Any text as an OBJ file and as its materials: nothing but InputError may come of it, and faces that are read
-// name vertices that are there.
+// Any text as an OBJ file and as its materials. Only InputError may be thrown, and faces name vertices that exist.
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
@@ -7,8 +6,8 @@
 #include <string_view>
 
 #include "app/base/errors.hpp"
-#include "app/models/garment_import.hpp"
-#include "app/models/model_arrays.hpp"
+#include "app/models/reading/garment_import.hpp"
+#include "app/models/reading/model_arrays.hpp"
 
 using namespace taut::app;
 

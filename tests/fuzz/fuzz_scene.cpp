@@ -1,5 +1,4 @@
-// Any text as a scene file: nothing but InputError may come of it, and what is read means the same when it is
-// written as a scene file and read again.
+// Any text as a scene file. Only InputError may be thrown, and a scene that is written and read again is the same.
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
@@ -13,7 +12,7 @@ using namespace taut::app;
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   try {
     DrawnScene scene = read_scene_text({reinterpret_cast<const char*>(data), size}, "fuzzed.toml");
-    // A record names its garment by its place in the assets, which is not where a scene file looks for it.
+    // A record names its garment relative to the assets; a scene file looks for it elsewhere.
     if (scene.garment.file.empty()) {
       const std::string text = scene_text(scene);
       if (scene_text(read_scene_text(text, "again.toml")) != text) {

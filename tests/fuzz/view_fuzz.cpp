@@ -1,7 +1,7 @@
-// Random keys, pointer, drops and resizes into the viewer without a window.
+// Random keys, pointer movements, drops and resizes into the viewer without a window.
 //   view_fuzz SECONDS SEED
-// Fails by crashing, by an exception that no person should meet, or by memory that keeps growing. The input
-// is in view_fuzz.session, for `taut view --headless --script`.
+// Fails by a crash, by an exception that no person should meet, or by memory that keeps growing. It saves the input
+// as view_fuzz.session, for `taut view --headless --script`.
 
 #include <fmt/core.h>
 #include <unistd.h>
@@ -24,7 +24,7 @@ using namespace taut::app;
 namespace fs = std::filesystem;
 
 constexpr double growth_limit = 1.3;
-// The timeline of the largest scene fills up, libraries keep pools.
+// The timeline of the largest scene fills up, and libraries keep pools.
 constexpr double slack_mb = 200.0;
 
 double resident_mb() {

@@ -6,8 +6,8 @@
 
 namespace taut::sim {
 
-/// Returns whether the property holds in a hundred cases: the same ones in every run, but for what RC_PARAMS
-/// asks for in the environment (RapidCheck's own variable; "seed=7 max_success=10000").
+/// Returns whether the property holds in a hundred cases, the same ones in every run. RapidCheck's environment variable
+/// RC_PARAMS asks for others ("seed=7 max_success=10000").
 template <typename Property>
 bool holds(const char* name, const Property& property) {
   setenv("RC_PARAMS", "seed=32", 0);

@@ -6,7 +6,7 @@
 
 namespace taut::sim {
 
-/// Numbers of one case.
+/// Random numbers of one case.
 class Numbers {
  public:
   explicit Numbers(unsigned seed) : random_(seed) {}

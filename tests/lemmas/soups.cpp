@@ -9,7 +9,7 @@
 namespace taut::sim::bounded {
 namespace {
 
-constexpr float least_apart_m = 2e-6F;
+constexpr float min_gap_m = 2e-6F;
 
 Float4 some_vector(std::mt19937& random, float size) {
   std::uniform_real_distribution<float> number(-size, size);
@@ -18,7 +18,7 @@ Float4 some_vector(std::mt19937& random, float size) {
   return {x, y, number(random), 0.0F};
 }
 
-/// All pairs of the soup that share no row, but for those within the body.
+/// Returns all pairs of the soup without a common vertex, except those within the body.
 std::vector<NearPair> all_pairs(const Soup& soup) {
   const ContactMesh mesh = make_contact_mesh(soup.cloth, soup.body);
   std::vector<NearPair> pairs;
@@ -54,10 +54,10 @@ std::vector<NearPair> all_pairs(const Soup& soup) {
 }
 
 bool is_apart(const Soup& soup) {
-  const std::vector<Vec3> positions_m = positions_of(soup, 0.0, soup.rows.positions);
+  const std::vector<Vec3> positions_m = soup_positions(soup, 0.0, soup.rows.positions);
   const std::vector<NearPair> pairs = all_pairs(soup);
   return std::all_of(pairs.begin(), pairs.end(),
-                     [&](const NearPair& near) { return distance_m(near, positions_m) > least_apart_m; }) &&
+                     [&](const NearPair& near) { return distance_m(near, positions_m) > min_gap_m; }) &&
          crossings(soup, positions_m) == 0;
 }
 
@@ -69,7 +69,7 @@ Index add_row(const Float4& position, const Float4& move, float radius, float in
   return static_cast<Index>(rows.radii.size() - 1);
 }
 
-/// Shares an edge with the last triangle in half of all cases.
+/// Adds a triangle, which shares an edge with the last one in half of all cases.
 void add_triangle(const SoupSettings& settings, bool is_body, std::mt19937& random, Soup& soup) {
   std::uniform_real_distribution<float> part(0.0F, 1.0F);
   std::vector<Triangle>& triangles = is_body ? soup.body : soup.cloth;
@@ -91,8 +91,8 @@ void add_triangle(const SoupSettings& settings, bool is_body, std::mt19937& rand
 }
 
 void add_where_apart(const SoupSettings& settings, bool is_body, std::mt19937& random, Soup& soup) {
-  constexpr int most_tries = 20;
-  for (int k = 0; k < most_tries; ++k) {
+  constexpr int max_tries = 20;
+  for (int k = 0; k < max_tries; ++k) {
     const Soup before = soup;
     add_triangle(settings, is_body, random, soup);
     if (is_apart(soup)) {
@@ -122,7 +122,7 @@ Soup make_soup(const SoupSettings& settings) {
   for (int k = 0; k < settings.body_triangles; ++k) {
     add_where_apart(settings, true, random, soup);
   }
-  // As far as that, rounding may have made it cross: then it is as it was.
+  // Rounding may make the soup cross at this distance from the origin; the soup then stays near the origin.
   const RowMoves near = soup.rows;
   const Float4 away = some_vector(random, settings.from_origin_m);
   for (Float4& position : soup.rows.positions) {
@@ -134,13 +134,13 @@ Soup make_soup(const SoupSettings& settings) {
   return soup;
 }
 
-std::vector<Vec3> positions_of(const Soup& soup, double time, const Float4Array& displacements) {
+std::vector<Vec3> soup_positions(const Soup& soup, double time, const Float4Array& displacements) {
   const RowMoves& rows = soup.rows;
   std::vector<Vec3> positions_m;
   for (std::size_t row = 0; row < rows.positions.size(); ++row) {
-    const Vec3 moved = row < rows.cloth_count && time > 0.0 ? vector_of(displacements[row])
-                                                            : time * vector_of(rows.moves[row]);
-    positions_m.push_back(vector_of(rows.positions[row]) + moved);
+    const Vec3 moved =
+        row < rows.cloth_count && time > 0.0 ? to_vec3(displacements[row]) : time * to_vec3(rows.moves[row]);
+    positions_m.push_back(to_vec3(rows.positions[row]) + moved);
   }
   return positions_m;
 }
@@ -157,7 +157,7 @@ const Vec3& shorter(const Vec3& a, const Vec3& b) {
   return glm::length(a) <= glm::length(b) ? a : b;
 }
 
-/// From the nearest point of the segment to p; and so of the triangle.
+/// Returns the shortest vector from the segment to p.
 Vec3 from_segment(const Vec3& p, const Vec3& a, const Vec3& b) {
   const double squared = glm::dot(b - a, b - a);
   const double t = squared > 0.0 ? std::clamp(glm::dot(p - a, b - a) / squared, 0.0, 1.0) : 0.0;
@@ -175,7 +175,7 @@ Vec3 from_triangle(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
   return shorter(from_segment(p, a, b), shorter(from_segment(p, b, c), from_segment(p, c, a)));
 }
 
-/// From the second segment to the first.
+/// Returns the shortest vector from the second segment to the first.
 Vec3 between_segments(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
   const Vec3 normal = glm::cross(b - a, d - c);
   const double squared = glm::dot(normal, normal);
@@ -201,15 +201,15 @@ double distance_m(const NearPair& near, const std::vector<Vec3>& positions_m) {
 }
 
 std::vector<ContactPair> pairs_within_reach(const Soup& soup) {
-  const std::vector<Vec3> positions_m = positions_of(soup, 0.0, soup.rows.positions);
+  const std::vector<Vec3> positions_m = soup_positions(soup, 0.0, soup.rows.positions);
   std::vector<ContactPair> pairs;
   for (const NearPair& near : all_pairs(soup)) {
     std::array<double, 2> reach_m = {0.0, 0.0};
     for (Index k = 0; k < 4; ++k) {
       const Index row = near.rows[k];
       double& reach = reach_m[k < near.first_count ? 0 : 1];
-      const float move_m = length_of(soup.rows.moves[row]);
-      const float error_m = distance_error_m({length_of(soup.rows.positions[row]), 0.1F, move_m, 0.0F});
+      const float move_m = vector_length(soup.rows.moves[row]);
+      const float error_m = distance_error_m({vector_length(soup.rows.positions[row]), 0.1F, move_m, 0.0F});
       reach = std::max<double>(reach, move_m + Regions::reach_m(soup.rows.radii[row], soup.thickness_m, error_m));
     }
     if (distance_m(near, positions_m) <= reach_m[0] + reach_m[1]) {

@@ -51,7 +51,7 @@ Body some_body(Numbers& some) {
   return body;
 }
 
-/// Returns whether a point of the triangle is within the shape, which is no mesh.
+/// Returns whether a point of the triangle is within a shape other than a mesh.
 struct Enters {
   const app::Corners& triangle;
 
@@ -65,8 +65,8 @@ struct Enters {
   bool operator()(const BodyMesh&) const { return false; }
 };
 
-/// Returns whether the triangle begins in the balls of which a tapered limb consists. A radius at right
-/// angles to its axis reaches (app/verify) is a little less.
+/// Returns whether the triangle is in one of the balls that a tapered limb consists of. The limb of app/verify is a
+/// little smaller, as its radius is measured at right angles to its axis.
 bool begins_within_balls(const app::Corners& triangle, const Shape& shape) {
   const auto* limb = std::get_if<Capsule>(&shape);
   constexpr int balls = 30;
@@ -129,17 +129,17 @@ TEST(Lemma, NothingIsWithinABodyAfterAFrame) {
       for (int frame = 0; frame < 4; ++frame) {
         simulation.advance_frame();
         RC_ASSERT(entered(mesh, simulation.state().current, body, simulation.state().time_s) == 0U);
-        touched += simulation.frame_report().contact.most_pairs > 0 ? 1 : 0;
+        touched += simulation.frame_report().contact.max_pairs > 0 ? 1 : 0;
         ++kept;
       }
-    } catch (const ContactBlocked&) {  // a pin in its way: the frame is refused
+    } catch (const ContactBlocked&) {  // a pin is in the body's path: the frame is refused
     }
   }));
   EXPECT_GT(kept, 250U) << "frames";
   EXPECT_GT(touched, 100U);
 }
 
-// The same of regions alone, wherever rows of the cloth are pushed, and while the body goes any way.
+// Counts for the same lemma about regions alone: cloth is pushed anywhere, and the body moves in any direction.
 struct Beside {
   std::size_t tried = 0;
   std::size_t pressed = 0;
@@ -148,7 +148,7 @@ struct Beside {
 void push_against(Body body, Numbers& some, Beside& beside) {
   using namespace bounded;
   if (std::holds_alternative<BodyMesh>(body.shape)) {
-    return;  // soups have bodies that are meshes
+    return;  // soups test bodies that are meshes
   }
   body.motion.spin.turns_per_s *= *rc::gen::element(0.0, 1.0, 10.0);
   const Vec3 origin_m = some.vector(0.5);
@@ -157,12 +157,12 @@ void push_against(Body body, Numbers& some, Beside& beside) {
   Mesh cloth;
   RowMoves rows;
   for (Index v = 0; v < block_size; ++v) {
-    const Vec3 near_m = v % 3 == 0 ? some.vector(0.15) : vector_of(rows.positions.back()) + origin_m;
-    rows.positions.push_back(float4_of(near_m + some.vector(0.03) - origin_m));
-    rows.moves.push_back(float4_of(some.vector(0.01)));
+    const Vec3 near_m = v % 3 == 0 ? some.vector(0.15) : to_vec3(rows.positions.back()) + origin_m;
+    rows.positions.push_back(to_float4(near_m + some.vector(0.03) - origin_m));
+    rows.moves.push_back(to_float4(some.vector(0.01)));
     rows.radii.push_back(static_cast<float>(some.between(0.0, 0.01)));
     rows.inverse_masses_per_kg.push_back(1e4F);
-    cloth.positions.push_back(vector_of(rows.positions.back()) + origin_m);
+    cloth.positions.push_back(to_vec3(rows.positions.back()) + origin_m);
   }
   for (Index v = 0; v + 2 < block_size; v += 3) {
     const Mesh one = {cloth.positions, {{v, v + 1, v + 2}}, {}};
@@ -195,12 +195,12 @@ void push_against(Body body, Numbers& some, Beside& beside) {
     Float4Array previous(block_size);
     Float4Array current(block_size);
     std::vector<Vec3> ends_m = cloth.positions;
-    std::generate(current.begin(), current.end(), [&] { return float4_of(some.vector(0.1)); });
+    std::generate(current.begin(), current.end(), [&] { return to_float4(some.vector(0.1)); });
     const Float4Array pushed = current;
-    regions.bring_back(1.0F, since, previous, current, kernels);
+    regions.project_into_region(1.0F, since, previous, current, kernels);
     for (std::size_t v = 0; v < block_size; ++v) {
-      ends_m[v] += vector_of(current[v]);
-      beside.pressed += length_of(scaled_sum(current[v], pushed[v], -1.0F)) > 0.0F ? 1 : 0;
+      ends_m[v] += to_vec3(current[v]);
+      beside.pressed += vector_length(scaled_sum(current[v], pushed[v], -1.0F)) > 0.0F ? 1 : 0;
     }
     RC_ASSERT(entered(cloth, ends_m, body, time.to_s) == 0U);
   }

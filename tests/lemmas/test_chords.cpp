@@ -1,4 +1,4 @@
-// Lemma 3 of sim/solvers/bounded/bounded.md: how far what is kinematic is off the chord of its path.
+// Lemma 3 of sim/solvers/bounded/bounded.md: the distance of kinematic vertices from the chord of their path.
 
 #include <gtest/gtest.h>
 
@@ -58,9 +58,9 @@ class ShakenFrames : public BodyFrames {
   std::vector<Vec3> positions_m_;
 };
 
-/// Returns the furthest that points are off their chords, of 200 times.
+/// Returns the largest distance of points from their chords at 200 times.
 template <typename PositionsAt>
-double furthest_off_m(const PositionsAt& positions_at, const TimeSpan& time) {
+double max_deviation_m(const PositionsAt& positions_at, const TimeSpan& time) {
   const std::vector<Vec3> begin_m = positions_at(time.from_s);
   const std::vector<Vec3> end_m = positions_at(time.to_s);
   constexpr int count = 200;
@@ -89,7 +89,7 @@ TEST(Lemma, BodiesAreNoFurtherOffTheirChordsThanIsSaid) {
     body.shape = BodyMesh{data, some.is_so() ? std::make_shared<const ShakenFrames>(some, 4) : nullptr};
     body.motion = some_motion(some);
     const TimeSpan time = some_span(some);
-    const double found_m = furthest_off_m(
+    const double found_m = max_deviation_m(
         [&](double time_s) {
           std::vector<Vec3> positions_m(4);
           positions_at(body, time_s, positions_m);
@@ -116,8 +116,8 @@ TEST(Lemma, LimbsAreNoFurtherOffTheirChordsThanIsSaid) {
     const auto centre_at = [&](double time_s) {
       return std::vector<Vec3>{std::get<Sphere>(shape_at(ball, time_s)).centre_m};
     };
-    RC_ASSERT(furthest_off_m(ends_at, time) <= off_chord_m(body, time) + rounding_m);
-    RC_ASSERT(furthest_off_m(centre_at, time) <= off_chord_m(ball, time) + rounding_m);
+    RC_ASSERT(max_deviation_m(ends_at, time) <= off_chord_m(body, time) + rounding_m);
+    RC_ASSERT(max_deviation_m(centre_at, time) <= off_chord_m(ball, time) + rounding_m);
   }));
 }
 
@@ -138,7 +138,7 @@ TEST(Lemma, PinsAreNoFurtherOffTheirChordsThanIsSaid) {
     }
     if (some.is_so()) {
       const double from_s = some.between(0.0, 0.2);
-      surroundings.led_pins = {{3}, {some.vector(0.1)}, from_s, from_s + some.between(0.01, 0.1)};
+      surroundings.prescribed_pins = {{3}, {some.vector(0.1)}, from_s, from_s + some.between(0.01, 0.1)};
     }
     const TimeSpan time = some_span(some);
     const double at_s = some.between(0.0, time.from_s);
@@ -149,12 +149,12 @@ TEST(Lemma, PinsAreNoFurtherOffTheirChordsThanIsSaid) {
       }
       return moved_m;
     };
-    RC_ASSERT(furthest_off_m(positions_at, time) <=
+    RC_ASSERT(max_deviation_m(positions_at, time) <=
               pins_off_chord_m(surroundings, pins, at_m, at_s, time) + rounding_m);
   }));
 }
 
-// Where a whole period is within the span, its middle is where its ends are.
+// A span of whole periods has its middle at the same place as its ends, so that the middle alone proves nothing.
 TEST(Chords, ABodyThatGoesThereAndBackIsNotStraight) {
   const Body body = {.shape = Sphere{{1.0, 0.0, 0.0}, 0.1}, .motion = {.spin = {{}, {0, 1, 0}, 20.0}}};
   EXPECT_GE(off_chord_m(body, {0.0, 0.1}), 2.0);
@@ -163,7 +163,7 @@ TEST(Chords, ABodyThatGoesThereAndBackIsNotStraight) {
   EXPECT_GE(pins_off_chord_m(swinging, std::vector<Index>{0}, std::vector<Vec3>(1), 0.0, {0.0, 0.1}), 0.1);
 }
 
-// A bound that is too wide would have regions last for one time step.
+// Too wide a bound would end regions after a single time step.
 TEST(Chords, ABodyThatTurnsSlowlyIsNearlyAsFarOffAsIsSaid) {
   const Body body = {.shape = Sphere{{1.0, 0.0, 0.0}, 0.1}, .motion = {.spin = {{}, {0, 1, 0}, 0.1}}};
   const double angle = 6.283185307179586 * 0.1 * 0.05;

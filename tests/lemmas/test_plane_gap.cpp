@@ -6,15 +6,15 @@
 namespace taut::sim::bounded {
 namespace {
 
-// Two kinematic things off their chords, and what single precision rounds, in cloth that reaches so far from
-// its first vertex, with edges of a decimetre, and moves by centimetres.
+// The gap exceeds the deviations of two kinematic primitives from their chords plus the rounding error in single
+// precision. The cloth has edges of 0.1 m, extends up to 1.5 m from its first vertex, and moves by centimetres.
 TEST(PlaneGap, IsMoreThanAllThatItHasToBeMoreThan) {
-  const double thicknesses_m[] = {least_thickness_m, 1.8e-5, 3e-5, 1e-4, 3e-4, 1e-3, 3e-3, 1e-2};
+  const double thicknesses_m[] = {min_thickness_m, 1.8e-5, 3e-5, 1e-4, 3e-4, 1e-3, 3e-3, 1e-2};
   for (const double thickness_m : thicknesses_m) {
     const auto t = static_cast<float>(thickness_m);
     const float error_m = distance_error_m({1.5F, 0.1F, 0.03F, 0.2F});
-    EXPECT_GT(least_gap_m(t, error_m), 2.0F * off_chord_part * t + error_m) << thickness_m;
-    EXPECT_EQ(least_gap_m(t, distance_error_m({1.0F, 0.05F, 0.01F, 0.1F})), least_part * t)
+    EXPECT_GT(planned_gap_m(t, error_m), 2.0F * max_off_chord_fraction * t + error_m) << thickness_m;
+    EXPECT_EQ(planned_gap_m(t, distance_error_m({1.0F, 0.05F, 0.01F, 0.1F})), min_gap_fraction * t)
         << thickness_m << ": of cloth a metre across the thickness alone decides";
   }
 }
@@ -23,7 +23,7 @@ TEST(PlaneGap, IsAlwaysTwiceTheError) {
   for (const float from_origin_m : {0.1F, 1.0F, 10.0F, 1e4F}) {
     const float error_m = distance_error_m({from_origin_m, 0.1F, 0.03F, 0.2F});
     EXPECT_GE(error_m, 4.0F * 0x1p-24F * from_origin_m);
-    EXPECT_GE(least_gap_m(1.8e-5F, error_m), 2.0F * error_m);
+    EXPECT_GE(planned_gap_m(1.8e-5F, error_m), 2.0F * error_m);
   }
 }
 

@@ -15,7 +15,7 @@
 namespace taut::sim::bounded {
 namespace {
 
-/// A ball about where each vertex began, cut by a half-space through a point near to its middle.
+/// A ball around each vertex's start, cut by a half-space whose plane passes near the ball's middle.
 class BallsAndPlanes : public Confinement {
  public:
   BallsAndPlanes(std::size_t rows, float radius_m, Numbers& some) : radius_m_(radius_m) {
@@ -25,7 +25,7 @@ class BallsAndPlanes : public Confinement {
   }
 
   void begin(const Float4Array&, const Float4Array&) override {}
-  void bring_back(Float4Array& displacements, bool /*is_stuck*/) override {
+  void project_into_region(Float4Array& displacements, bool /*is_stuck*/) override {
     for (std::size_t row = 0; row < displacements.size(); ++row) {
       glm::vec3 d = vec(displacements[row]);
       d += std::max(0.0F, depth_m(row, d)) * normals_[row];
@@ -39,10 +39,10 @@ class BallsAndPlanes : public Confinement {
     return glm::length(d) <= radius_m_ + 1e-7F && depth_m(row, d) <= 1e-7F;
   }
 
-  Float4Array seen;  ///< by the last call; empty before the first
+  Float4Array seen;  ///< displacements of the last call; empty before the first
 
  private:
-  // Its plane is off the middle, so that a ball that shrinks towards the middle stays on the right side.
+  // The plane misses the middle, so that a displacement scaled towards the middle stays on the right side.
   float depth_m(std::size_t row, const glm::vec3& d) const {
     return -0.3F * radius_m_ - glm::dot(normals_[row], d);
   }
@@ -74,8 +74,8 @@ TEST(Lemma, TheProjectionEndsWithinTheBoundAndWhatConfinesItOrSaysThatItDoesNot)
     Float4Array raw(layout.row_count());
     Float4Array corrections(layout.row_count());
     for (std::size_t row = 0; row < layout.vertex_count(); ++row) {
-      raw[row] = float4_of(row < layout.pin_count ? Vec3(0.0) : some.vector(raw_m));
-      corrections[row] = float4_of(row < layout.pin_count ? Vec3(0.0) : some.vector(0.3 * raw_m));
+      raw[row] = to_float4(row < layout.pin_count ? Vec3(0.0) : some.vector(raw_m));
+      corrections[row] = to_float4(row < layout.pin_count ? Vec3(0.0) : some.vector(0.3 * raw_m));
     }
     BallsAndPlanes confinement(layout.row_count(), static_cast<float>(some.between(0.1, 2.0) * raw_m), some);
     BoundProjection projection(layout, 1.0 / 60.0);
@@ -85,23 +85,23 @@ TEST(Lemma, TheProjectionEndsWithinTheBoundAndWhatConfinesItOrSaysThatItDoesNot)
     std::vector<Vec3> ends_m = at_rest_m;
     for (std::size_t row = 0; row < layout.vertex_count(); ++row) {
       const Float4& d = projection.corrected()[row];
-      ends_m[layout.vertex_of_row[row]] += vector_of(d);
+      ends_m[layout.vertex_indices[row]] += to_vec3(d);
       RC_ASSERT(confinement.seen.empty() || confinement.is_within(row, vec(d)));
       RC_ASSERT(confinement.seen.empty() || std::memcmp(&d, &confinement.seen[row], sizeof d) == 0);
     }
     const app::LargestStretch stretch = app::largest_stretch(garment.mesh, ends_m);
     const double largest =
         bound == BoundKind::springs ? stretch.springs : std::max(stretch.springs, stretch.surface);
-    RC_ASSERT(!result.kept || largest <= max_stretch);
-    RC_ASSERT(result.kept || largest > max_stretch - 1e-5);
-    ++(result.kept ? kept : not_kept);
+    RC_ASSERT(!result.is_kept || largest <= max_stretch);
+    RC_ASSERT(result.is_kept || largest > max_stretch - 1e-5);
+    ++(result.is_kept ? kept : not_kept);
   }));
   EXPECT_GT(kept, 10U);
   EXPECT_GT(not_kept, 10U);
 }
 
-/// Where a sheet's corner is pulled by one and a half edges: how much longer the longest spring or triangle is.
-app::LargestStretch pulled(BoundKind bound, bool shortens) {
+/// Returns the largest stretch of springs and triangles after a sheet's corner is pulled by one and a half edges.
+app::LargestStretch pull(BoundKind bound, bool shortens) {
   GridSettings grid;
   grid.columns = grid.rows = 9;
   const Garment garment = make_garment(make_grid(grid));
@@ -116,19 +116,19 @@ app::LargestStretch pulled(BoundKind bound, bool shortens) {
   if (shortens) {
     shorten_roughly(layout, 0.05, kernels, rows);
   }
-  EXPECT_EQ(vector_of(rows[0]), vector_of({-0.1F, 0.1F, 0.1F, 0.0F}));
+  EXPECT_EQ(to_vec3(rows[0]), to_vec3({-0.1F, 0.1F, 0.1F, 0.0F}));
   std::vector<Vec3> ends_m = garment.mesh.positions;
   for (std::size_t row = 0; row < layout.vertex_count(); ++row) {
-    ends_m[layout.vertex_of_row[row]] += vector_of(rows[row]);
+    ends_m[layout.vertex_indices[row]] += to_vec3(rows[row]);
   }
   return app::largest_stretch(garment.mesh, ends_m);
 }
 
 TEST(ShortenRoughly, BringsWhatIsPulledNearerToTheBound) {
-  EXPECT_GT(pulled(BoundKind::springs, false).springs, 1.0);
-  EXPECT_LT(pulled(BoundKind::springs, true).springs, 0.75);
-  EXPECT_GT(pulled(BoundKind::surface, false).surface, 1.0);
-  EXPECT_LT(pulled(BoundKind::surface, true).surface, 0.75);
+  EXPECT_GT(pull(BoundKind::springs, false).springs, 1.0);
+  EXPECT_LT(pull(BoundKind::springs, true).springs, 0.75);
+  EXPECT_GT(pull(BoundKind::surface, false).surface, 1.0);
+  EXPECT_LT(pull(BoundKind::surface, true).surface, 0.75);
 }
 
 }  // namespace

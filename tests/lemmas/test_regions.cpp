@@ -25,35 +25,34 @@ SoupSettings some_soup() {
   return settings;
 }
 
-/// A soup and the regions of its rows, if all can be kept apart.
+/// A soup and the regions of its vertices, if all can be kept apart.
 struct Kept {
   explicit Kept(const SoupSettings& settings) : soup(make_soup(settings)) {
-    constexpr int most_searches = 8;
-    for (int search = 0; search < most_searches && !fits; ++search) {
+    constexpr int max_searches = 8;
+    for (int search = 0; search < max_searches && !fits; ++search) {
       pairs = pairs_within_reach(soup);
       fits = regions.make(pairs, soup.rows, kernels);
     }
     is_certain = fits && !regions.blocked();
   }
 
-  /// Brings rows of the cloth back that go as expected and further.
-  template <typename GoFurther>
-  Float4Array bring_back(float time, const GoFurther& go_further) {
+  /// Projects the cloth's predicted motion into the regions, after `go_further` has changed it.
+  template <typename GoFurther> Float4Array project_into_region(float time, const GoFurther& go_further) {
     Float4Array current(soup.rows.cloth_count);
     for (std::size_t row = 0; row < current.size(); ++row) {
-      current[row] = times(soup.rows.moves[row], time);
+      current[row] = multiply(soup.rows.moves[row], time);
     }
     go_further(current);
     Float4Array previous(current.size());
     const Float4Array since(current.size());
-    held_back += regions.bring_back(time, since, previous, current, kernels).size();
+    held_back += regions.project_into_region(time, since, previous, current, kernels).size();
     return current;
   }
 
-  /// By up to so much, in any direction.
-  Float4Array bring_back(float time, float further_m, std::mt19937& random) {
+  /// Adds a random displacement of up to `further_m` along each axis.
+  Float4Array project_into_region(float time, float further_m, std::mt19937& random) {
     std::uniform_real_distribution<float> number(-further_m, further_m);
-    return bring_back(time, [&](Float4Array& current) {
+    return project_into_region(time, [&](Float4Array& current) {
       for (std::size_t row = 0; row < current.size(); ++row) {
         if (soup.rows.inverse_masses_per_kg[row] > 0.0F) {
           add(current[row], {number(random), number(random), number(random)});
@@ -71,22 +70,22 @@ struct Kept {
   std::size_t held_back = 0;
 };
 
-/// Returns what planes leave the pair at least, less what is rounded: its least distance in true numbers.
+/// Returns the exact distance that planes leave the pair at least, less the rounding error.
 double left_m(const ContactPair& pair, const Kept& kept, const std::vector<Vec3>& begin_m) {
   const RowMoves& rows = kept.soup.rows;
   PairExtent extent;
   for (const Index row : pair.near.rows) {
-    extent.from_origin = std::max(extent.from_origin, length_of(rows.positions[row]));
-    extent.across = std::max(
-        extent.across, length_of(scaled_sum(rows.positions[row], rows.positions[pair.near.rows[0]], -1.0F)));
-    extent.moved = std::max(extent.moved, length_of(rows.moves[row]) + rows.radii[row]);
+    extent.from_origin = std::max(extent.from_origin, vector_length(rows.positions[row]));
+    extent.across = std::max(extent.across,
+                             vector_length(scaled_sum(rows.positions[row], rows.positions[pair.near.rows[0]], -1.0F)));
+    extent.moved = std::max(extent.moved, vector_length(rows.moves[row]) + rows.radii[row]);
   }
   const double error_m = distance_error_m(extent);
-  // Normals may tell a tenth less apart than the distance is.
-  return std::min<double>(0.9 * distance_m(pair.near, begin_m), least_part * pair.thickness_m) - error_m;
+  // A plane along a normal may separate the pair by a tenth less than the distance.
+  return std::min<double>(0.9 * distance_m(pair.near, begin_m), min_gap_fraction * pair.thickness_m) - error_m;
 }
 
-// Lemma 1. The way from one time to the next is looked at in parts, exactly.
+// Lemma 1. The path from one time to the next is checked exactly, at intermediate positions.
 TEST(Lemma, WhatStaysWithinItsRegionsCrossesNothingAtAnyTime) {
   std::size_t tried = 0;
   std::size_t held_back = 0;
@@ -98,10 +97,11 @@ TEST(Lemma, WhatStaysWithinItsRegionsCrossesNothingAtAnyTime) {
     ++tried;
     std::mt19937 random(*rc::gen::arbitrary<unsigned>());
     const float further_m = *rc::gen::element(1e-4F, 3e-3F, 0.1F);
-    const std::vector<Vec3> begin_m = positions_of(kept.soup, 0.0, {});
+    const std::vector<Vec3> begin_m = soup_positions(kept.soup, 0.0, {});
     std::vector<Vec3> before_m = begin_m;
     for (const float time : {0.15F, 0.4F, 0.41F, 0.8F, 1.0F}) {
-      const std::vector<Vec3> now_m = positions_of(kept.soup, time, kept.bring_back(time, further_m, random));
+      const std::vector<Vec3> now_m =
+          soup_positions(kept.soup, time, kept.project_into_region(time, further_m, random));
       constexpr int parts = 8;
       for (int part = 1; part <= parts; ++part) {
         std::vector<Vec3> between_m = now_m;
@@ -136,23 +136,23 @@ TEST(Lemma, BringingBackEndsWithinTheRegionFromAnywhere) {
     const float further_m = *rc::gen::element(0.0F, 1e-6F, 1e-3F, 1.0F, 1e4F);
     const Float4Array since(rows.cloth_count);
     Float4Array previous(rows.cloth_count);
-    const Float4Array once = kept.bring_back(time, further_m, random);
+    const Float4Array once = kept.project_into_region(time, further_m, random);
     Float4Array twice = once;
-    kept.regions.bring_back(time, since, previous, twice, kept.kernels);
+    kept.regions.project_into_region(time, since, previous, twice, kept.kernels);
     for (std::size_t row = 0; row < rows.cloth_count; ++row) {
       if (rows.inverse_masses_per_kg[row] > 0.0F) {
-        const float off_m = length_of(scaled_sum(once[row], rows.moves[row], -time));
+        const float off_m = vector_length(scaled_sum(once[row], rows.moves[row], -time));
         RC_ASSERT(off_m <= rows.radii[row] * 1.0001F + tolerance_m);
       }
-      // Where it is already, it stays, but for what a half-space may be out by.
-      RC_ASSERT(length_of(scaled_sum(twice[row], once[row], -1.0F)) <= 20.0F * tolerance_m);
+      // A second projection leaves it in place, up to the tolerance of a half-space.
+      RC_ASSERT(vector_length(scaled_sum(twice[row], once[row], -1.0F)) <= 20.0F * tolerance_m);
     }
   }));
   EXPECT_GT(tried, 80U);
 }
 
-// Lemma 3, for what is kinematic: beside its chord by as much as regions say, while cloth is pressed against
-// it.
+// Lemma 3 for kinematic vertices: they leave their chords by as much as regions allow, while cloth is pressed against
+// them. The other terms of the gap are in plane_gap.hpp.
 TEST(Lemma, KinematicVerticesNearToTheirChordsAreCrossedByNothing) {
   std::size_t tried = 0;
   ASSERT_TRUE(holds("chords", [&] {
@@ -174,15 +174,15 @@ TEST(Lemma, KinematicVerticesNearToTheirChordsAreCrossedByNothing) {
         }
       }
     };
-    const std::vector<Vec3> begin_m = positions_of(kept.soup, 0.0, {});
+    const std::vector<Vec3> begin_m = soup_positions(kept.soup, 0.0, {});
     for (const ContactPair& pair : kept.pairs) {
       const Vec3 between = glm::normalize(between_m(pair.near, begin_m));
       for (const float time : {0.0F, 0.3F, 0.9F, 1.0F}) {
-        const Float4Array current = kept.bring_back(time, [&](Float4Array& rows_m) {
+        const Float4Array current = kept.project_into_region(time, [&](Float4Array& rows_m) {
           towards_each_other(pair, false, 0.1 * between,
                              [&](Index row, const Vec3& by_m) { add(rows_m[row], by_m); });
         });
-        const std::vector<Vec3> chord_m = positions_of(kept.soup, std::max<double>(time, 1e-30), current);
+        const std::vector<Vec3> chord_m = soup_positions(kept.soup, std::max<double>(time, 1e-30), current);
         std::vector<Vec3> beside_m = chord_m;
         towards_each_other(pair, true, off_m * between,
                            [&](Index row, const Vec3& by_m) { beside_m[row] += by_m; });
@@ -195,7 +195,6 @@ TEST(Lemma, KinematicVerticesNearToTheirChordsAreCrossedByNothing) {
   EXPECT_GT(tried, 20U) << "that are pressed together";
 }
 
-// The other terms are in plane_gap.hpp.
 TEST(Lemma, RegionsThatDoNotFitLetNothingMoveButWhatMust) {
   std::size_t tried = 0;
   ASSERT_TRUE(holds("regions that do not fit", [&] {
@@ -203,17 +202,17 @@ TEST(Lemma, RegionsThatDoNotFitLetNothingMoveButWhatMust) {
     settings.move_m = 0.01F;
     settings.radius_m = 1e-5F;
     Kept kept(settings);
-    // The first search alone.
+    // A new soup has its first radii again: only the first search counts.
     kept.soup = make_soup(settings);
     if (kept.regions.make(pairs_within_reach(kept.soup), kept.soup.rows, kept.kernels)) {
       return;
     }
     ++tried;
     std::mt19937 random(1);
-    const Float4Array current = kept.bring_back(0.5F, 1.0F, random);
+    const Float4Array current = kept.project_into_region(0.5F, 1.0F, random);
     for (std::size_t row = 0; row < current.size(); ++row) {
       if (kept.soup.rows.inverse_masses_per_kg[row] > 0.0F) {
-        RC_ASSERT(length_of(current[row]) == 0.0F);
+        RC_ASSERT(vector_length(current[row]) == 0.0F);
       }
     }
   }));

@@ -11,7 +11,7 @@
 namespace taut::test {
 namespace {
 
-constexpr std::size_t most_points = 64;
+constexpr std::size_t max_points = 64;
 constexpr const char* texts[] = {"",
                                  "wind.speed = 3",
                                  "solver.kind = strong",
@@ -88,7 +88,7 @@ class Calls {
   }
 
   std::size_t count(std::size_t usual) {
-    constexpr std::size_t odd[] = {0, 1, 5, most_points, ~std::size_t{0}, std::size_t{1} << 40U};
+    constexpr std::size_t odd[] = {0, 1, 5, max_points, ~std::size_t{0}, std::size_t{1} << 40U};
     return seldom() ? odd[next() % std::size(odd)] : usual;
   }
 
@@ -111,7 +111,7 @@ class Calls {
 
   template <class T, class Init>
   T some(const Init& init) {
-    T value = made<T>(init);
+    T value = make_struct<T>(init);
     if (seldom()) {
       value.struct_size = next() * 0x00010101U;
     }
@@ -285,8 +285,8 @@ class Calls {
   std::span<const std::uint8_t> bytes_;
   CallsMade made_;
   std::vector<TautCloth> cloths_;
-  std::array<double, 3 * most_points> numbers_ = {};
-  std::array<std::uint32_t, most_points> vertices_ = {};
+  std::array<double, 3 * max_points> numbers_ = {};
+  std::array<std::uint32_t, max_points> vertices_ = {};
   std::vector<char> saved_;
   const Square square_{4, 0.1};
 };

@@ -6,9 +6,8 @@
 
 namespace taut::test {
 
-/// Makes calls of libtaut in an order and with arguments that the bytes say: null and stale and made up
-/// handles, numbers that are none, sizes that no array has. Returns how many calls were made and how many
-/// succeeded. That nothing crashes is the test.
+/// Makes calls of libtaut whose order and arguments come from the bytes: handles that are null, stale or invented,
+/// numbers that are not finite, impossible sizes of arrays. The test is that nothing crashes.
 struct CallsMade {
   int calls = 0;
   int successes = 0;

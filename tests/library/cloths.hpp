@@ -9,14 +9,13 @@
 
 namespace taut::test {
 
-template <class T, class Init>
-T made(const Init& init) {
+template <class T, class Init> T make_struct(const Init& init) {
   T value;
   init(&value, sizeof(value));
   return value;
 }
 
-/// A square of quads, level, with its sides along x and z, and what a caller says of it.
+/// A level square of quads with its sides along x and z, and the options to make it a cloth.
 struct Square {
   explicit Square(std::uint32_t a_side = 9, double size_m = 0.4, double height_m = 0.0) : side(a_side) {
     for (std::uint32_t v = 0; v < side * side; ++v) {
@@ -30,13 +29,13 @@ struct Square {
       }
     }
     sizes.assign(corners.size() / 4, 4);
-    mesh = made<TautMesh>(taut_mesh_init);
+    mesh = make_struct<TautMesh>(taut_mesh_init);
     mesh.positions = points();
     mesh.corners = corners.data();
     mesh.corner_count = corners.size();
     mesh.corners_per_face = sizes.data();
     mesh.face_count = sizes.size();
-    options = made<TautOptions>(taut_options_init);
+    options = make_struct<TautOptions>(taut_options_init);
     options.mesh = &mesh;
   }
   Square(const Square&) = delete;
@@ -58,13 +57,13 @@ struct Box {
     for (int v = 0; v < 8; ++v) {
       positions.push_back({v & 1 ? 0.1 : -0.1, height_m + (v & 2 ? 0.1 : -0.1), v & 4 ? 0.1 : -0.1});
     }
-    mesh = made<TautMesh>(taut_mesh_init);
+    mesh = make_struct<TautMesh>(taut_mesh_init);
     mesh.positions = {positions.data(), 8, sizeof(positions[0]), TAUT_DOUBLE};
     mesh.corners = corners;
     mesh.corner_count = 24;
     mesh.corners_per_face = sizes;
     mesh.face_count = 6;
-    body = made<TautBody>(taut_body_init);
+    body = make_struct<TautBody>(taut_body_init);
     body.mesh = &mesh;
     body.name = "box";
   }
@@ -86,7 +85,7 @@ struct Box {
 /// A cloth that is destroyed with this object.
 struct OwnCloth {
   explicit OwnCloth(const TautOptions& options) {
-    auto error = made<TautError>(taut_error_init);
+    auto error = make_struct<TautError>(taut_error_init);
     result = taut_create(&options, &cloth, &error);
     text = error.text;
   }
@@ -96,14 +95,14 @@ struct OwnCloth {
   operator TautCloth() const { return cloth; }
 
   static TautOptions options_of(const char* scene, std::int32_t threads = 0) {
-    auto options = made<TautOptions>(taut_options_init);
+    auto options = make_struct<TautOptions>(taut_options_init);
     options.scene = scene;
     options.threads = threads;
     return options;
   }
 
   TautFrame step(int frames = 1) {
-    auto frame = made<TautFrame>(taut_frame_init);
+    auto frame = make_struct<TautFrame>(taut_frame_init);
     for (int k = 0; k < frames && result == TAUT_OK; ++k) {
       result = taut_step(cloth, &frame);
     }
@@ -115,7 +114,7 @@ struct OwnCloth {
     return value;
   }
   TautInfo info() const {
-    auto value = made<TautInfo>(taut_info_init);
+    auto value = make_struct<TautInfo>(taut_info_init);
     taut_get_info(cloth, &value);
     return value;
   }
@@ -129,7 +128,7 @@ struct OwnCloth {
 
   TautCloth cloth = {};
   TautResult result = TAUT_OK;
-  std::string text;  ///< why it was not made
+  std::string text;  ///< reason why it was not made
 };
 
 }  // namespace taut::test

@@ -2,8 +2,8 @@
 
 #include <cstdio>
 
-// A program of someone else, in C++: how many vertices a garment file has, and whether its first frame keeps
-// the bound.
+// A program of another author, in C++. It prints the number of vertices of a garment file and checks that the first
+// frame keeps the bound.
 int main(int count, char** arguments) {
   TautOptions options;
   TautError error;

@@ -3,12 +3,12 @@
 
 #include "app/base/progress.hpp"
 #include "app/library/session.hpp"
-#include "app/output/frame_record.hpp"
+#include "app/runs/frame_record.hpp"
 #include "cloths.hpp"
 
-// The cost of the border: cost SCENE FRAMES steps one cloth inside, by sim::Simulation itself, and its twin
-// through the C interface, with the positions taken out, in turn, and prints the mean processor times of a
-// frame in ms.
+// Cost of the C interface. library_cost SCENE FRAMES advances two equal cloths in turn: one by sim::Simulation
+// itself, one through the C interface with a copy of the positions. It prints the mean processor times of a frame in
+// ms.
 int main(int count, char** arguments) {
   using namespace taut;
   if (count != 3) {
@@ -20,7 +20,7 @@ int main(int count, char** arguments) {
   library::Start start = library::load(options);
   sim::Simulation inside = app::make_simulation(start.scene, start.loaded);
   const test::OwnCloth through(options);
-  auto frame = test::made<TautFrame>(taut_frame_init);
+  auto frame = test::make_struct<TautFrame>(taut_frame_init);
   std::vector<float> positions(3 * through.info().vertex_count);
   const TautPointsOut out = {positions.data(), positions.size() / 3, 12, TAUT_FLOAT};
   double inside_ms = 0.0, measuring_ms = 0.0, through_ms = 0.0;

@@ -9,7 +9,7 @@
 namespace taut::test {
 namespace {
 
-// For a second; tests/fuzz/fuzz_library.cpp goes on from here.
+// Random calls for one second; tests/fuzz/fuzz_library.cpp searches further.
 TEST(Library, AnyCallsWithAnyArgumentsEndInAResult) {
   const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(1);
   CallsMade all;

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-double lowest(const OwnCloth& cloth) {
+double min_height(const OwnCloth& cloth) {
   double y = infinite;
   for (const auto& position : cloth.positions()) {
     y = std::min(y, position[1]);
@@ -25,7 +25,7 @@ TEST(Library, ClothFallsOnThePlaneAndIsLiftedByABodyThatMoves) {
   Square square(9, 0.15, 0.02);
   square.options.counts_crossings = 1;
   OwnCloth cloth(square.options);
-  auto plane = made<TautBody>(taut_body_init);
+  auto plane = make_struct<TautBody>(taut_body_init);
   plane.plane_normal[1] = 3.0;
   std::int32_t number = -1;
   ASSERT_EQ(taut_add_body(cloth, &plane, &number), TAUT_OK) << cloth.error();
@@ -36,8 +36,8 @@ TEST(Library, ClothFallsOnThePlaneAndIsLiftedByABodyThatMoves) {
   ASSERT_EQ(taut_add_body(cloth, &box.body, &number), TAUT_OK) << cloth.error();
   EXPECT_EQ(number, 1);
   cloth.step(20);
-  EXPECT_GT(lowest(cloth), 0.0);
-  EXPECT_LT(lowest(cloth), 0.01);
+  EXPECT_GT(min_height(cloth), 0.0);
+  EXPECT_LT(min_height(cloth), 0.01);
   for (int frame = 0; frame < 20; ++frame) {
     box.lift(0.01);
     ASSERT_EQ(taut_move_body(cloth, number, &box.mesh.positions), TAUT_OK) << cloth.error();
@@ -46,7 +46,7 @@ TEST(Library, ClothFallsOnThePlaneAndIsLiftedByABodyThatMoves) {
     EXPECT_EQ(made_frame.crossing_pairs, 0);
     EXPECT_LT(made_frame.smallest_distance_m, 0.02);
   }
-  EXPECT_GT(lowest(cloth), 0.15);
+  EXPECT_GT(min_height(cloth), 0.15);
   box.lift(2.0);
   EXPECT_EQ(taut_move_body(cloth, number, &box.mesh.positions), TAUT_ERROR_ARGUMENT);
   EXPECT_CONTAINS(cloth.error(), "m from where it is, expected at most 1 m in a frame");
@@ -83,7 +83,7 @@ void keep_line(void* lines, const char* text) {
   static_cast<Lines*>(lines)->emplace_back(text);
 }
 
-/// A square that is told about and goes through the middle of a box.
+/// A square that crosses the middle of a box. Its log messages are recorded.
 struct LibraryCrossing : testing::Test {
   LibraryCrossing() {
     square.options.log = keep_line;
@@ -134,14 +134,14 @@ TEST_F(LibraryCrossing, OfABodyThatIsAddedIsNoneThatCountsLater) {
 
 TEST_F(LibraryCrossing, APlanePushesClothOut) {
   OwnCloth cloth(square.options);
-  auto plane = made<TautBody>(taut_body_init);
+  auto plane = make_struct<TautBody>(taut_body_init);
   plane.plane_normal[1] = 1.0;
   plane.plane_point[1] = 0.11;
   ASSERT_EQ(taut_add_body(cloth, &plane, nullptr), TAUT_OK);
   EXPECT_EQ(cloth.info().crossings_at_start, cloth.info().triangle_count);
   EXPECT_EQ(lines.size(), 1U);
   cloth.step();
-  EXPECT_GT(lowest(cloth), 0.11);
+  EXPECT_GT(min_height(cloth), 0.11);
 }
 
 TEST_F(LibraryCrossing, CountsClothThatIsWhollyWithin) {
@@ -155,7 +155,7 @@ TEST_F(LibraryCrossing, CountsClothThatIsWhollyWithin) {
   EXPECT_CONTAINS(lines[0], "1 part of the cloth is wholly within the body 'box'");
 }
 
-// Such a caller may have forgotten its log when the cloth was made.
+// A caller with these options may have freed its log after the cloth was made.
 TEST_F(LibraryCrossing, IsNotLoggedToCallersThatKnowNoBodiesOfOptions) {
   square.options.struct_size = offsetof(TautOptions, bodies);
   OwnCloth cloth(square.options);
@@ -177,7 +177,7 @@ TEST_F(LibraryCrossing, IsThatOfTheStartThatIsGiven) {
 }
 
 TEST_F(LibraryCrossing, OfAStartWithItselfIsPartedWhereThatIsAskedFor) {
-  // Its last column lies across the one before.
+  // The last column lies across the column before it.
   Square folded(9, 0.3, 0.5);
   for (std::size_t v = 8; v < folded.positions.size(); v += 9) {
     folded.positions[v][0] -= 0.06;

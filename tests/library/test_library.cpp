@@ -95,16 +95,16 @@ TEST(Library, EdgesAndTrianglesAreThoseOfTheMesh) {
   EXPECT_EQ(cloth.error(), "found an array of 5, expected 24");
 }
 
-// As game engines have them, where texture coordinates differ; and as tools leave them.
+// Game engines split vertices where texture coordinates differ, and some tools leave vertices without faces.
 TEST(Library, VerticesThatAreOneInSpaceAndThoseWithoutFacesKeepTheirNumbers) {
   const float positions[][4] = {{9, 9, 9, 0}, {0, 0, 0, 0}, {1, 0, 0, 0}, {0, 0, 1, 0},
                                 {1, 0, 0, 0}, {1, 0, 1, 0}, {0, 0, 1, 0}};
   const std::uint32_t corners[] = {1, 3, 2, 4, 6, 5};
-  auto mesh = made<TautMesh>(taut_mesh_init);
+  auto mesh = make_struct<TautMesh>(taut_mesh_init);
   mesh.positions = {positions, 7, sizeof(positions[0]), TAUT_FLOAT};
   mesh.corners = corners;
   mesh.corner_count = 6;
-  auto options = made<TautOptions>(taut_options_init);
+  auto options = make_struct<TautOptions>(taut_options_init);
   options.mesh = &mesh;
   OwnCloth cloth(options);
   ASSERT_EQ(cloth.result, TAUT_OK) << cloth.text;
@@ -268,7 +268,7 @@ TEST(Library, ALostClothSaysSoUntilItIsRestored) {
 }
 
 TEST(Library, ReadsScenesAndModelsOfFiles) {
-  auto options = made<TautOptions>(taut_options_init);
+  auto options = make_struct<TautOptions>(taut_options_init);
   options.scene_text =
       "[garment.grid]\ncolumns = 5\nrows = 4\n[picture]\nwidth = 99\n[camera]\nfollow = true\n";
   OwnCloth grid(options);
@@ -333,7 +333,7 @@ TEST(Library, WhatCannotBeACloth) {
   EXPECT_EQ(of_mesh([](Square& s) { s.mesh.struct_size = 3; }).substr(0, 23), "3 found a struct with a");
   EXPECT_CONTAINS(of_mesh([](Square& s) { s.options.scene = "tshirt"; }), "exactly one of");
   EXPECT_CONTAINS(of_mesh([](Square& s) { s.options.threads = 65; }), "threads: expected 1 to 64");
-  auto options = made<TautOptions>(taut_options_init);
+  auto options = make_struct<TautOptions>(taut_options_init);
   EXPECT_EQ(refusal(options), "3 expected exactly one of scene, scene_text and mesh");
   options.scene = "tshirtt";
   EXPECT_CONTAINS(refusal(options), "4 there is no scene 'tshirtt'; did you mean");
@@ -345,7 +345,7 @@ TEST(Library, WhatCannotBeACloth) {
   EXPECT_EQ(taut_create(nullptr, nullptr, nullptr), TAUT_ERROR_ARGUMENT);
 }
 
-std::string names_of(std::int32_t kind) {
+std::string list_names(std::int32_t kind) {
   std::size_t size = 0;
   EXPECT_EQ(taut_list(kind, nullptr, 0, &size), TAUT_OK);
   std::vector<char> names(size);
@@ -356,10 +356,10 @@ std::string names_of(std::int32_t kind) {
 }
 
 TEST(Library, ListsWhatComesWithTaut) {
-  const std::string fabrics = names_of(TAUT_FABRICS);
+  const std::string fabrics = list_names(TAUT_FABRICS);
   EXPECT_CONTAINS(fabrics, "cotton\n");
   EXPECT_CONTAINS(fabrics, "\nsilk\n");
-  const std::string scenes = names_of(TAUT_SCENES);
+  const std::string scenes = list_names(TAUT_SCENES);
   EXPECT_CONTAINS(scenes, "\ntshirt\n");
   const std::string first = scenes.substr(0, scenes.find('\n'));
   EXPECT_EQ(OwnCloth(first.c_str()).result, TAUT_OK) << first;
@@ -389,7 +389,7 @@ TEST(Library, AClothInUseIsBusyAndOthersGoOn) {
   OwnCloth first("tshirt"), second("pinned-9x9-5");
   std::atomic<bool> is_over = false;
   std::thread other([&] {
-    // The other thread may be the one that has it in use.
+    // The main thread may be using the cloth.
     int result = TAUT_ERROR_BUSY;
     while (result == TAUT_ERROR_BUSY) result = taut_step(first, nullptr);
     EXPECT_EQ(result, TAUT_OK);
@@ -397,7 +397,7 @@ TEST(Library, AClothInUseIsBusyAndOthersGoOn) {
   });
   int busy = 0;
   while (!is_over) {
-    auto info = made<TautInfo>(taut_info_init);
+    auto info = make_struct<TautInfo>(taut_info_init);
     busy += taut_get_info(first, &info) == TAUT_ERROR_BUSY ? 1 : 0;
     EXPECT_EQ(taut_step(second, nullptr), TAUT_OK);
   }

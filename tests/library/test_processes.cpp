@@ -1,4 +1,4 @@
-// What a program does besides calling: it forks, its pipes break, and its numbers are absurd.
+// Forks, broken pipes and absurd numbers in a program that uses the library.
 #include <fcntl.h>
 #include <gtest/gtest.h>
 #include <sys/stat.h>
@@ -16,8 +16,9 @@
 namespace taut::test {
 namespace {
 
-/// The exit code of a child that does this; -SIGNAL where a signal ended it, SIGALRM after 20 s.
-int outcome_of(const std::function<int()>& work) {
+/// Runs the work in a child process and returns its exit code; -SIGNAL if a signal ended it. SIGALRM ends it after 20
+/// s.
+int run_apart(const std::function<int()>& work) {
   const pid_t child = ::fork();
   if (child == 0) {
     ::alarm(20);
@@ -32,9 +33,9 @@ TEST(Library, AChildAfterForkHasNoClothOfItsParent) {
   OwnCloth cloth("tshirt", 4);
   cloth.step();
   ASSERT_EQ(cloth.result, TAUT_OK);
-  EXPECT_EQ(outcome_of([&] { return taut_step(cloth, nullptr); }), TAUT_ERROR_HANDLE);
-  EXPECT_EQ(outcome_of([&] { return taut_destroy(cloth); }), TAUT_ERROR_HANDLE);
-  EXPECT_EQ(outcome_of([&] {
+  EXPECT_EQ(run_apart([&] { return taut_step(cloth, nullptr); }), TAUT_ERROR_HANDLE);
+  EXPECT_EQ(run_apart([&] { return taut_destroy(cloth); }), TAUT_ERROR_HANDLE);
+  EXPECT_EQ(run_apart([&] {
               OwnCloth own("tshirt", 2);
               own.step();
               return own.result == TAUT_OK && own.cloth.id != cloth.cloth.id && taut_destroy(own) == TAUT_OK ? 0 : 1;
@@ -52,7 +53,7 @@ TEST(Library, AChildMayForkWhileOtherThreadsCall) {
     while (!is_over) cloth.info();
   });
   for (int k = 0; k < 200; ++k) {
-    EXPECT_EQ(outcome_of([&] { return taut_destroy(cloth); }), TAUT_ERROR_HANDLE);
+    EXPECT_EQ(run_apart([&] { return taut_destroy(cloth); }), TAUT_ERROR_HANDLE);
   }
   is_over = true;
   other.join();
@@ -64,7 +65,7 @@ TEST(Library, AStateIsSavedToAFileAndToNothingElse) {
   ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
   const int reader = ::open(pipe.c_str(), O_RDONLY | O_NONBLOCK);
   OwnCloth cloth("pinned-9x9-5");
-  EXPECT_EQ(outcome_of([&] {
+  EXPECT_EQ(run_apart([&] {
               OwnCloth own("pinned-9x9-5");
               return taut_save_file(own, pipe.c_str());
             }),
@@ -75,7 +76,8 @@ TEST(Library, AStateIsSavedToAFileAndToNothingElse) {
   ::close(reader);
 }
 
-/// Every call that takes numbers, with one that is `odd`, each with a frame behind it. Returns how many gave TAUT_OK.
+/// Makes every call that takes numbers with one that is `odd`, then advances two frames. Returns the number of calls
+/// that gave TAUT_OK.
 int calls_taken(double odd) {
   int taken = 0;
   const auto attempt = [&](const auto& call) {
@@ -124,7 +126,7 @@ int calls_taken(double odd) {
     return taut_add_body(cloth, &box.body, nullptr);
   });
   attempt([&](Square&, OwnCloth& cloth) {
-    auto plane = made<TautBody>(taut_body_init);
+    auto plane = make_struct<TautBody>(taut_body_init);
     plane.plane_point[1] = odd;
     plane.plane_normal[1] = odd;
     return taut_add_body(cloth, &plane, nullptr);
@@ -143,11 +145,11 @@ int calls_taken(double odd) {
 
 TEST(Library, AbsurdNumbersEndInAResultAndNotInASignal) {
   for (const double odd : {1e-310, 1e-30, 1e9, 1e20, 9e29}) {
-    EXPECT_GE(outcome_of([&] { return calls_taken(odd); }), 0) << odd;
+    EXPECT_GE(run_apart([&] { return calls_taken(odd); }), 0) << odd;
   }
   constexpr double infinity = std::numeric_limits<double>::infinity();
   for (const double odd : {2e30, 1e160, 1e300, infinity, -infinity, std::numeric_limits<double>::quiet_NaN()}) {
-    EXPECT_EQ(outcome_of([&] { return calls_taken(odd); }), 0) << odd << " was taken";
+    EXPECT_EQ(run_apart([&] { return calls_taken(odd); }), 0) << odd << " was taken";
   }
 }
 

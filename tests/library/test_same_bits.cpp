@@ -15,7 +15,7 @@
 namespace taut::test {
 namespace {
 
-/// The hashes of the frames that the program counts.
+/// State hashes of the frames that the program simulates.
 std::vector<std::uint64_t> hashes_of_program(const TemporaryFolder& folder, const std::string& scene,
                                              int frames) {
   const std::string file = (folder / "run.jsonl").string();
@@ -59,9 +59,9 @@ INSTANTIATE_TEST_SUITE_P(Library, AsTheProgram,
                                   std::to_string(run.param.threads);
                          });
 
-/// A mesh of faces as an OBJ file has it and as a caller has it.
+/// A mesh of faces that is written as OBJ or handed over as arrays.
 struct AnyMesh {
-  /// With the vertices in another order, some of them in no face.
+  /// Reorders vertices and faces, and adds vertices that belong to no face.
   void shuffle() {
     const std::size_t count = positions.size();
     std::vector<std::uint32_t> place(count);
@@ -105,7 +105,7 @@ struct AnyMesh {
       corners.insert(corners.end(), face.begin(), face.end());
       sizes.push_back(static_cast<std::uint32_t>(face.size()));
     }
-    mesh = made<TautMesh>(taut_mesh_init);
+    mesh = make_struct<TautMesh>(taut_mesh_init);
     mesh.positions = {positions.data(), positions.size(), sizeof(positions[0]), TAUT_DOUBLE};
     mesh.corners = corners.data();
     mesh.corner_count = corners.size();
@@ -120,7 +120,7 @@ struct AnyMesh {
   TautMesh mesh;
 };
 
-/// Quads between rings of points, which may be all at one place; ring after ring.
+/// Adds quads between rings of points, ring after ring. All points of a ring may coincide.
 void add_rings(std::uint32_t rings, std::uint32_t around, bool is_closed,
                const std::function<std::array<double, 3>(double, double)>& at, AnyMesh& mesh) {
   const auto first = static_cast<std::uint32_t>(mesh.positions.size());
@@ -137,7 +137,7 @@ void add_rings(std::uint32_t rings, std::uint32_t around, bool is_closed,
   }
 }
 
-/// Two squares that are to be sewn to each other, and a tube that is inside out.
+/// Two squares to be sewn to each other, and a tube whose outside faces inwards.
 AnyMesh some_garment() {
   AnyMesh mesh;
   for (const double x : {-0.2, 2e-4}) {
@@ -158,7 +158,7 @@ AnyMesh some_garment() {
   return mesh;
 }
 
-/// A ball without poles, that has a small hole at each.
+/// A ball with a small hole at each pole.
 AnyMesh some_body() {
   AnyMesh mesh;
   add_rings(
@@ -174,7 +174,7 @@ AnyMesh some_body() {
 
 double in_single_precision(double number) { return static_cast<float>(number); }
 
-/// The shapes as a point cache, which holds them in single precision.
+/// Writes the shapes as a point cache, which has single precision.
 void write_pc2(const std::filesystem::path& file, const std::vector<AnyMesh>& shapes) {
   std::ofstream out(file, std::ios::binary);
   const auto put = [&](auto number) { out.write(reinterpret_cast<const char*>(&number), sizeof(number)); };
@@ -191,8 +191,7 @@ void write_pc2(const std::filesystem::path& file, const std::vector<AnyMesh>& sh
   }
 }
 
-// A file is read in its own way, and arrays are handed over in the caller's order: the last bits are the
-// same.
+// Files and arrays take different paths, and the caller's arrays have another order. The last bits are the same.
 TEST(Library, MeshesOfFilesAndOfArraysHaveTheSameBitsInAnyOrder) {
   const TemporaryFolder folder;
   AnyMesh garment = some_garment(), body = some_body();
@@ -201,7 +200,7 @@ TEST(Library, MeshesOfFilesAndOfArraysHaveTheSameBitsInAnyOrder) {
   for (auto& position : body.positions) std::ranges::transform(position, position.begin(), in_single_precision);
   garment.write((folder / "garment.obj").string());
   body.write((folder / "body.obj").string());
-  // It is lifted.
+  // The body is lifted.
   std::vector<AnyMesh> shapes(13, body);
   for (std::size_t k = 0; k < shapes.size(); ++k) {
     for (auto& position : shapes[k].positions) {
@@ -217,14 +216,14 @@ TEST(Library, MeshesOfFilesAndOfArraysHaveTheSameBitsInAnyOrder) {
   const std::vector<std::uint64_t> expected = hashes_of_program(folder, scene.string(), 12);
   ASSERT_EQ(expected.size(), 12U);
 
-  auto options = made<TautOptions>(taut_options_init);
+  auto options = make_struct<TautOptions>(taut_options_init);
   options.mesh = garment.lend();
   const char* settings[] = {"pins.at = []", "wind.speed = 2.0"};
   options.settings = settings;
   options.setting_count = 2;
   OwnCloth cloth(options);
   ASSERT_EQ(cloth.result, TAUT_OK) << cloth.text;
-  auto added = made<TautBody>(taut_body_init);
+  auto added = make_struct<TautBody>(taut_body_init);
   added.mesh = body.lend();
   ASSERT_EQ(taut_add_body(cloth, &added, nullptr), TAUT_OK) << cloth.error();
   for (std::size_t k = 0; k < expected.size(); ++k) {
@@ -245,7 +244,7 @@ TEST(Library, RestsWhenTheProgramDoes) {
   EXPECT_EQ(frame.is_asleep, 1);
 }
 
-// Whoever leads what stands still, as a loop over frames does, leads nothing.
+// Prescribing the position of pins and bodies at rest, as a loop over frames does, changes nothing.
 class LedNowhere : public testing::TestWithParam<double> {};
 
 TEST_P(LedNowhere, PinsAndBodiesChangeNoBitAndMayRest) {

@@ -22,7 +22,7 @@ class Source {
     return byte;
   }
   bool seldom() { return next() % 64 == 1; }
-  /// Below `limit`, and seldom any.
+  /// An index below `limit`; seldom any number.
   std::uint32_t index(std::size_t limit) {
     return seldom() || limit == 0 ? next() * 0x01010101U : static_cast<std::uint32_t>(next() % limit);
   }
@@ -172,8 +172,8 @@ ModelArrays any_arrays(std::span<const std::uint8_t> bytes) {
 void use_arrays(const ModelArrays& arrays) {
   const auto any_of = [&](const auto& use) {
     try {
-      use(model_of(arrays));
-    } catch (const std::runtime_error&) {  // InputError and all that the program reports
+      use(to_model(arrays));
+    } catch (const std::runtime_error&) {  // InputError and all other errors that the program reports
     } catch (const std::invalid_argument&) {
     }
   };
@@ -183,7 +183,7 @@ void use_arrays(const ModelArrays& arrays) {
       source.file = "any";
       source.dress = dress;
       source.clip = dress == 0 ? "all" : "";
-      body_of(source, std::move(model), {0.1, 60.0});
+      make_body(source, std::move(model), {0.1, 60.0});
     });
   }
   any_of([&](ImportedModel model) {

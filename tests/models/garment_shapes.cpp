@@ -11,7 +11,7 @@ namespace {
 
 using Node = std::pair<int, int>;
 
-/// One sheet: the squares of the grid that are in the region, and how many of them meet in each node.
+/// One sheet: the grid's squares in the region, and the number of squares that meet at each node.
 struct Sheet {
   std::vector<Node> squares;
   std::map<Node, int> squares_at;
@@ -34,7 +34,7 @@ struct Sheet {
   }
 };
 
-/// 0 where the sheets meet and 1 well within, by the squares around a node.
+/// Bulge of a sheet at a node: 0 where both sheets end, 1 at four or more rings of squares from there.
 double bulge(const Sheet& sheet, const Node& node, const Sheet& other) {
   for (int ring = 0; ring < 4; ++ring) {
     for (int i = -ring; i <= ring; ++i) {
@@ -84,7 +84,7 @@ bool in_shirt(double x, double y) {
 
 bool open_in_shirt(double x, double y) { return y < 0.01 || std::abs(x) > 0.44 || (std::abs(x) < 0.08 && y > 0.71); }
 
-/// Rings of vertices, joined to a tube: what a ring is, by its number and the angle.
+/// A tube of rings of vertices; `place` maps the number of a ring and an angle to a position.
 sim::Mesh tube(int rings, int around, const std::function<sim::Vec3(int ring, double angle)>& place) {
   sim::Mesh mesh;
   for (int ring = 0; ring < rings; ++ring) {
@@ -194,7 +194,7 @@ sim::Mesh cape() {
     return around_y(ring < 10 ? 0.35 - 0.01 * ring : 0.26 - 0.05 * (ring - 9), angle,
                     0.08 * std::min(ring, 10) + 0.02 * std::max(ring - 10, 0));
   });
-  // Open in front, at the angle 0.
+  // The cape is open in front, at the angle 0.
   std::erase_if(mesh.triangles, [](const sim::Triangle& t) { return t[0] % 24 == 0; });
   return mesh;
 }
@@ -303,7 +303,7 @@ sim::Mesh both(const sim::Mesh& a, const sim::Mesh& b) {
   return mesh;
 }
 
-sim::Mesh moved(sim::Mesh mesh, const sim::Vec3& by_m) {
+sim::Mesh translate(sim::Mesh mesh, const sim::Vec3& by_m) {
   for (sim::Vec3& p : mesh.positions) {
     p += by_m;
   }

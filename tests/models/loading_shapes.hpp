@@ -2,14 +2,14 @@
 
 #include <string>
 
-#include "app/models/file_mesh.hpp"
 #include "app/models/garment_loading.hpp"
-#include "app/models/inspection.hpp"
+#include "app/models/inspecting/inspection.hpp"
+#include "app/models/reading/file_mesh.hpp"
 #include "temporary_folder.hpp"
 
 namespace taut::test {
 
-/// Loaded as a file without units and axes, to be simulated as it is.
+/// Writes a file without units and axes and loads it. The model itself is simulated, without fitting.
 inline app::LoadedGarment load(const TemporaryFolder& folder, const sim::Mesh& mesh) {
   app::Scene scene;
   scene.garment.mesh = app::MeshChoice::model;
@@ -17,10 +17,10 @@ inline app::LoadedGarment load(const TemporaryFolder& folder, const sim::Mesh& m
   return app::load_garment(scene);
 }
 
-/// Returns the messages about it, a line each.
+/// Returns the messages about the garment, one line each.
 inline std::string remarks(const app::LoadedGarment& loaded) {
   std::string text;
-  for (const std::string& line : app::remarks_of(loaded)) {
+  for (const std::string& line : app::collect_remarks(loaded)) {
     text += line + '\n';
   }
   return text;

@@ -1,21 +1,21 @@
 #include <gtest/gtest.h>
 
 #include "app/base/errors.hpp"
-#include "app/models/garment_import.hpp"
 #include "app/models/garment_loading.hpp"
+#include "app/models/reading/garment_import.hpp"
 #include "temporary_folder.hpp"
 
 namespace taut::app {
 namespace {
 
-using test::message_of;
+using test::error_message;
 using test::TemporaryFolder;
 
 std::string import_error(const std::filesystem::path& path) {
-  return message_of<InputError>([&] { import_garment(path); });
+  return error_message<InputError>([&] { import_garment(path); });
 }
 
-sim::Vec3 normal_of(const ImportedModel& model) {
+sim::Vec3 first_normal(const ImportedModel& model) {
   return sim::doubled_area_vector(model.positions, model.triangles.front());
 }
 
@@ -34,7 +34,7 @@ TEST(GarmentImport, CutsPolygonsAndCountsWhatItIgnores) {
   EXPECT_EQ(model.ignored_lines, 1U);
   EXPECT_EQ(model.ignored_points, 1U);
   EXPECT_EQ(model.triangles.size(), 6U);
-  EXPECT_GT(normal_of(model).z, 0.0);
+  EXPECT_GT(first_normal(model).z, 0.0);
 }
 
 // A glTF triangle in the xy plane whose node mirrors x, moves by (10, 0, 0) and doubles.
@@ -51,7 +51,7 @@ TEST(GarmentImport, PlacesMeshesAndKeepsTheOutsideOutside) {
   ASSERT_EQ(model.positions.size(), 3U);
   EXPECT_EQ(model.positions[1], sim::Vec3(8, 0, 0));
   EXPECT_EQ(model.positions[2], sim::Vec3(10, 2, 0));
-  EXPECT_GT(normal_of(model).z, 0.0);
+  EXPECT_GT(first_normal(model).z, 0.0);
 }
 
 TEST(GarmentImport, RefusesWhatIsNoModel) {
@@ -71,7 +71,7 @@ TEST(GarmentLoading, NamesTheFileOfAMeshWithoutArea) {
   const TemporaryFolder folder;
   Scene scene;
   scene.garment.file = folder.write("flat.obj", "v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n");
-  const std::string error = message_of<InputError>([&] { load_garment(scene); });
+  const std::string error = error_message<InputError>([&] { load_garment(scene); });
   EXPECT_CONTAINS(error, "flat.obj");
 }
 
@@ -92,7 +92,7 @@ TEST(GarmentLoading, PinsHoldClothOverTheWidthThatIsAsked) {
   Scene scene;
   scene.garment.grid.columns = scene.garment.grid.rows = 11;
   scene.garment.grid.width_m = scene.garment.grid.height_m = 1.0;
-  scene.pins = std::vector<PinSelector>{sim::Index{60}};  // in the middle
+  scene.pins = std::vector<PinSelector>{sim::Index{60}};  // the middle vertex
   EXPECT_EQ(load_garment(scene).pins, std::vector<sim::Index>{60});
   scene.pin_width_m = 0.21;
   EXPECT_EQ(load_garment(scene).pins, (std::vector<sim::Index>{49, 59, 60, 61, 71}));

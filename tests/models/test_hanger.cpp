@@ -1,4 +1,4 @@
-// The hanger that a garment is put on, and where it fits.
+// The hanger on which a garment is put, and its fit.
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "app/base/errors.hpp"
-#include "app/models/hanger.hpp"
+#include "app/models/hanging/hanger.hpp"
 #include "garment_shapes.hpp"
 #include "loading_shapes.hpp"
 #include "sim/mesh/extent.hpp"
@@ -14,8 +14,8 @@
 namespace taut::app {
 namespace {
 
-/// The ends of the hanger that a garment is put on by itself.
-std::pair<sim::Vec3, sim::Vec3> ends_of(const std::vector<sim::Body>& hanger) {
+/// The ends of the hanger that is chosen for the garment.
+std::pair<sim::Vec3, sim::Vec3> bar_ends(const std::vector<sim::Body>& hanger) {
   return {std::get<sim::Capsule>(hanger.at(0).shape).end_m, std::get<sim::Capsule>(hanger.at(1).shape).end_m};
 }
 
@@ -25,7 +25,7 @@ TEST(Hanger, IsChosenForShouldersWithoutNeckline) {
     const LoadedGarment loaded = test::load(folder, mesh);
     EXPECT_TRUE(loaded.pins.empty());
     EXPECT_EQ(loaded.hanging->parts.at(0).by, HungBy::hanger);
-    const auto [left, right] = ends_of(loaded.hanger);
+    const auto [left, right] = bar_ends(loaded.hanger);
     EXPECT_NEAR(left.x, -0.2, 0.06);
     EXPECT_NEAR(right.x, 0.2, 0.06);
     EXPECT_GT(left.y, 0.6) << "close below the shoulders, which are at 0.72 m";
@@ -38,7 +38,7 @@ TEST(Hanger, IsChosenForShouldersWithoutNeckline) {
 TEST(Hanger, HoldsTheLargestPartAndPinsTheOthers) {
   const test::TemporaryFolder folder;
   const LoadedGarment loaded =
-      test::load(folder, test::both(test::jacket(), test::moved(test::skirt(), {0, -0.8, 0})));
+      test::load(folder, test::both(test::jacket(), test::translate(test::skirt(), {0, -0.8, 0})));
   EXPECT_EQ(loaded.hanger.size(), 2U);
   EXPECT_EQ(loaded.pins.size(), 24U);
   Scene scene;
@@ -78,13 +78,13 @@ TEST_F(OnHanger, AGarmentStaysInTheRunAndCrossesNothing) {
   for (int frame = 0; frame < 90; ++frame) {
     simulation.advance_frame();
   }
-  const sim::Extent range = sim::extent_of(simulation.state().current);
+  const sim::Extent range = sim::compute_extent(simulation.state().current);
   EXPECT_NEAR(range.upper.y, 0.7, 0.05);
   EXPECT_NEAR(range.lower.y, 0.0, 0.1);
 }
 
 TEST_F(OnHanger, StrapsHaveAShorterOne) {
-  const auto [left, right] = ends_of(load_on_hanger(test::strap_dress()).hanger);
+  const auto [left, right] = bar_ends(load_on_hanger(test::strap_dress()).hanger);
   EXPECT_GT(right.x, 0.09);
   EXPECT_LT(right.x, 0.15);
   EXPECT_GT(right.y, 0.8);
@@ -100,9 +100,9 @@ TEST_F(OnHanger, SlopesAsItsShouldersDo) {
   };
   const std::vector<sim::Body> hanger = load_on_hanger(sloping(0.3)).hanger;
   const sim::Vec3 middle = std::get<sim::Capsule>(hanger.at(0).shape).start_m;
-  EXPECT_NEAR((middle.y - ends_of(hanger).first.y) / (middle.x - ends_of(hanger).first.x), 0.3, 0.05);
+  EXPECT_NEAR((middle.y - bar_ends(hanger).first.y) / (middle.x - bar_ends(hanger).first.x), 0.3, 0.05);
   EXPECT_FALSE(load_on_hanger(sloping(0.45)).hanger.empty());
-  EXPECT_CONTAINS(test::message_of<InputError>([&] { load_on_hanger(sloping(0.55)); }),
+  EXPECT_CONTAINS(test::error_message<InputError>([&] { load_on_hanger(sloping(0.55)); }),
                   "found no room for a hanger");
 }
 
@@ -111,18 +111,19 @@ TEST_F(OnHanger, NeedsRoom) {
   for (sim::Vec3& p : flat.positions) {
     p.z *= 0.05;
   }
-  EXPECT_CONTAINS(test::message_of<InputError>([&] { load_on_hanger(flat); }),
+  EXPECT_CONTAINS(test::error_message<InputError>([&] { load_on_hanger(flat); }),
                   "pins.at: found no room for a hanger below the garment's shoulders");
 }
 
-/// Half a tube's front and back with room for any hanger; its shoulders are at 0.69 m and reach so far.
+/// Front and back of half a tube with clearance for any hanger. Its shoulders are at 0.69 m and reach `half_width_m`
+/// to each side.
 sim::Mesh yoke(double half_width_m) {
   const auto body = [=](double x, double y) { return std::abs(x) < half_width_m && y > 0.0 && y < 0.7; };
   return test::sewn(
       {.front = body, .back = body, .open = [](double, double y) { return y < 0.01; }, .depth_m = 0.3});
 }
 
-/// Raises what is nearer to the middle than this, by this.
+/// Raises the top of the mesh by `height_m` within `half_width_m` of the middle.
 sim::Mesh with_collar(sim::Mesh mesh, double half_width_m, double height_m) {
   for (sim::Vec3& p : mesh.positions) {
     p.y += p.y > 0.68 && std::abs(p.x) < half_width_m ? height_m : 0.0;
@@ -131,11 +132,11 @@ sim::Mesh with_collar(sim::Mesh mesh, double half_width_m, double height_m) {
 }
 
 double half_length_m(const std::vector<sim::Body>& hanger) {
-  return 0.5 * (ends_of(hanger).second.x - ends_of(hanger).first.x);
+  return 0.5 * (bar_ends(hanger).second.x - bar_ends(hanger).first.x);
 }
 
-/// By how much the left bar falls, by how far it reaches.
-double fall_of(const std::vector<sim::Body>& hanger) {
+/// Slope of the left bar: the height by which it falls over the distance by which it reaches out.
+double fall_distance(const std::vector<sim::Body>& hanger) {
   const auto& bar = std::get<sim::Capsule>(hanger.at(0).shape);
   return (bar.start_m.y - bar.end_m.y) / (bar.start_m.x - bar.end_m.x);
 }
@@ -147,7 +148,7 @@ TEST_F(OnHanger, WideGarmentsHaveOneForGrownUps) {
   EXPECT_DOUBLE_EQ(bar.start_radius_m, 0.008);
   EXPECT_DOUBLE_EQ(bar.end_radius_m, 0.008);
   EXPECT_EQ(hanger.at(0).friction, 0.5);
-  EXPECT_NEAR(fall_of(hanger), 0.0, 1e-9);
+  EXPECT_NEAR(fall_distance(hanger), 0.0, 1e-9);
   EXPECT_NEAR(bar.end_m.y, 0.69 - 0.016, 1e-9) << "in steps of 4 mm, until it is 4 mm from the cloth";
 }
 
@@ -156,12 +157,12 @@ TEST_F(OnHanger, NarrowGarmentsHaveASmallerOne) {
 }
 
 TEST_F(OnHanger, ACollarIsNoShoulder) {
-  EXPECT_NEAR(fall_of(load_on_hanger(with_collar(yoke(0.6), 0.05, 0.06)).hanger), 0.0, 1e-9);
-  EXPECT_NEAR(fall_of(load_on_hanger(with_collar(yoke(0.6), 0.11, 0.03)).hanger), 0.25, 1e-9)
+  EXPECT_NEAR(fall_distance(load_on_hanger(with_collar(yoke(0.6), 0.05, 0.06)).hanger), 0.0, 1e-9);
+  EXPECT_NEAR(fall_distance(load_on_hanger(with_collar(yoke(0.6), 0.11, 0.03)).hanger), 0.25, 1e-9)
       << "what reaches to 0.4 of its half length is one: it rises by 3 of the 12 cm that are left";
 }
 
-// The part above the shoulders of a wide garment is narrow.
+// The wide garment is narrow above its shoulders.
 TEST_F(OnHanger, IsAtLeastHalfAsLongAsTheLongest) {
   const auto mesh = [](double half_width_m) {
     const auto body = [=](double x, double y) {

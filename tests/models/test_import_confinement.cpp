@@ -1,4 +1,5 @@
-// A hostile importer: what a damaged or malicious model could have a reader do, tried within the confinement.
+// A hostile importer: everything that a damaged or malicious model could make a reader do, tried within the
+// confinement.
 #include <fcntl.h>
 #include <gtest/gtest.h>
 #include <linux/bpf.h>
@@ -27,7 +28,7 @@
 #include <functional>
 
 #include "app/base/errors.hpp"
-#include "app/models/import_confinement.hpp"
+#include "app/models/reading/import_confinement.hpp"
 #include "temporary_folder.hpp"
 
 namespace taut::app {
@@ -37,7 +38,7 @@ using test::TemporaryFolder;
 
 constexpr int inherited = 77;  ///< a descriptor that the importer's parent forgot to close
 
-/// A folder with a model, what it names, and what it does not.
+/// A folder with a model, files that the model names, and files that it does not name.
 struct Place {
   TemporaryFolder whole;
   std::filesystem::path folder = whole / "models";
@@ -61,15 +62,15 @@ struct Place {
   }
 };
 
-/// What became of a child process that did something within the confinement.
+/// Result of an attempt that a child process made within the confinement.
 struct Outcome {
   bool is_done = false;   ///< the attempt succeeded
-  int error_number = 0;   ///< of an attempt that did not
-  int signal_number = 0;  ///< that ended the process
+  int error_number = 0;   ///< errno of an attempt that failed
+  int signal_number = 0;  ///< signal that ended the process
 };
 
-/// Does it in a child process, after `prepare`. The attempt returns -1 and sets errno where it fails.
-Outcome outcome_of(const std::function<void()>& prepare, const std::function<long()>& attempt) {
+/// Makes the attempt in a child process, after `prepare`. The attempt returns -1 and sets errno if it fails.
+Outcome run_apart(const std::function<void()>& prepare, const std::function<long()>& attempt) {
   const pid_t child = ::fork();
   if (child == 0) {
     ::dup2(::open("/dev/null", O_RDWR), inherited);
@@ -84,8 +85,8 @@ Outcome outcome_of(const std::function<void()>& prepare, const std::function<lon
   return {.is_done = WEXITSTATUS(status) == 0, .error_number = WEXITSTATUS(status)};
 }
 
-Outcome confined(const Place& place, const std::function<long()>& attempt) {
-  return outcome_of([&] { confine_import(place.model, {}, STDOUT_FILENO); }, attempt);
+Outcome run_confined(const Place& place, const std::function<long()>& attempt) {
+  return run_apart([&] { confine_import(place.model, {}, STDOUT_FILENO); }, attempt);
 }
 
 struct Attempt {
@@ -93,8 +94,8 @@ struct Attempt {
   std::function<long()> run;
 };
 
-/// The id of the child, which ends at once; -1: it was not made.
-long ended(long child) {
+/// Returns the id of the child, which ends at once; -1 if it was not made.
+long wait_for(long child) {
   if (child == 0) ::_exit(0);
   return child;
 }
@@ -155,14 +156,14 @@ std::vector<Attempt> reading_of_others(const Place& place) {
 std::vector<Attempt> other_processes() {
   static int word = 7;
   static iovec here = {&word, sizeof(word)};
-  return {{"fork", [] { return ended(::fork()); }},
-          {"vfork", [] { return ended(::vfork()); }},
-          {"clone", [] { return ended(::syscall(SYS_clone, SIGCHLD, 0, 0, 0, 0)); }},
+  return {{"fork", [] { return wait_for(::fork()); }},
+          {"vfork", [] { return wait_for(::vfork()); }},
+          {"clone", [] { return wait_for(::syscall(SYS_clone, SIGCHLD, 0, 0, 0, 0)); }},
           {"clone3",
            [] {
              clone_args arguments{};
              arguments.exit_signal = SIGCHLD;
-             return ended(::syscall(SYS_clone3, &arguments, sizeof(arguments)));
+             return wait_for(::syscall(SYS_clone3, &arguments, sizeof(arguments)));
            }},
           {"setsid", [] { return ::setsid(); }},
           {"setpgid", [] { return ::setpgid(0, 0); }},
@@ -240,7 +241,7 @@ std::vector<Attempt> the_kernel() {
 
 void expect_refused(const Place& place, const std::vector<Attempt>& attempts) {
   for (const Attempt& attempt : attempts) {
-    const Outcome outcome = confined(place, attempt.run);
+    const Outcome outcome = run_confined(place, attempt.run);
     EXPECT_TRUE(outcome.error_number == EPERM || outcome.error_number == EACCES || outcome.error_number == EBADF)
         << attempt.name << (outcome.is_done ? ": done" : ": not refused as expected") << ", error "
         << outcome.error_number << ", signal " << outcome.signal_number;
@@ -267,9 +268,9 @@ TEST(HostileImporter, EndsByCallsOfOtherKinds) {
   const Place place;
 #if defined(__x86_64__)
   constexpr long x32 = 0x40000000;
-  EXPECT_EQ(confined(place, [] { return ::syscall(x32 + SYS_getpid); }).signal_number, SIGSYS);
+  EXPECT_EQ(run_confined(place, [] { return ::syscall(x32 + SYS_getpid); }).signal_number, SIGSYS);
 #endif
-  EXPECT_EQ(confined(place, []() -> long { std::abort(); }).signal_number, SIGABRT) << "an abort ends it";
+  EXPECT_EQ(run_confined(place, []() -> long { std::abort(); }).signal_number, SIGABRT) << "an abort ends it";
 }
 
 TEST(HostileImporter, DoesNotOutliveTheProgramThatStartedIt) {
@@ -303,7 +304,7 @@ TEST(HostileImporter, PrintsNothingBetweenTheAnswersBytes) {
   const pid_t importer = ::fork();
   if (importer == 0) {
     ::dup2(ends[1], STDOUT_FILENO);
-    ::closefrom(STDERR_FILENO + 1);  // as a program that was just started
+    ::closefrom(STDERR_FILENO + 1);  // leaves the descriptors of a program that was just started
     confine_import(place.model, {}, STDOUT_FILENO);
     std::size_t written = 0;
     for (const int stream : {STDOUT_FILENO, STDERR_FILENO, import_output}) {
@@ -322,7 +323,7 @@ TEST(HostileImporter, PrintsNothingBetweenTheAnswersBytes) {
 TEST(HostileImporter, ReadsTheModelAndWhatItNames) {
   const Place place;
   for (const std::string& path : {place.model, place.library, place.same_stem, place.map}) {
-    const Outcome outcome = confined(place, [&] {
+    const Outcome outcome = run_confined(place, [&] {
       const long file = open_for(path, O_RDONLY);
       char first = 0;
       return file < 0 || ::read(static_cast<int>(file), &first, 1) != 1 ? -1L : 0L;
@@ -331,7 +332,7 @@ TEST(HostileImporter, ReadsTheModelAndWhatItNames) {
   }
 }
 
-/// Has the kernel answer a system call with an error, as one without it does.
+/// Makes the kernel answer a system call with an error, like a kernel without that call.
 void refuse_call(int call, int error_number) {
   const scmp_filter_ctx filter = seccomp_init(SCMP_ACT_ALLOW);
   seccomp_rule_add(filter, SCMP_ACT_ERRNO(static_cast<unsigned>(error_number)), call, 0);
@@ -345,9 +346,9 @@ TEST(ImportConfinement, WithoutLandlockStillRefusesAllWriting) {
     refuse_call(SCMP_SYS(landlock_create_ruleset), ENOSYS);
     if (confine_import(place.model, {}, STDOUT_FILENO)) ::_exit(99);
   };
-  EXPECT_TRUE(outcome_of(prepare, [&] { return open_for(place.diary, O_RDONLY); }).is_done) << "which is to be said";
+  EXPECT_TRUE(run_apart(prepare, [&] { return open_for(place.diary, O_RDONLY); }).is_done) << "which is to be said";
   for (const Attempt& attempt : changes_of_files(place)) {
-    EXPECT_EQ(outcome_of(prepare, attempt.run).error_number, EPERM) << attempt.name;
+    EXPECT_EQ(run_apart(prepare, attempt.run).error_number, EPERM) << attempt.name;
   }
 }
 
@@ -362,10 +363,10 @@ TEST(ImportConfinement, WithoutSeccompNoModelIsRead) {
     }
     return -1L;
   };
-  EXPECT_TRUE(outcome_of([] {}, confined_without).is_done);
+  EXPECT_TRUE(run_apart([] {}, confined_without).is_done);
 }
 
-/// The files that belong to a model of this name with these bytes, below their folder, sorted.
+/// Files that belong to a model with this name and these bytes, relative to their folder, sorted.
 std::vector<std::string> files_named(const Place& place, const std::string& model, const std::string& bytes) {
   std::vector<std::string> names;
   for (const auto& file : named_files(place.write(model, bytes))) {

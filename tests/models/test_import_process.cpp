@@ -6,18 +6,18 @@
 
 #include "any_arrays.hpp"
 #include "app/base/errors.hpp"
-#include "app/models/garment_import.hpp"
-#include "app/models/import_process.hpp"
-#include "app/models/model_arrays.hpp"
+#include "app/models/reading/garment_import.hpp"
+#include "app/models/reading/import_process.hpp"
+#include "app/models/reading/model_arrays.hpp"
 #include "temporary_folder.hpp"
 
 namespace taut::app {
 namespace {
 
-using test::message_of;
+using test::error_message;
 using test::TemporaryFolder;
 
-/// An importer that misbehaves as a damaged model can make one misbehave.
+/// An importer that misbehaves like one that reads a damaged model.
 class ImporterInstead {
  public:
   ImporterInstead(const TemporaryFolder& folder, const std::string& script) {
@@ -32,7 +32,7 @@ std::string error_with(const std::string& script, const ImportLimits& limits = {
   const TemporaryFolder folder;
   const ImporterInstead importer(folder, script);
   const auto model = folder.write("dress.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
-  return message_of<InputError>([&] { import_garment(model, limits); });
+  return error_message<InputError>([&] { import_garment(model, limits); });
 }
 
 TEST(ImportProcess, SurvivesACrash) {
@@ -61,7 +61,7 @@ TEST(ImportProcess, NamesAnImporterThatDoesNotStart) {
   const TemporaryFolder folder;
   ::setenv("TAUT_IMPORTER", (folder / "none").c_str(), 1);
   const auto model = folder.write("dress.obj", "v 0 0 0\n");
-  EXPECT_CONTAINS(message_of<InputError>([&] { import_garment(model); }), "none' does not start");
+  EXPECT_CONTAINS(error_message<InputError>([&] { import_garment(model); }), "none' does not start");
   ::unsetenv("TAUT_IMPORTER");
 }
 
@@ -92,7 +92,7 @@ TEST(ImportProcess, KeepsToItsMemory) {
     text += "v 0 0 0\n";
   }
   const auto model = folder.write("huge.obj", text);
-  EXPECT_CONTAINS(message_of<InputError>([&] { import_garment(model, {.memory_mib = 96}); }),
+  EXPECT_CONTAINS(error_message<InputError>([&] { import_garment(model, {.memory_mib = 96}); }),
                   "huge.obj': reading it takes more than 96 MiB of memory");
 }
 
@@ -200,7 +200,8 @@ TEST(ModelArrays, RefuseWhatNoModelHas) {
 }
 
 TEST(ModelArrays, TakeNoMoreMemoryThanTheirBytes) {
-  // A list of 4 000 000 000 empty names would take 128 GB; as many names as bytes allow take eight times these.
+  // A list of 4 000 000 000 empty names would take 128 GB. A list as long as the bytes allow takes eight times
+  // their memory.
   std::string bytes = encode({});
   ModelArrays two_remarks;
   two_remarks.colours.remarks = {"", ""};
@@ -210,10 +211,10 @@ TEST(ModelArrays, TakeNoMoreMemoryThanTheirBytes) {
   const std::uint64_t count = 5'000'000;
   std::memcpy(bytes.data() + count_at, &count, sizeof(count));
   bytes.insert(count_at + sizeof(count), count * sizeof(std::uint64_t), '\0');
-  EXPECT_CONTAINS(message_of<std::runtime_error>([&] { decode(bytes); }), "too many names");
+  EXPECT_CONTAINS(error_message<std::runtime_error>([&] { decode(bytes); }), "too many names");
 }
 
-// For two seconds; tests/fuzz/fuzz_arrays.cpp goes on from here.
+// Random bytes for two seconds; tests/fuzz/fuzz_arrays.cpp searches further.
 TEST(ModelArrays, CanBeUsedWhereTheyAreTaken) {
   const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(2);
   int all = 0, taken = 0;

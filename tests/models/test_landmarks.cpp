@@ -2,17 +2,17 @@
 
 #include "app/base/errors.hpp"
 #include "app/models/garment_loading.hpp"
-#include "app/models/landmarks.hpp"
+#include "app/models/hanging/landmarks.hpp"
 #include "temporary_folder.hpp"
 
 namespace taut::app {
 namespace {
 
-using test::message_of;
+using test::error_message;
 using test::TemporaryFolder;
 
-// Faces name the vertices in another order than they are listed, vertex 0 is used by none and the file has
-// texture seams, so that the imported order differs from the file's.
+// Faces name the vertices in another order than the file lists them, no face uses vertex 0, and the file has texture
+// seams. The imported order therefore differs from the file's.
 constexpr const char* cloth =
     "v 9 9 9\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n"
     "vt 0 0\nvt 1 0\nvt 0 1\n"
@@ -57,7 +57,7 @@ TEST(Landmarks, AreWithinTheLastDigitsOfTheirPoints) {
 TEST(Landmarks, SayWhichPointIsNoVertex) {
   const TemporaryFolder folder;
   const auto error = [&](const std::string& text) {
-    return message_of<InputError>([&] { load_garment(scene_with(folder, text)); });
+    return error_message<InputError>([&] { load_garment(scene_with(folder, text)); });
   };
   EXPECT_CONTAINS(error("a = [1]\nb = [[0.5, 0, 0]]\n"),
                   "cloth.landmarks.toml:2: landmark b: the garment has no vertex at [0.5, 0, 0]");
@@ -73,7 +73,7 @@ TEST(Landmarks, CanBePinned) {
   scene.pins = {{"top"}};
   EXPECT_EQ(load_garment(scene).pins.size(), 2U);
   scene.pins = {{"topp"}};
-  const std::string error = message_of<InputError>([&] { load_garment(scene); });
+  const std::string error = error_message<InputError>([&] { load_garment(scene); });
   EXPECT_CONTAINS(error, "no part named 'topp'; did you mean 'top'? (it has: top, top-band, hanger)");
 }
 

@@ -1,4 +1,4 @@
-// Models that follow a simulation mesh which was fitted to them.
+// Models that follow a simulation mesh that was fitted to them.
 
 #include <gtest/gtest.h>
 
@@ -8,8 +8,8 @@
 
 #include "app/base/errors.hpp"
 #include "app/caches/frame_sink.hpp"
-#include "app/models/file_mesh.hpp"
-#include "app/models/model_fitting.hpp"
+#include "app/models/mending/model_fitting.hpp"
+#include "app/models/reading/file_mesh.hpp"
 #include "app/scene/scene_file.hpp"
 #include "garment_shapes.hpp"
 #include "loading_shapes.hpp"
@@ -23,7 +23,7 @@ namespace {
 
 using sim::Vec3;
 
-/// A shirt with a lining that faces inwards, this far below.
+/// A shirt with a lining that faces inwards, at this distance inside it.
 sim::Mesh lined_shirt(double apart_m) {
   sim::Mesh both = test::shirt();
   const sim::Mesh outer = both;
@@ -38,7 +38,7 @@ sim::Mesh lined_shirt(double apart_m) {
   return both;
 }
 
-double farthest(std::span<const Vec3> a, std::span<const Vec3> b) {
+double max_distance(std::span<const Vec3> a, std::span<const Vec3> b) {
   double farthest_m = a.size() == b.size() ? 0.0 : INFINITY;
   for (std::size_t k = 0; k < std::min(a.size(), b.size()); ++k) {
     farthest_m = std::max(farthest_m, glm::distance(a[k], b[k]));
@@ -52,11 +52,11 @@ struct ModelFitting : testing::Test {
     const sim::Mesh model = lined_shirt(0.002);
     vertices = model.positions.size();
     scene.garment.file = folder.write("lined.obj", obj_text(model, model.positions));
-    scene.garment.most_triangles = 1500;
+    scene.garment.max_triangles = 1500;
     return scene;
   }
 
-  /// Triangles 2 m long and 0.1 micrometres wide, of which no mesh is left.
+  /// Triangles 2 m long and 0.1 micrometres wide. Fitting leaves no mesh of them.
   Scene slivers() {
     sim::Mesh model;
     for (sim::Index k = 0; k < 40; ++k) {
@@ -81,14 +81,14 @@ TEST_F(ModelFitting, OfTwoWallsOneIsSimulatedAndBothFollow) {
   EXPECT_GE(loaded.garment->mesh.triangles.size(), 1000U);
   EXPECT_NEAR(sim::surface_area(loaded.garment->mesh), 0.5 * sim::surface_area(loaded.following->mesh),
               0.05 * sim::surface_area(loaded.garment->mesh));
-  EXPECT_LT(farthest(loaded.shown_m(loaded.garment->mesh.positions), loaded.following->mesh.positions), 1e-9);
+  EXPECT_LT(max_distance(loaded.shown_m(loaded.garment->mesh.positions), loaded.following->mesh.positions), 1e-9);
   EXPECT_CONTAINS(test::remarks(loaded), "is simulated, and the model follows it");
 }
 
-// Two sheets, each followed by points 4 mm off it towards the other.
+// Two sheets. Each is followed by points 4 mm away from it, towards the other sheet.
 TEST(OffsetLimits, LayersThatComeNearerThanTheOffsetsOfTheirFollowersAreNotCrossedByThose) {
   const sim::Mesh lower = sim::make_grid({.plane = sim::GridPlane::horizontal});
-  const sim::Mesh sheets = test::both(lower, test::moved(lower, {0.0, 0.05, 0.0}));
+  const sim::Mesh sheets = test::both(lower, test::translate(lower, {0.0, 0.05, 0.0}));
   const std::size_t count = lower.positions.size();
   std::vector<Vec3> points = sheets.positions;
   for (std::size_t v = 0; v < points.size(); ++v) {
@@ -99,7 +99,7 @@ TEST(OffsetLimits, LayersThatComeNearerThanTheOffsetsOfTheirFollowersAreNotCross
   const auto limited = [&](const std::vector<Vec3>& at_m) {
     return follow(bonds, at_m, sheets.triangles, limits.shares(bonds, at_m, sheets.triangles));
   };
-  EXPECT_LT(farthest(limited(sheets.positions), points), 1e-9);
+  EXPECT_LT(max_distance(limited(sheets.positions), points), 1e-9);
 
   std::vector<Vec3> near_m = sheets.positions;
   for (std::size_t v = count; v < near_m.size(); ++v) {
@@ -123,7 +123,7 @@ TEST_F(ModelFitting, AModelThatIsFitIsSimulatedAndOneIsWhereThatIsAskedFor) {
   scene.garment.mesh = MeshChoice::fitted;
   EXPECT_TRUE(load_garment(scene).following);
   scene.garment.subdivisions = 1;
-  EXPECT_CONTAINS(test::message_of<InputError>([&] { load_garment(scene); }), "garment.triangles says how fine");
+  EXPECT_CONTAINS(test::error_message<InputError>([&] { load_garment(scene); }), "garment.triangles says how fine");
 }
 
 TEST_F(ModelFitting, ACoarseModelGetsAFinerMeshAndIsDrawnAsFinely) {
@@ -131,14 +131,14 @@ TEST_F(ModelFitting, ACoarseModelGetsAFinerMeshAndIsDrawnAsFinely) {
   ASSERT_TRUE(is_coarse(skirt));
   Scene scene;
   scene.garment.file = folder.write("skirt.obj", obj_text(skirt, skirt.positions));
-  scene.garment.most_triangles = 6000;
+  scene.garment.max_triangles = 6000;
   const LoadedGarment loaded = load_garment(scene);
   ASSERT_TRUE(loaded.following);
   EXPECT_GT(loaded.garment->mesh.triangles.size(), 4000U);
   EXPECT_GE(loaded.shown_mesh().triangles.size(), loaded.garment->mesh.triangles.size());
   const WrittenCloth written(loaded);
   EXPECT_EQ(written.vertices(), skirt.positions.size());
-  EXPECT_LT(farthest(written.positions(loaded.garment->mesh.positions), loaded.file_rest_m), 1e-9);
+  EXPECT_LT(max_distance(written.positions(loaded.garment->mesh.positions), loaded.file_rest_m), 1e-9);
 }
 
 TEST_F(ModelFitting, TheFileIsWrittenWhereTheMeshWent) {
@@ -153,7 +153,7 @@ TEST_F(ModelFitting, TheFileIsWrittenWhereTheMeshWent) {
   const auto move = [](const Vec3& p) { return Vec3(p.z, p.y + 2.0, -p.x); };
   std::transform(moved_m.begin(), moved_m.end(), moved_m.begin(), move);
   std::transform(expected_m.begin(), expected_m.end(), expected_m.begin(), move);
-  EXPECT_LT(farthest(cloth.positions(moved_m), expected_m), 1e-9);
+  EXPECT_LT(max_distance(cloth.positions(moved_m), expected_m), 1e-9);
 }
 
 TEST_F(ModelFitting, AStartThatWasExportedIsTheSameShape) {
@@ -166,7 +166,7 @@ TEST_F(ModelFitting, AStartThatWasExportedIsTheSameShape) {
   scene.garment.start = folder.write("end.obj", WrittenCloth(loaded).obj(simulation.state().current));
   const LoadedGarment again = load_garment(scene);
   ASSERT_TRUE(again.start_m);
-  EXPECT_GT(farthest(loaded.garment->mesh.positions, *again.start_m), 0.01);
+  EXPECT_GT(max_distance(loaded.garment->mesh.positions, *again.start_m), 0.01);
   double sum_m = 0.0;
   for (std::size_t v = 0; v < again.start_m->size(); ++v) {
     sum_m += glm::distance(simulation.state().current[v], (*again.start_m)[v]);
@@ -206,12 +206,12 @@ TEST_F(ModelFitting, ThreadsRunAlongTheModelsTextureCoordinates) {
   scene.garment.file = folder.write("sheet.obj", obj.str());
   scene.garment.up = ModelAxis::y;
   scene.garment.mesh = MeshChoice::fitted;
-  scene.garment.most_triangles = 400;
+  scene.garment.max_triangles = 400;
   const LoadedGarment loaded = load_garment(scene);
   const sim::Mesh& mesh = loaded.garment->mesh;
   ASSERT_EQ(loaded.garment->warps.size(), mesh.triangles.size());
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    const auto [a, b, c] = sim::corners_of(mesh.triangles[t], mesh.positions);
+    const auto [a, b, c] = sim::corner_positions(mesh.triangles[t], mesh.positions);
     const Vec3 along = glm::normalize(b - a);
     const Vec3 across = glm::cross(glm::normalize(glm::cross(b - a, c - a)), along);
     const Vec3 warp = loaded.garment->warps[t].x * along + loaded.garment->warps[t].y * across;
@@ -222,7 +222,7 @@ TEST_F(ModelFitting, ThreadsRunAlongTheModelsTextureCoordinates) {
 TEST_F(ModelFitting, SaysThatNoMeshIsLeft) {
   Scene scene = slivers();
   scene.garment.mesh = MeshChoice::fitted;
-  EXPECT_CONTAINS(test::message_of<InputError>([&] { load_garment(scene); }), "no mesh can be fitted to it");
+  EXPECT_CONTAINS(test::error_message<InputError>([&] { load_garment(scene); }), "no mesh can be fitted to it");
   scene.garment.mesh = MeshChoice::automatic;
   EXPECT_EQ(load_garment(scene).following, nullptr);
 }

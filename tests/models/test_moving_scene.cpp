@@ -13,7 +13,7 @@
 namespace taut::app {
 namespace {
 
-sim::Simulation simulation_of(const std::string& text) {
+sim::Simulation make_simulation(const std::string& text) {
   const DrawnScene scene = read_scene_text(text, "scene.toml");
   return make_simulation(scene, load_garment(scene));
 }
@@ -21,7 +21,7 @@ sim::Simulation simulation_of(const std::string& text) {
 const std::string grid = "[garment.grid]\ncolumns = 9\nrows = 9\ntop = [0, 1, 0]\n";
 
 TEST(MovingScene, ACapsulePushesClothAlong) {
-  sim::Simulation simulation = simulation_of(grid + R"(
+  sim::Simulation simulation = make_simulation(grid + R"(
 [[bodies]]
 shape = "capsule"
 start = [-1, 0.3, -0.3]
@@ -37,7 +37,7 @@ shift = { velocity = [0, 0, 0.5], until = 1 }
 }
 
 TEST(MovingScene, PinsThatMoveAreHeldBesidesTheOthers) {
-  sim::Simulation simulation = simulation_of(grid + R"(
+  sim::Simulation simulation = make_simulation(grid + R"(
 [pins]
 at = ["top-left"]
 [[pins.moving]]
@@ -56,23 +56,21 @@ shift = { velocity = [-0.2, 0, 0] }
 }
 
 TEST(MovingScene, NamesPinsThatAreNotThereOrLedTwice) {
-  const auto error_of = [](const std::string& rest) {
-    return test::message_of<InputError>([&] { simulation_of(grid + rest); });
+  const auto error_text = [](const std::string& rest) {
+    return test::error_message<InputError>([&] { make_simulation(grid + rest); });
   };
-  EXPECT_CONTAINS(error_of("[[pins.moving]]\nat = [81]\n"), "pins.moving: found vertex 81, expected");
-  EXPECT_CONTAINS(error_of("[[pins.moving]]\nat = \"top-lift\"\n"),
-                  "pins.moving: the garment has no part named");
-  EXPECT_CONTAINS(error_of("[[pins.moving]]\nat = [8]\n[[pins.moving]]\nat = \"top-edge\"\n"),
+  EXPECT_CONTAINS(error_text("[[pins.moving]]\nat = [81]\n"), "pins.moving: found vertex 81, expected");
+  EXPECT_CONTAINS(error_text("[[pins.moving]]\nat = \"top-lift\"\n"), "pins.moving: the garment has no part named");
+  EXPECT_CONTAINS(error_text("[[pins.moving]]\nat = [8]\n[[pins.moving]]\nat = \"top-edge\"\n"),
                   "pins.moving: found vertex 8 in two entries");
 }
 
 TEST(MovingScene, AModelThatIsSubdividedKeepsItsMovingBordersWhole) {
   const test::TemporaryFolder folder;
   const auto file = folder.write("square.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nf 1 2 3\nf 2 4 3\n");
-  sim::Simulation simulation =
-      simulation_of("[garment]\nfile = \"" + file.string() +
-                    "\"\nsubdivisions = 2\n[pins]\nat = [0]\n[[pins.moving]]\nat = [2, 3]\n"
-                    "shift = { velocity = [0, 0, 0.1] }\n");
+  sim::Simulation simulation = make_simulation("[garment]\nfile = \"" + file.string() +
+                                               "\"\nsubdivisions = 2\n[pins]\nat = [0]\n[[pins.moving]]\nat = [2, 3]\n"
+                                               "shift = { velocity = [0, 0, 0.1] }\n");
   for (int frame = 0; frame < 6; ++frame) {
     simulation.advance_frame();
   }
@@ -88,7 +86,7 @@ TEST(MovingScene, AModelThatIsSubdividedKeepsItsMovingBordersWhole) {
 }
 
 TEST(MovingScene, ABodyWhoseMeshWasNotReadIsRefused) {
-  EXPECT_THROW(simulation_of(grid + "[[bodies]]\nname = \"x\"\nshape = \"mesh\"\nfile = \"x.obj\"\n"),
+  EXPECT_THROW(make_simulation(grid + "[[bodies]]\nname = \"x\"\nshape = \"mesh\"\nfile = \"x.obj\"\n"),
                std::invalid_argument);
 }
 

@@ -3,16 +3,16 @@
 #include <cmath>
 
 #include "app/base/errors.hpp"
-#include "app/models/model_arrays.hpp"
+#include "app/models/reading/model_arrays.hpp"
 #include "temporary_folder.hpp"
 
 namespace taut::app {
 namespace {
 
-using test::message_of;
+using test::error_message;
 
-std::string error_of(const std::string& text) {
-  return message_of<InputError>([&] { read_obj(text); });
+std::string error_text(const std::string& text) {
+  return error_message<InputError>([&] { read_obj(text); });
 }
 
 TEST(ObjReading, KeepsEveryDigit) {
@@ -72,15 +72,15 @@ TEST(ObjReading, NumbersOutOfRangeAreWhatTheyRoundTo) {
 }
 
 TEST(ObjReading, SaysWhichLineIsDamaged) {
-  EXPECT_CONTAINS(error_of("v 0 0 0\n\nv 1 zero 0\n"), "line 3: found 'zero', expected a coordinate of a vertex");
-  EXPECT_CONTAINS(error_of("v 1 0,5 0\n"), "line 1: found '0,5'");
-  EXPECT_CONTAINS(error_of("v 1 2\n"), "line 1: found '', expected a coordinate");
-  EXPECT_CONTAINS(error_of("v 0 0 0\nf 1 \\\n1 \\\n1\nf 1 x 1\n"),
+  EXPECT_CONTAINS(error_text("v 0 0 0\n\nv 1 zero 0\n"), "line 3: found 'zero', expected a coordinate of a vertex");
+  EXPECT_CONTAINS(error_text("v 1 0,5 0\n"), "line 1: found '0,5'");
+  EXPECT_CONTAINS(error_text("v 1 2\n"), "line 1: found '', expected a coordinate");
+  EXPECT_CONTAINS(error_text("v 0 0 0\nf 1 \\\n1 \\\n1\nf 1 x 1\n"),
                   "line 5: found 'x', expected the number of a vertex");
-  EXPECT_CONTAINS(error_of("v 0 0 0\nf 1 0 1\n"), "line 2: found '0'");
-  EXPECT_CONTAINS(error_of("v 0 0 0\nf 1 -2 1\n"), "line 2: found '-2'");
-  EXPECT_CONTAINS(error_of("v 0 0 0\nf 1 99999999999999999999 1\n"), "line 2: found '9999");
-  EXPECT_CONTAINS(error_of("v 0 0 0\nf 1 7 1\nf 1 1 1\n"), "line 2: a face uses vertex 7 of a model that has 1");
+  EXPECT_CONTAINS(error_text("v 0 0 0\nf 1 0 1\n"), "line 2: found '0'");
+  EXPECT_CONTAINS(error_text("v 0 0 0\nf 1 -2 1\n"), "line 2: found '-2'");
+  EXPECT_CONTAINS(error_text("v 0 0 0\nf 1 99999999999999999999 1\n"), "line 2: found '9999");
+  EXPECT_CONTAINS(error_text("v 0 0 0\nf 1 7 1\nf 1 1 1\n"), "line 2: a face uses vertex 7 of a model that has 1");
 }
 
 }  // namespace

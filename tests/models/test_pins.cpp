@@ -2,7 +2,7 @@
 
 #include "app/base/errors.hpp"
 #include "app/models/garment_loading.hpp"
-#include "app/models/landmarks.hpp"
+#include "app/models/hanging/landmarks.hpp"
 #include "sim/mesh/grid.hpp"
 #include "temporary_folder.hpp"
 
@@ -12,6 +12,7 @@ namespace {
 using Selectors = std::vector<PinSelector>;
 using Vertices = std::vector<sim::Index>;
 
+// Vertices of the grid:
 // 0 1 2
 // 3 4 5
 struct Pins : testing::Test {
@@ -51,15 +52,14 @@ TEST_F(Pins, OfAModelAreItsTopBand) {
 }
 
 TEST_F(Pins, RefuseWhatIsNotThere) {
-  EXPECT_CONTAINS(test::message_of<InputError>([&] { select(Selectors{sim::Index{6}}); }),
+  EXPECT_CONTAINS(test::error_message<InputError>([&] { select(Selectors{sim::Index{6}}); }),
                   "found vertex 6, expected one of the vertices of the file, 0 to 5");
-  EXPECT_CONTAINS(test::message_of<InputError>([&] { select(Selectors{"top-lef"}); }),
-                  "did you mean 'top-left'?");
+  EXPECT_CONTAINS(test::error_message<InputError>([&] { select(Selectors{"top-lef"}); }), "did you mean 'top-left'?");
 }
 
-// A strip of four triangles whose faces name its vertices in another order than the file lists them. Vertices
-// 0 and 8 belong to no face, though 8 lies where 2 does, 7 only to a face without area; 4 lies where 3 does
-// and is welded to it.
+// A strip of four triangles whose faces name its vertices in another order than the file lists them. Vertices 0 and 8
+// belong to no face, though 8 lies at 2. Vertex 7 belongs only to a face without area. Vertex 4 lies at 3 and is
+// welded to it.
 constexpr const char* strip_obj =
     "v 9 9 9\nv 2 1 0\nv 1 1 0\nv 1 0 0\nv 1 0 0\nv 0 0 0\nv 2 0 0\nv 3 0 0\nv 1 1 0\nv 0 1 0\n"
     "f 6 4 10\nf 4 3 10\nf 5 7 3\nf 7 2 3\nf 6 4 8\n";
@@ -73,7 +73,7 @@ struct PinsOfAFile : testing::Test {
     scene.pins = pins;
     return load_garment(scene);
   }
-  // Where the vertex is that the file gives this number.
+  // Position of the vertex with this number in the file.
   sim::Vec3 place_of(const std::string& name, const std::string& text, sim::Index number) const {
     const LoadedGarment loaded = load(name, text, {number});
     return loaded.garment->mesh.positions[loaded.pins.at(0)];
@@ -102,7 +102,7 @@ TEST_F(PinsOfAFile, StayWhereTheyAreWhenItIsSubdivided) {
 
 TEST_F(PinsOfAFile, MustBeVerticesThatWereKept) {
   const auto error = [&](sim::Index number) {
-    return test::message_of<InputError>([&] { load("strip.obj", strip_obj, {number}); });
+    return test::error_message<InputError>([&] { load("strip.obj", strip_obj, {number}); });
   };
   EXPECT_CONTAINS(error(10), "pins.at: found vertex 10, expected one of the vertices of the file, 0 to 9");
   for (const sim::Index dropped : {0U, 7U, 8U}) {
@@ -134,7 +134,7 @@ TEST_F(PinsOfAFile, CountCornersWhereFacesShareNoVertices) {
   EXPECT_TRUE(load("quad.stl", stl, {}).file_vertices.are_corners);
   EXPECT_FALSE(load("one.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n", {}).file_vertices.are_corners)
       << "a single face shares none with others";
-  EXPECT_CONTAINS(test::message_of<InputError>([&] { load("quad.stl", stl, {sim::Index{6}}); }),
+  EXPECT_CONTAINS(test::error_message<InputError>([&] { load("quad.stl", stl, {sim::Index{6}}); }),
                   "expected one of the corners of the file's faces, which share no vertices, 0 to 5");
 }
 
@@ -142,14 +142,14 @@ TEST_F(PinsOfAFile, NumberForcesToo) {
   const LoadedGarment loaded = load("strip.obj", strip_obj, {});
   sim::Surroundings surroundings;
   surroundings.forces.artificial_forces = {{.vertex = 1, .force_n = {1, 0, 0}}};
-  const auto forces = settled(surroundings, loaded).forces.artificial_forces;
+  const auto forces = settle_surroundings(surroundings, loaded).forces.artificial_forces;
   EXPECT_EQ(loaded.garment->mesh.positions[forces.at(0).vertex], sim::Vec3(2, 1, 0));
   surroundings.forces.artificial_forces[0].vertex = 0;
-  EXPECT_CONTAINS(test::message_of<InputError>([&] { settled(surroundings, loaded); }),
+  EXPECT_CONTAINS(test::error_message<InputError>([&] { settle_surroundings(surroundings, loaded); }),
                   "forces.vertex: vertex 0 of the file belongs to no face");
 }
 
-// The window holds a vertex of the mesh; a scene that is saved names it as any reader finds it.
+// The window holds a vertex of the mesh. A saved scene names it by its number in the file, which any reader finds.
 TEST_F(PinsOfAFile, AreFoundAgainFromTheMesh) {
   const LoadedGarment loaded = load("strip.obj", strip_obj, {});
   for (sim::Index v = 0; v < loaded.garment->mesh.positions.size(); ++v) {

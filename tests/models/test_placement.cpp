@@ -1,31 +1,31 @@
 #include <gtest/gtest.h>
 
-#include "app/models/hanging.hpp"
-#include "app/models/placement.hpp"
+#include "app/models/hanging/hanging.hpp"
+#include "app/models/hanging/placement.hpp"
 #include "temporary_folder.hpp"
 
 namespace taut::app {
 namespace {
 
-sim::Mesh box_of(double x, double y, double z, const sim::Vec3& at = {0, 0, 0}) {
+sim::Mesh bounding_box(double x, double y, double z, const sim::Vec3& at = {0, 0, 0}) {
   return {{at, at + sim::Vec3(x, y, 0), at + sim::Vec3(0, y, z)}, {{0, 1, 2}}, {}};
 }
 
 TEST(Placement, GuessesTheUnitOfAGarment) {
-  EXPECT_EQ(place_model(box_of(0.5, 0.7, 0.3), {}).scale, 1.0);
-  EXPECT_FALSE(place_model(box_of(0.5, 0.7, 0.3), {}).guessed);
-  EXPECT_EQ(place_model(box_of(50, 70, 30), {}).scale, 0.01);
-  EXPECT_EQ(place_model(box_of(500, 700, 300), {}).scale, 0.001);
-  EXPECT_EQ(place_model(box_of(5, 7, 3), {}).scale, 0.1);
-  EXPECT_DOUBLE_EQ(place_model(box_of(1e9, 2e9, 0), {}).scale, 0.5e-9);
-  EXPECT_DOUBLE_EQ(place_model(box_of(1e-9, 2e-9, 0), {}).scale, 0.5e9);
+  EXPECT_EQ(place_model(bounding_box(0.5, 0.7, 0.3), {}).scale, 1.0);
+  EXPECT_FALSE(place_model(bounding_box(0.5, 0.7, 0.3), {}).guessed);
+  EXPECT_EQ(place_model(bounding_box(50, 70, 30), {}).scale, 0.01);
+  EXPECT_EQ(place_model(bounding_box(500, 700, 300), {}).scale, 0.001);
+  EXPECT_EQ(place_model(bounding_box(5, 7, 3), {}).scale, 0.1);
+  EXPECT_DOUBLE_EQ(place_model(bounding_box(1e9, 2e9, 0), {}).scale, 0.5e-9);
+  EXPECT_DOUBLE_EQ(place_model(bounding_box(1e-9, 2e-9, 0), {}).scale, 0.5e9);
 }
 
 TEST(Placement, LooksAtOneOfSeveralGarmentsSideBySide) {
   const auto row_of = [](double unit) {
     sim::Mesh row;
     for (sim::Index k = 0; k < 5; ++k) {
-      const sim::Mesh one = box_of(0.5 * unit, 0.7 * unit, 0.3 * unit, {1.1 * k * unit, 0.0, 0.0});
+      const sim::Mesh one = bounding_box(0.5 * unit, 0.7 * unit, 0.3 * unit, {1.1 * k * unit, 0.0, 0.0});
       row.positions.insert(row.positions.end(), one.positions.begin(), one.positions.end());
       row.triangles.push_back({3 * k, 3 * k + 1, 3 * k + 2});
     }
@@ -38,25 +38,25 @@ TEST(Placement, LooksAtOneOfSeveralGarmentsSideBySide) {
 }
 
 TEST(Placement, BelievesTheFileWithinReason) {
-  const Placement inches = place_model(box_of(10, 30, 5), {{}, {}, 0.0254, {}});
+  const Placement inches = place_model(bounding_box(10, 30, 5), {{}, {}, 0.0254, {}});
   EXPECT_EQ(inches.scale, 0.0254);
   EXPECT_EQ(inches.unit_text, "inch, as the file says");
-  const Placement centimetres = place_model(box_of(50, 70, 30), {{}, {}, 1.0, {}});
+  const Placement centimetres = place_model(bounding_box(50, 70, 30), {{}, {}, 1.0, {}});
   EXPECT_EQ(centimetres.scale, 0.01);
   EXPECT_EQ(centimetres.unit_text,
             "centimetre, guessed, since the file's own, metre, would make it 70 m large");
-  EXPECT_EQ(place_model(box_of(50, 70, 30), {1.0, {}, 0.01, {}}).scale, 1.0);
+  EXPECT_EQ(place_model(bounding_box(50, 70, 30), {1.0, {}, 0.01, {}}).scale, 1.0);
 }
 
 // Sizes on both sides of each limit.
 TEST(Placement, KnowsTheSizesOfGarments) {
-  const auto guessed = [](double size) { return place_model(box_of(size, size, 0), {}).scale; };
+  const auto guessed = [](double size) { return place_model(bounding_box(size, size, 0), {}).scale; };
   EXPECT_EQ(guessed(0.25), 1.0);
   EXPECT_DOUBLE_EQ(guessed(0.15), 1.0 / 0.15);
   EXPECT_EQ(guessed(2.4), 1.0);
   EXPECT_EQ(guessed(3.0), 0.1);
   const auto believed = [](double size) {
-    return place_model(box_of(size, size, 0), {{}, {}, 1.0, {}}).unit_text == "metre, as the file says";
+    return place_model(bounding_box(size, size, 0), {{}, {}, 1.0, {}}).unit_text == "metre, as the file says";
   };
   EXPECT_TRUE(believed(0.03));
   EXPECT_FALSE(believed(0.015));
@@ -66,26 +66,26 @@ TEST(Placement, KnowsTheSizesOfGarments) {
 
 TEST(Placement, TurnsTheModelUpright) {
   const sim::Vec3 p(1, 2, 3);
-  const auto turned = [&](ModelAxis up) { return place_model(box_of(1, 1, 1), {1.0, up, {}, {}})(p); };
+  const auto turned = [&](ModelAxis up) { return place_model(bounding_box(1, 1, 1), {1.0, up, {}, {}})(p); };
   EXPECT_EQ(turned(ModelAxis::y), sim::Vec3(1, 2, 3));
   EXPECT_EQ(turned(ModelAxis::z), sim::Vec3(1, 3, -2));
   EXPECT_EQ(turned(ModelAxis::x), sim::Vec3(-2, 1, 3));
   EXPECT_EQ(turned(ModelAxis::minus_y), sim::Vec3(1, -2, -3));
   EXPECT_EQ(turned(ModelAxis::minus_z), sim::Vec3(1, -3, 2));
   EXPECT_EQ(turned(ModelAxis::minus_x), sim::Vec3(2, -1, 3));
-  EXPECT_EQ(place_model(box_of(1, 0.3, 1), {}).up, ModelAxis::z);
-  EXPECT_EQ(place_model(box_of(1, 0.6, 1), {}).up, ModelAxis::y);
-  EXPECT_EQ(place_model(box_of(1, 0.3, 1), {{}, {}, {}, ModelAxis::y}).up, ModelAxis::y);
+  EXPECT_EQ(place_model(bounding_box(1, 0.3, 1), {}).up, ModelAxis::z);
+  EXPECT_EQ(place_model(bounding_box(1, 0.6, 1), {}).up, ModelAxis::y);
+  EXPECT_EQ(place_model(bounding_box(1, 0.3, 1), {{}, {}, {}, ModelAxis::y}).up, ModelAxis::y);
 }
 
 TEST(Placement, BringsBackWhatIsVeryFarAway) {
-  const sim::Mesh far = box_of(1, 1, 0, {1e6, 0, 0});
+  const sim::Mesh far = bounding_box(1, 1, 0, {1e6, 0, 0});
   EXPECT_NEAR(place_model(far, {})(far.positions[0]).x, -0.5, 1e-9);
-  EXPECT_EQ(place_model(box_of(1, 1, 0, {700, 0, 0}), {}).moved_m, sim::Vec3(0.0));
-  EXPECT_NE(place_model(box_of(1, 1, 0, {1500, 0, 0}), {}).moved_m, sim::Vec3(0.0));
+  EXPECT_EQ(place_model(bounding_box(1, 1, 0, {700, 0, 0}), {}).moved_m, sim::Vec3(0.0));
+  EXPECT_NE(place_model(bounding_box(1, 1, 0, {1500, 0, 0}), {}).moved_m, sim::Vec3(0.0));
 }
 
-/// A sleeve, skirt or neckless shirt: a tube of four sides.
+/// A tube of four sides, like a sleeve, a skirt or a shirt without a neck.
 sim::Mesh tube(double top, double bottom, double x = 0.0) {
   sim::Mesh mesh;
   for (const double y : {bottom, 0.5 * (top + bottom), top}) {

@@ -1,13 +1,13 @@
-// Cloth that begins in another shape than the one it was modelled in.
+// Cloth that begins in another shape than its model's.
 
 #include <gtest/gtest.h>
 
 #include <glm/geometric.hpp>
 
 #include "app/base/errors.hpp"
-#include "app/models/file_mesh.hpp"
 #include "app/models/garment_loading.hpp"
-#include "app/models/inspection.hpp"
+#include "app/models/inspecting/inspection.hpp"
+#include "app/models/reading/file_mesh.hpp"
 #include "app/scene/scene_file.hpp"
 #include "temporary_folder.hpp"
 
@@ -33,7 +33,7 @@ struct Start : testing::Test {
 
 TEST_F(Start, IsTheShapeThatTheSameSceneExported) {
   Scene model;
-  // Vertices that are welded, in a unit that is guessed, along another axis, and subdivided.
+  // A model with vertices to be welded, a unit to be guessed, another axis upwards, and subdivision.
   model.garment.file = folder.write("strip.obj",
                                     "v 0 0 0\nv 40 0 0\nv 0 0 50\nv 40 0 50\nv 40 0 50\nv 0 0 90\n"
                                     "f 1 2 3\nf 2 4 3\nf 3 5 6\n");
@@ -73,7 +73,7 @@ TEST_F(Start, OfAnotherGarmentIsRefusedWithBothCounts) {
   export_after(scene, 0);
   scene.garment.start = file;
   scene.garment.grid.rows = 5;
-  EXPECT_CONTAINS(test::message_of<InputError>([&] { load_garment(scene); }),
+  EXPECT_CONTAINS(test::error_message<InputError>([&] { load_garment(scene); }),
                   "garment.start: found 81 vertices in '" + file.string() + "', expected the garment's 45");
 }
 
@@ -90,7 +90,7 @@ TEST_F(Start, TellsOfClothAndPinsInBodiesAndOfBodiesThatCrossThemselves) {
   EXPECT_CONTAINS(said[0], "at the start ");
   EXPECT_CONTAINS(said[0], " the body 'ball', the first: triangle ");
   EXPECT_CONTAINS(said[1], "1 pinned vertex begins within the body 'ball', the first: vertex 0, 10 mm deep at [");
-  // A tetrahedron around all of it.
+  // A tetrahedron around the whole cloth.
   const double far_m = 10.0;
   sim::BodyMeshData around;
   around.positions_m = {

@@ -7,10 +7,10 @@
 
 #include "app/base/errors.hpp"
 #include "app/drawing/garment_surface.hpp"
-#include "app/models/file_mesh.hpp"
-#include "app/models/garment_import.hpp"
-#include "app/models/import_process.hpp"
-#include "app/models/model_arrays.hpp"
+#include "app/models/reading/file_mesh.hpp"
+#include "app/models/reading/garment_import.hpp"
+#include "app/models/reading/import_process.hpp"
+#include "app/models/reading/model_arrays.hpp"
 #include "app/scene/scene_format.hpp"
 #include "renderer/page/png.hpp"
 #include "temporary_folder.hpp"
@@ -18,11 +18,11 @@
 namespace taut::app {
 namespace {
 
-using test::message_of;
+using test::error_message;
 using test::TemporaryFolder;
 
-// Metres, y up: nothing is guessed, so that positions stay what the file says.
-DrawnScene scene_of(const std::filesystem::path& file) {
+// A scene in metres with y up. Nothing is guessed, so positions stay the same as in the file.
+DrawnScene make_scene(const std::filesystem::path& file) {
   DrawnScene scene;
   scene.garment.file = file;
   scene.garment.scale = 1.0;
@@ -30,7 +30,7 @@ DrawnScene scene_of(const std::filesystem::path& file) {
   return scene;
 }
 
-std::string png_of(int width_px, int height_px, const std::array<std::uint8_t, 4>& rgba) {
+std::string encode_png(int width_px, int height_px, const std::array<std::uint8_t, 4>& rgba) {
   renderer::Image image = renderer::make_image(width_px, height_px, 4);
   for (std::size_t i = 0; i < image.pixels.size(); ++i) {
     image.pixels[i] = rgba[i % 4];
@@ -54,7 +54,7 @@ std::string base64(const std::string& bytes) {
   return text;
 }
 
-// A cross of six squares, folded: each corner of the cube has up to three places in the picture.
+// A cross of six squares, folded to a cube. Each corner of the cube has up to three places in the picture.
 const std::string cube_text =
     "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\n"
     "vt 0.25 0\nvt 0.5 0\nvt 0 0.25\nvt 0.25 0.25\nvt 0.5 0.25\nvt 0.75 0.25\nvt 1 0.25\n"
@@ -64,8 +64,8 @@ const std::string cube_text =
 
 using Corner = std::tuple<double, double, double, float, float>;
 
-/// The corners of every triangle, whatever their order.
-std::multiset<std::set<Corner>> corners_of(const LoadedGarment& loaded) {
+/// Corners of every triangle with their texture coordinates, in any order.
+std::multiset<std::set<Corner>> list_corners(const LoadedGarment& loaded) {
   std::multiset<std::set<Corner>> all;
   const sim::Mesh& mesh = loaded.garment->mesh;
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
@@ -82,8 +82,8 @@ std::multiset<std::set<Corner>> corners_of(const LoadedGarment& loaded) {
 
 TEST(SurfaceColours, ACubeHasTheSameCornersAfterItIsWrittenAndRead) {
   const TemporaryFolder folder;
-  const LoadedGarment cube = load_garment(scene_of(folder.write("cube.obj", cube_text)));
-  const auto corners = corners_of(cube);
+  const LoadedGarment cube = load_garment(make_scene(folder.write("cube.obj", cube_text)));
+  const auto corners = list_corners(cube);
   EXPECT_EQ(corners.size(), 12U);
   EXPECT_TRUE(corners.contains({{0, 0, 1, 0.25F, 0.25F}, {1, 0, 1, 0.5F, 0.25F}, {1, 1, 1, 0.5F, 0.5F}}));
   const sim::Mesh& mesh = cube.garment->mesh;
@@ -93,12 +93,12 @@ TEST(SurfaceColours, ACubeHasTheSameCornersAfterItIsWrittenAndRead) {
     ++places;
   }
   EXPECT_EQ(places, 14U);
-  EXPECT_EQ(corners_of(load_garment(scene_of(folder.write("again.obj", text)))), corners);
+  EXPECT_EQ(list_corners(load_garment(make_scene(folder.write("again.obj", text)))), corners);
   EXPECT_NEAR(cube.metres_per_uv, 4.0, 1e-6);
 }
 
-// Every corner's coordinates are its position: whatever is dropped, turned, cut or moved, they have to stay
-// so.
+// Texture coordinates of every corner equal its position. They must stay equal after triangles are dropped, turned,
+// cut or moved.
 TEST(SurfaceColours, FollowTrianglesThatAreDroppedTurnedAndSubdivided) {
   const TemporaryFolder folder;
   const auto path = folder.write("sheet.obj",
@@ -110,7 +110,7 @@ TEST(SurfaceColours, FollowTrianglesThatAreDroppedTurnedAndSubdivided) {
                                  "f 2/2 6/6 5/5\n"
                                  "f 2/10 5/10 6/10\n"  // repeated
                                  "f 4/4 5/5 6/6 7/7 8/8\n");
-  DrawnScene scene = scene_of(path);
+  DrawnScene scene = make_scene(path);
   scene.garment.subdivisions = 1;
   const LoadedGarment loaded = load_garment(scene);
   EXPECT_EQ(loaded.repairs->degenerate_triangles, 1U);
@@ -145,8 +145,8 @@ std::filesystem::path write_two(const TemporaryFolder& folder, const std::string
 
 TEST(SurfaceColours, OfAnObjComeFromItsMaterials) {
   const TemporaryFolder folder;
-  folder.write("check.png", png_of(2, 3, {10, 20, 30, 255}));
-  const DrawnScene scene = scene_of(write_two(
+  folder.write("check.png", encode_png(2, 3, {10, 20, 30, 255}));
+  const DrawnScene scene = make_scene(write_two(
       folder, "newmtl red cotton\nKd 0.5 0.25 0\nmap_Kd -s 1 1 1 C:\\cloth\\check.png\r\nnewmtl blue\nKd 0 0 1\n"));
   const LoadedGarment loaded = load_garment(scene);
   EXPECT_EQ(loaded.colours.material_of_face, (std::vector<sim::Index>{0, 1}));
@@ -161,9 +161,9 @@ TEST(SurfaceColours, OfAnObjComeFromItsMaterials) {
 
 TEST(SurfaceColours, GiveWayToWhatTheSceneAsksFor) {
   const TemporaryFolder folder;
-  folder.write("check.png", png_of(1, 1, {10, 20, 30, 255}));
-  folder.write("print.png", png_of(4, 4, {1, 2, 3, 4}));
-  DrawnScene scene = scene_of(write_two(folder, "newmtl blue\nmap_Kd check.png\n"));
+  folder.write("check.png", encode_png(1, 1, {10, 20, 30, 255}));
+  folder.write("print.png", encode_png(4, 4, {1, 2, 3, 4}));
+  DrawnScene scene = make_scene(write_two(folder, "newmtl blue\nmap_Kd check.png\n"));
   const LoadedGarment loaded = load_garment(scene);
   EXPECT_EQ(drawn_colours(scene, loaded).base_colours.size(), 2U);
   scene.picture.cloth.outside_colour = renderer::rgb(0x00FF00);
@@ -182,8 +182,9 @@ TEST(SurfaceColours, GiveWayToWhatTheSceneAsksFor) {
 TEST(SurfaceColours, OfLayersAreThoseOfTheirFabrics) {
   const TemporaryFolder folder;
   folder.write("two.landmarks.toml", "layers = 2\n[fabrics]\n\"over.\" = \"denim\"\n");
-  DrawnScene scene = scene_of(folder.write(
-      "two.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 0 0.1\nv 1 0 0.1\nv 1 1 0.1\ng under\nf 1 2 3\ng over.front\nf 4 5 6\n"));
+  DrawnScene scene = make_scene(folder.write(
+      "two.obj",
+      "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 0 0.1\nv 1 0 0.1\nv 1 1 0.1\ng under\nf 1 2 3\ng over.front\nf 4 5 6\n"));
   const auto make_of = [](const char* fabric, DrawnScene& made) {
     apply_overrides(drawn_scene_format(), std::vector<Override>{{"cloth.fabric", fabric, "--fabric"}}, made);
   };
@@ -207,8 +208,8 @@ TEST(SurfaceColours, DoNotComeFromOutsideOfTheModelsFolder) {
   for (const auto& file : {write_two(folder, "newmtl blue\nmap_Kd ../check.png\n"), folder / "two.mtl"}) {
     std::filesystem::rename(file, folder / "model" / file.filename());
   }
-  const DrawnScene scene = scene_of(folder / "model/two.obj");
-  folder.write("check.png", png_of(1, 1, {10, 20, 30, 255}));
+  const DrawnScene scene = make_scene(folder / "model/two.obj");
+  folder.write("check.png", encode_png(1, 1, {10, 20, 30, 255}));
   const std::vector<std::string> outside = load_garment(scene).colours.remarks;
   ASSERT_EQ(outside.size(), 1U);
   EXPECT_CONTAINS(outside[0], ", of which nothing outside of the model's folder is read");
@@ -218,7 +219,7 @@ TEST(SurfaceColours, DoNotComeFromOutsideOfTheModelsFolder) {
 
 TEST(SurfaceColours, SayWhichImageIsMissingAndWhereItWasLookedFor) {
   const TemporaryFolder folder;
-  const DrawnScene scene = scene_of(
+  const DrawnScene scene = make_scene(
       write_two(folder, "newmtl blue\nKd 0 0 1\nmap_Kd stripes/fine.png\nnewmtl red cotton\nmap_Kd two.mtl\n"));
   const LoadedGarment loaded = load_garment(scene);
   ASSERT_EQ(loaded.colours.remarks.size(), 2U);
@@ -235,22 +236,22 @@ TEST(SurfaceColours, SayWhichImageIsMissingAndWhereItWasLookedFor) {
 
 TEST(SurfaceColours, APrintNeedsCoordinatesAndAnImage) {
   const TemporaryFolder folder;
-  DrawnScene scene = scene_of(folder.write("plain.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 3\n"));
+  DrawnScene scene = make_scene(folder.write("plain.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 3\n"));
   const LoadedGarment loaded = load_garment(scene);
-  scene.picture.texture = folder.write("print.png", png_of(1, 1, {1, 2, 3, 4}));
-  EXPECT_CONTAINS(message_of<InputError>([&] { drawn_colours(scene, loaded); }),
+  scene.picture.texture = folder.write("print.png", encode_png(1, 1, {1, 2, 3, 4}));
+  EXPECT_CONTAINS(error_message<InputError>([&] { drawn_colours(scene, loaded); }),
                   "print.png' cannot be drawn, as the garment has no texture coordinates");
-  EXPECT_CONTAINS(message_of<InputError>([&] { read_image(folder / "none.png"); }), "there is no file");
-  EXPECT_CONTAINS(message_of<InputError>([&] { read_image(folder.write("text.png", "not a picture")); }),
+  EXPECT_CONTAINS(error_message<InputError>([&] { read_image(folder / "none.png"); }), "there is no file");
+  EXPECT_CONTAINS(error_message<InputError>([&] { read_image(folder.write("text.png", "not a picture")); }),
                   "text.png': it is no image that can be read");
-  std::string vast = png_of(1, 1, {1, 2, 3, 4});
+  std::string vast = encode_png(1, 1, {1, 2, 3, 4});
   vast[18] = vast[22] = 0x23;
-  EXPECT_CONTAINS(message_of<InputError>([&] { read_image(folder.write("vast.png", vast)); }),
+  EXPECT_CONTAINS(error_message<InputError>([&] { read_image(folder.write("vast.png", vast)); }),
                   "8961 x 8961 pixels, more than");
 }
 
 TEST(SurfaceColours, OfTheTShirtAreToScale) {
-  const LoadedGarment loaded = load_garment(scene_of(std::string(TAUT_ASSETS_FOLDER) + "/garments/tshirt_1028.obj"));
+  const LoadedGarment loaded = load_garment(make_scene(std::string(TAUT_ASSETS_FOLDER) + "/garments/tshirt_1028.obj"));
   EXPECT_EQ(loaded.metres_per_uv, 1.5);
   EXPECT_NEAR(metres_per_uv(loaded.garment->mesh, loaded.colours.corner_uv), 1.5, 0.01);
   EXPECT_EQ(metres_per_uv(loaded.garment->mesh, {}), 0.0);
@@ -258,9 +259,9 @@ TEST(SurfaceColours, OfTheTShirtAreToScale) {
 
 TEST(SurfaceColours, AnImpossibleScaleIsRefused) {
   const TemporaryFolder folder;
-  const DrawnScene scene = scene_of(folder.write("cube.obj", cube_text));
+  const DrawnScene scene = make_scene(folder.write("cube.obj", cube_text));
   folder.write("cube.landmarks.toml", "# scale\nmetres_per_uv = 0\n");
-  EXPECT_CONTAINS(message_of<InputError>([&] { load_garment(scene); }),
+  EXPECT_CONTAINS(error_message<InputError>([&] { load_garment(scene); }),
                   "cube.landmarks.toml:2: metres_per_uv: found 0, expected a number above 0");
 }
 
@@ -275,7 +276,7 @@ TEST(SurfaceColours, OfAGltfComeFromWithinIt) {
 "meshes":[{"primitives":[{"attributes":{"POSITION":0,"TEXCOORD_0":1},"material":0}]}],
 "materials":[{"name":"cotton","pbrMetallicRoughness":{"baseColorTexture":{"index":0},"baseColorFactor":[0.5,1,1,1]}}],
 "textures":[{"source":0}],"images":[{"mimeType":"image/png","uri":"data:image/png;base64,)" +
-                                     base64(png_of(2, 2, {255, 100, 50, 128})) + R"("}],
+                                     base64(encode_png(2, 2, {255, 100, 50, 128})) + R"("}],
 "accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3","min":[0,0,0],"max":[1,1,0]},
 {"bufferView":1,"componentType":5126,"count":3,"type":"VEC2"}],
 "bufferViews":[{"buffer":0,"byteLength":36},{"buffer":0,"byteOffset":36,"byteLength":24}],
@@ -288,7 +289,7 @@ TEST(SurfaceColours, OfAGltfComeFromWithinIt) {
   EXPECT_EQ(material.name, "cotton");
   EXPECT_EQ(material.map, 0U);
   ASSERT_EQ(model.colours.maps.size(), 1U);
-  // Half of the light of 255 is 188; what is opaque has no alpha.
+  // Half of the light of 255 is 188. An opaque material has no alpha.
   const std::vector<std::uint8_t>& rgba = *model.colours.maps[0].rgba;
   EXPECT_EQ(std::vector<std::uint8_t>(rgba.begin(), rgba.begin() + 4), (std::vector<std::uint8_t>{188, 100, 50, 255}));
   EXPECT_TRUE(import_garment(path).colours.maps.empty());

@@ -1,4 +1,4 @@
-// Starts that cross: what they become, judged by the exact test for crossings of app/verify.
+// Starts that cross, and their shapes after untangling, judged by the exact test for crossings of app/verify.
 
 #include <gtest/gtest.h>
 
@@ -7,17 +7,18 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 
-#include "app/models/file_mesh.hpp"
 #include "app/models/garment_loading.hpp"
-#include "app/models/inspection.hpp"
-#include "app/output/frame_verifier.hpp"
+#include "app/models/inspecting/inspection.hpp"
+#include "app/models/reading/file_mesh.hpp"
+#include "app/runs/frame_verifier.hpp"
 #include "sim/untangle/untangle.hpp"
 #include "temporary_folder.hpp"
 
 namespace taut::app {
 namespace {
 
-/// Adds a grid of vertices, `place` of both in 0 to 1; `closed` joins its columns to a tube.
+/// Adds a grid of vertices. `place` maps columns and rows, both from 0 to 1, to positions; `closed` joins the columns
+/// to a tube.
 template <class Place>
 void add_grid(sim::Mesh& mesh, sim::Index columns, sim::Index rows, bool closed, const Place& place) {
   const auto first = static_cast<sim::Index>(mesh.positions.size());
@@ -58,14 +59,14 @@ sim::Mesh sheet() {
   return mesh;
 }
 
-/// It hangs through the sheet by 3 cm and is 20 cm long.
+/// A tongue of 20 cm that hangs through the sheet by 3 cm.
 sim::Mesh sheet_and_tongue() {
   sim::Mesh mesh = sheet();
   add_grid(mesh, 5, 11, false, [](double u, double v) { return sim::Vec3(0.013 + 0.08 * u, 0.2 * v - 0.031, 0.007); });
   return mesh;
 }
 
-/// A ring that goes once through the middle of the sheet: each would have to be cut.
+/// A ring that goes once through the middle of the sheet. Only a cut could separate them.
 sim::Mesh sheet_and_ring() {
   sim::Mesh mesh = sheet();
   add_grid(mesh, 60, 3, true, [](double u, double v) {
@@ -76,7 +77,7 @@ sim::Mesh sheet_and_ring() {
 }
 
 struct Untangle : testing::Test {
-  Scene scene_of(const sim::Mesh& mesh, bool untangle) {
+  Scene make_scene(const sim::Mesh& mesh, bool untangle) {
     Scene scene;
     scene.garment.file = folder.write("model.obj", obj_text(mesh, mesh.positions));
     scene.garment.scale = 1.0;
@@ -88,20 +89,21 @@ struct Untangle : testing::Test {
     return scene;
   }
 
-  /// Requires a start that was moved.
+  /// Requires that the start was moved and that nothing crosses in it.
   static void expect_apart(const LoadedGarment& loaded) {
     EXPECT_GT(loaded.untangling.value().pairs_before, 0U);
     EXPECT_EQ(loaded.untangling->pairs_left, 0U);
-    EXPECT_EQ(crossings_of(loaded), 0U);
+    EXPECT_EQ(count_crossings(loaded), 0U);
     const double narrow_m = 0.49 * loaded.garment->material.thickness_m;
     EXPECT_TRUE(sim::find_gaps(*loaded.garment, narrow_m, 0.0, *loaded.start_m).empty());
   }
 
-  static std::size_t crossings_of(const LoadedGarment& loaded) {
+  static std::size_t count_crossings(const LoadedGarment& loaded) {
     return crossing_pairs(surface_at_start(loaded)).size();
   }
 
-  /// Returns what breaks a promise in 30 frames and at the start; empty: nothing, with nothing left out.
+  /// Returns the first broken promise at the start or in 30 frames; empty if none is broken. Requires that nothing
+  /// was left out.
   static std::string broken_in_a_run(const Scene& scene, const LoadedGarment& loaded) {
     sim::Simulation simulation = make_simulation(scene, loaded);
     EXPECT_EQ(simulation.state().current, *loaded.start_m) << "was moved once more";
@@ -120,7 +122,7 @@ struct Untangle : testing::Test {
   test::TemporaryFolder folder;
 };
 
-// The file has five of these nine quads lie on each other, so that the model becomes a fitted mesh that crosses itself.
+// Five of the file's nine quads lie on each other. The model becomes a fitted mesh that crosses itself.
 TEST_F(Untangle, KeepsEveryCoordinateANumber) {
   Scene scene;
   scene.garment.file = TAUT_TESTS_FOLDER "/models/shapes/nine_quads_that_cross.obj";
@@ -129,19 +131,19 @@ TEST_F(Untangle, KeepsEveryCoordinateANumber) {
 }
 
 TEST_F(Untangle, PartsTheWallsOfAThickTube) {
-  const Scene scene = scene_of(tube_of_two_walls(0.003), true);
+  const Scene scene = make_scene(tube_of_two_walls(0.003), true);
   const LoadedGarment loaded = load_garment(scene);
   EXPECT_GT(loaded.untangling.value().pairs_before, 100U);
   expect_apart(loaded);
-  EXPECT_LT(loaded.untangling->largest_move_m, 0.005);
+  EXPECT_LT(loaded.untangling->max_move_m, 0.005);
   EXPECT_LE(sim::measure_surface_stretch(*loaded.garment, *loaded.start_m).max,
             scene.simulation.solver.bounded.max_stretch);
   EXPECT_EQ(broken_in_a_run(scene, loaded), "");
 }
 
-// Waves of the walls that are as high as they are apart many times over: no contour tells what is inside.
+// Waves of the walls are many times as high as the walls are apart. No contour shows the inside.
 TEST_F(Untangle, TurnsWallsToTheSideTheyFace) {
-  const Scene scene = scene_of(tube_of_two_walls(0.006), true);
+  const Scene scene = make_scene(tube_of_two_walls(0.006), true);
   const LoadedGarment loaded = load_garment(scene);
   expect_apart(loaded);
   for (std::size_t v = 0; v < loaded.start_m->size(); ++v) {
@@ -151,10 +153,10 @@ TEST_F(Untangle, TurnsWallsToTheSideTheyFace) {
 }
 
 TEST_F(Untangle, PullsATongueOutOnTheNearerSide) {
-  const Scene scene = scene_of(sheet_and_tongue(), true);
+  const Scene scene = make_scene(sheet_and_tongue(), true);
   const LoadedGarment loaded = load_garment(scene);
   expect_apart(loaded);
-  EXPECT_LT(loaded.untangling.value().largest_move_m, 0.04);
+  EXPECT_LT(loaded.untangling.value().max_move_m, 0.04);
   double sheet_m = 0.0, tip_m = 0.0;
   for (std::size_t v = 0; v < loaded.start_m->size(); ++v) {
     const sim::Vec3& rest_m = loaded.garment->mesh.positions[v];
@@ -167,25 +169,26 @@ TEST_F(Untangle, PullsATongueOutOnTheNearerSide) {
   EXPECT_EQ(broken_in_a_run(scene, loaded), "");
 }
 
-// The contour begins at the border of the one and ends at that of the other: it cuts nothing off.
+// The contour begins at the border of one sheet and ends at the border of the other, so it encloses no part of
+// either.
 TEST_F(Untangle, PullsOutASheetThatIsSlidIntoAnother) {
   sim::Mesh mesh = sheet();
   add_grid(mesh, 11, 11, false,
            [](double u, double v) { return sim::Vec3(0.003, 0.2 * u - 0.101, 0.2 * v - 0.2 - 0.167); });
-  const Scene scene = scene_of(mesh, true);
+  const Scene scene = make_scene(mesh, true);
   const LoadedGarment loaded = load_garment(scene);
   expect_apart(loaded);
   EXPECT_EQ(broken_in_a_run(scene, loaded), "");
 }
 
-// At rest there is nothing between them, which is not how far they are to be kept apart.
+// The layers have no distance at rest. They must nevertheless be kept apart by the cloth's thickness.
 TEST_F(Untangle, LayersThatAreOneAtRestCarryEachOther) {
   sim::Mesh layers;
   add_grid(layers, 17, 17, false, [](double u, double v) { return sim::Vec3(0.2 * u, 0.0, 0.2 * v); });
   add_grid(layers, 17, 17, false, [](double u, double v) {
     return sim::Vec3(0.2 * u + 0.003, 2e-7 * std::sin(20.0 * u) * std::cos(20.0 * v), 0.2 * v + 0.002);
   });
-  Scene scene = scene_of(layers, true);
+  Scene scene = make_scene(layers, true);
   scene.pins.emplace();
   for (const auto& corner : {sim::Vec3(0, 0, 0), sim::Vec3(0.2, 0, 0), sim::Vec3(0, 0, 0.2), sim::Vec3(0.2, 0, 0.2)}) {
     scene.pins->push_back(NearestTo{corner});
@@ -196,14 +199,14 @@ TEST_F(Untangle, LayersThatAreOneAtRestCarryEachOther) {
 }
 
 TEST_F(Untangle, SaysWhatCannotBeParted) {
-  const Scene scene = scene_of(sheet_and_ring(), true);
+  const Scene scene = make_scene(sheet_and_ring(), true);
   const LoadedGarment loaded = load_garment(scene);
   ASSERT_TRUE(loaded.untangling);
-  const std::size_t left = crossings_of(loaded);
+  const std::size_t left = count_crossings(loaded);
   EXPECT_GT(left, 0U);
   EXPECT_EQ(loaded.untangling->pairs_left, left);
   EXPECT_LE(left, loaded.untangling->pairs_before);
-  EXPECT_LT(loaded.untangling->largest_move_m, 0.15) << "about five edges";
+  EXPECT_LT(loaded.untangling->max_move_m, 0.15) << "about five edges";
   const std::vector<std::string> remarks = remarks_on_start(scene, loaded).lines;
   ASSERT_EQ(remarks.size(), 2U);
   EXPECT_CONTAINS(remarks[0], "that crossed at the start " + std::to_string(left));
@@ -213,13 +216,13 @@ TEST_F(Untangle, SaysWhatCannotBeParted) {
 
 TEST_F(Untangle, LeavesWhatDoesNotCrossAsItIs) {
   const sim::Mesh tube = tube_of_two_walls(0.0);
-  const LoadedGarment plain = load_garment(scene_of(tube, false));
-  const LoadedGarment asked = load_garment(scene_of(tube, true));
+  const LoadedGarment plain = load_garment(make_scene(tube, false));
+  const LoadedGarment asked = load_garment(make_scene(tube, true));
   EXPECT_FALSE(asked.untangling);
   EXPECT_FALSE(asked.start_m);
-  EXPECT_TRUE(asked.garment->parted_m.empty());
+  EXPECT_TRUE(asked.garment->untangled_m.empty());
   EXPECT_EQ(surface_at_start(asked).positions_m.size(), plain.garment->mesh.positions.size());
-  EXPECT_TRUE(remarks_on_start(scene_of(tube, true), asked).lines.empty());
+  EXPECT_TRUE(remarks_on_start(make_scene(tube, true), asked).lines.empty());
 }
 
 TEST(UntangleBudget, EndsWithTheBestShapeSoFar) {
@@ -234,11 +237,11 @@ TEST(UntangleBudget, EndsWithTheBestShapeSoFar) {
     return pairs;
   };
   sim::UntangleSettings settings;
-  const sim::Untangled whole = sim::untangle(garment, mesh.positions, settings, find);
+  const sim::UntangleResult whole = sim::untangle(garment, mesh.positions, settings, find);
   EXPECT_FALSE(whole.is_given_up);
   const int all_rounds = std::exchange(rounds, 0);
   settings.max_pairs = 3 * whole.pairs_before;
-  const sim::Untangled part = sim::untangle(garment, mesh.positions, settings, find);
+  const sim::UntangleResult part = sim::untangle(garment, mesh.positions, settings, find);
   EXPECT_TRUE(part.is_given_up);
   EXPECT_LT(rounds, all_rounds);
   EXPECT_LE(part.pairs_left, part.pairs_before);
@@ -247,7 +250,7 @@ TEST(UntangleBudget, EndsWithTheBestShapeSoFar) {
   EXPECT_EQ(sim::untangle(garment, mesh.positions, settings, find).positions_m, mesh.positions);
 }
 
-// Two sheets 10 micrometres apart, in one of which a vertex was moved until its triangles are flat.
+// Two sheets 10 micrometres apart. In one of them a vertex was moved until its triangles are almost flat.
 TEST(UntangleAnew, PartsWhatIsAsOneAndEvensOutWhatIsFlat) {
   sim::Mesh mesh;
   for (const double height_m : {0.0, 1e-5}) {
@@ -258,16 +261,16 @@ TEST(UntangleAnew, PartsWhatIsAsOneAndEvensOutWhatIsFlat) {
   const sim::Garment garment = sim::make_garment(mesh, {}, sim::Material{});
   const auto none = [](std::span<const sim::Vec3>) { return std::vector<sim::TrianglePair>{}; };
   sim::UntangleSettings settings;
-  EXPECT_EQ(sim::untangle(garment, mesh.positions, settings, none).largest_move_m, 0.0);
+  EXPECT_EQ(sim::untangle(garment, mesh.positions, settings, none).max_move_m, 0.0);
   settings.is_cut_anew = true;
-  const sim::Untangled parted = sim::untangle(garment, mesh.positions, settings, none);
+  const sim::UntangleResult parted = sim::untangle(garment, mesh.positions, settings, none);
   EXPECT_TRUE(sim::find_gaps(garment, 0.5 * settings.distance_m, 0.0, parted.positions_m).empty());
   EXPECT_GT(glm::distance(parted.positions_m[moved], parted.positions_m[moved + 1]), 0.005);
   EXPECT_TRUE(crossing_pairs({parted.positions_m, mesh.triangles}).empty());
 }
 
 TEST_F(Untangle, IsOfferedWhereSomethingCrosses) {
-  const Scene scene = scene_of(sheet_and_tongue(), false);
+  const Scene scene = make_scene(sheet_and_tongue(), false);
   const LoadedGarment loaded = load_garment(scene);
   EXPECT_FALSE(loaded.untangling);
   const std::vector<std::string> remarks = remarks_on_start(scene, loaded).lines;
@@ -279,7 +282,7 @@ TEST_F(Untangle, IsOfferedWhereSomethingCrosses) {
 TEST_F(Untangle, PartsAStartThatWasDraped) {
   sim::Mesh flat;
   add_grid(flat, 21, 31, false, [](double u, double v) { return sim::Vec3(0.4 * u, 0.0, 0.6 * v); });
-  Scene scene = scene_of(flat, false);
+  Scene scene = make_scene(flat, false);
   const sim::Mesh rest = load_garment(scene).garment->mesh;
   std::vector<sim::Vec3> folded_m = rest.positions;
   for (sim::Vec3& p : folded_m) {
@@ -296,11 +299,11 @@ TEST_F(Untangle, PartsAStartThatWasDraped) {
   EXPECT_GT(loaded.untangling.value().pairs_before, 20U);
   expect_apart(loaded);
   EXPECT_EQ(broken_in_a_run(scene, loaded), "");
-  EXPECT_TRUE(loaded.garment->parted_m.empty()) << "of what does not cross at rest";
+  EXPECT_TRUE(loaded.garment->untangled_m.empty()) << "of what does not cross at rest";
   EXPECT_EQ(loaded.garment->mesh.positions, rest.positions);
 }
 
-// Contact keeps neighbours apart by half of their distance at rest, and not at all where that is none.
+// Contact keeps neighbours apart by half of their distance at rest, and not at all if that distance is zero.
 TEST(Gaps, AreFoundBetweenNeighboursThatAlmostTouch) {
   const double near_m = 5e-6;
   const sim::Mesh mesh = {{{0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}, {0.5, -1.0, 1.0}, {0.5, near_m, -0.3}, {0.5, near_m, 0.3}},

@@ -13,15 +13,15 @@
 namespace taut::app {
 namespace {
 
-using test::message_of;
+using test::error_message;
 using test::TemporaryFolder;
 
-thread_local std::vector<std::string> synced;  ///< which names they had then
+thread_local std::vector<std::string> synced;  ///< names of files and folders at the time of their fsync
 
 }  // namespace
 }  // namespace taut::app
 
-/// In the place of the C library's.
+/// Replaces the function of the C library and records the name.
 extern "C" int fsync(int file) {
   taut::app::synced.push_back(std::filesystem::read_symlink("/proc/self/fd/" + std::to_string(file)));
   return static_cast<int>(::syscall(SYS_fsync, file));
@@ -50,21 +50,20 @@ TEST(Files, AreOnTheDiskBeforeTheyHaveTheirNamesAndThoseAfterwards) {
 TEST(Files, LeaveNothingWhereTheyCannotBeWritten) {
   const TemporaryFolder folder;
   std::filesystem::create_directories(folder / "taken/inner");
-  EXPECT_CONTAINS(message_of<InputError>([&] { write_text_file(folder / "taken", "text"); }), "cannot write");
-  EXPECT_CONTAINS(message_of<InputError>([&] { write_text_file(folder / "none/a.txt", "text"); }),
-                  "No such file");
+  EXPECT_CONTAINS(error_message<InputError>([&] { write_text_file(folder / "taken", "text"); }), "cannot write");
+  EXPECT_CONTAINS(error_message<InputError>([&] { write_text_file(folder / "none/a.txt", "text"); }), "No such file");
   EXPECT_EQ(folder.file_count(), 1U);
 }
 
 TEST(Files, GetTheirFolderMadeAndTried) {
   const TemporaryFolder folder;
-  prepare_folder_of(folder / "a/b/c.png");
+  prepare_parent_folder(folder / "a/b/c.png");
   EXPECT_TRUE(std::filesystem::is_directory(folder / "a/b"));
   EXPECT_TRUE(std::filesystem::is_empty(folder / "a/b"));
   folder.write("file", "x");
-  EXPECT_CONTAINS(message_of<InputError>([&] { prepare_folder_of(folder / "file/c.png"); }),
+  EXPECT_CONTAINS(error_message<InputError>([&] { prepare_parent_folder(folder / "file/c.png"); }),
                   "cannot make the output folder");
-  EXPECT_CONTAINS(message_of<InputError>([&] { prepare_folder_of(folder / "a/b"); }),
+  EXPECT_CONTAINS(error_message<InputError>([&] { prepare_parent_folder(folder / "a/b"); }),
                   "there is a folder of this name");
 }
 
@@ -75,7 +74,7 @@ TEST(Files, GetTheirFolderTriedByManyAtOnce) {
   for (std::string& refusal : refusals) {
     threads.emplace_back([&] {
       for (int k = 0; k < 200 && refusal.empty(); ++k) {
-        refusal = message_of<InputError>([&] { prepare_folder_of(folder / "runs/a.json"); });
+        refusal = error_message<InputError>([&] { prepare_parent_folder(folder / "runs/a.json"); });
       }
     });
   }
@@ -89,7 +88,7 @@ TEST(Files, GetTheirFolderTriedByManyAtOnce) {
 TEST(Files, AreOpenedWhereTheyAreFilesOfAFittingSize) {
   const TemporaryFolder folder;
   const auto refusal = [](const std::filesystem::path& path, std::uint64_t max_bytes = max_text_bytes) {
-    return message_of<InputError>([&] { read_text_file(path, max_bytes); });
+    return error_message<InputError>([&] { read_text_file(path, max_bytes); });
   };
   const auto text = folder.write("a.txt", "12345678");
   EXPECT_EQ(read_text_file(text, 8), "12345678");
@@ -108,11 +107,11 @@ TEST(Files, AreOpenedWhereTheyAreFilesOfAFittingSize) {
 TEST(Files, ArePipesWhereThatIsEnough) {
   const TemporaryFolder folder;
   ASSERT_EQ(::mkfifo((folder / "pipe").c_str(), 0600), 0);
-  EXPECT_CONTAINS(message_of<InputError>([&] { require_file(folder / "pipe"); }), "is a pipe, expected a file");
+  EXPECT_CONTAINS(error_message<InputError>([&] { require_file(folder / "pipe"); }), "is a pipe, expected a file");
   const auto read_from_a_writer = [&](const std::string& text, std::uint64_t max_bytes) {
     std::thread writer([&] { std::ofstream(folder / "pipe") << text; });
     std::string read;
-    const std::string refusal = message_of<InputError>([&] { read = read_text_file(folder / "pipe", max_bytes); });
+    const std::string refusal = error_message<InputError>([&] { read = read_text_file(folder / "pipe", max_bytes); });
     writer.join();
     return refusal.empty() ? read : refusal;
   };
@@ -140,7 +139,7 @@ TEST(Files, ThatAreReadAreNotWritten) {
   std::filesystem::create_symlink("../dress.png", folder / "inner/soft.png");
   const std::vector<std::filesystem::path> inputs = {folder / "none", input};
   const auto refusal = [&](const std::vector<std::filesystem::path>& outputs) {
-    return message_of<UsageError>([&] { require_apart(outputs, inputs); });
+    return error_message<UsageError>([&] { require_distinct_files(outputs, inputs); });
   };
   EXPECT_EQ(refusal({folder / "other.png", folder / "none.png", "/dev/null", "/dev/null"}), "");
   for (const char* name : {"dress.png", "inner/../dress.png", "inner/hard.png", "inner/soft.png"}) {
@@ -152,7 +151,7 @@ TEST(Files, ThatAreReadAreNotWritten) {
 TEST(Files, AreClaimedByOneProgramAtATime) {
   const TemporaryFolder folder;
   const auto refusal = [](const std::filesystem::path& path) {
-    return message_of<InputError>([&] { const OutputClaim again(path); });
+    return error_message<InputError>([&] { const OutputClaim again(path); });
   };
   std::filesystem::create_directory_symlink(folder / "", folder / "link");
   {

@@ -1,8 +1,8 @@
 #include <gtest/gtest.h>
 
 #include "app/drawing/inspection_picture.hpp"
-#include "app/models/inspection.hpp"
-#include "app/output/frame_verifier.hpp"
+#include "app/models/inspecting/inspection.hpp"
+#include "app/runs/frame_verifier.hpp"
 #include "sim/mesh/grid.hpp"
 #include "sim/surface.hpp"
 #include "temporary_folder.hpp"
@@ -12,14 +12,14 @@ namespace {
 
 using sim::Vec3;
 
-/// Cells of 1 m, and what touches a triangle but none of its corners.
+/// A sheet with cells of 1 m, large enough for bodies that touch a triangle but none of its corners.
 struct Sheet {
   std::shared_ptr<const sim::Garment> garment = sim::share(sim::make_garment(sim::make_grid(
       {.columns = 3, .rows = 3, .width_m = 2.0, .height_m = 2.0, .plane = sim::GridPlane::horizontal})));
-  std::array<Vec3, 3> corners = sim::corners_of(garment->mesh.triangles[5], garment->mesh.positions);
+  std::array<Vec3, 3> corners = sim::corner_positions(garment->mesh.triangles[5], garment->mesh.positions);
   Vec3 middle = (corners[0] + corners[1] + corners[2]) / 3.0;
 
-  /// After a second.
+  /// Crossing pairs and the message about them after one second.
   std::pair<std::size_t, std::string> found(const sim::Body& body) const {
     sim::Surroundings surroundings;
     surroundings.bodies = {body};
@@ -64,7 +64,7 @@ TEST(FrameVerifier, CountsPairsWithTheTrianglesOfAMesh) {
   const Sheet sheet;
   const Vec3 p = sheet.middle + 0.7 * down, x(0.1, 0.0, 0.0), z(0.0, 0.0, 0.1);
   sim::Body body = {.name = "spike"};
-  // Its tip reaches through the sheet, its base does not.
+  // The tip reaches through the sheet, the base does not.
   body.shape = sim::BodyMesh{std::make_shared<sim::BodyMeshData>(sim::BodyMeshData{
       {p - x - z, p + x - z, p + z, p - 0.8 * down}, {{0, 1, 2}, {0, 3, 1}, {1, 3, 2}, {2, 3, 0}}})};
   const auto [count, text] = sheet.found(body);
@@ -77,10 +77,10 @@ TEST(FrameVerifier, CountsPairsWithTheTrianglesOfAMesh) {
 
 TEST(FrameVerifier, LeavesOutWhatCrossesAtTheStartPairByPairUntilItIsApart) {
   const Sheet sheet;
-  const auto corners = sim::corners_of(sheet.garment->mesh.triangles[2], sheet.garment->mesh.positions);
+  const auto corners = sim::corner_positions(sheet.garment->mesh.triangles[2], sheet.garment->mesh.positions);
   const Vec3 other = (corners[0] + corners[1] + corners[2]) / 3.0;
   sim::Surroundings surroundings;
-  // It begins in triangle 5, leaves it for triangle 2, and comes back.
+  // The ball begins in triangle 5, goes down and out of it, comes back, and goes on to triangle 2.
   surroundings.bodies = {{.name = "ball", .shape = sim::Sphere{sheet.middle, 0.1}}};
   surroundings.bodies[0].motion.path = {
       {0.0, Vec3(0.0)}, {1.0, Vec3(0.0)}, {2.0, 0.5 * down}, {3.0, Vec3(0.0)}, {4.0, other - sheet.middle}};
@@ -124,7 +124,7 @@ TEST(FrameVerifier, LeavesOutOnlyPairsOfTheClothThatCrossAtTheStart) {
   FrameRecord record;
   EXPECT_EQ(verifier.check(crossing, record), "");
   EXPECT_EQ(record.crossing_pairs, 0U);
-  // The same piece through another cell.
+  // The same triangle crosses another cell.
   sim::Checkpoint elsewhere = crossing.save();
   for (sim::Index v = first; v < first + 3; ++v) {
     elsewhere.state.current[v].x += 1.0;

@@ -7,8 +7,8 @@
 namespace taut::app {
 namespace {
 
-std::string error_of(const std::string& text) {
-  return test::message_of<UsageError>([&] { OutputPattern(text, ".png"); });
+std::string error_text(const std::string& text) {
+  return test::error_message<UsageError>([&] { OutputPattern(text, ".png"); });
 }
 
 TEST(OutputPattern, NumbersFrames) {
@@ -21,13 +21,13 @@ TEST(OutputPattern, NumbersFrames) {
 TEST(OutputPattern, RefusesOtherFields) {
   for (const char* text : {"{number}.png", "{}.png", "{frame:4}.png", "{frame:0}.png", "{frame:0x}.png",
                            "{frame.png", "frame}.png", "{frame}{frame}.png", "{{frame}}.png", "}{.png"}) {
-    EXPECT_CONTAINS(error_of(text), "expected one field {frame}");
+    EXPECT_CONTAINS(error_text(text), "expected one field {frame}");
   }
 }
 
 TEST(OutputPattern, RefusesOtherKindsOfFiles) {
   for (const char* text : {"a.mp4", "frames/", "", ".png", "png"}) {
-    EXPECT_CONTAINS(error_of(text), "ends in .png");
+    EXPECT_CONTAINS(error_text(text), "ends in .png");
   }
 }
 

@@ -11,7 +11,7 @@
 namespace taut::app {
 namespace {
 
-using test::message_of;
+using test::error_message;
 using test::TemporaryFolder;
 
 renderer::Image small_picture() {
@@ -107,7 +107,7 @@ TEST(PictureRecord, EveryKindOfValueReadsBackBitForBit) {
   EXPECT_EQ(again.simulation.solver.strong.rigidity.compression, 0.30000000000000004);
   EXPECT_EQ(*again.camera.eye, *scene.camera.eye);
   EXPECT_EQ(again.surroundings.bodies.size(), 3U);
-  // The text is a scene file by itself.
+  // The text alone is a scene file.
   EXPECT_EQ(scene_text(read_scene_file(folder.write("again.toml", text))), text);
 }
 
@@ -170,7 +170,7 @@ TEST(PictureRecord, AFileOutsideOfThePicturesFolderIsOpenedWhereThatIsTrusted) {
   DrawnScene scene = find_scene("tshirt-gravity", {});
   const auto refusal = [&] {
     std::filesystem::rename(write_record(folder, scene), folder / "sent/picture.png");
-    return message_of<InputError>([&] { read_picture_record(folder / "sent/picture.png", {}); });
+    return error_message<InputError>([&] { read_picture_record(folder / "sent/picture.png", {}); });
   };
   scene.garment.file = elsewhere;
   EXPECT_CONTAINS(refusal(), "names '" + elsewhere.string() + "', which is not in the picture's folder");
@@ -190,7 +190,7 @@ TEST(PictureRecord, AFileOutsideOfThePicturesFolderIsOpenedWhereThatIsTrusted) {
   EXPECT_CONTAINS(refusal(), "not in the picture's folder");
 }
 
-// File names can hold any bytes; a scene that is TOML no more could not be read back at all.
+// File names can hold any bytes. A scene with such bytes would not be TOML and could not be read back.
 TEST(PictureRecord, AGarmentWhoseNameIsNoUtf8CanBeReadBack) {
   const TemporaryFolder folder;
   DrawnScene scene = find_scene("tshirt-gravity", {});
@@ -204,15 +204,14 @@ TEST(PictureRecord, AGarmentWhoseNameIsNoUtf8CanBeReadBack) {
 TEST(PictureRecord, APictureOfAnotherOriginIsNamed) {
   const TemporaryFolder folder;
   write_file(folder / "plain.png", renderer::encode_png(small_picture()));
-  EXPECT_CONTAINS(message_of<InputError>([&] { read_picture_record(folder / "plain.png", {}); }),
+  EXPECT_CONTAINS(error_message<InputError>([&] { read_picture_record(folder / "plain.png", {}); }),
                   "plain.png' does not say how it was made");
   folder.write("text.png", "not a picture");
-  EXPECT_CONTAINS(message_of<InputError>([&] { read_picture_record(folder / "text.png", {}); }),
+  EXPECT_CONTAINS(error_message<InputError>([&] { read_picture_record(folder / "text.png", {}); }),
                   "is no PNG picture");
   const std::vector<renderer::PngText> texts = {{"Taut Scene", "[garment.grid\n"}};
   write_file(folder / "bad.png", renderer::encode_png(small_picture(), texts));
-  EXPECT_CONTAINS(message_of<InputError>([&] { read_picture_record(folder / "bad.png", {}); }),
-                  "is not TOML");
+  EXPECT_CONTAINS(error_message<InputError>([&] { read_picture_record(folder / "bad.png", {}); }), "is not TOML");
 }
 
 TEST(PictureRecord, BadNumbersAreNamed) {
@@ -220,11 +219,10 @@ TEST(PictureRecord, BadNumbersAreNamed) {
   const std::string scene = scene_text(find_scene("cloth-fall", {}));
   const std::vector<renderer::PngText> texts = {{"Taut Scene", scene}, {"Taut Frame", "-3"}};
   write_file(folder / "bad.png", renderer::encode_png(small_picture(), texts));
-  EXPECT_CONTAINS(message_of<InputError>([&] { read_picture_record(folder / "bad.png", {}); }),
-                  "'Taut Frame' of '");
+  EXPECT_CONTAINS(error_message<InputError>([&] { read_picture_record(folder / "bad.png", {}); }), "'Taut Frame' of '");
   const std::vector<renderer::PngText> late = {{"Taut Scene", scene}, {"Taut Frame", "2000000000"}};
   write_file(folder / "bad.png", renderer::encode_png(small_picture(), late));
-  EXPECT_CONTAINS(message_of<InputError>([&] { read_picture_record(folder / "bad.png", {}); }),
+  EXPECT_CONTAINS(error_message<InputError>([&] { read_picture_record(folder / "bad.png", {}); }),
                   "is 2000000000, expected a frame from 0 to 1000000");
 }
 

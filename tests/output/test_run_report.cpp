@@ -8,7 +8,7 @@
 #include "app/base/files.hpp"
 #include "app/frame_loop.hpp"
 #include "app/models/garment_loading.hpp"
-#include "app/models/inspection.hpp"
+#include "app/models/inspecting/inspection.hpp"
 #include "app/output/run_report.hpp"
 #include "temporary_folder.hpp"
 
@@ -75,7 +75,7 @@ TEST(RunReport, HoldsWhatTheDesignPromises) {
   EXPECT_EQ(json::parse(statistics_end(json_lines, summary))["summary"]["frames"], 1);
 }
 
-// As a spreadsheet reads it, and the same numbers as the JSON.
+// Spreadsheets read the table, and it has the same numbers as the JSON.
 TEST(RunReport, IsATableWhereTheNameSaysCsv) {
   DrawnScene scene;
   scene.garment.grid = {.columns = 3, .rows = 3};
@@ -92,7 +92,7 @@ TEST(RunReport, IsATableWhereTheNameSaysCsv) {
   }
   EXPECT_EQ(statistics_end(csv, {}), "");
   std::istringstream lines(table);
-  const auto cells_of = [&] {
+  const auto split_cells = [&] {
     std::string line;
     std::getline(lines, line);
     std::istringstream words(line);
@@ -102,17 +102,17 @@ TEST(RunReport, IsATableWhereTheNameSaysCsv) {
     }
     return cells;
   };
-  const std::vector<std::string> names = cells_of();
+  const std::vector<std::string> names = split_cells();
   EXPECT_EQ(names.size(), frames[0].size());
   for (const json& frame : frames) {
-    const std::vector<std::string> row = cells_of();
+    const std::vector<std::string> row = split_cells();
     ASSERT_EQ(row.size(), names.size());
     for (std::size_t i = 0; i < names.size(); ++i) {
       const json& value = frame.at(names[i]);
       EXPECT_EQ(row[i], value.is_string() ? value.get<std::string>() : value.dump()) << names[i];
     }
   }
-  EXPECT_TRUE(cells_of().empty());
+  EXPECT_TRUE(split_cells().empty());
 }
 
 TEST(RunReport, CountsCrossingPairsWhereSomebodyHasCounted) {
@@ -129,12 +129,12 @@ TEST(RunReport, CountsCrossingPairsWhereSomebodyHasCounted) {
 
   const test::TemporaryFolder folder;
   const auto file = folder.write("run.csv", statistics_header(csv, run) + row);
-  EXPECT_CONTAINS(test::message_of<InputError>([&] { StatisticsFile(file, verified, 0); }),
+  EXPECT_CONTAINS(test::error_message<InputError>([&] { StatisticsFile(file, verified, 0); }),
                   "run.csv': found the columns frame,");
 }
 
 TEST(RunReport, RefusesAnEndingThatIsNeither) {
-  EXPECT_CONTAINS(test::message_of<UsageError>([] { statistics_format("run.json"); }),
+  EXPECT_CONTAINS(test::error_message<UsageError>([] { statistics_format("run.json"); }),
                   "--stats run.json: expected a file name that ends in .jsonl or .csv");
   EXPECT_EQ(statistics_format("/dev/stdout"), json_lines);
   EXPECT_EQ(statistics_format("run.csv"), csv);
@@ -185,7 +185,7 @@ TEST(StatisticsFile, HoldsEveryFrameAsItComesAndGoesOnBehindOne) {
     resumed.add(records[3]);
     resumed.finish({});
     EXPECT_EQ(read_text_file(file), whole);
-    EXPECT_CONTAINS(test::message_of<InputError>([&] {
+    EXPECT_CONTAINS(test::error_message<InputError>([&] {
                       StatisticsFile(file, {scene, garment, 0, ""}, 12);
                     }),
                     "it has no line of frame 12");
@@ -193,7 +193,7 @@ TEST(StatisticsFile, HoldsEveryFrameAsItComesAndGoesOnBehindOne) {
   }
 }
 
-// One triangle: all there is once.
+// One triangle: every count is 1.
 TEST(Inspection, HasALineForEachFact) {
   const test::TemporaryFolder folder;
   DrawnScene scene;
@@ -208,7 +208,7 @@ TEST(Inspection, HasALineForEachFact) {
   EXPECT_EQ(text.find("start"), std::string::npos) << "there is none";
 }
 
-// As high as half a thousandth of its longest edge, which is not so thin that it is removed.
+// The thin triangle's height is half a thousandth of its longest edge, which is enough not to be removed.
 TEST(Inspection, CountsTrianglesWithoutASurface) {
   const test::TemporaryFolder folder;
   DrawnScene scene;
@@ -224,7 +224,7 @@ TEST(Inspection, CountsTrianglesWithoutASurface) {
   EXPECT_TRUE(whole.facts["start"].is_null());
 }
 
-// A square sheared so that its sides keep their length: the diagonal that is no spring grows.
+// A square sheared so that its sides keep their length. The diagonal without a spring grows.
 TEST(Inspection, MeasuresTheShapeAtTheStart) {
   const test::TemporaryFolder folder;
   DrawnScene scene;

@@ -11,12 +11,12 @@
 namespace taut::app {
 namespace {
 
-using test::message_of;
+using test::error_message;
 using test::TemporaryFolder;
 
 constexpr VideoSettings small = {.width_px = 32, .height_px = 16, .frame_rate_hz = 25.0};
 
-// A stand-in for ffmpeg; "$out" is the file it is to write. Without a script there is no ffmpeg at all.
+// Installs a script as ffmpeg. In it, "$out" is the file to write. An empty script means that there is no ffmpeg.
 void use_ffmpeg(const TemporaryFolder& folder, const std::string& script) {
   const auto bin = folder / "bin";
   std::filesystem::create_directories(bin);
@@ -49,13 +49,13 @@ TEST(VideoWriter, HandsRawRgbToFfmpegAndNamesTheFileAtTheEnd) {
   const std::string bytes = read_text_file(folder / "film.mp4");
   ASSERT_EQ(bytes.size(), 3U * 32U * 16U * 3U);
   EXPECT_EQ(bytes.back(), 2);
-  EXPECT_EQ(folder.file_count(), 2U);  // the film and bin
+  EXPECT_EQ(folder.file_count(), 2U);  // the film and the folder bin
 }
 
 TEST(VideoWriter, SaysThatThereIsNoFfmpeg) {
   const TemporaryFolder folder;
   use_ffmpeg(folder, "");
-  const std::string message = message_of<InputError>([&] { write_video(folder / "film.mp4", 1); });
+  const std::string message = error_message<InputError>([&] { write_video(folder / "film.mp4", 1); });
   EXPECT_CONTAINS(message, "the program ffmpeg does not start (No such file or directory); install it");
   EXPECT_EQ(folder.file_count(), 1U);
 }
@@ -63,7 +63,7 @@ TEST(VideoWriter, SaysThatThereIsNoFfmpeg) {
 TEST(VideoWriter, AnFfmpegThatDiesInTheMiddleIsReportedInItsOwnWords) {
   const TemporaryFolder folder;
   use_ffmpeg(folder, "echo half > \"$out\"; head -c 5000 > /dev/null; echo 'the disk is full' >&2; exit 3");
-  const std::string message = message_of<InputError>([&] { write_video(folder / "film.mp4", 10000); });
+  const std::string message = error_message<InputError>([&] { write_video(folder / "film.mp4", 10000); });
   EXPECT_CONTAINS(message, "ffmpeg stopped with exit code 3 after ");
   EXPECT_CONTAINS(message, "frames: the disk is full");
   EXPECT_EQ(folder.file_count(), 1U) << "something half-written is left";
@@ -72,14 +72,14 @@ TEST(VideoWriter, AnFfmpegThatDiesInTheMiddleIsReportedInItsOwnWords) {
 TEST(VideoWriter, AKilledFfmpegIsReported) {
   const TemporaryFolder folder;
   use_ffmpeg(folder, "echo half > \"$out\"; kill -9 $$");
-  EXPECT_CONTAINS(message_of<InputError>([&] { write_video(folder / "film.mp4", 10000); }), "signal 9");
+  EXPECT_CONTAINS(error_message<InputError>([&] { write_video(folder / "film.mp4", 10000); }), "signal 9");
   EXPECT_EQ(folder.file_count(), 1U);
 }
 
 TEST(VideoWriter, AnFfmpegThatFailsAtTheEndIsReported) {
   const TemporaryFolder folder;
   use_ffmpeg(folder, "echo half > \"$out\"; cat > /dev/null; echo 'no such encoder' >&2; exit 1");
-  const std::string message = message_of<InputError>([&] { write_video(folder / "film.mp4", 3); });
+  const std::string message = error_message<InputError>([&] { write_video(folder / "film.mp4", 3); });
   EXPECT_CONTAINS(message, "ffmpeg failed with exit code 1 after 3 frames: no such encoder");
   EXPECT_EQ(folder.file_count(), 1U);
 }
@@ -87,7 +87,7 @@ TEST(VideoWriter, AnFfmpegThatFailsAtTheEndIsReported) {
 TEST(VideoWriter, AnFfmpegThatWritesNothingIsReported) {
   const TemporaryFolder folder;
   use_ffmpeg(folder, "cat > /dev/null");
-  EXPECT_CONTAINS(message_of<InputError>([&] { write_video(folder / "film.mp4", 3); }),
+  EXPECT_CONTAINS(error_message<InputError>([&] { write_video(folder / "film.mp4", 3); }),
                   "ffmpeg failed with exit code 0 after 3 frames");
   EXPECT_EQ(folder.file_count(), 1U);
 }
@@ -108,7 +108,7 @@ TEST(VideoWriterDeathTest, CanBeInterruptedWhileFfmpegHangs) {
   const auto interrupted = [&] {
     watch_for_interruption();
     std::raise(SIGTERM);
-    const bool stopped = !message_of<Interrupted>([&] { write_video(folder / "film.mp4", 10000); }).empty();
+    const bool stopped = !error_message<Interrupted>([&] { write_video(folder / "film.mp4", 10000); }).empty();
     std::exit(stopped ? 42 : 1);
   };
   EXPECT_EXIT(interrupted(), testing::ExitedWithCode(42), "");
@@ -118,7 +118,7 @@ TEST(VideoWriterDeathTest, CanBeInterruptedWhileFfmpegHangs) {
 TEST(VideoWriterDeathTest, ALiveVideoIsCompletedAfterAnInterruption) {
   const TemporaryFolder folder;
   use_ffmpeg(folder, "sleep 0.3; cat > \"$out\"");
-  constexpr int frames = 1000;  // more than waits between the two programs
+  constexpr int frames = 1000;  // more frames than can wait between the two programs
   const auto interrupted = [&] {
     watch_for_interruption();
     std::raise(SIGTERM);
@@ -137,11 +137,11 @@ TEST(VideoWriterDeathTest, ALiveVideoIsCompletedAfterAnInterruption) {
 
 TEST(VideoWriter, AnOddSizeIsRefused) {
   const VideoSettings odd = {.width_px = 641, .height_px = 480};
-  EXPECT_CONTAINS(message_of<UsageError>([&] { require_video_size("film.mp4", odd); }),
+  EXPECT_CONTAINS(error_message<UsageError>([&] { require_video_size("film.mp4", odd); }),
                   "needs an even width and height, found 641 x 480");
 }
 
-// With the real one.
+// The ffmpeg of this machine, if there is one.
 TEST(RealFfmpeg, MakesTheSameMp4EveryTime) {
   if (std::system("ffmpeg -version > /dev/null 2>&1") != 0) {
     GTEST_SKIP() << "there is no ffmpeg";

@@ -12,7 +12,7 @@
 
 namespace taut::renderer {
 
-// Light from everywhere alike and nothing else: a surface whose normals point up shows its own colour.
+// Uniform ambient light alone: a surface whose normals point up shows its own colour.
 inline Lighting flat_light() {
   Lighting lighting;
   lighting.key = lighting.fill = lighting.rim = 0.0F;
@@ -20,7 +20,7 @@ inline Lighting flat_light() {
   return lighting;
 }
 
-// Looks along -z at a region two metres high around the origin.
+// A camera that looks along -z at a region two metres high around the origin.
 inline Camera front_camera() {
   Camera camera;
   camera.eye = {0.0F, 0.0F, 4.0F};
@@ -28,8 +28,8 @@ inline Camera front_camera() {
   return camera;
 }
 
-// The arrays have to outlive what is returned.
-inline SurfaceView surface_of(std::span<const glm::vec3> positions, std::span<const glm::vec3> normals,
+// The arrays have to outlive the view.
+inline SurfaceView make_surface(std::span<const glm::vec3> positions, std::span<const glm::vec3> normals,
                               std::span<const std::uint32_t> triangles) {
   SurfaceView surface;
   surface.positions = positions;
@@ -44,7 +44,7 @@ inline constexpr std::array<std::uint32_t, 3> triangle_indices{0, 1, 2};
 
 inline FrameView triangle_frame() {
   FrameView frame;
-  SurfaceView surface = surface_of(triangle_positions, up_normals, triangle_indices);
+  SurfaceView surface = make_surface(triangle_positions, up_normals, triangle_indices);
   surface.style.outside_colour = rgb(0x2E8B57);
   surface.style.inside_colour = rgb(0xC05020);
   surface.style.sheen = 0.0F;
@@ -65,7 +65,7 @@ inline PictureSettings small_picture() {
   return settings;
 }
 
-// As shaders/cloth_light.glsl has it: a little cold.
+// The sky's colour in shaders/cloth_light.glsl, a little cold.
 inline constexpr glm::vec3 sky_colour{0.965F, 1.0F, 1.055F};
 
 inline Colour lit_by(const glm::vec3& light, const Colour& colour) {

@@ -7,12 +7,12 @@ namespace {
 
 using BaseColourMapTest = SceneRendererTest;
 
-BaseColourMap map_of(int width_px, int height_px, std::vector<std::uint8_t> rgba) {
+BaseColourMap make_map(int width_px, int height_px, std::vector<std::uint8_t> rgba) {
   return {width_px, height_px, std::make_shared<const std::vector<std::uint8_t>>(std::move(rgba))};
 }
 
 // Two by two pixels: red, green over blue, and one through which the cloth is seen.
-const BaseColourMap four = map_of(2, 2, {255, 0, 0, 255, 0, 255, 0, 255, 0, 0, 255, 255, 90, 90, 90, 0});
+const BaseColourMap four = make_map(2, 2, {255, 0, 0, 255, 0, 255, 0, 255, 0, 0, 255, 255, 90, 90, 90, 0});
 
 constexpr std::array<glm::vec3, 4> corners{{{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}}};
 constexpr std::array<glm::vec3, 4> normals{{{0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}}};
@@ -39,7 +39,7 @@ struct Square {
 
 TEST_F(BaseColourMapTest, StandsUprightOverTheColourOfTheCloth) {
   const Image image = renderer.draw(Square().frame(), small_picture());
-  // Quarters from the upper left: middles of pixels of the map are at a quarter and three quarters.
+  // Middles of the map's pixels are at a quarter and three quarters of the square, from its upper left.
   const Image plain = [&] {
     Square square;
     square.colours[0].map = {};
@@ -56,8 +56,8 @@ TEST_F(BaseColourMapTest, StandsUprightOverTheColourOfTheCloth) {
 
 TEST_F(BaseColourMapTest, IsFilteredInLinearLightAndRepeated) {
   Square square;
-  // Black and half of the light by turns; far away that is a quarter of it.
-  square.colours = {{rgb(0xFF0000), rgb(0xFF0000), map_of(2, 1, {0, 0, 0, 255, 188, 188, 188, 255})}};
+  // Black alternates with half of the light; far away, the mean is a quarter of the light.
+  square.colours = {{rgb(0xFF0000), rgb(0xFF0000), make_map(2, 1, {0, 0, 0, 255, 188, 188, 188, 255})}};
   for (glm::vec2& place : square.places) place *= 200.0F;
   Square grey;
   grey.colours = {{rgb(0x898989), rgb(0x898989), {}}};
@@ -68,15 +68,15 @@ TEST_F(BaseColourMapTest, IsFilteredInLinearLightAndRepeated) {
 
 TEST_F(BaseColourMapTest, TransparentPixelsDoNotTintEdges) {
   Square square;
-  // The cloth's own colour beside what is transparent and would be white.
-  square.colours = {{rgb(0x808080), rgb(0x808080), map_of(2, 1, {128, 128, 128, 255, 255, 255, 255, 0})}};
+  // The opaque pixel has the cloth's own colour, and the transparent one beside it would be white.
+  square.colours = {{rgb(0x808080), rgb(0x808080), make_map(2, 1, {128, 128, 128, 255, 255, 255, 255, 0})}};
   const Image image = renderer.draw(square.frame(), small_picture());
   for (int x = 20; x < 76; ++x) EXPECT_NEAR(image.at(x, 32)[0], image.at(20, 32)[0], 2) << x;
 }
 
 TEST_F(BaseColourMapTest, ShinesThroughToTheInside) {
   Square square;
-  square.colours = {{rgb(0xFFFFFF), rgb(0xC0C0C0), map_of(1, 1, {0, 0, 0, 255})}};
+  square.colours = {{rgb(0xFFFFFF), rgb(0xC0C0C0), make_map(1, 1, {0, 0, 0, 255})}};
   FrameView frame = square.frame();
   const int outside = renderer.draw(frame, small_picture()).at(48, 32)[0];
   frame.camera.eye.z = -4.0F;
@@ -94,10 +94,10 @@ TEST_F(BaseColourMapTest, TrianglesHaveColoursAndMapsOfTheirOwnOfAnySize) {
   Square square;
   square.colours = {{rgb(0xFFFFFF), rgb(0xFFFFFF), four},
                     {rgb(0x00FF00), rgb(0x00FF00), {}},
-                    {rgb(0xFFFFFF), rgb(0xFFFFFF), map_of(5, 3, std::vector<std::uint8_t>(60, 255))}};
+                    {rgb(0xFFFFFF), rgb(0xFFFFFF), make_map(5, 3, std::vector<std::uint8_t>(60, 255))}};
   square.colour_of_triangle = {1, 0};
   FrameView frame = square.frame();
-  // Another surface before it, which has none.
+  // Another surface, without a map, comes first.
   frame.surfaces.insert(frame.surfaces.begin(), triangle_frame().surfaces[0]);
   frame.surfaces[0].casts_shadow = false;
   const Image image = renderer.draw(frame, small_picture());

@@ -53,7 +53,7 @@ TEST(Canvas, KnowsItsSmallestText) {
   canvas.text(0, 0, "large", {.size_px = 9.0F});
   canvas.text(0, 0, "small", {.size_px = 4.0F});
   canvas.text(0, 0, "", {.size_px = 2.0F});
-  EXPECT_EQ(canvas.smallest_text_px(), 4.0F) << "nothing is no text";
+  EXPECT_EQ(canvas.min_text_px(), 4.0F) << "nothing is no text";
 }
 
 TEST(Canvas, PlacesImagesSideBySide) {

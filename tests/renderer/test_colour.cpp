@@ -33,10 +33,10 @@ TEST(Reverse, IsPalerAndGreyer) {
     return std::max({colour.r, colour.g, colour.b}) - std::min({colour.r, colour.g, colour.b});
   };
   for (const Colour& outside : {rgb(0x3F6FA8), rgb(0xA63D40), rgb(0x4F7F5B), rgb(0x101010)}) {
-    EXPECT_GT(lightness(reverse_of(outside)), 1.2F * lightness(outside));
-    EXPECT_LE(range(reverse_of(outside)), 0.6F * range(outside) + 1e-6F);
+    EXPECT_GT(lightness(reverse_colour(outside)), 1.2F * lightness(outside));
+    EXPECT_LE(range(reverse_colour(outside)), 0.6F * range(outside) + 1e-6F);
   }
-  EXPECT_EQ(reverse_of(rgb(0xFFFFFF)), rgb(0xFFFFFF));
+  EXPECT_EQ(reverse_colour(rgb(0xFFFFFF)), rgb(0xFFFFFF));
 }
 
 TEST(ColourMap, SequentialMapGetsLighterAllTheWay) {

@@ -20,7 +20,7 @@ struct CoveredSquaresTest : testing::Test {
     surfaces.add(surface, {{key}, std::vector<glm::vec2>(3)}, -1, maps);
     squares.find(surfaces, to_clip, {96, 64});
   }
-  // Of what is covered, in squares.
+  // Returns the covered area in squares.
   float area(bool partial) {
     float sum = 0.0F;
     const std::vector<glm::vec2>& corners = squares.corners(partial);
@@ -34,7 +34,7 @@ struct CoveredSquaresTest : testing::Test {
 };
 
 TEST_F(CoveredSquaresTest, HoldTheTriangleAndLittleElse) {
-  // From 50 to 60 px across and from 34 to 44 px up: within one square.
+  // The triangle spans 50 to 60 px across and 34 to 44 px up, within one square.
   const std::array<glm::vec3, 3> small{{{0.042F, 0.0626F, 0}, {0.25F, 0.0626F, 0}, {0.25F, 0.375F, 0}}};
   find(small, KeyVisibility::lit);
   EXPECT_NEAR(area(false), 1.0F, 1e-3F);

@@ -10,8 +10,8 @@
 #include "renderer/passes/surface_pass.hpp"
 #include "scene_support.hpp"
 
-// Cloth that flew apart: every part of the renderer that looks at positions is handed some that are anywhere
-// or nowhere. The picture may show nothing, but nothing is read or written outside of what there is.
+// Cloth that flew apart: every part of the renderer that reads positions is given some that are far away or not finite.
+// The picture may show nothing, but no array is read or written out of range.
 
 namespace taut::renderer {
 namespace {
@@ -20,18 +20,18 @@ constexpr float inf = std::numeric_limits<float>::infinity();
 constexpr float nan = std::numeric_limits<float>::quiet_NaN();
 constexpr float largest = std::numeric_limits<float>::max();
 
-// Two triangles; `lost` of the first vertices are where a runaway cloth may be.
+// Two triangles whose first `lost` vertices are at a place where a runaway cloth may be.
 struct Runaway {
   std::vector<glm::vec3> positions{{-0.5F, 0, 0.5F}, {0.5F, 0, 0.5F}, {0.5F, 0, -0.5F}, {-0.5F, 0, -0.5F}};
   std::vector<glm::vec3> normals = std::vector<glm::vec3>(4, {0, 1, 0});
   std::vector<std::uint32_t> triangles{0, 1, 2, 0, 2, 3};
 
   Runaway(const glm::vec3& place, std::size_t lost) {
-    // Not all in one place, or every triangle would be without area.
+    // The vertices are at different places, as triangles would have no area otherwise.
     const std::array turns{glm::vec3{1, 1, 1}, glm::vec3{-1, 1, 1}, glm::vec3{1, -1, 0.5F}, glm::vec3{0.5F, 1, -1}};
     for (std::size_t i = 0; i < lost; ++i) positions[i] = place * turns[i];
   }
-  SurfaceView view() const { return surface_of(positions, normals, triangles); }
+  SurfaceView view() const { return make_surface(positions, normals, triangles); }
 };
 
 void for_each_runaway(const std::function<void(const Runaway&)>& look) {
@@ -70,7 +70,7 @@ TEST(LostPositions, AShadowMapIsClearOutsideItsBounds) {
   });
 }
 
-// With the box of what is lost, and with that of what is near.
+// The box surrounds the lost positions, or the origin nearby.
 TEST(LostPositions, AmbientLightTakesAnyPosition) {
   for_each_runaway([](const Runaway& cloth) {
     const SurfaceView view = cloth.view();
@@ -176,8 +176,8 @@ TEST_F(LostPicturesTest, CoveredSquaresStayInTheTile) {
   });
 }
 
-// Whole pictures, with all that may be in one. A number that is not finite is refused by name; a far one is drawn,
-// and what is near beside it is seen.
+// Whole pictures with everything that a picture may contain. A position that is not finite is refused by name; a far
+// one is drawn, and things near the camera stay visible.
 TEST_F(LostPicturesTest, AreDrawnOrRefused) {
   for (const float far : {1e5F, 1e9F, 1e12F, 1e30F, largest, inf, nan}) {
     const Runaway cloth({far, -far, far}, 2);

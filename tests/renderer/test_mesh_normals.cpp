@@ -17,7 +17,7 @@ TEST(VertexNormals, FlatSheetPointsToItsCounterClockwiseSide) {
   for (const glm::vec3& normal : normals) EXPECT_EQ(normal, (glm::vec3{0, 0, 1}));
 }
 
-// A corner of a cube whose front face is cut in two: angles count each face alike, as areas would not.
+// A corner of a cube whose front face is cut in two: weights by angle count each face alike, unlike weights by area.
 TEST(VertexNormals, AngleWeightDoesNotDependOnHowAFaceIsCut) {
   constexpr std::array<glm::vec3, 7> positions{
       {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 1}, {0, 1, 1}}};

@@ -55,7 +55,7 @@ TEST(Png, EveryCutAndEveryChangedLengthIsAnErrorAndNothingWorse) {
   EXPECT_EQ(read[1].keyword, "Other");
   EXPECT_EQ(read[1].text, "text");
   for (std::size_t size = 0; size < png.size(); ++size) {
-    // Bytes of their own, so that a checked build sees every read beyond the end.
+    // The bytes are a copy, so that a checked build sees every read beyond the end.
     const std::vector<std::uint8_t> cut(png.begin(), png.begin() + static_cast<std::ptrdiff_t>(size));
     EXPECT_THROW(read_png_texts(cut, "a.png"), std::runtime_error) << size;
   }

@@ -9,7 +9,7 @@
 namespace taut::renderer {
 namespace {
 
-// A square of two triangles, and one that hangs on at the right.
+// A square of two triangles, and a third triangle on its right.
 const std::vector<glm::vec3> positions{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {2, 0, 0}};
 const std::vector<std::uint32_t> triangles{0, 1, 2, 0, 2, 3, 1, 4, 2};
 
@@ -40,7 +40,7 @@ TEST(RefinedMesh, ClosedStaysClosed) {
 
 TEST(RefinedMesh, BordersGoOnUntilTheirEnds) {
   const RefinedMesh mesh(positions, triangles, 1);
-  const std::vector<BorderEdge>& border = mesh.border();
+  const std::vector<LinkedBorderEdge>& border = mesh.border();
   std::uint32_t edge = 0;
   for (std::size_t i = 0; i < border.size(); ++i) {
     EXPECT_EQ(border[edge].ends[1], border[border[edge].next].ends[0]);
@@ -49,7 +49,8 @@ TEST(RefinedMesh, BordersGoOnUntilTheirEnds) {
     edge = border[edge].next;
   }
   EXPECT_EQ(edge, 0U) << "once around";
-  const auto corners = std::count_if(border.begin(), border.end(), [](const BorderEdge& e) { return e.corners[0]; });
+  const auto corners =
+      std::count_if(border.begin(), border.end(), [](const LinkedBorderEdge& e) { return e.corners[0]; });
   EXPECT_EQ(corners, 3)
       << "two of the square, one of the triangle; where it joins the border turns by 45 degrees or less";
 }

@@ -80,7 +80,7 @@ FrameView shadow_frame() {
   return frame;
 }
 
-// Over white, what is transparent is the picture before white.
+// The transparent picture, laid over white, equals the picture in front of white.
 TEST_F(SceneRendererTest, ATransparentBackgroundKeepsClothAndShadow) {
   FrameView frame = shadow_frame();
   frame.camera.target.y = -0.8F;  // the shadow away from the lower edge
@@ -117,7 +117,7 @@ TEST_F(SceneRendererTest, ATransparentBackgroundKeepsClothAndShadow) {
   }
 }
 
-// A slow gradient in eight bits has bands: columns of pixels that change all at once.
+// A slow gradient rounded to eight bits has bands: columns of pixels that change all at once.
 TEST_F(SceneRendererTest, GradientsHaveNoBands) {
   FrameView frame = triangle_frame();
   frame.surfaces.clear();
@@ -168,7 +168,7 @@ TEST_F(SceneRendererTest, TheOtherSideHasTheInsideColour) {
   FrameView frame = triangle_frame();
   frame.camera.eye.z = -4.0F;
   const Image image = renderer.draw(frame, small_picture());
-  // Seen from inside, the normal points down, to the studio's floor: half of the light, and warm.
+  // The normal seen from inside points down to the studio's floor: half of the light, and warm.
   expect_colour(image, 48, 40, lit_by({0.565F, 0.55F, 0.52F}, rgb(0xC05020)), 2.0F);
 }
 
@@ -191,7 +191,7 @@ TEST_F(SceneRendererTest, SamplesAndSupersamplingAverageInLinearLight) {
     FrameView frame = triangle_frame();
     frame.surfaces[0].style.outside_colour = Colour{0.0F};
     const Image image = renderer.draw(frame, settings);
-    // Where the slanted edge passes, coverage has in-between steps, whose light is a multiple of a quarter.
+    // Pixels on the slanted edge are partly covered, in steps of a quarter or of a sixteenth of the light.
     int between = 0;
     for (int y = 0; y < 64; ++y) {
       for (int x = 0; x < 96; ++x) {
@@ -232,7 +232,7 @@ struct Sheet {
 };
 
 // The pixel that shows a point of the world.
-glm::ivec2 pixel_of(const glm::vec3& point, const Camera& camera, const PictureSettings& settings) {
+glm::ivec2 project_to_pixel(const glm::vec3& point, const Camera& camera, const PictureSettings& settings) {
   const float aspect = static_cast<float>(settings.width_px) / static_cast<float>(settings.height_px);
   const glm::vec4 clip = camera.projection(aspect) * camera.view() * glm::vec4{point, 1.0F};
   return {static_cast<int>((0.5F + 0.5F * clip.x / clip.w) * static_cast<float>(settings.width_px)),
@@ -245,8 +245,8 @@ TEST_F(SceneRendererTest, ShadowFallsAwayFromTheKeyLight) {
   PictureSettings settings = small_picture();
   settings.shadow_map_px = 512;
   // The light is at 45 degrees on the left: the shadow's middle is as far to the right as the sheet is high.
-  const glm::ivec2 in_shadow = pixel_of({0.7F, 0.0F, 0.2F}, frame.camera, settings);
-  const glm::ivec2 in_light = pixel_of({-0.8F, 0.0F, 0.2F}, frame.camera, settings);
+  const glm::ivec2 in_shadow = project_to_pixel({0.7F, 0.0F, 0.2F}, frame.camera, settings);
+  const glm::ivec2 in_light = project_to_pixel({-0.8F, 0.0F, 0.2F}, frame.camera, settings);
   const Image with = renderer.draw(frame, settings);
   settings.shadows = false;
   const Image without = renderer.draw(frame, settings);
@@ -280,8 +280,8 @@ TEST_F(SceneRendererTest, FloorHidesWhatIsBelowIt) {
   frame.surfaces[0].casts_shadow = false;
   const PictureSettings settings = small_picture();
   const Image with = renderer.draw(frame, settings);
-  const glm::ivec2 above = pixel_of({0.0F, 0.3F, 0.15F}, frame.camera, settings);
-  const glm::ivec2 below = pixel_of({0.0F, -0.3F, -0.15F}, frame.camera, settings);
+  const glm::ivec2 above = project_to_pixel({0.0F, 0.3F, 0.15F}, frame.camera, settings);
+  const glm::ivec2 below = project_to_pixel({0.0F, -0.3F, -0.15F}, frame.camera, settings);
   frame.surfaces.clear();
   const Image without = renderer.draw(frame, settings);
   EXPECT_LT(with.at(above.x, above.y)[0], without.at(above.x, above.y)[0] - 50);
@@ -295,7 +295,7 @@ TEST_F(SceneRendererTest, SkyDarkensTheFloorUnderneath) {
   frame.camera.eye = {0.0F, 0.35F, 4.0F};             // looks under the sheet
   frame.camera.target = {0.0F, 0.25F, 0.0F};
   PictureSettings settings = small_picture();
-  const glm::ivec2 below = pixel_of({0.0F, 0.0F, 0.0F}, frame.camera, settings);
+  const glm::ivec2 below = project_to_pixel({0.0F, 0.0F, 0.0F}, frame.camera, settings);
   const Image open = renderer.draw(frame, settings);
   settings.sky_directions = 32;
   const Image closed = renderer.draw(frame, settings);
@@ -312,7 +312,7 @@ TEST_F(SceneRendererTest, LitSheetHasNoAcne) {
   const Image without = renderer.draw(frame, settings);
   for (float x = -0.45F; x <= 0.45F; x += 0.05F) {
     for (float z = -0.45F; z <= 0.45F; z += 0.05F) {
-      const glm::ivec2 p = pixel_of({x, 0.6F, z}, frame.camera, settings);
+      const glm::ivec2 p = project_to_pixel({x, 0.6F, z}, frame.camera, settings);
       EXPECT_NEAR(with.at(p.x, p.y)[2], without.at(p.x, p.y)[2], 1) << x << "," << z;
     }
   }
@@ -366,7 +366,7 @@ TEST_F(SceneRendererTest, TilesOfALargePictureFitTogether) {
   EXPECT_LT(sum / static_cast<double>(tiled.pixels.size()), 0.3);
 }
 
-// Two sheets, one in part in the other's shadow.
+// Two sheets, one of them partly in the other's shadow.
 TEST_F(SceneRendererTest, ShadingTwoByTwoPixelsAsOneKeepsOutlinesAndNearlyAllColours) {
   const Sheet sheet;
   FrameView frame = sheet.frame();

@@ -11,7 +11,7 @@ namespace {
 
 constexpr ShaderFile good_vertex{"good.vert", "#version 330 core\nvoid main() { gl_Position = vec4(0.0); }\n"};
 
-std::string error_of(std::span<const ShaderFile> files, std::string_view fragment) {
+std::string error_text(std::span<const ShaderFile> files, std::string_view fragment) {
   const auto context = create_context();
   try {
     const Program program(context->gl(), files, "good.vert", fragment);
@@ -24,12 +24,12 @@ std::string error_of(std::span<const ShaderFile> files, std::string_view fragmen
 TEST(Program, ErrorNamesFileAndLine) {
   const std::array files{good_vertex,
                          ShaderFile{"bad.frag", "#version 330 core\nout vec4 c;\nvoid main() {\n  c = vec5(1);\n}\n"}};
-  const std::string message = error_of(files, "bad.frag");
+  const std::string message = error_text(files, "bad.frag");
   EXPECT_NE(message.find("bad.frag:4"), std::string::npos) << message;
 }
 
 TEST(Program, MissingFileIsNamed) {
-  EXPECT_EQ(error_of(std::span(&good_vertex, 1), "gone.frag"), "there is no shader file 'gone.frag'");
+  EXPECT_EQ(error_text(std::span(&good_vertex, 1), "gone.frag"), "there is no shader file 'gone.frag'");
 }
 
 TEST(Context, UnknownNameIsRefusedWithTheKnownOnes) {

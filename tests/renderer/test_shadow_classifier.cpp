@@ -31,7 +31,7 @@ struct Grid {
       }
     }
   }
-  SurfaceView view() const { return surface_of(positions, normals, triangles); }
+  SurfaceView view() const { return make_surface(positions, normals, triangles); }
 };
 
 // A small sheet above a large one, lit from straight above.
@@ -46,7 +46,7 @@ struct TwoSheets {
     frame.lighting.towards_key = {0, 1, 0};
     frame.ground_height_m = -0.2F;
     frame.camera.eye = {0, 2, 3};
-    const Box box = united(bounding_box(low.positions), bounding_box(high.positions));
+    const Box box = unite(bounding_box(low.positions), bounding_box(high.positions));
     block = make_frame_block(frame, PictureSettings{}, box);
   }
   std::vector<KeyVisibility> visibility() {
@@ -62,8 +62,8 @@ struct TwoSheets {
     classifier.classify(frame.surfaces[0], triangles);
     return triangles;
   }
-  // How far, for a triangle of the large sheet, its nearest and its farthest corner are from the middle, as
-  // squares around it are.
+  // Returns the distances of a triangle's nearest and farthest corner, in the large sheet, from the middle, measured as
+  // the larger of |x| and |z|.
   glm::vec2 reach_m(std::size_t triangle) const {
     glm::vec2 reach{1e9F, 0.0F};
     for (std::size_t k = 0; k < 3; ++k) {
@@ -86,7 +86,7 @@ TEST(ShadowClassifier, AFineMeshHasLightShadowAndTheirEdge) {
     if (reach_m.x > 0.27F) {
       EXPECT_EQ(visibility[i], KeyVisibility::lit) << reach_m.x;
     }
-    // The edge is at 0.2; the penumbra reaches as far as the widest blur.
+    // The shadow's edge is at 0.2; the penumbra reaches as far as the widest blur.
     if (reach_m.x < 0.2F && reach_m.y > 0.2F) {
       EXPECT_EQ(visibility[i], KeyVisibility::partial) << reach_m.x;
     }
@@ -109,7 +109,7 @@ TEST(ShadowClassifier, PenumbraSpreadsOverSeveralTriangles) {
   }
 }
 
-// A thing close above throws a sharp shadow, which reaches less far.
+// A caster close above the sheet casts a sharp shadow, whose penumbra is narrower.
 TEST(ShadowClassifier, FewerTrianglesArePartialWhereTheShadowIsSharp) {
   const auto partial_among = [](const std::vector<KeyVisibility>& visibility) {
     return std::count(visibility.begin(), visibility.end(), KeyVisibility::partial);
@@ -121,18 +121,18 @@ TEST(ShadowClassifier, FewerTrianglesArePartialWhereTheShadowIsSharp) {
   EXPECT_LT(sharp, 0.8 * static_cast<double>(partial_among(apart.visibility())));
 }
 
-// The shadow lies between the vertices, where they cannot see it.
+// The whole shadow lies between the vertices, which therefore cannot see it.
 TEST(ShadowClassifier, ACoarseMeshIsPartial) {
   TwoSheets scene(1);
   for (const KeyVisibility triangle : scene.visibility()) EXPECT_EQ(triangle, KeyVisibility::partial);
 }
 
-// Its sides rise in front of its bottom's plane, but nothing is between them and the light.
+// The valley's sides rise above the plane of its bottom, but nothing is between them and the light.
 TEST(ShadowClassifier, AValleyIsWhollyInTheLight) {
   TwoSheets scene(50);
   for (glm::vec3& p : scene.low.positions) p.y = 2.0F * p.x * p.x - 0.3F;
   for (glm::vec3& p : scene.high.positions) p += glm::vec3{2.0F, -0.3F, 0.0F};
-  const Box box = united(bounding_box(scene.low.positions), bounding_box(scene.high.positions));
+  const Box box = unite(bounding_box(scene.low.positions), bounding_box(scene.high.positions));
   scene.block = make_frame_block(scene.frame, PictureSettings{}, box);
   for (const KeyVisibility triangle : scene.visibility()) EXPECT_EQ(triangle, KeyVisibility::lit);
 }

@@ -9,14 +9,14 @@ namespace {
 
 constexpr std::array<std::uint32_t, 6> two_triangles{0, 1, 2, 0, 2, 3};
 
-ShadowMap map_of(int side_px) {
+ShadowMap make_map(int side_px) {
   ShadowMap map;
   map.resize(side_px);
   return map;
 }
 
 TEST(ShadowMap, FillsTheCentresInsideAndKeepsTheNearest) {
-  ShadowMap map = map_of(8);
+  ShadowMap map = make_map(8);
   const std::array<glm::vec3, 4> far{{{0, 0, 0.8F}, {1, 0, 0.8F}, {1, 1, 0.8F}, {0, 1, 0.8F}}};
   const std::array<glm::vec3, 4> near{
       {{0.25F, 0.25F, 0.2F}, {0.75F, 0.25F, 0.6F}, {0.75F, 0.75F, 0.6F}, {0.25F, 0.75F, 0.2F}}};
@@ -35,7 +35,7 @@ TEST(ShadowMap, FillsTheCentresInsideAndKeepsTheNearest) {
 }
 
 TEST(ShadowMap, WindingDoesNotMatterAndNothingLeavesTheMap) {
-  ShadowMap map = map_of(8);
+  ShadowMap map = make_map(8);
   const std::array<glm::vec3, 3> large{{{-9, -9, 0.5F}, {-9, 9, 0.5F}, {20, 0, 0.5F}}};
   constexpr std::array<std::uint32_t, 3> triangle{0, 1, 2};
   map.draw(glm::mat4{1.0F}, large, triangle);
@@ -48,7 +48,7 @@ TEST(ShadowMap, WindingDoesNotMatterAndNothingLeavesTheMap) {
 }
 
 TEST(ShadowMap, LeavesNoGapsBetweenNeighboursAndTakesNeedles) {
-  ShadowMap map = map_of(64);
+  ShadowMap map = make_map(64);
   const std::array<glm::vec3, 5> fan{
       {{0, 0, 0.5F}, {1, 0, 0.5F}, {1, 1, 0.5F}, {0, 1, 0.5F}, {0.3137F, 0.7171F, 0.5F}}};
   constexpr std::array<std::uint32_t, 15> triangles{0, 1, 4, 1, 2, 4, 2, 3, 4, 3, 0, 4, 2, 2, 4};
@@ -57,13 +57,13 @@ TEST(ShadowMap, LeavesNoGapsBetweenNeighboursAndTakesNeedles) {
 }
 
 TEST(ShadowMap, FillsNothingOutsideATriangle) {
-  ShadowMap map = map_of(64);
+  ShadowMap map = make_map(64);
   const std::array<glm::vec3, 3> corner{{{0.1F, 0.1F, 0.5F}, {0.9F, 0.2F, 0.5F}, {0.3F, 0.8F, 0.5F}}};
   constexpr std::array<std::uint32_t, 3> triangle{0, 1, 2};
   map.draw(glm::mat4{1.0F}, corner, triangle);
   int filled = 0;
   for (const float depth : map.depths()) filled += depth < 1.0F ? 1 : 0;
-  // Area 0.27 of the map.
+  // The triangle covers 0.27 of the map.
   EXPECT_NEAR(filled, 0.27 * 64 * 64, 30);
   for (const glm::ivec2 texel : {glm::ivec2{5, 5}, glm::ivec2{58, 30}, glm::ivec2{10, 40}}) {
     EXPECT_EQ(map.depths()[static_cast<std::size_t>(64 * texel.y + texel.x)], 1.0F);

@@ -19,10 +19,10 @@ struct Sheet {
                    {0.5F, height_m, 0.5F},
                    {0.5F, height_m, -0.5F},
                    {-0.5F, height_m, -0.5F}}} {}
-  SurfaceView view() const { return surface_of(positions, normals, triangles); }
+  SurfaceView view() const { return make_surface(positions, normals, triangles); }
 };
 
-// The light at one point that faces up.
+// Returns the light at one point whose normal points up.
 glm::vec2 light_at(SkyLight& sky, const glm::vec3& point) {
   const std::array<glm::vec3, 1> position{point};
   const std::array<glm::vec3, 1> normal{{{0, 1, 0}}};
@@ -39,7 +39,7 @@ TEST(SkyLight, AnOpenSkyIsWholeAboveAndHalfBelow) {
   sky.draw_maps({}, std::nullopt, 24);
   EXPECT_NEAR(light_at(sky, {}).x, 1.0F, 1e-5F);
   EXPECT_NEAR(light_at(sky, {}).y, 0.5F, 1e-5F);
-  // With directions the same is a sum.
+  // The same light is now a sum over directions.
   const Sheet sheet(0.0F);
   const SurfaceView view = sheet.view();
   const std::array casters{&view};
@@ -55,7 +55,7 @@ TEST(SkyLight, WhatIsBetweenTwoSheetsIsDark) {
   const SurfaceView high_view = high.view();
   const std::array casters{&low_view, &high_view};
   SkyLight sky;
-  sky.draw_maps(casters, united(bounding_box(low.positions), bounding_box(high.positions)), 64);
+  sky.draw_maps(casters, unite(bounding_box(low.positions), bounding_box(high.positions)), 64);
   EXPECT_LT(light_at(sky, {}).x, 0.3F);
   EXPECT_GT(light_at(sky, {}).y, 0.45F);
   EXPECT_GT(light_at(sky, {0, 0.2F, 0}).x, 0.9F);

@@ -28,7 +28,7 @@ struct Disc {
   }
 };
 
-// How far the middles of triangles are from the sphere, on the mean.
+// Returns the mean distance of triangles' middles from the sphere.
 float distance_to_sphere(std::span<const glm::vec3> positions, std::span<const std::uint32_t> triangles) {
   float sum = 0.0F;
   for (std::size_t i = 0; i < triangles.size(); i += 3) {
@@ -78,7 +78,7 @@ TEST(SmoothSurface, TheBorderOfADiscIsRound) {
   SmoothSurface smooth(disc.positions, disc.triangles, 2, {});
   smooth.place(disc.positions);
   float nearest = 1.0F;
-  for (const BorderEdge& edge : smooth.mesh().border()) {
+  for (const LinkedBorderEdge& edge : smooth.mesh().border()) {
     nearest = std::min(nearest, glm::length(smooth.positions()[edge.ends[0]]));
   }
   const float of_polygon = std::cos(std::numbers::pi_v<float> / 16.0F);
@@ -90,13 +90,13 @@ TEST(SmoothSurface, CornersStayCorners) {
   const std::vector<std::uint32_t> triangles{6, 0, 1, 6, 1, 2, 6, 2, 3, 6, 3, 4, 6, 4, 5, 6, 5, 0};
   SmoothSurface smooth(square, triangles, 2, {no_limit});
   smooth.place(square);
-  for (const BorderEdge& edge : smooth.mesh().border()) {
+  for (const LinkedBorderEdge& edge : smooth.mesh().border()) {
     const glm::vec3& place = smooth.positions()[edge.ends[0]];
     EXPECT_TRUE(place.x * place.y * (2.0F - place.x) * (2.0F - place.y) == 0.0F) << place.x << ' ' << place.y;
   }
 }
 
-// A strip of squares whose vertices stand up and down in turn.
+// A strip of squares whose columns are alternately above and below the plane.
 struct Zigzag {
   std::vector<glm::vec3> flat;
   std::vector<glm::vec3> positions;

@@ -27,30 +27,30 @@ struct Sheet {
   }
 };
 
-TEST(Lines, AreChainsAndLoops) {
+TEST(LineChains, AreChainsAndLoops) {
   const Sheet sheet(3, 2);
   const std::vector<VertexPair> open{{5, 6}, {4, 5}};
-  const Lines two = lines_of(open, sheet.positions);
+  const LineChains two = make_lines(open, sheet.positions);
   ASSERT_EQ(two.chains.size(), 1U);
   EXPECT_FALSE(two.chains[0].is_closed);
   EXPECT_EQ(two.chains[0].length, 2.0F);
   EXPECT_EQ(two.segments[0].ends[1], two.segments[1].ends[0]);
   EXPECT_EQ(two.segments[1].start, 1.0F);
   const std::vector<VertexPair> around{{0, 1}, {1, 5}, {5, 4}, {4, 0}};
-  EXPECT_TRUE(lines_of(around, sheet.positions).chains[0].is_closed);
+  EXPECT_TRUE(make_lines(around, sheet.positions).chains[0].is_closed);
   const std::vector<VertexPair> cross{{1, 5}, {5, 9}, {4, 5}, {5, 6}};
-  EXPECT_EQ(lines_of(cross, sheet.positions).chains.size(), 4U) << "they part where four meet";
+  EXPECT_EQ(make_lines(cross, sheet.positions).chains.size(), 4U) << "they part where four meet";
 }
 
-TEST(Lines, AreNearAlongTheClothAlone) {
+TEST(LineChains, AreNearAlongTheClothAlone) {
   Sheet sheet(1, 6);
-  // Folded in the middle: the far end lies on the line.
+  // The sheet is folded in the middle, so that its far end lies on the line.
   for (std::size_t i = 8; i < sheet.positions.size(); ++i) {
     sheet.positions[i].y = 6.0F - sheet.positions[i].y;
     sheet.positions[i].z = 0.01F;
   }
   const std::vector<VertexPair> edge{{0, 1}};
-  const Lines lines = lines_of(edge, sheet.positions);
+  const LineChains lines = make_lines(edge, sheet.positions);
   const std::vector<NearestOnLine> nearest = nearest_on_lines(lines, sheet.positions, sheet.triangles, 2.5F);
   EXPECT_EQ(nearest[0].distance, 0.0F);
   EXPECT_EQ(nearest[3].distance, 1.0F);
@@ -143,7 +143,7 @@ TEST(Trims, SayOnWhichSideOfASeamATriangleIs) {
 
 using TrimsPicture = SceneRendererTest;
 
-// The deviation of green in the middle of the picture, in steps of 255.
+// Returns the standard deviation of green in the middle of the picture, in steps of 255.
 double unevenness(const Image& image) {
   double sum = 0.0, squares = 0.0;
   constexpr int count = 16 * 24;

@@ -13,7 +13,7 @@ struct Brightness {
   double deviation = 0.0;
 };
 
-// Inside the triangle, in steps of 255.
+// Returns the brightness inside the triangle, in steps of 255.
 Brightness brightness(const Image& image) {
   double sum = 0.0;
   double squares = 0.0;
@@ -30,7 +30,7 @@ Brightness brightness(const Image& image) {
   return {mean, std::sqrt(std::max(squares / count - mean * mean, 0.0))};
 }
 
-// The material is shrunk instead of the camera moved: only what the threads look like changes.
+// The material is scaled and the camera stays, so that nothing but the look of the threads changes.
 std::array<glm::vec3, 3> material(float scale) {
   auto coordinates = triangle_positions;
   for (glm::vec3& coordinate : coordinates) coordinate *= scale;
@@ -88,13 +88,13 @@ TEST_F(WeaveTest, EveryKindShowsUpCloseAndFades) {
     const auto close = material(0.004F);
     frame.surfaces[0].material_coordinates = close;
     seen.push_back(renderer.draw(frame, small_picture()));
-    EXPECT_GT(brightness(seen.back()).deviation, 1.2) << name_of(kind);
+    EXPECT_GT(brightness(seen.back()).deviation, 1.2) << to_name(kind);
     // Uneven yarn is a little thicker here than elsewhere.
-    EXPECT_NEAR(brightness(seen.back()).mean, smooth.mean, 8.0) << name_of(kind);
+    EXPECT_NEAR(brightness(seen.back()).mean, smooth.mean, 8.0) << to_name(kind);
     for (std::size_t k = 0; k + 1 < seen.size(); ++k) EXPECT_NE(seen[k].pixels, seen.back().pixels);
     const auto far = material(3.0F);
     frame.surfaces[0].material_coordinates = far;
-    EXPECT_LT(brightness(renderer.draw(frame, small_picture())).deviation, 0.2) << name_of(kind);
+    EXPECT_LT(brightness(renderer.draw(frame, small_picture())).deviation, 0.2) << to_name(kind);
   }
 }
 

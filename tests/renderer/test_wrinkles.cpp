@@ -46,7 +46,7 @@ struct WrinkledSheet {
     for (glm::vec3& p : all) p = {x * p.x, y * p.y, p.z};
     return all;
   }
-  /// The mean square of the heights' slope along x and y.
+  /// Returns the mean squares of the heights' slopes along x and along y.
   glm::vec2 squared_slopes(std::span<const float> heights) const {
     glm::vec2 sum(0.0F);
     const std::vector<std::uint32_t>& t = smooth.mesh().triangles();
@@ -62,15 +62,15 @@ struct WrinkledSheet {
   }
 };
 
-float highest(std::span<const float> heights) {
+float max_height(std::span<const float> heights) {
   return std::ranges::max(heights, {}, [](float h) { return std::abs(h); });
 }
 
 TEST(Wrinkles, ClothThatIsNotShortHasNone) {
   WrinkledSheet sheet;
-  EXPECT_EQ(highest(sheet.wrinkles.heights(sheet.rest)), 0.0F);
-  EXPECT_EQ(highest(sheet.wrinkles.heights(sheet.scaled(1.05F, 1.02F))), 0.0F);
-  EXPECT_EQ(highest(sheet.wrinkles.heights(sheet.scaled(0.998F, 1.0F))), 0.0F) << "as meshes tremble";
+  EXPECT_EQ(max_height(sheet.wrinkles.heights(sheet.rest)), 0.0F);
+  EXPECT_EQ(max_height(sheet.wrinkles.heights(sheet.scaled(1.05F, 1.02F))), 0.0F);
+  EXPECT_EQ(max_height(sheet.wrinkles.heights(sheet.scaled(0.998F, 1.0F))), 0.0F) << "as meshes tremble";
 }
 
 TEST(Wrinkles, RunAlongWhatIsShortenedAndTakeUpTheirShareOfIt) {
@@ -80,7 +80,7 @@ TEST(Wrinkles, RunAlongWhatIsShortenedAndTakeUpTheirShareOfIt) {
   const glm::vec2 along_y = sheet.squared_slopes(sheet.wrinkles.heights(sheet.scaled(1.0F, 1.0F - shortened)));
   EXPECT_GT(along_x.x, 2.0F * along_x.y);
   EXPECT_GT(along_y.y, 2.0F * along_y.x);
-  // A slope of s makes a way longer by half of its square.
+  // A slope of s makes a path longer by half of its square.
   EXPECT_NEAR(0.5F * along_x.x / (shortened - 0.003F), 0.5F, 0.2F);
   const glm::vec2 half = sheet.squared_slopes(sheet.wrinkles.heights(sheet.scaled(1.0F - 0.0215F, 1.0F)));
   EXPECT_NEAR(half.x / along_x.x, 0.5F, 0.05F) << "half the lack, half the square";
@@ -94,7 +94,7 @@ TEST(Wrinkles, MoveASurfaceWithinItsRoomsAndTurnItsNormals) {
     sheet.smooth.place(shortened, rooms, heights);
     return std::ranges::max(sheet.smooth.positions(), {}, [](const glm::vec3& p) { return std::abs(p.z); }).z;
   };
-  EXPECT_NEAR(std::abs(most({})), highest(heights), 1e-6F);
+  EXPECT_NEAR(std::abs(most({})), max_height(heights), 1e-6F);
   const auto tilted = std::ranges::min(sheet.smooth.normals(), {}, [](const glm::vec3& n) { return n.z; });
   EXPECT_LT(tilted.z, 0.97F);
   const std::vector<float> rooms(sheet.rest.size(), 1e-4F);

@@ -1,4 +1,4 @@
-// Fabrics by name: what they set, and what is stronger.
+// Fabrics by name: the keys they set, and the precedence of keys beside them.
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@
 namespace taut::app {
 namespace {
 
-using test::message_of;
+using test::error_message;
 using test::TemporaryFolder;
 
 constexpr const char* grid = "[garment.grid]\nrows = 5\n";
@@ -41,7 +41,8 @@ TEST(Fabric, ThoseOfTheProgramSayAllThatAFabricIs) {
   }
 }
 
-// But for its law: without one cloth costs less, and moves as the paper's.
+// Jersey has the values of cloth without a fabric, and a force law in addition. Cloth without a law costs less and
+// moves as in the paper.
 TEST(Fabric, JerseyIsWhatClothIsWhereNothingIsSaid) {
   DrawnScene scene;
   const nlohmann::ordered_json before = scene_settings(scene);
@@ -83,19 +84,19 @@ TEST(Fabric, ASavedSceneKeepsItAndWhatWasChangedSince) {
 
 TEST(Fabric, SaysWhatThereIsAndWhatIsWrong) {
   DrawnScene scene;
-  EXPECT_EQ(message_of<UsageError>([&] {
+  EXPECT_EQ(error_message<UsageError>([&] {
               apply_overrides(overrides({{"cloth.fabric", "denin"}}), scene);
             }),
             "--set cloth.fabric=denin: cloth.fabric: there is no fabric 'denin'; did you mean 'denim'? (fabrics: "
             "canvas, cotton, denim, jersey, linen, silk, wool; a file that ends in .toml does as well)");
   const TemporaryFolder folder;
   folder.write("my.toml", "title = \"mine\"\n[wind]\nspeed = 3\n");
-  EXPECT_EQ(message_of<InputError>([&] {
+  EXPECT_EQ(error_message<InputError>([&] {
               apply_overrides(overrides({{"cloth.fabric", (folder / "my.toml").string()}}), scene);
             }).find((folder / "my.toml").string() + ":2: unknown key 'wind'"),
             0U);
   folder.write("my.toml", "drape = [60, 40]\n");
-  EXPECT_EQ(message_of<InputError>([&] {
+  EXPECT_EQ(error_message<InputError>([&] {
               find_fabric(folder / "my.toml");
             }).find((folder / "my.toml").string() + ":1: drape: found [60, 40], expected a list of two"),
             0U);

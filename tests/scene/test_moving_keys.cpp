@@ -1,4 +1,4 @@
-// Keys of bodies and of pins that move.
+// Keys of bodies and pins that move.
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 namespace taut::app {
 namespace {
 
-using test::message_of;
+using test::error_message;
 
 const std::string grid = "[garment.grid]\ncolumns = 5\nrows = 5\n";
 
@@ -17,8 +17,8 @@ DrawnScene read(const std::string& rest) {
   return read_scene_text(grid + rest, "scene.toml");
 }
 
-std::string error_of(const std::string& rest) {
-  return message_of<InputError>([&] { read(rest); });
+std::string error_text(const std::string& rest) {
+  return error_message<InputError>([&] { read(rest); });
 }
 
 const std::string moving = R"(
@@ -106,7 +106,7 @@ TEST(MovingKeys, OfOneBodyAreSetOnTheCommandLine) {
 
 TEST(MovingKeys, OfOneBodyNeedABody) {
   const auto error_with = [](const std::string& text, const Override& option) {
-    return message_of<UsageError>([&] { read_scene_text(grid + text, "scene.toml", std::vector{option}); });
+    return error_message<UsageError>([&] { read_scene_text(grid + text, "scene.toml", std::vector{option}); });
   };
   EXPECT_CONTAINS(error_with("", {"body.motion", "run.bvh", "--body-motion run.bvh"}),
                   "--body-motion run.bvh: body.motion: the scene has no body that is a model");
@@ -134,25 +134,23 @@ TEST(MovingKeys, AreExplained) {
 
 TEST(MovingKeys, SayWhatIsWrong) {
   const std::string ball = "[[bodies]]\nshape = \"sphere\"\n";
-  EXPECT_CONTAINS(error_of("[[colliders]]\nshape = \"plane\"\n"), "scene.toml:4: unknown key 'colliders'");
-  EXPECT_CONTAINS(error_of("[[colliders]]\nshape = \"plane\"\n"), "bodies");
-  EXPECT_CONTAINS(error_of(ball + "shift = { speed = 3 }\n"), ":6: unknown key 'shift.speed'");
-  EXPECT_CONTAINS(error_of(ball + "shift = { velocity = 3 }\n"),
-                  ":6: shift.velocity: found 3, expected three");
-  EXPECT_CONTAINS(error_of(ball + "shift = { velocity = [1, 0, 0], from = 2, until = 1 }\n"),
+  EXPECT_CONTAINS(error_text("[[colliders]]\nshape = \"plane\"\n"), "scene.toml:4: unknown key 'colliders'");
+  EXPECT_CONTAINS(error_text("[[colliders]]\nshape = \"plane\"\n"), "bodies");
+  EXPECT_CONTAINS(error_text(ball + "shift = { speed = 3 }\n"), ":6: unknown key 'shift.speed'");
+  EXPECT_CONTAINS(error_text(ball + "shift = { velocity = 3 }\n"), ":6: shift.velocity: found 3, expected three");
+  EXPECT_CONTAINS(error_text(ball + "shift = { velocity = [1, 0, 0], from = 2, until = 1 }\n"),
                   "shift.until: found 1 s, expected a time after shift.from, 2 s");
-  EXPECT_CONTAINS(error_of(ball + "spin = { from = 2, until = 2 }\n"), "a time after spin.from, 2 s");
-  EXPECT_CONTAINS(error_of(ball + "spin = { axis = [0, 0, 0] }\n"), "spin.axis: found [0, 0, 0]");
+  EXPECT_CONTAINS(error_text(ball + "spin = { from = 2, until = 2 }\n"), "a time after spin.from, 2 s");
+  EXPECT_CONTAINS(error_text(ball + "spin = { axis = [0, 0, 0] }\n"), "spin.axis: found [0, 0, 0]");
   for (const char* path : {"3", "[]", "[[0, 1, 2]]", "[[1, 0, 0, 0], [1, 0, 0, 0]]", "[[0, 0, 0, nan]]"}) {
-    EXPECT_CONTAINS(error_of(ball + "path = " + path + '\n'),
-                    "expected a list of [time, x, y, z], the times rising")
+    EXPECT_CONTAINS(error_text(ball + "path = " + path + '\n'), "expected a list of [time, x, y, z], the times rising")
         << path;
   }
-  EXPECT_CONTAINS(error_of("[[bodies]]\nshape = \"mesh\"\n"), ":4: a body of shape \"mesh\" has no file");
-  EXPECT_CONTAINS(error_of(ball + "file = \"a.obj\"\n"), ":6: unknown key 'file'");
-  EXPECT_CONTAINS(error_of("[[pins.moving]]\nspin = { turns_per_second = 1 }\n"),
+  EXPECT_CONTAINS(error_text("[[bodies]]\nshape = \"mesh\"\n"), ":4: a body of shape \"mesh\" has no file");
+  EXPECT_CONTAINS(error_text(ball + "file = \"a.obj\"\n"), ":6: unknown key 'file'");
+  EXPECT_CONTAINS(error_text("[[pins.moving]]\nspin = { turns_per_second = 1 }\n"),
                   ":4: an entry of pins.moving has no");
-  EXPECT_CONTAINS(error_of("[pins]\nmoving = 3\n"), "pins.moving: found 3, expected a list of tables");
+  EXPECT_CONTAINS(error_text("[pins]\nmoving = 3\n"), "pins.moving: found 3, expected a list of tables");
 }
 
 TEST(AllowExceeding, SaysForWhichPromise) {
@@ -169,7 +167,7 @@ TEST(AllowExceeding, SaysForWhichPromise) {
   EXPECT_EQ(allowed("\"bound\""), std::pair(true, false));
   EXPECT_EQ(allowed("\"contact\""), std::pair(false, true));
   for (const std::string wrong : {"\"both\"", "1", "[\"bound\"]", "\"true\""}) {
-    const std::string text = error_of("[solver]\nallow_exceeding = " + wrong + '\n');
+    const std::string text = error_text("[solver]\nallow_exceeding = " + wrong + '\n');
     EXPECT_CONTAINS(text, "solver.allow_exceeding: found ");
     EXPECT_CONTAINS(text, "expected true or false or \"bound\" or \"contact\"");
   }

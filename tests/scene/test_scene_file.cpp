@@ -11,19 +11,19 @@
 namespace taut::app {
 namespace {
 
-using test::message_of;
+using test::error_message;
 using test::TemporaryFolder;
 
 constexpr const char* grid = "[garment.grid]\ncolumns = 3\nrows = 4\n";
 
 std::string file_error(const TemporaryFolder& folder, const std::string& text) {
   const auto path = folder.write("scene.toml", text);
-  return message_of<InputError>([&] { read_scene_file(path); });
+  return error_message<InputError>([&] { read_scene_file(path); });
 }
 
 std::string set_error(const std::string& text) {
   DrawnScene scene;
-  return message_of<UsageError>([&] { apply_overrides(std::vector{parse_override(text)}, scene); });
+  return error_message<UsageError>([&] { apply_overrides(std::vector{parse_override(text)}, scene); });
 }
 
 TEST(SceneFile, RefusesStiffnessBesideWhichMassesAreRoundedAway) {
@@ -73,7 +73,7 @@ shadows = false
   EXPECT_EQ(scene.garment.grid.plane, sim::GridPlane::horizontal);
   EXPECT_EQ(scene.garment.grid.top_centre_m, sim::Vec3(1, 2, 3.5));
   EXPECT_EQ(scene.material.areal_density_kg_per_m2, 0.2);
-  EXPECT_NEAR(scene.mapping.smallest_flexural_angle_rad, 2.0 * std::numbers::pi / 3.0, 1e-12);
+  EXPECT_NEAR(scene.mapping.min_flexural_angle_rad, 2.0 * std::numbers::pi / 3.0, 1e-12);
   ASSERT_EQ(scene.pins->size(), 3U);
   EXPECT_EQ(std::get<std::string>((*scene.pins)[0]), "top-left");
   EXPECT_EQ(std::get<sim::Index>((*scene.pins)[1]), 4U);
@@ -138,16 +138,16 @@ TEST(SceneFile, SaysWhatABoundHoldsAndWhatColoursShow) {
   const TemporaryFolder folder;
   for (const sim::BoundKind bound : sim::all_bound_kinds) {
     for (const StretchOf shown : all_stretch_of) {
-      const std::string text = std::string(grid) + "[solver]\nbound = \"" + sim::name_of(bound) +
-                               "\"\n[picture]\nstretch_of = \"" + name_of(shown) + "\"\n";
+      const std::string text = std::string(grid) + "[solver]\nbound = \"" + sim::to_name(bound) +
+                               "\"\n[picture]\nstretch_of = \"" + to_name(shown) + "\"\n";
       const DrawnScene scene = read_scene_file(folder.write("scene.toml", text));
       EXPECT_EQ(scene.simulation.solver.bounded.bound, bound);
       EXPECT_EQ(bound_kind(scene), bound);
       EXPECT_EQ(scene.picture.stretch_of, shown);
       const std::string saved = scene_text(scene);
       EXPECT_EQ(scene_text(read_scene_file(folder.write("saved.toml", saved))), saved);
-      EXPECT_CONTAINS(saved, std::string("bound = \"") + sim::name_of(bound) + '"');
-      EXPECT_CONTAINS(saved, std::string("stretch_of = \"") + name_of(shown) + '"');
+      EXPECT_CONTAINS(saved, std::string("bound = \"") + sim::to_name(bound) + '"');
+      EXPECT_CONTAINS(saved, std::string("stretch_of = \"") + to_name(shown) + '"');
     }
   }
   const std::string strong = std::string(grid) + "[solver]\nbound = \"surface\"\nkind = \"strong\"\n";
@@ -298,10 +298,10 @@ TEST(Overrides, AreCheckedLikeFiles) {
   EXPECT_CONTAINS(set_error("solver.iterations=0"), "--set solver.iterations=0: solver.iterations: found 0, expected");
   EXPECT_CONTAINS(set_error("solver=3"), "expected a table with the keys kind");
   EXPECT_CONTAINS(set_error("camera.eye=[0,0,1]"), "needed together");
-  EXPECT_CONTAINS(message_of<UsageError>([] { parse_override("wind"); }), "expected KEY=VALUE");
+  EXPECT_CONTAINS(error_message<UsageError>([] { parse_override("wind"); }), "expected KEY=VALUE");
 }
 
-// A default that its own key refuses would be a lie in the help.
+// A default that its own key refuses would make the help wrong.
 TEST(SceneKeys, AcceptTheirOwnDefaults) {
   const Source source{"defaults", true};
   for (const Key<DrawnScene>& key : drawn_scene_format().keys) {
@@ -311,7 +311,7 @@ TEST(SceneKeys, AcceptTheirOwnDefaults) {
       EXPECT_TRUE(key.read(*read_toml_value(toml_text(value)).get("value"), source, scene)) << key.name;
       EXPECT_EQ(to_text(key.write(scene)), to_text(value)) << key.name;
     }
-    EXPECT_FALSE(meaning_of(key.name).empty()) << key.name;
+    EXPECT_FALSE(key_meaning(key.name).empty()) << key.name;
   }
 }
 

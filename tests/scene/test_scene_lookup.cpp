@@ -10,7 +10,7 @@
 namespace taut::app {
 namespace {
 
-using test::message_of;
+using test::error_message;
 using test::TemporaryFolder;
 
 constexpr const char* triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
@@ -83,11 +83,10 @@ TEST(SceneLookup, FindsWhatComesAlongByNameUnlessAFileIsNearer) {
 }
 
 TEST(SceneLookup, ListsTheScenesForAnUnknownName) {
-  const std::string error = message_of<InputError>([] { find_scene("cloth-fal", {}); });
+  const std::string error = error_message<InputError>([] { find_scene("cloth-fal", {}); });
   EXPECT_CONTAINS(error, "did you mean 'cloth-fall'?");
   EXPECT_CONTAINS(error, "pinned-9x9-20");
-  EXPECT_CONTAINS(message_of<InputError>([] { find_scene("no/such.toml", {}); }),
-                  "there is no file 'no/such.toml'");
+  EXPECT_CONTAINS(error_message<InputError>([] { find_scene("no/such.toml", {}); }), "there is no file 'no/such.toml'");
 }
 
 }  // namespace

@@ -6,7 +6,7 @@
 #include "app/viewer/simulation/live_simulation.hpp"
 #include "app/viewer/state/viewer_state.hpp"
 
-// Choices that a person has in the window's lists, in the way the window does it.
+// Choices of a person in the window's lists, made by the same calls as in the window.
 
 namespace taut::app {
 namespace {
@@ -39,7 +39,7 @@ void expect_frames(LiveSimulation& live, int frames, const std::string& what) {
   const SnapshotPtr after = live.take_snapshot();
   EXPECT_FALSE(after->stopped) << what << ": " << (after->notices->empty() ? "" : after->notices->back().text);
   EXPECT_EQ(after->record.frame, frames) << what;
-  // Springs that swing up reach any length; springs that only give do not.
+  // Springs that diverge reach any length. Springs that only give stay below this stretch.
   EXPECT_LT(after->record.stretch.max, 2.0) << what;
 }
 
@@ -48,7 +48,7 @@ struct Chosen {
   sim::SolverKind solver;
 };
 
-void PrintTo(const Chosen& chosen, std::ostream* out) { *out << chosen.garment << ", " << sim::name_of(chosen.solver); }
+void PrintTo(const Chosen& chosen, std::ostream* out) { *out << chosen.garment << ", " << sim::to_name(chosen.solver); }
 
 std::vector<Chosen> all_choices() {
   std::vector<Chosen> all;
@@ -67,8 +67,8 @@ std::vector<Chosen> all_choices() {
 
 class SolverChoices : public testing::TestWithParam<Chosen> {};
 
-// Springs that are only forces take a hundred times as long on fine meshes: a quarter of a second will do. Of
-// those that are like them, and of large linear systems, a few frames are enough.
+// Explicit solvers without a bound take a hundred times as long on fine meshes, so they run for a quarter of a
+// second. Solvers of large linear systems run for a few frames only.
 TEST_P(SolverChoices, RunsForASecondOrAQuarter) {
   DrawnScene scene = scene_with(GetParam().garment);
   const bool is_coarse = GetParam().garment == "grid" || GetParam().garment == "tshirt_1028";
@@ -82,7 +82,7 @@ TEST_P(SolverChoices, RunsForASecondOrAQuarter) {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, SolverChoices, testing::ValuesIn(all_choices()), [](const auto& test) {
-  std::string name = test.param.garment + "_" + sim::name_of(test.param.solver);
+  std::string name = test.param.garment + "_" + sim::to_name(test.param.solver);
   std::replace(name.begin(), name.end(), '-', '_');
   return name;
 });
@@ -95,7 +95,7 @@ TEST(SolverChoices, HoldsEveryGarmentOfTheList) {
   }
 }
 
-// One after the other on the same garment, from whatever shape the one before has left.
+// Solvers one after the other on the same garment. Each begins with the shape that the one before has left.
 TEST(SolverChoices, FollowOneAnother) {
   DrawnScene scene = scene_with("tshirt_1028");
   LiveSimulation live(scene);
@@ -109,8 +109,8 @@ TEST(SolverChoices, FollowOneAnother) {
       live.advance();
     }
     frames += 20;
-    EXPECT_FALSE(live.take_snapshot()->stopped) << sim::name_of(to);
-    EXPECT_EQ(live.take_snapshot()->record.frame, frames) << sim::name_of(to);
+    EXPECT_FALSE(live.take_snapshot()->stopped) << sim::to_name(to);
+    EXPECT_EQ(live.take_snapshot()->record.frame, frames) << sim::to_name(to);
   }
 }
 

@@ -6,17 +6,17 @@ import sys
 MOST = 48
 
 # Numbers beside their code: laws, geometry, rounding, what a machine takes at once, reports.
-LAWS = {"rest_part", "flag_drag", "gravity_m_per_s2", "cylinder_factor", "grid_factor", "rings"}
-GEOMETRY = {"largest_cluster", "flat", "thin", "least_squared_sine", "distance_weight", "most_turns", "most_held"}
-ROUNDING = {"rounding", "rounding_s", "told_apart_part", "smallest_told_apart_m",
-            "smallest_kept_part", "least_apart_m", "least_at_rest_m", "least_begun_with", "furthest_findable_m", "far_enough", "power_iterations",
-            "most_updates_per_frame", "least_mobility", "least_radius", "smallest_divisor",
-            "smallest_doubled_area_m2", "never_reached", "numbers_across", "smallest_size_m", "highest_number"}
-MACHINE = {"least_blocks", "least_pairs", "most_at_once", "most_looks", "chunks_per_thread", "one_loop", "closed",
-           "triangles_worth_threads", "most_threads_unasked", "fewest_between_trials", "most_between_trials",
+LAWS = {"rest_distance_fraction", "flag_drag", "gravity_m_per_s2", "cylinder_factor", "grid_factor", "rings"}
+GEOMETRY = {"max_cluster_vertices", "max_flatness_error", "max_aspect", "min_squared_sine", "distance_weight", "max_alternations", "max_shortening"}
+ROUNDING = {"rounding", "rounding_s", "min_resolved_fraction", "min_resolved_m",
+            "min_rest_distance_m", "min_initial_strain", "max_findable_m", "size_margin_factor", "power_iterations",
+            "max_updates_per_frame", "min_mobility", "min_radius", "min_divisor",
+            "min_doubled_area_m2", "unreachable_squared_m2", "grid_numbers", "min_grid_size_m", "max_grid_number"}
+MACHINE = {"min_blocks", "min_pairs", "max_block_pairs", "max_polls", "chunks_per_thread", "one_loop", "closed",
+           "triangles_worth_threads", "max_default_threads", "min_trial_gap_frames", "max_trial_gap_frames",
            "block_size", "blocks_ahead", "entries_ahead", "rows_sorted_together", "sweep_overhead", "sampled_every",
            "word_bits"}
-REPORTS = {"largest_short_share"}
+REPORTS = {"max_short_fraction"}
 BESIDE_THEIR_CODE = LAWS | GEOMETRY | ROUNDING | MACHINE | REPORTS
 
 NUMBER = r"(?<![\w.])\d+(?:\.\d+)?(?:e-?\d+)?F?(?![\w.])"

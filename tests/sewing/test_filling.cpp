@@ -1,4 +1,4 @@
-// Flat pieces as triangles.
+// Flat panels filled with triangles.
 
 #include <gtest/gtest.h>
 
@@ -7,14 +7,14 @@
 #include <glm/geometric.hpp>
 #include <map>
 
-#include "app/sewing/filling.hpp"
+#include "app/garments/sewing/filling.hpp"
 
 namespace taut::app {
 namespace {
 
 using sim::Vec2;
 
-std::vector<Vec2> sampled(const std::vector<Vec2>& corners, double edge) {
+std::vector<Vec2> sample(const std::vector<Vec2>& corners, double edge) {
   std::vector<Vec2> outline;
   for (std::size_t k = 0; k < corners.size(); ++k) {
     const Vec2 way = corners[(k + 1) % corners.size()] - corners[k];
@@ -26,7 +26,7 @@ std::vector<Vec2> sampled(const std::vector<Vec2>& corners, double edge) {
   return outline;
 }
 
-double area_of(const std::vector<Vec2>& outline) {
+double polygon_area(const std::vector<Vec2>& outline) {
   double doubled = 0.0;
   for (std::size_t k = 1; k + 1 < outline.size(); ++k) {
     doubled += sim::doubled_area(outline[0], outline[k], outline[k + 1]);
@@ -34,17 +34,16 @@ double area_of(const std::vector<Vec2>& outline) {
   return 0.5 * doubled;
 }
 
-double smallest_angle_deg(const FilledOutline& filled) {
-  double largest_cosine = 0.0;
+double min_angle_deg(const FilledOutline& filled) {
+  double max_cosine = 0.0;
   for (const sim::Triangle& t : filled.triangles) {
     for (std::size_t k = 0; k < 3; ++k) {
       const Vec2 at = filled.points_m[t[k]];
-      largest_cosine =
-          std::max(largest_cosine, glm::dot(glm::normalize(filled.points_m[t[(k + 1) % 3]] - at),
-                                            glm::normalize(filled.points_m[t[(k + 2) % 3]] - at)));
+      max_cosine = std::max(max_cosine, glm::dot(glm::normalize(filled.points_m[t[(k + 1) % 3]] - at),
+                                                 glm::normalize(filled.points_m[t[(k + 2) % 3]] - at)));
     }
   }
-  return std::acos(largest_cosine) * 57.29577951308232;
+  return std::acos(max_cosine) * 57.29577951308232;
 }
 
 void expect_filled(const std::vector<Vec2>& outline, const FilledOutline& filled) {
@@ -58,7 +57,7 @@ void expect_filled(const std::vector<Vec2>& outline, const FilledOutline& filled
       ++sides[{t[k], t[(k + 1) % 3]}];
     }
   }
-  EXPECT_NEAR(area, area_of(outline), 1e-12);
+  EXPECT_NEAR(area, polygon_area(outline), 1e-12);
   const auto count = static_cast<sim::Index>(outline.size());
   for (const auto& [side, times] : sides) {
     EXPECT_EQ(times, 1);
@@ -76,10 +75,10 @@ void expect_filled(const std::vector<Vec2>& outline, const FilledOutline& filled
 }
 
 TEST(Filling, KeepsTheBordersOfASquareAndMakesNoNeedles) {
-  const std::vector<Vec2> outline = sampled({{0, 0}, {0.4, 0}, {0.4, 0.3}, {0, 0.3}}, 0.02);
+  const std::vector<Vec2> outline = sample({{0, 0}, {0.4, 0}, {0.4, 0.3}, {0, 0.3}}, 0.02);
   const FilledOutline filled = fill_outline(outline, 0.02);
   expect_filled(outline, filled);
-  EXPECT_GT(smallest_angle_deg(filled), 20.0);
+  EXPECT_GT(min_angle_deg(filled), 20.0);
   EXPECT_NEAR(static_cast<double>(filled.triangles.size()), 0.12 / (0.4330127 * 4e-4), 120.0);
 }
 
@@ -90,14 +89,14 @@ TEST(Filling, FillsAroundADartAndAlongANeckline) {
     corners.emplace_back(0.09 + 0.08 * std::cos(angle), 0.4 - 0.08 * std::sin(angle));
   }
   corners.emplace_back(0.0, 0.4);
-  const std::vector<Vec2> outline = sampled(corners, 0.02);
+  const std::vector<Vec2> outline = sample(corners, 0.02);
   const FilledOutline filled = fill_outline(outline, 0.02);
   expect_filled(outline, filled);
-  EXPECT_GT(smallest_angle_deg(filled), 7.0);
+  EXPECT_GT(min_angle_deg(filled), 7.0);
 }
 
 TEST(Filling, FillsAStripThatIsNarrowerThanItsEdges) {
-  const std::vector<Vec2> outline = sampled({{0, 0}, {0.4, 0}, {0.4, 0.012}, {0, 0.012}}, 0.02);
+  const std::vector<Vec2> outline = sample({{0, 0}, {0.4, 0}, {0.4, 0.012}, {0, 0.012}}, 0.02);
   expect_filled(outline, fill_outline(outline, 0.02));
 }
 

@@ -1,4 +1,4 @@
-// Sewing patterns in JSON: every kind of edge, and what is said of files that are wrong.
+// Sewing patterns in JSON: every kind of edge, and messages about faulty files.
 
 #include <gtest/gtest.h>
 
@@ -6,8 +6,8 @@
 #include <glm/geometric.hpp>
 
 #include "app/base/errors.hpp"
-#include "app/sewing/cutting.hpp"
-#include "app/sewing/pattern.hpp"
+#include "app/garments/sewing/cutting.hpp"
+#include "app/garments/sewing/pattern.hpp"
 #include "temporary_folder.hpp"
 
 namespace taut::app {
@@ -23,29 +23,31 @@ std::string edges(const std::string& first_curvature) {
          R"(}, {"endpoints": [1, 2]}, {"endpoints": [2, 3]}, {"endpoints": [3, 0]}])";
 }
 
-std::string pattern_of(const std::string& panels, const std::string& stitches = "",
-                       const std::string& properties = "{}") {
+std::string pattern_text(const std::string& panels, const std::string& stitches = "",
+                         const std::string& properties = "{}") {
   return R"({"pattern": {"panels": {)" + panels + R"(}, "stitches": [)" + stitches +
          "]}, \"properties\": " + properties + '}';
 }
 
 struct Pattern : testing::Test {
   SewingPattern read(const std::string& text) const { return read_sewing_pattern(folder.write("pattern.json", text)); }
-  /// The first edge of a square, which goes from (0, 0) to (10, 0), in m.
+  /// The first edge of a square, from (0, 0) to (10, 0) cm, in m.
   std::vector<Vec2> line(const std::string& curvature, const std::string& properties = "{}") const {
-    return read(pattern_of(R"("a": {)" + square + ", " + edges(curvature) + '}', "", properties)).panels[0].edges_m[0];
+    return read(pattern_text(R"("a": {)" + square + ", " + edges(curvature) + '}', "", properties))
+        .panels[0]
+        .edges_m[0];
   }
   std::string error(const std::string& text) const {
-    return test::message_of<InputError>([&] { read(text); });
+    return test::error_message<InputError>([&] { read(text); });
   }
   std::string error_of_edge(const std::string& curvature) const {
-    return test::message_of<InputError>([&] { line(curvature); });
+    return test::error_message<InputError>([&] { line(curvature); });
   }
 
   test::TemporaryFolder folder;
 };
 
-Vec2 middle_of(const std::vector<Vec2>& line) { return evenly_along(line, 2)[1]; }
+Vec2 compute_middle(const std::vector<Vec2>& line) { return evenly_along(line, 2)[1]; }
 
 void expect_near(const Vec2& found, const Vec2& expected) {
   EXPECT_LT(glm::distance(found, expected), 1e-4) << found.x << ' ' << found.y;
@@ -59,70 +61,71 @@ TEST_F(Pattern, ReadsStraightEdgesInCentimetres) {
 }
 
 TEST_F(Pattern, ReadsCurvesOfBezierRelativeToTheEdgeOrAsTheyStand) {
-  expect_near(middle_of(line("[0.5, 0.2]")), {0.05, 0.01});
-  expect_near(middle_of(line(R"({"type": "quadratic", "params": [[0.5, 0.2]]})")), {0.05, 0.01});
-  expect_near(middle_of(line("[5, 2]", R"({"curvature_coords": "absolute"})")), {0.05, 0.01});
-  expect_near(middle_of(line(R"({"type": "cubic", "params": [[0.25, 0.2], [0.75, 0.2]]})")), {0.05, 0.015});
+  expect_near(compute_middle(line("[0.5, 0.2]")), {0.05, 0.01});
+  expect_near(compute_middle(line(R"({"type": "quadratic", "params": [[0.5, 0.2]]})")), {0.05, 0.01});
+  expect_near(compute_middle(line("[5, 2]", R"({"curvature_coords": "absolute"})")), {0.05, 0.01});
+  expect_near(compute_middle(line(R"({"type": "cubic", "params": [[0.25, 0.2], [0.75, 0.2]]})")), {0.05, 0.015});
 }
 
 TEST_F(Pattern, ReadsArcsToBothSidesAndThePolylinesOfOtherPrograms) {
-  // On a circle through both ends and (5, -2.5): radius 6.25.
+  // A circle of radius 6.25 through both ends and (5, -2.5).
   const auto arc = [&](const char* large, const char* right) {
     return line(std::string(R"({"type": "circle", "params": [6.25, )") + large + ", " + right + "]}");
   };
-  expect_near(middle_of(arc("0", "1")), {0.05, -0.025});
-  expect_near(middle_of(arc("0", "0")), {0.05, 0.025});
-  expect_near(middle_of(arc("1", "1")), {0.05, -0.1});
-  expect_near(middle_of(arc("1", "false")), {0.05, 0.1});
-  EXPECT_NEAR(length_of(arc("0", "1")), 0.0625 * 2.0 * std::asin(0.8), 5e-5);
-  expect_near(middle_of(line(R"({"type": "polyline", "params": [[0.5, 0.5]]})")), {0.05, 0.05});
+  expect_near(compute_middle(arc("0", "1")), {0.05, -0.025});
+  expect_near(compute_middle(arc("0", "0")), {0.05, 0.025});
+  expect_near(compute_middle(arc("1", "1")), {0.05, -0.1});
+  expect_near(compute_middle(arc("1", "false")), {0.05, 0.1});
+  EXPECT_NEAR(polyline_length(arc("0", "1")), 0.0625 * 2.0 * std::asin(0.8), 5e-5);
+  expect_near(compute_middle(line(R"({"type": "polyline", "params": [[0.5, 0.5]]})")), {0.05, 0.05});
 }
 
 TEST_F(Pattern, PlacesPanelsAsMayaTurnsThem) {
-  const PatternPanel panel = read(pattern_of(R"("a": {)" + square + ", " + edges("") +
-                                             R"(, "rotation": [90, 0, 90], "translation": [1, 2, 3]})"))
+  const PatternPanel panel = read(pattern_text(R"("a": {)" + square + ", " + edges("") +
+                                               R"(, "rotation": [90, 0, 90], "translation": [1, 2, 3]})"))
                                  .panels[0];
-  // About x: (10, 20, 0) to (10, 0, 20); then about z: to (0, 10, 20).
+  // A rotation about x from (10, 20, 0) to (10, 0, 20), then one about z to (0, 10, 20).
   EXPECT_LT(glm::distance(panel.placed_m({0.1, 0.2}), Vec3(0.01, 0.12, 0.23)), 1e-12);
 }
 
 TEST_F(Pattern, PassesOverComments) {
-  EXPECT_EQ(read("// a square\n" + pattern_of(R"("a": {)" + square + ", " + edges("") + "} /* alone */")).panels.size(),
-            1u);
+  EXPECT_EQ(
+      read("// a square\n" + pattern_text(R"("a": {)" + square + ", " + edges("") + "} /* alone */")).panels.size(),
+      1u);
 }
 
 TEST_F(Pattern, SaysWhereAFileIsWrong) {
   const std::string panel = R"("a": {)" + square + ", " + edges("") + '}';
   EXPECT_NE(error("{\"pattern\": {").find("parse error at line 1"), std::string::npos);
   EXPECT_NE(error("[1, 2]").find("the file: found [1,2], expected a member 'pattern'"), std::string::npos);
-  EXPECT_NE(error(pattern_of("")).find("pattern.panels: found {}, expected 1 to 500 panels"), std::string::npos);
-  EXPECT_NE(error(pattern_of(R"("a": {"vertices": [[0, 0], [1, "x"]], "edges": []})"))
+  EXPECT_NE(error(pattern_text("")).find("pattern.panels: found {}, expected 1 to 500 panels"), std::string::npos);
+  EXPECT_NE(error(pattern_text(R"("a": {"vertices": [[0, 0], [1, "x"]], "edges": []})"))
                 .find("pattern.panels.a.vertices[1]: found [1,\"x\"], expected 2 numbers"),
             std::string::npos);
-  EXPECT_NE(error(pattern_of(R"("a": {)" + square + R"(, "edges": [{"endpoints": [0, 1]}, {"endpoints": [1, 9]}]})"))
+  EXPECT_NE(error(pattern_text(R"("a": {)" + square + R"(, "edges": [{"endpoints": [0, 1]}, {"endpoints": [1, 9]}]})"))
                 .find("pattern.panels.a.edges[1].endpoints[1]: found 9, expected the number of a vertex, "
                       "from 0 to 3"),
             std::string::npos);
-  EXPECT_NE(error(pattern_of(R"("a": {)" + square + R"(, "edges": [{"endpoints": [0, 1]}, {"endpoints": [2, 3]}]})"))
+  EXPECT_NE(error(pattern_text(R"("a": {)" + square + R"(, "edges": [{"endpoints": [0, 1]}, {"endpoints": [2, 3]}]})"))
                 .find("expected an edge from vertex 1"),
             std::string::npos);
-  EXPECT_NE(error(pattern_of(R"("a": {)" + square + R"(, "edges": [{"endpoints": [0, 1]}, {"endpoints": [1, 2]}]})"))
+  EXPECT_NE(error(pattern_text(R"("a": {)" + square + R"(, "edges": [{"endpoints": [0, 1]}, {"endpoints": [1, 2]}]})"))
                 .find("expected a closed outline"),
             std::string::npos);
-  EXPECT_NE(error(pattern_of(panel, R"([{"panel": "b", "edge": 0}, {"panel": "a", "edge": 0}])"))
+  EXPECT_NE(error(pattern_text(panel, R"([{"panel": "b", "edge": 0}, {"panel": "a", "edge": 0}])"))
                 .find("pattern.stitches[0][0].panel: found \"b\", expected the name of a panel"),
             std::string::npos);
-  EXPECT_NE(error(pattern_of(panel, R"([{"panel": "a", "edge": 4}, {"panel": "a", "edge": 0}])"))
+  EXPECT_NE(error(pattern_text(panel, R"([{"panel": "a", "edge": 4}, {"panel": "a", "edge": 0}])"))
                 .find("pattern.stitches[0][0].edge: found 4, expected the number of an edge of that panel, "
                       "from 0 to 3"),
             std::string::npos);
-  EXPECT_NE(error(pattern_of(panel, R"([{"panel": "a", "edge": 1}, {"panel": "a", "edge": 1}])"))
+  EXPECT_NE(error(pattern_text(panel, R"([{"panel": "a", "edge": 1}, {"panel": "a", "edge": 1}])"))
                 .find("expected two different edges"),
             std::string::npos);
-  EXPECT_NE(error(pattern_of(panel, "", R"({"units_in_meter": 0})"))
+  EXPECT_NE(error(pattern_text(panel, "", R"({"units_in_meter": 0})"))
                 .find("properties.units_in_meter: found 0, expected how many units are a metre"),
             std::string::npos);
-  EXPECT_NE(error(pattern_of(panel, "", R"({"units_in_meter": 0.1})")).find("expected a panel of at most 20 m"),
+  EXPECT_NE(error(pattern_text(panel, "", R"({"units_in_meter": 0.1})")).find("expected a panel of at most 20 m"),
             std::string::npos);
   EXPECT_NE(error_of_edge(R"({"type": "spline", "params": []})")
                 .find("edges[0].curvature.type: found \"spline\", expected \"quadratic\""),
@@ -133,16 +136,16 @@ TEST_F(Pattern, SaysWhereAFileIsWrong) {
             std::string::npos);
 }
 
-std::string nested(std::size_t depth) { return std::string(depth, '[') + std::string(depth, ']'); }
+std::string nest(std::size_t depth) { return std::string(depth, '[') + std::string(depth, ']'); }
 
 TEST_F(Pattern, RefusesWhatIsNestedTooDeeply) {
   const std::string panel = R"("a": {)" + square + ", " + edges("") + '}';
   for (const std::size_t depth : {500U, 100000U}) {
-    EXPECT_CONTAINS(error(nested(depth)), "nested more than 100 deep");
-    EXPECT_CONTAINS(error(pattern_of(panel, nested(depth))), "nested more than 100 deep");
-    EXPECT_CONTAINS(error_of_edge(nested(depth)), "nested more than 100 deep");
+    EXPECT_CONTAINS(error(nest(depth)), "nested more than 100 deep");
+    EXPECT_CONTAINS(error(pattern_text(panel, nest(depth))), "nested more than 100 deep");
+    EXPECT_CONTAINS(error_of_edge(nest(depth)), "nested more than 100 deep");
   }
-  EXPECT_LT(error_of_edge(nested(90)).size(), 400U);
+  EXPECT_LT(error_of_edge(nest(90)).size(), 400U);
 }
 
 TEST_F(Pattern, RefusesLengthsThatNobodyWears) {
@@ -150,12 +153,12 @@ TEST_F(Pattern, RefusesLengthsThatNobodyWears) {
   EXPECT_CONTAINS(error_of_edge(R"({"type": "circle", "params": [1e300, 0, 1]})"),
                   "a radius above 0 and up to 10000 m");
   EXPECT_CONTAINS(error_of_edge(R"({"type": "cubic", "params": [[1e999, 1]]})"), "number overflow");
-  const auto error_of = [&](const std::string& corners, const std::string& more) {
-    return error(pattern_of(R"("a": {"vertices": )" + corners + ", " + edges("") + more + '}'));
+  const auto error_text = [&](const std::string& corners, const std::string& more) {
+    return error(pattern_text(R"("a": {"vertices": )" + corners + ", " + edges("") + more + '}'));
   };
-  EXPECT_CONTAINS(error_of("[[0, 0], [1e-9, 0], [1e-9, 1e-9], [0, 1e-9]]", ""), "at least 1e-05 m apart");
-  EXPECT_CONTAINS(error_of("[[0, 0], [0.01, 0], [0.01, 0.01], [0, 0.01]]", ""), "a panel of at least 0.001 m");
-  EXPECT_CONTAINS(error_of("[[0, 0], [10, 0], [10, 10], [0, 10]]", R"(, "translation": [1e300, 0, 0])"),
+  EXPECT_CONTAINS(error_text("[[0, 0], [1e-9, 0], [1e-9, 1e-9], [0, 1e-9]]", ""), "at least 1e-05 m apart");
+  EXPECT_CONTAINS(error_text("[[0, 0], [0.01, 0], [0.01, 0.01], [0, 0.01]]", ""), "a panel of at least 0.001 m");
+  EXPECT_CONTAINS(error_text("[[0, 0], [10, 0], [10, 10], [0, 10]]", R"(, "translation": [1e300, 0, 0])"),
                   "a place at most 100 m from the origin");
 }
 
@@ -166,7 +169,7 @@ TEST_F(Pattern, SaysWhatIsWrongInItsOwnWords) {
   }
 }
 
-/// Two squares of 20 and 30 cm, one behind the other, the second edge of one sewn to the fourth of the other.
+/// Two squares of 20 and 30 cm, one behind the other. The second edge of one is sewn to the fourth of the other.
 SewingPattern two_squares() {
   const auto panel = [](const std::string& name, double size_m, double depth_m) {
     PatternPanel made{name, {}};
@@ -190,7 +193,7 @@ TEST(Cutting, BothSidesOfASeamHaveTheSameNumberOfVerticesAndSpreadTheEase) {
     EXPECT_NEAR(step(seam[k - 1].first, seam[k].first), 0.2 / steps, 1e-6);
     EXPECT_NEAR(step(seam[k - 1].second, seam[k].second), 0.3 / steps, 1e-6);
   }
-  // From below to below, as both stand upright.
+  // The seam runs upwards on both panels, which stand upright.
   EXPECT_LT(pieces.placed_m[seam.front().first].y, pieces.placed_m[seam.back().first].y);
   EXPECT_LT(pieces.placed_m[seam.front().second].y, pieces.placed_m[seam.back().second].y);
   EXPECT_NE(pieces.is_turned[0], pieces.is_turned[1]) << "one of them is seen from behind";
@@ -200,7 +203,7 @@ TEST(Cutting, MakesExactlyAsManyTrianglesAsAreAskedFor) {
   for (const int triangles : {300, 301, 1028, 5280}) {
     EXPECT_EQ(cut_pieces(two_squares(), triangles, true).triangles.size(), static_cast<std::size_t>(triangles));
   }
-  // Where every edge is sewn to one of another panel there are as many along both.
+  // If every edge is sewn to an edge of another panel, both panels have the same number of edges at their borders.
   SewingPattern closed = two_squares();
   closed.stitches.push_back({{0, 0}, {1, 0}});
   closed.stitches.push_back({{0, 2}, {1, 2}});
@@ -210,8 +213,8 @@ TEST(Cutting, MakesExactlyAsManyTrianglesAsAreAskedFor) {
 
 TEST(Cutting, SewsTheWayRoundThatOtherSeamsTellWhereLengthsDoNot) {
   SewingPattern pattern = two_squares();
-  // A third seam that is as far from closing both ways round: the upper edges, from behind moved by their
-  // length.
+  // The third seam is equally far from closing in both directions. It joins the upper edges, the one behind shifted
+  // by its length.
   pattern.panels[1].translation_m.x = 0.0;
   pattern.stitches.push_back({{0, 2}, {1, 2}});
   for (auto& line : pattern.panels[1].edges_m) {
@@ -226,8 +229,8 @@ TEST(Cutting, SewsTheWayRoundThatOtherSeamsTellWhereLengthsDoNot) {
 }
 
 TEST(Cutting, SewsPanelsThatAreFarApartTheWayTheirBordersGo) {
-  // A hood beside the head and a front before it: the shoulder is nearer to the middle of the front than to
-  // its own.
+  // A hood beside the head and a front before it. The shoulder of the front is nearer to the hood's end for the middle
+  // of the front than to its partner.
   PatternPanel front{"front", {}}, hood{"hood", {}};
   const auto outline = [](const std::vector<Vec2>& corners) {
     std::vector<std::vector<Vec2>> edges_m;

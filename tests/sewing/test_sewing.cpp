@@ -1,4 +1,4 @@
-// Patterns sewn on a mannequin, and what is said of those that cannot be.
+// Patterns sewn on a mannequin, and messages about patterns that cannot be sewn.
 
 #include <fmt/core.h>
 #include <gtest/gtest.h>
@@ -12,13 +12,13 @@
 #include <optional>
 
 #include "app/bodies/body_loading.hpp"
-#include "app/bodies/wearing.hpp"
+#include "app/garments/dressing/wearing.hpp"
+#include "app/garments/sewing/placing.hpp"
+#include "app/garments/sewing/sewing.hpp"
 #include "app/models/garment_loading.hpp"
-#include "app/models/landmarks.hpp"
-#include "app/models/scene_crossings.hpp"
+#include "app/models/hanging/landmarks.hpp"
+#include "app/models/inspecting/scene_crossings.hpp"
 #include "app/scene/scene_format.hpp"
-#include "app/sewing/placing.hpp"
-#include "app/sewing/sewing.hpp"
 #include "app/verify/stretch.hpp"
 #include "sim/mesh/extent.hpp"
 #include "sim/mesh/topology.hpp"
@@ -29,7 +29,7 @@ namespace {
 
 const std::filesystem::path assets = TAUT_ASSETS_FOLDER;
 
-/// A skirt of two panels, so many cm wide above and below, as high as a waist of 1.05 m.
+/// A skirt of two panels with these widths at the waist and the hem. Its waist is at a height of 1.05 m.
 std::string skirt(double waist_cm, double hem_cm, double out_cm = 20.0) {
   const auto panel = [&](const char* name, double depth_cm) {
     return fmt::format(
@@ -42,7 +42,7 @@ std::string skirt(double waist_cm, double hem_cm, double out_cm = 20.0) {
             [{"panel": "front", "edge": 2}, {"panel": "back", "edge": 2}]]}})";
 }
 
-/// A rectangle of so many m whose middle of the upper edge is at a place, turned about z.
+/// A rectangle of this width and height. The middle of its upper edge is at `top_m`, and it is rotated about z.
 PatternPanel rectangle(const std::string& name, double width_m, double height_m, const sim::Vec3& top_m,
                        double angle_rad = 0.0) {
   PatternPanel panel{name, {}};
@@ -98,8 +98,8 @@ TEST_F(Sewing, ASkirtIsClosedWornAndAtRestAsItWasCut) {
 TEST_F(Sewing, ItsFileIsAGarmentThatIsAtRestAsItWasCut) {
   Scene scene = scene_with(folder.write("skirt.json", skirt(40.0, 60.0)));
   const SewnGarment garment = sewn(scene, 800, 1);
-  const std::filesystem::path file = folder.write("sewn.obj", obj_of(garment));
-  folder.write("sewn.landmarks.toml", landmarks_of(garment));
+  const std::filesystem::path file = folder.write("sewn.obj", to_obj(garment));
+  folder.write("sewn.landmarks.toml", to_landmarks_text(garment));
   Scene again;
   again.garment.file = file;
   const LoadedGarment loaded = load_garment(again);
@@ -108,7 +108,7 @@ TEST_F(Sewing, ItsFileIsAGarmentThatIsAtRestAsItWasCut) {
   EXPECT_DOUBLE_EQ(loaded.metres_per_uv, 0.01);
   ASSERT_EQ(loaded.file_faces.sections.size(), 2u);
   EXPECT_EQ(loaded.file_faces.sections[0].line, "g back");
-  // The border above is as long as it was drafted, whatever it measures where it is worn.
+  // Rest lengths equal the pattern's lengths, whatever the lengths of the worn garment.
   double flat_m = 0.0, all_m = 0.0;
   for (std::size_t s = 0; s < loaded.garment->springs.structural_count; ++s) {
     all_m += loaded.garment->springs.rest_lengths_m[s];
@@ -129,7 +129,7 @@ TEST_F(Sewing, ItsFileIsAGarmentThatIsAtRestAsItWasCut) {
 TEST_F(Sewing, SaysThatWhatWasSewnIsTooSmall) {
   Scene scene = scene_with(folder.write("skirt.json", skirt(30.0, 35.0)));
   scene.simulation.solver.max_substeps = 30;  // more would try harder, and longer
-  const std::string message = test::message_of<SewingFailed>([&] { sewn(scene, 200); });
+  const std::string message = test::error_message<SewingFailed>([&] { sewn(scene, 200); });
   EXPECT_NE(message.find("its seams are closed, but it cannot be worn: it does not fit: "), std::string::npos)
       << message;
   EXPECT_NE(message.find(", where the body is "), std::string::npos) << message;
@@ -147,7 +147,7 @@ TEST_F(Sewing, AWaistThatGoesAroundNothingBeginsAtThatOfTheBody) {
       {{{0, 1}, {1, 1}}, {{0, 3}, {1, 3}}}};
   CutPieces pieces = cut_pieces(pattern, 300);
   bring_to_body(pattern, scene, pieces);
-  EXPECT_NEAR(sim::extent_of(pieces.placed_m).upper.y, wearer.measures.waist_m->y, 1e-6);
+  EXPECT_NEAR(sim::compute_extent(pieces.placed_m).upper.y, wearer.measures.waist_m->y, 1e-6);
 }
 
 TEST_F(Sewing, ComesToRestInTwoSecondsOrThree) {
@@ -187,29 +187,29 @@ TEST_F(Sewing, APatternIsWornOverAnother) {
   Scene scene = scene_with(folder.write("inner.json", skirt(40.0, 60.0)));
   const std::filesystem::path outer = folder.write("outer.json", skirt(48.0, 80.0));
   scene.fabric = "cotton";
-  scene.material = material_of("cotton", "--fabric");
+  scene.material = find_fabric_material("cotton", "--fabric");
   const SewnGarment garment = sew(scene, {1200, 60, {outer}, {"denim"}}, [](const std::string&) {});
   const sim::Mesh& mesh = garment.sewn.garment.mesh;
   EXPECT_EQ(garment.pattern.panels[2].name, "outer.back");
   Scene again;
   again.material = scene.material;
-  again.garment.file = folder.write("sewn.obj", obj_of(garment));
-  folder.write("sewn.landmarks.toml", landmarks_of(garment));
+  again.garment.file = folder.write("sewn.obj", to_obj(garment));
+  folder.write("sewn.landmarks.toml", to_landmarks_text(garment));
   EXPECT_EQ(read_garment_facts(again.garment.file).layers, 2);
   EXPECT_EQ(find_scene(undrawn_format(), again.garment.file.string(), {}).material, scene.material);
   const std::vector<Override> silk = {{"cloth.fabric", "silk", "--fabric"}};
-  EXPECT_EQ(find_scene(undrawn_format(), again.garment.file.string(), silk).material, material_of("silk", ""));
+  EXPECT_EQ(find_scene(undrawn_format(), again.garment.file.string(), silk).material, find_fabric_material("silk", ""));
   const LoadedGarment loaded = load_garment(again);
   const std::vector<sim::Triangle>& triangles = loaded.garment->mesh.triangles;
   const sim::Index inner_vertex = triangles.front()[0], outer_vertex = triangles.back()[0];
   EXPECT_EQ(loaded.garment->material_at(inner_vertex).areal_density_kg_per_m2, scene.material.areal_density_kg_per_m2);
-  EXPECT_EQ(loaded.garment->material_at(outer_vertex), material_of("denim", ""));
+  EXPECT_EQ(loaded.garment->material_at(outer_vertex), find_fabric_material("denim", ""));
   const auto mass_kg = [](const sim::Garment& cloth) {
     return std::accumulate(cloth.masses_kg.begin(), cloth.masses_kg.end(), 0.0);
   };
   EXPECT_NEAR(mass_kg(*loaded.garment), mass_kg(garment.sewn.garment), 1e-4 * mass_kg(*loaded.garment));
   again.material = {};
-  EXPECT_NE(test::message_of<InputError>([&] { load_garment(again); }).find("expected a fabric for all (--fabric)"),
+  EXPECT_NE(test::error_message<InputError>([&] { load_garment(again); }).find("expected a fabric for all (--fabric)"),
             std::string::npos);
   EXPECT_EQ(sim::measure_topology(mesh, sim::make_adjacency(mesh)).components, 2u);
   EXPECT_LE(garment.max_stretch, 0.01 + 1e-6);
@@ -217,9 +217,10 @@ TEST_F(Sewing, APatternIsWornOverAnother) {
        scene_crossings({mesh.positions, mesh.triangles}, scene.surroundings.bodies, garment.time_s)) {
     EXPECT_TRUE(crossings.pairs.empty());
   }
-  // Whatever begins on a vertex of the inner one and goes outwards meets the outer one: it is around it.
+  // The outer skirt surrounds the inner one: its box is larger on all sides.
   std::array<sim::Extent, 2> boxes;
-  const double middle_m = 0.5 * (sim::extent_of(mesh.positions).lower.y + sim::extent_of(mesh.positions).upper.y);
+  const double middle_m =
+      0.5 * (sim::compute_extent(mesh.positions).lower.y + sim::compute_extent(mesh.positions).upper.y);
   for (std::size_t v = 0; v < garment.pieces.flat_m.size(); ++v) {
     const sim::Vec3& at = mesh.positions[garment.sewn.vertex_of[v]];
     if (std::abs(at.y - middle_m) < 0.05) {
@@ -252,7 +253,7 @@ TEST_F(Sewing, WhatWasSewnTightIsSimulatedWithinTheBoundItWasSewnWithin) {
 
 TEST_F(Sewing, ASleeveIsTurnedToTheArmWithItsCuff) {
   const Scene scene = scene_with(folder.write("skirt.json", skirt(40.0, 60.0)));
-  // A sleeve that hangs by 45 degrees, as wide as an arm, and a cuff at its end, 30 cm below the shoulder.
+  // A sleeve as wide as an arm, which hangs at 45 degrees, and a cuff at its end, 30 cm below the shoulder.
   constexpr double hanging = 0.785398;
   SewingPattern pattern;
   for (const double depth_m : {0.1, -0.1}) {
@@ -279,7 +280,7 @@ TEST_F(Sewing, SaysThatPanelsLieOnEachOther) {
   const SewingPattern pattern = {{rectangle("front", 0.4, 0.6, {}), rectangle("back", 0.4, 0.6, {})},
                                  {{{0, 1}, {1, 1}}}};
   CutPieces pieces = cut_pieces(pattern, 300);
-  EXPECT_NE(test::message_of<InputError>([&] {
+  EXPECT_NE(test::error_message<InputError>([&] {
               bring_to_body(pattern, scene, pieces);
             }).find("found all 2 panels of the pattern at "),
             std::string::npos);
@@ -302,8 +303,8 @@ TEST_F(Sewing, SeamsOfTheTShirtAreAsLongAsDrafted) {
         first_m += glm::distance(pieces.flat_m[before.first], pieces.flat_m[a]);
         second_m += glm::distance(pieces.flat_m[before.second], pieces.flat_m[b]);
       }
-      EXPECT_NEAR(first_m, length_of(pattern.line_of(pattern.stitches[s].first)), 5e-4) << triangles;
-      EXPECT_NEAR(second_m, length_of(pattern.line_of(pattern.stitches[s].second)), 5e-4) << triangles;
+      EXPECT_NEAR(first_m, polyline_length(pattern.line_of(pattern.stitches[s].first)), 5e-4) << triangles;
+      EXPECT_NEAR(second_m, polyline_length(pattern.line_of(pattern.stitches[s].second)), 5e-4) << triangles;
     }
   }
 }

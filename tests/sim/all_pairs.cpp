@@ -15,7 +15,7 @@ const Vec3& shorter(const Vec3& p, const Vec3& q) {
   return glm::length(p) <= glm::length(q) ? p : q;
 }
 
-/// From the nearest point of the segment to p.
+/// Returns the shortest vector from the segment to p.
 Vec3 from_segment(const Vec3& p, const Vec3& a, const Vec3& b) {
   const Vec3 ab = b - a;
   const double squared = glm::dot(ab, ab);
@@ -68,12 +68,12 @@ struct ReachBox {
 
 }  // namespace
 
-Gap gap_of(const NearPair& pair, const Scene& scene) {
+Gap measure_gap(const NearPair& pair, const Scene& scene) {
   const auto& rows = pair.rows;
   Corners p, m;
   for (Index k = 0; k < 4; ++k) {
-    p[k] = vector_of(scene.positions[rows[k]]);
-    m[k] = vector_of(scene.moves[rows[k]]);
+    p[k] = to_vec3(scene.positions[rows[k]]);
+    m[k] = to_vec3(scene.moves[rows[k]]);
   }
   const Vec3 line = pair.first_count == 1 ? from_triangle(p) : from_edge(p);
   const Vec3 normal = line / std::max(glm::length(line), 1e-30);

@@ -52,7 +52,7 @@ Spring spring_between(const SpringBlock& block, std::size_t k, const Float4* row
   return {x, y, z, (x * x + y * y) + z * z};
 }
 
-/// Returns how far end j moves along one axis, where end i has moved the other way by the rest of it.
+/// Moves end i along one axis by its share. Returns the rest, by which end j moves the other way.
 float shorten_along(float whole, float share_i, float& i) {
   const float part_i = whole * share_i;
   i = i - part_i;
@@ -68,7 +68,7 @@ void shorten_spring(const SpringBlock& block, std::size_t k, const Spring& sprin
   j.z = j.z + shorten_along(spring.z * fraction, share_i, i.z);
 }
 
-float predicted(float current, float previous, float decay, float acceleration, float dt_squared) {
+float predict(float current, float previous, float decay, float acceleration, float dt_squared) {
   return current + ((current - previous) * decay + acceleration * dt_squared);
 }
 
@@ -91,8 +91,8 @@ void predict(std::size_t begin, std::size_t end, const Prediction& prediction, c
     const Float4& d = current[r];
     const Float4& a = accelerations[r];
     Float4& p = previous[r];
-    p = {predicted(d.x, p.x, decay, a.x, dt_squared), predicted(d.y, p.y, decay, a.y, dt_squared),
-         predicted(d.z, p.z, decay, a.z, dt_squared), 0.0F};
+    p = {predict(d.x, p.x, decay, a.x, dt_squared), predict(d.y, p.y, decay, a.y, dt_squared),
+         predict(d.z, p.z, decay, a.z, dt_squared), 0.0F};
     if (tethers != nullptr) {
       hold(tethers[r], pins_moved, p);
     }
@@ -142,8 +142,8 @@ void shorten(const SpringLanes& springs, std::span<const std::uint32_t> blocks, 
   }
 }
 
-void largest_ratios(const SpringLanes& springs, std::size_t begin, std::size_t end, const Float4* rows,
-                    float* squared_ratios) {
+void find_max_ratios(const SpringLanes& springs, std::size_t begin, std::size_t end, const Float4* rows,
+                     float* squared_ratios) {
   for (std::size_t b = begin; b < end; ++b) {
     const SpringBlock& block = springs.blocks[b];
     float largest = 0.0F;
@@ -165,35 +165,35 @@ struct Gradient {
   Triple along, across;
 };
 
-/// The squared singular values, half their difference, and its cosine and sine of twice the angle of the
-/// largest's direction.
+/// The squared singular values, half their difference (`radius`), and the products of `radius` with the cosine and the
+/// sine of twice the angle of the largest value's direction.
 struct Principal {
   float largest, smallest;
   float radius, difference, product;
 };
 
-Triple triple_of(const std::array<SurfaceBlock::Of<float>, 3>& values, std::size_t k) {
+Triple lane_triple(const std::array<SurfaceBlock::Of<float>, 3>& values, std::size_t k) {
   return {values[0][k], values[1][k], values[2][k]};
 }
 
-Gradient gradient_of(const SurfaceBlock& block, std::size_t k, const Triple& e1, const Triple& e2) {
+Gradient compute_gradient(const SurfaceBlock& block, std::size_t k, const Triple& e1, const Triple& e2) {
   return {e1 * block.along_per_m[k], e2 * block.across_per_m[k] - e1 * block.skew_per_m[k]};
 }
 
 Gradient gradient_now(const SurfaceBlock& block, std::size_t k, const Float4* rows) {
   const Float4& a = rows[block.at[0][k] / 4];
   const Gradient moved =
-      gradient_of(block, k, difference(rows[block.at[1][k] / 4], a), difference(rows[block.at[2][k] / 4], a));
-  return {moved.along + triple_of(block.start_along, k), moved.across + triple_of(block.start_across, k)};
+      compute_gradient(block, k, difference(rows[block.at[1][k] / 4], a), difference(rows[block.at[2][k] / 4], a));
+  return {moved.along + lane_triple(block.start_along, k), moved.across + lane_triple(block.start_across, k)};
 }
 
-Principal principal_of(const Gradient& gradient) {
+Principal compute_principal(const Gradient& gradient) {
   const float a = dot(gradient.along, gradient.along);
   const float b = dot(gradient.along, gradient.across);
   const float c = dot(gradient.across, gradient.across);
   const float mean = (a + c) * 0.5F;
   const float difference = (a - c) * 0.5F;
-  const float radius = std::max(std::sqrt(difference * difference + b * b), least_radius);
+  const float radius = std::max(std::sqrt(difference * difference + b * b), min_radius);
   return {mean + radius, mean - radius, radius, difference, b};
 }
 
@@ -201,8 +201,8 @@ struct Divisors {
   float first, second;
 };
 
-Divisors divisors_of(const SurfaceMobility& mobility, std::size_t k, const Principal& v) {
-  const float middle = v.radius * (0.5F + least_mobility);
+Divisors compute_divisors(const SurfaceMobility& mobility, std::size_t k, const Principal& v) {
+  const float middle = v.radius * (0.5F + min_mobility);
   const float to_first = mobility.along_less_across[k] * v.difference + mobility.skew[k] * v.product;
   return {middle + to_first, middle - to_first};
 }
@@ -241,7 +241,7 @@ void start_surface(const StartRows& start, std::size_t begin, std::size_t end, S
     SurfaceBlock& block = triangles.blocks[lane / block_size];
     const std::size_t k = lane % block_size;
     const std::size_t a = block.at[0][k] / 4;
-    const Gradient gradient = gradient_of(block, k, from(a, block.at[1][k] / 4), from(a, block.at[2][k] / 4));
+    const Gradient gradient = compute_gradient(block, k, from(a, block.at[1][k] / 4), from(a, block.at[2][k] / 4));
     const std::array<float, 3> along_now = {gradient.along.x, gradient.along.y, gradient.along.z};
     const std::array<float, 3> across_now = {gradient.across.x, gradient.across.y, gradient.across.z};
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -256,14 +256,14 @@ void sweep_surface(const SurfaceLanes& triangles, const BlockRange& range, Surfa
     const SurfaceBlock& block = triangles.blocks[lane / block_size];
     const std::size_t k = lane % block_size;
     const Gradient gradient = gradient_now(block, k, rows);
-    const Principal s = principal_of(gradient);
-    const Divisors divisors = divisors_of(block.mobility, k, s);
+    const Principal s = compute_principal(gradient);
+    const Divisors divisors = compute_divisors(block.mobility, k, s);
     const float first_divisor = (s.largest + 1.0F) * divisors.first;
     const float second_divisor = (s.smallest + 1.0F) * divisors.second;
     const float per_both = 1.0F / (first_divisor * second_divisor);
     const float first = ((s.largest - 1.0F) * second_divisor) * per_both;
     const float second = ((s.smallest - 1.0F) * first_divisor) * per_both;
-    const float share = range.again ? 0.0F : block.short_share[k];
+    const float share = range.is_repeat ? 0.0F : block.short_share[k];
     const float shared_first = std::max(first * triangles.relaxation, first * share);
     const float shared_second = std::max(second * triangles.relaxation, second * share);
     if (sums != nullptr) {
@@ -289,10 +289,10 @@ void shorten_surface(const SurfaceLanes& triangles, std::span<const std::uint32_
     for (std::size_t k = 0; k < block_size; ++k) {
       const SurfaceBlock& block = triangles.blocks[b];
       const Gradient gradient = gradient_now(block, k, rows);
-      const Principal s = principal_of(gradient);
+      const Principal s = compute_principal(gradient);
       if (s.largest > squared_bound) {
         const SurfaceMobility& mobility = triangles.projection_mobility[b];
-        const Divisors divisors = divisors_of(mobility, k, s);
+        const Divisors divisors = compute_divisors(mobility, k, s);
         move_corners(block, k, gradient, s, excess_over(s.largest, squared_bound, relaxation, divisors.first),
                      excess_over(s.smallest, squared_bound, relaxation, divisors.second), mobility, rows);
       }
@@ -300,12 +300,12 @@ void shorten_surface(const SurfaceLanes& triangles, std::span<const std::uint32_
   }
 }
 
-void largest_surface_ratios(const SurfaceLanes& triangles, std::size_t begin, std::size_t end,
-                            const Float4* rows, float* squared_ratios) {
+void find_max_surface_ratios(const SurfaceLanes& triangles, std::size_t begin, std::size_t end, const Float4* rows,
+                             float* squared_ratios) {
   for (std::size_t b = begin; b < end; ++b) {
     float largest = 0.0F;
     for (std::size_t k = 0; k < block_size; ++k) {
-      largest = std::max(largest, principal_of(gradient_now(triangles.blocks[b], k, rows)).largest);
+      largest = std::max(largest, compute_principal(gradient_now(triangles.blocks[b], k, rows)).largest);
     }
     squared_ratios[b] = largest;
   }
@@ -329,7 +329,7 @@ void wind(const TriangleLanes& triangles, const AirFlow& air, std::size_t begin,
 
     const Triple doubled_area = cross(edge_b, edge_c);
     const float doubled_size = std::sqrt(dot(doubled_area, doubled_area));
-    const Triple normal = doubled_area * (1.0F / std::max(doubled_size, smallest_doubled_area_m2));
+    const Triple normal = doubled_area * (1.0F / std::max(doubled_size, min_doubled_area_m2));
     const float u_n = dot(u, normal);
     const Triple along_normal = normal * u_n;
     const float pressure = air.half_density_pressure * std::abs(u_n);
@@ -373,8 +373,8 @@ void add_product(const SlicedMatrix& matrix, std::size_t begin, std::size_t end,
 
 const Kernels& scalar_kernels() {
   static constexpr Kernels table = {predict,       start_springs,   sweep,
-                                    shorten,       largest_ratios,  start_surface,
-                                    sweep_surface, shorten_surface, largest_surface_ratios,
+                                    shorten,       find_max_ratios, start_surface,
+                                    sweep_surface, shorten_surface, find_max_surface_ratios,
                                     wind,          add_product,     {}};
   return table;
 }

@@ -1,5 +1,4 @@
-// Prints a hash of the state that each of a few small simulations ends in: together they go through every
-// part of the method.
+// Prints hashes of the states in which a few small simulations end; together they go through every part of the method.
 
 #include <cinttypes>
 #include <cstdio>
@@ -59,8 +58,7 @@ void print_hash(const char* name, const Cloth& cloth, const SolverMethod& method
 void print_bounded(BoundKind bound, const Cloth& square, const Cloth& sheet) {
   const auto print = [bound](const char* name, const Cloth& cloth, const SolverMethod& method,
                              const Surroundings& surroundings, int frames) {
-    print_hash((std::string("bounded ") + name_of(bound) + ", " + name).c_str(), cloth, method, surroundings,
-               frames);
+    print_hash((std::string("bounded ") + to_name(bound) + ", " + name).c_str(), cloth, method, surroundings, frames);
   };
   BoundedSettings bounded;
   bounded.bound = bound;

@@ -32,7 +32,7 @@ TEST(Flexural, FlatShapesAreNotBent) {
 
 constexpr double rolled_curvature_per_m = 0.5;
 
-std::vector<Vec3> rolled(const Mesh& flat, double axis_angle_rad) {
+std::vector<Vec3> roll(const Mesh& flat, double axis_angle_rad) {
   const double curvature_per_m = rolled_curvature_per_m;
   const Vec3 along(std::cos(axis_angle_rad), std::sin(axis_angle_rad), 0.0);
   const Vec3 across(-along.y, along.x, 0.0);
@@ -57,7 +57,7 @@ double rolling_energy_j(const Garment& garment, double rigidity_n_m) {
 /// The bending energy of a sheet rolled to a cylinder, over B kappa^2 area / 2.
 double cylinder_energy_ratio(const Mesh& flat, double axis_angle_rad) {
   const Garment garment = make_garment(flat);
-  const std::vector<Vec3> positions = rolled(flat, axis_angle_rad);
+  const std::vector<Vec3> positions = roll(flat, axis_angle_rad);
   double energy = 0.0;
   for (const FlexuralElement& e : flexural_elements(garment)) {
     Vec3 deflection(0.0);
@@ -95,11 +95,11 @@ TEST(Flexural, LayersOfOtherMaterialsWeighAndBendAsTheseDo) {
   stiff.thickness_m = 2.0 * soft.thickness_m;
   std::vector<std::uint8_t> layer_of(2 * count, 0);
   std::fill(layer_of.begin() + count, layer_of.end(), std::uint8_t{1});
-  const Garment layers = with_others(make_garment(two, {}, soft), layer_of, {stiff});
+  const Garment layers = with_other_materials(make_garment(two, {}, soft), layer_of, {stiff});
   const Garment alone = make_garment(one, {}, stiff);
   for (Index v = 0; v < count; ++v) EXPECT_DOUBLE_EQ(layers.masses_kg[count + v], alone.masses_kg[v]);
   EXPECT_EQ(layers.material.thickness_m, stiff.thickness_m) << "the thickest is kept apart";
-  EXPECT_EQ(least_density_kg_per_m2(layers), soft.areal_density_kg_per_m2);
+  EXPECT_EQ(min_density_kg_per_m2(layers), soft.areal_density_kg_per_m2);
   double own = 0.0, of_alone = 0.0;
   for (const FlexuralElement& e : flexural_elements(layers)) {
     own += e.vertices[2] < count ? 0.0 : e.stiffness_per_rigidity * soft.bending_rigidity_n_m;
@@ -109,24 +109,24 @@ TEST(Flexural, LayersOfOtherMaterialsWeighAndBendAsTheseDo) {
   }
   EXPECT_NEAR(own, of_alone, 1e-9 * of_alone);
   stiff.tensile_warp_n_per_m = stiff.tensile_weft_n_per_m = stiff.shear_n_per_m = 1000.0;
-  EXPECT_THROW(with_others(make_garment(two, {}, soft), layer_of, {stiff}), std::invalid_argument);
+  EXPECT_THROW(with_other_materials(make_garment(two, {}, soft), layer_of, {stiff}), std::invalid_argument);
 }
 
 /// The same ratio from accelerations: -1/2 x . M a, because bending is linear.
 double cylinder_energy_ratio(const Garment& garment, Bending& bending, double rigidity_n_m, double axis_angle_rad) {
   const Layout layout = make_layout(garment, make_pins(garment, {}));
-  const std::vector<Vec3> positions = rolled(garment.mesh, axis_angle_rad);
+  const std::vector<Vec3> positions = roll(garment.mesh, axis_angle_rad);
   Float4Array rows(layout.row_count());
   Float4Array accelerations(layout.row_count());
   for (std::size_t row = 0; row < layout.vertex_count(); ++row) {
-    rows[row] = float4_of(positions[layout.vertex_of_row[row]]);
+    rows[row] = to_float4(positions[layout.vertex_indices[row]]);
   }
   ParallelKernels kernels(kernels_for(VectorUnit::best), 1);
   bending.add_accelerations(rows, kernels, accelerations);
   double energy = 0.0;
   for (std::size_t row = 0; row < layout.vertex_count(); ++row) {
-    const Vec3 force = garment.masses_kg[layout.vertex_of_row[row]] * vector_of(accelerations[row]);
-    energy -= 0.5 * glm::dot(vector_of(rows[row]), force);
+    const Vec3 force = garment.masses_kg[layout.vertex_indices[row]] * to_vec3(accelerations[row]);
+    energy -= 0.5 * glm::dot(to_vec3(rows[row]), force);
   }
   return energy / rolling_energy_j(garment, rigidity_n_m);
 }
@@ -139,10 +139,10 @@ TEST(Bending, WavesTooFastToFollowAreSlowedAndWideFoldsKeepTheirRigidity) {
     const Layout layout = make_layout(garment, pins);
     Bending whole(garment, pins, layout, rigidity_n_m, 1e9);
     ASSERT_EQ(whole.level_count(), 1u);
-    const double allowed_per_s = whole.largest_rate_per_s() / 12.0;
+    const double allowed_per_s = whole.max_rate_per_s() / 12.0;
     Bending shared(garment, pins, layout, rigidity_n_m, allowed_per_s);
     EXPECT_GE(shared.level_count(), 3u);
-    EXPECT_LE(shared.largest_rate_per_s(), 5.5 * allowed_per_s);
+    EXPECT_LE(shared.max_rate_per_s(), 5.5 * allowed_per_s);
     double sum = 0.0;
     for (const double angle : {0.2, 0.7, 1.3, 1.9, 2.5}) {
       const double ratio = cylinder_energy_ratio(garment, shared, rigidity_n_m, angle);
@@ -154,7 +154,7 @@ TEST(Bending, WavesTooFastToFollowAreSlowedAndWideFoldsKeepTheirRigidity) {
   }
 }
 
-/// How far, in m, the free end of a strip hangs down when a third of its length is pinned level.
+/// Returns how far, in m, the free end of a strip hangs down if a third of its length is pinned level.
 double droop_m(Mesh mesh, double rigidity_n_m) {
   constexpr double pinned_m = 0.04;
   const double top_m = mesh.positions.front().y;
@@ -201,9 +201,9 @@ TEST(Bending, TheSameFabricHangsAlikeForEveryMesh) {
   EXPECT_LT(droop_m(sheet(13, 0.12), 2e-4), 0.8 * droop_m(sheet(13, 0.12), 5e-5));
 }
 
-/// The bending length of a strip with triangles of this edge, over that of its fabric, (B / weight)^(1/3), as
-/// the cantilever test has it: a length l that is clamped at one end hangs down by the angle a, and the
-/// bending length is l (cos(a / 2) / (8 tan a))^(1/3) (Peirce 1930).
+/// Returns a strip's bending length, for triangles of this edge length, divided by its fabric's bending length, (B /
+/// weight)^(1/3). The cantilever test defines it (Peirce 1930): a length l that is clamped at one end and hangs down by
+/// the angle a has the bending length l (cos(a / 2) / (8 tan a))^(1/3).
 double bending_length_ratio(const Material& material, double edge_m) {
   const double weight_n_per_m2 = material.areal_density_kg_per_m2 * 9.81;
   const double theory_m = std::cbrt(material.bending_rigidity_n_m / weight_n_per_m2);

@@ -11,7 +11,7 @@ namespace taut::sim {
 namespace {
 
 TEST(NearestSurface, IsAlongTheNormalOfAPlane) {
-  const SurfacePoint p = nearest_surface(Plane{{0, 1, 0}, {0, 1, 0}}, {5, 3, 2});
+  const ShapeSurfacePoint p = nearest_surface(Plane{{0, 1, 0}, {0, 1, 0}}, {5, 3, 2});
   EXPECT_EQ(p.distance_m, 2.0);
   EXPECT_EQ(p.normal, Vec3(0, 1, 0));
 }
@@ -59,7 +59,7 @@ TEST(PushOut, FrictionTakesBackSlidingInProportionToDepth) {
   EXPECT_NEAR(predicted[1].x, 1.0, 1e-15) << "sticks, never slides backwards";
 }
 
-/// How far a single mass point has slid down a slope of this angle after a second, from rest.
+/// Returns how far a single mass point slides from rest down a slope of this angle within a second.
 double slid_m(double slope_rad, double friction) {
   Garment point;
   point.mesh.positions = {{0, 0, 0}};

@@ -23,7 +23,7 @@ SimulationSettings bounded_by(double max_stretch, BoundKind bound) {
 
 double largest_stretch(const Garment& garment, std::span<const Vec3> positions) {
   double largest = 0.0;
-  for (std::size_t s = 0; s < garment.springs.begin_of(SpringKind::flexural); ++s) {
+  for (std::size_t s = 0; s < garment.springs.begin_index(SpringKind::flexural); ++s) {
     const auto [i, j] = garment.springs.ends[s];
     largest =
         std::max(largest, glm::length(positions[i] - positions[j]) / garment.springs.rest_lengths_m[s] - 1.0);
@@ -32,7 +32,7 @@ double largest_stretch(const Garment& garment, std::span<const Vec3> positions) 
 }
 
 /// Returns the largest stretch that the bound holds.
-double largest_held(const Garment& garment, std::span<const Vec3> positions, BoundKind bound) {
+double max_held_stretch(const Garment& garment, std::span<const Vec3> positions, BoundKind bound) {
   const double springs = largest_stretch(garment, positions);
   return bound == BoundKind::springs ? springs
                                      : std::max(springs, measure_surface_stretch(garment, positions).max);
@@ -46,7 +46,7 @@ Surroundings storm() {
   return surroundings;
 }
 
-Surroundings shaken() {
+Surroundings shake() {
   Surroundings surroundings;
   surroundings.pin_motion = {{0.1, 0.0, 0.0}, 1.0};
   return surroundings;
@@ -56,14 +56,14 @@ Surroundings shaken() {
 class Bounded : public testing::TestWithParam<BoundKind> {};
 
 INSTANTIATE_TEST_SUITE_P(Holding, Bounded, testing::ValuesIn(all_bound_kinds),
-                         [](const auto& kind) { return name_of(kind.param); });
+                         [](const auto& kind) { return to_name(kind.param); });
 
 TEST_P(Bounded, KeepsTheBoundInEveryFrame) {
   const Garment garment = make_garment(irregular_sheet(25, 1.0));
-  for (const Surroundings& surroundings : {Surroundings{}, shaken(), storm()}) {
+  for (const Surroundings& surroundings : {Surroundings{}, shake(), storm()}) {
     for (const double bound : {0.05, 0.01, 0.001}) {
       SimulationSettings settings;
-      // More than is promised: sheets keep it in stronger winds than shirts do.
+      // The solver promises less: sheets keep the bound in stronger winds than shirts do.
       settings.solver.method =
           BoundedSettings{.bound = GetParam(), .max_stretch = bound, .allow_exceeding = true};
       Simulation simulation(share(garment), {0, 24}, settings, surroundings);
@@ -71,7 +71,7 @@ TEST_P(Bounded, KeepsTheBoundInEveryFrame) {
         simulation.advance_frame();
         const FrameReport& report = simulation.frame_report();
         EXPECT_TRUE(report.bound_promised && report.bound_kept);
-        const double stretch = largest_held(garment, simulation.state().current, GetParam());
+        const double stretch = max_held_stretch(garment, simulation.state().current, GetParam());
         ASSERT_LE(stretch, bound);
         EXPECT_GE(report.raw_max_stretch, stretch - 2e-6);
       }
@@ -80,17 +80,17 @@ TEST_P(Bounded, KeepsTheBoundInEveryFrame) {
 }
 
 TEST_P(Bounded, ReportsABrokenBoundIfPinsPullTheClothApart) {
-  // Corners of a smaller cloth: they are pinned further apart than the bound allows.
+  // The pinned corners of a smaller cloth are further apart than the bound allows.
   const Garment garment = make_garment(sheet(9, 0.9));
   SimulationSettings settings = bounded_by(0.01, GetParam());
   settings.solver.max_substeps = 40;
-  // Pulled so far it folds over itself in its own plane, where contact would end the run.
+  // The cloth is pulled so far that it folds over itself in its own plane, where contact would end the run.
   std::get<BoundedSettings>(settings.solver.method).allow_crossing = true;
   Simulation simulation(share(garment), {0, 8}, settings, {}, sheet(9, 1.0).positions);
   simulation.advance_frame();
   EXPECT_FALSE(simulation.frame_report().bound_kept);
-  EXPECT_GT(largest_held(garment, simulation.state().current, GetParam()), 0.05);
-  EXPECT_LT(largest_held(garment, simulation.state().current, GetParam()), 2.0) << "nothing is thrown away";
+  EXPECT_GT(max_held_stretch(garment, simulation.state().current, GetParam()), 0.05);
+  EXPECT_LT(max_held_stretch(garment, simulation.state().current, GetParam()), 2.0) << "nothing is thrown away";
   EXPECT_EQ(simulation.frame_report().substeps, 40);
 }
 
@@ -113,7 +113,7 @@ TEST_P(Bounded, ChoosesMoreStepsForATighterBoundAndFixesThemWhereAsked) {
   EXPECT_EQ(simulation.frame_report().substeps, 77);
 }
 
-// Of such an edge single precision tells nothing once the cloth has moved by a centimetre.
+// Single precision cannot measure such an edge once the cloth has moved by a centimetre.
 TEST_P(Bounded, KeepsTheBoundOfEdgesOfTenNanometres) {
   Mesh mesh = sheet(17, 1.0);
   for (Index row = 2; row < 17; row += 3) {
@@ -128,7 +128,7 @@ TEST_P(Bounded, KeepsTheBoundOfEdgesOfTenNanometres) {
     for (int frame = 0; frame < 40; ++frame) {
       simulation.advance_frame();
       ASSERT_TRUE(simulation.frame_report().bound_kept) << bound << ", frame " << frame;
-      ASSERT_LE(largest_held(garment, simulation.state().current, GetParam()), bound);
+      ASSERT_LE(max_held_stretch(garment, simulation.state().current, GetParam()), bound);
       ASSERT_LT(simulation.frame_report().substeps, 1200);
     }
   }
@@ -177,13 +177,13 @@ TEST(WithinBound, TrianglesTooLongByLessThanAMicrometreAreShortenedInDoublePreci
   EXPECT_TRUE(keeps_bound_in_double(garment, make_pins(garment, {}), springs, far));
 }
 
-// A hundredfold stiffness makes no difference where steps follow neither; within what they follow it does.
+// A stiffness above the largest one that the steps follow makes no difference; stiffness below it does.
 TEST_P(Bounded, ReportsTheCompressionStiffnessItsStepsFollow) {
   const Garment garment = make_garment(irregular_sheet(17, 1.0));
   const auto compression_with = [&](double stiffness_n_per_m, int substeps) {
     SimulationSettings settings = bounded_by(0.01, GetParam());
     std::get<BoundedSettings>(settings.solver.method).contact =
-        false;  // which keeps folds from being pressed flat
+        false;  // contact keeps folds from being pressed flat
     settings.solver.substeps = substeps;
     const Material material = {.compression_stiffness_n_per_m = stiffness_n_per_m};
     Simulation simulation(share(with_material(garment, material)), {0, 16}, settings, {});
@@ -221,8 +221,8 @@ TEST_P(Bounded, NeverGainsEnergy) {
   }
 }
 
-/// Seconds between the first and the last of several passes of the lower edge through the middle, over their
-/// number.
+/// Returns the time in s between the first and the last of several passes of the lower edge through the middle, divided
+/// by their number.
 double swing_period_s(int substeps, BoundKind bound) {
   const Garment garment = make_garment(sheet(9, 1.0));
   SimulationSettings settings = bounded_by(0.05, bound);
@@ -275,7 +275,7 @@ TEST_P(Bounded, FallsFreelyWithoutPins) {
     const double fallen_m = garment.mesh.positions[v].y - simulation.state().current[v].y;
     EXPECT_NEAR(fallen_m, 0.5 * 9.81, 0.1) << "first-order in a substep";
   }
-  EXPECT_LT(largest_held(garment, simulation.state().current, GetParam()), 1e-4);
+  EXPECT_LT(max_held_stretch(garment, simulation.state().current, GetParam()), 1e-4);
 }
 
 TEST_P(Bounded, StillAirBrakesAsTheFaintestWindDoes) {
@@ -330,8 +330,8 @@ TEST_P(Bounded, TheNumberOfThreadsChangesNothing) {
   }
 }
 
-// Triangles of which only the edges are held fold over each other; keeping their folds apart takes some
-// sheets longer.
+// Triangles fold over each other where the bound holds their edges alone. Contact would keep the folds apart, and some
+// sheets would take longer to rest.
 TEST_P(Bounded, ComesToRestAndFallsAsleep) {
   const Garment garment = make_garment(irregular_sheet(25, 1.0));
   SimulationSettings settings = bounded_by(0.01, GetParam());

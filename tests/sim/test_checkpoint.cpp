@@ -18,7 +18,7 @@ Surroundings storm() {
   surroundings.forces.wind.gust_amplitude = 0.5;
   surroundings.forces.wind.gust_turn = 0.2;
   surroundings.forces.artificial_forces = {{40, {0.0, 0.01, 0.02}}};
-  surroundings.forces.held_vertices = {{140, {0.3, -0.3, 1.0}, 20.0, 12.0}};
+  surroundings.forces.grabbed_vertices = {{140, {0.3, -0.3, 1.0}, 20.0, 12.0}};
   surroundings.bodies = {{.shape = Plane{{0.0, -0.2, 0.0}}, .friction = 0.4},
                          {.shape = Sphere{{0.1, 0.3, -0.3}, 0.25}, .friction = 0.2}};
   surroundings.pin_motion = {{0.15, 0.0, 0.1}, 4.0};
@@ -27,7 +27,7 @@ Surroundings storm() {
 
 Garment sheet() { return make_garment(make_grid({.columns = 13, .rows = 11})); }
 
-/// Hangs over its middle row as over a line, so that two layers meet.
+/// A cloth that hangs over its middle row as over a line, so that two layers meet.
 Garment cloth_on_a_line() {
   const Mesh lying = make_grid({.columns = 13, .rows = 11, .plane = GridPlane::horizontal});
   return make_garment(lying);
@@ -36,7 +36,7 @@ Garment cloth_on_a_line() {
 const std::vector<Index> corners = {0, 12};
 const std::vector<Index> middle_row = {65, 66, 67, 68, 69, 70, 71, 72, 73, 74, 75, 76, 77};
 
-SolverSettings solver_of(SolverKind kind) {
+SolverSettings solver_settings(SolverKind kind) {
   switch (kind) {
     case SolverKind::ideal:
       return {.method = IdealSettings{}};
@@ -49,7 +49,7 @@ SolverSettings solver_of(SolverKind kind) {
     case SolverKind::fast_projection:
       return {.method = FastProjectionSettings{.max_strain = 0.01}};
     case SolverKind::implicit:
-      return {.max_substeps = 32, .method = ImplicitSettings{.largest_stretch_change = 0.02}};
+      return {.max_substeps = 32, .method = ImplicitSettings{.max_stretch_change = 0.02}};
     case SolverKind::bounded:
       break;
   }
@@ -61,20 +61,20 @@ struct Case {
   Garment (*garment)();
   SolverKind solver;
   Surroundings surroundings;
-  int frames;  ///< simulated in all
-  int every;   ///< frames between two that are gone on from
+  int frames;  ///< number of all simulated frames
+  int every;   ///< number of frames between two checkpoints
 };
 
-std::ostream& operator<<(std::ostream& out, const Case& c) { return out << name_of(c.solver) << ' ' << c.name; }
+std::ostream& operator<<(std::ostream& out, const Case& c) { return out << to_name(c.solver) << ' ' << c.name; }
 
-SimulationSettings settings_of(const Case& c) {
+SimulationSettings case_settings(const Case& c) {
   SimulationSettings settings;
-  settings.solver = solver_of(c.solver);
-  settings.rest = {4e-3, 30};
+  settings.solver = solver_settings(c.solver);
+  settings.rest_settings = {4e-3, 30};
   return settings;
 }
 
-/// The readings of a frame.
+/// The results of a frame that a resumed simulation has to repeat.
 struct Shown {
   std::uint64_t state;
   FrameReport report;
@@ -96,11 +96,10 @@ Shown shown_by(const Simulation& simulation) {
 
 class GoingOn : public testing::TestWithParam<Case> {
  protected:
-  /// A new simulation that goes on from the bytes shows what the first one
-  /// showed.
+  /// Expects the same frames from a new simulation that goes on from the bytes.
   void expect_same(const std::string& bytes, int from, const std::vector<Shown>& expected) const {
     const Garment garment = GetParam().garment();
-    Simulation simulation(share(garment), middle_row, settings_of(GetParam()), GetParam().surroundings);
+    Simulation simulation(share(garment), middle_row, case_settings(GetParam()), GetParam().surroundings);
     simulation.restore(decode(bytes, garment));
     EXPECT_EQ(encode(simulation.save(), garment), bytes);
     for (int frame = from; frame < GetParam().frames; ++frame) {
@@ -113,7 +112,7 @@ class GoingOn : public testing::TestWithParam<Case> {
 
 TEST_P(GoingOn, FromAnyFrameGivesTheSameBits) {
   const Garment garment = GetParam().garment();
-  Simulation simulation(share(garment), middle_row, settings_of(GetParam()), GetParam().surroundings);
+  Simulation simulation(share(garment), middle_row, case_settings(GetParam()), GetParam().surroundings);
   std::vector<Shown> shown;
   std::vector<std::string> saved;
   for (int frame = 0; frame < GetParam().frames; ++frame) {
@@ -154,10 +153,10 @@ std::string saved_in_a_storm(const SolverSettings& solver) {
   return encode(simulation.save(), simulation.garment());
 }
 
-/// Returns the message about bytes that are no checkpoint of a sheet in a storm.
+/// Returns the error message about these bytes, empty if a sheet in a storm goes on from them.
 std::string refusal(const std::string& bytes, SolverKind solver = SolverKind::bounded) {
   SimulationSettings settings;
-  settings.solver = solver_of(solver);
+  settings.solver = solver_settings(solver);
   Simulation simulation(share(sheet()), corners, settings, storm());
   const auto before = hash(simulation.state());
   try {
@@ -170,7 +169,7 @@ std::string refusal(const std::string& bytes, SolverKind solver = SolverKind::bo
 }
 
 TEST(Checkpoint, RefusesEveryDamagedByteAndEveryLength) {
-  const std::string whole = saved_in_a_storm(solver_of(SolverKind::bounded));
+  const std::string whole = saved_in_a_storm(solver_settings(SolverKind::bounded));
   ASSERT_EQ(refusal(whole), "");
   for (std::size_t at = 0; at < whole.size(); at += at < 100 ? 1 : 121) {
     std::string damaged = whole;
@@ -181,7 +180,7 @@ TEST(Checkpoint, RefusesEveryDamagedByteAndEveryLength) {
   EXPECT_NE(refusal(whole + '\0'), "");
 }
 
-// Bytes that somebody made up with a hash that fits: refused, or gone on from as from any other shape.
+// Forged bytes whose hash fits are refused, or the simulation goes on from them as from any other shape.
 TEST(Checkpoint, DoesNoHarmWhateverItsBytesAre) {
   for (const SolverMethod& method : {SolverMethod(StrongSettings{}), SolverMethod(BoundedSettings{})}) {
     SimulationSettings settings;
@@ -242,18 +241,18 @@ template <class Number> void overwrite(std::string& bytes, std::size_t at, Numbe
   std::copy(raw.begin(), raw.end(), bytes.begin() + static_cast<std::ptrdiff_t>(at));
 }
 
-std::string sealed(std::string bytes) {
+std::string seal(std::string bytes) {
   const auto hash_bytes = little_endian(fnv1a(fnv1a_of_nothing, bytes));
   return bytes.append(hash_bytes.data(), hash_bytes.size());
 }
 
-/// The number of forged checkpoints of each solver: more where the environment says so.
+/// Returns the number of forged checkpoints of each solver, which the environment variable can raise.
 int trials() {
   const char* const more = std::getenv("TAUT_TEST_TRIALS");
   return more != nullptr ? std::atoi(more) : 200;
 }
 
-/// Goes on from the bytes for two frames. Returns whether they were taken.
+/// Goes on from the bytes for two frames. Returns whether they were accepted.
 bool goes_on(const std::string& bytes, const SolverMethod& method) {
   Simulation simulation = crossing_simulation(method);
   try {
@@ -268,7 +267,7 @@ bool goes_on(const std::string& bytes, const SolverMethod& method) {
   return true;
 }
 
-// The last triangle that is left out, and the group that it is of, end the bounded solver's memory.
+// The bounded solver's memory ends with the last triangle left out of contact and this triangle's group.
 TEST(Checkpoint, RefusesAGroupBeyondItsTriangles) {
   const SolverMethod method = BoundedSettings{.allow_crossing = true};
   Simulation simulation = crossing_simulation(method);
@@ -278,7 +277,7 @@ TEST(Checkpoint, RefusesAGroupBeyondItsTriangles) {
   for (const Index group : {1000U, 1000000U, 0xFFFFFFFFU}) {
     std::string forged = whole.substr(0, whole.size() - 8);
     overwrite(forged, forged.size() - 4, group);
-    EXPECT_FALSE(goes_on(sealed(std::move(forged)), method)) << group;
+    EXPECT_FALSE(goes_on(seal(std::move(forged)), method)) << group;
   }
 }
 
@@ -306,7 +305,7 @@ TEST(Checkpoint, WithAnyNumbersInItIsRefusedOrGoneOnFrom) {
     for (int trial = 0; trial < trials(); ++trial) {
       std::string forged = whole.substr(0, whole.size() - 8);
       for (std::uint64_t field = random() % 4; field < 4; ++field) {
-        // Of whole bytes many are of positions: half of all changes are near the end or the beginning.
+        // Most of the bytes are positions, so that half of all changes are made near the end or the beginning.
         const std::size_t reach =
             random() % 2 == 0 ? std::min<std::size_t>(300, forged.size() - 52) : forged.size() - 52;
         const std::size_t from_end = random() % reach + 8;
@@ -323,7 +322,7 @@ TEST(Checkpoint, WithAnyNumbersInItIsRefusedOrGoneOnFrom) {
             break;
         }
       }
-      std::ignore = goes_on(sealed(std::move(forged)), method);
+      std::ignore = goes_on(seal(std::move(forged)), method);
     }
   }
 }
@@ -331,10 +330,10 @@ TEST(Checkpoint, WithAnyNumbersInItIsRefusedOrGoneOnFrom) {
 TEST(Checkpoint, SaysWhatIsWrong) {
   EXPECT_EQ(refusal("nothing of ours"), "byte 0, what the bytes are: found 'nothing ', expected 'TAUTSAVE'");
   EXPECT_EQ(refusal("TAUT"), "byte 0, what the bytes are: found 4 bytes, expected at least 8");
-  std::string later = saved_in_a_storm(solver_of(SolverKind::bounded));
+  std::string later = saved_in_a_storm(solver_settings(SolverKind::bounded));
   later[8] = 8;
   EXPECT_EQ(refusal(later), "byte 8, the version: found 8, expected 7");
-  EXPECT_EQ(refusal(saved_in_a_storm(solver_of(SolverKind::strong))),
+  EXPECT_EQ(refusal(saved_in_a_storm(solver_settings(SolverKind::strong))),
             "what the solver 'strong' remembers, expected 'bounded'");
   const Garment other = make_garment(make_grid({}));
   const Simulation simulation(share(other), corners, {}, {});

@@ -1,4 +1,4 @@
-// The method against what can be worked out with pencil and paper.
+// The method compared with results from pencil and paper.
 
 #include <gtest/gtest.h>
 
@@ -58,7 +58,7 @@ TEST(FreeFall, IsExactForConstantAcceleration) {
   }
   const double dt = 1.0 / 500.0;
   const int n = 500;
-  // From rest, p(-dt) = p(0): p(n dt) = p(0) + a dt^2 n (n + 1) / 2, the parabola through those two.
+  // The start at rest has p(-dt) = p(0), so that p(n dt) = p(0) + a dt^2 n (n + 1) / 2, the parabola through those two.
   const double fallen_m = gravity * dt * dt * n * (n + 1) / 2.0;
   for (std::size_t v = 0; v < cloth.mesh.positions.size(); ++v) {
     const Vec3 moved = simulation.state().current[v] - cloth.mesh.positions[v];
@@ -74,7 +74,7 @@ TEST(TwoParticleSpring, SwingsAtTheFrequencyOfItsReducedMass) {
   pair.mesh.positions[1].x = 1.1;  // starts 10 % too long
   SimulationSettings settings =
       steps(IdealSettings{{.structural_n_per_m = stiffness_n_per_m, .damping_n_s_per_m = 0.0}}, 40);
-  settings.rest.speed_m_per_s = 0.0;
+  settings.rest_settings.speed_m_per_s = 0.0;
   Simulation simulation(share(pair), {}, settings, vacuum(0.0));
 
   const double omega = std::sqrt(stiffness_n_per_m / (mass_kg / 2.0));
@@ -96,23 +96,23 @@ TEST(TwoParticleSpring, LosesItsSwingToTheSpringsDamping) {
   const SimulationSettings settings =
       steps(IdealSettings{{.structural_n_per_m = 8.0, .damping_n_s_per_m = damping}}, 40);
   Simulation simulation(share(pair), {}, settings, vacuum(0.0));
-  double widest_in_the_second_second = 0.0;
+  double max_swing_in_second_two = 0.0;
   for (int frame = 1; frame <= 100; ++frame) {
     simulation.advance_frame();
     const State& state = simulation.state();
     if (state.time_s > 1.0) {
-      widest_in_the_second_second = std::max(
-          widest_in_the_second_second, std::abs(glm::length(state.current[1] - state.current[0]) - 1.0));
+      max_swing_in_second_two =
+          std::max(max_swing_in_second_two, std::abs(glm::length(state.current[1] - state.current[0]) - 1.0));
     }
   }
   // Amplitude falls as exp(-c t / 2 m) with the reduced mass. The first maximum past 1 s comes within half a
   // period of 2 pi / 28.3 s; sampled once a frame, up to 4 % of its peak is missed.
   const double rate = damping / (2.0 * mass_kg / 2.0);
-  EXPECT_LT(widest_in_the_second_second, 0.1 * std::exp(-rate * 1.0));
-  EXPECT_GT(widest_in_the_second_second, 0.096 * std::exp(-rate * 1.12));
+  EXPECT_LT(max_swing_in_second_two, 0.1 * std::exp(-rate * 1.0));
+  EXPECT_GT(max_swing_in_second_two, 0.096 * std::exp(-rate * 1.12));
 }
 
-/// Seconds from one passage through the vertical in +x direction to the next.
+/// Returns the time in s from one passage through the vertical in +x direction to the next.
 double measured_period(const Garment& pendulum, const SimulationSettings& settings) {
   Simulation simulation(share(pendulum), {0}, settings, vacuum(gravity));
   double first = 0.0;
@@ -186,7 +186,7 @@ TEST(VerticalChainOfIdealSprings, StretchesByTheWeightBelow) {
       share(chain({{0, 0, 0}, {0, -0.1, 0}, {0, -0.2, 0}, {0, -0.3, 0}}, mass_kg)), {0},
       [&] {
         SimulationSettings settings = steps(IdealSettings{{.structural_n_per_m = stiffness}}, 20);
-        settings.rest.speed_m_per_s = 1e-9;
+        settings.rest_settings.speed_m_per_s = 1e-9;
         return settings;
       }(),
       [] {

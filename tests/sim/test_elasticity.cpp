@@ -21,11 +21,11 @@ struct Strip {
   double warp_n_per_m = 500.0;
   double weft_n_per_m = 500.0;
   double shear_n_per_m = 60.0;
-  double warp_angle = 0.0;  ///< from the strip's length
+  double warp_angle = 0.0;  ///< angle in rad of the warp to the strip's length
   double warp_limit = 10.0;
 };
 
-Garment made(const Strip& strip) {
+Garment make_strip(const Strip& strip) {
   GridSettings grid;
   grid.columns = strip.columns;
   grid.rows = strip.rows;
@@ -39,7 +39,7 @@ Garment made(const Strip& strip) {
   Garment garment = make_garment(make_grid(grid), {}, material);
   const Vec3 warp(std::sin(strip.warp_angle), std::cos(strip.warp_angle), 0.0);
   for (const Triangle& t : garment.mesh.triangles) {
-    const std::array<Vec3, 3> at = corners_of(t, garment.mesh.positions);
+    const std::array<Vec3, 3> at = corner_positions(t, garment.mesh.positions);
     const Vec3 first = glm::normalize(at[1] - at[0]);
     const Vec3 second = glm::cross(glm::normalize(glm::cross(first, at[2] - at[0])), first);
     garment.warps.emplace_back(glm::dot(warp, first), glm::dot(warp, second));
@@ -48,16 +48,16 @@ Garment made(const Strip& strip) {
 }
 
 struct AtRest {
-  double strain = 0.0;  ///< of the middle half of the strip
+  double strain = 0.0;  ///< strain of the middle half of the strip
   double speed_m_per_s = 0.0;
 };
 
 /// Pulls at the lower edge of a strip that hangs by its upper one.
-AtRest pulled(const Strip& strip, double load_n_per_m, double frame_rate_hz = 60.0) {
-  const std::shared_ptr<const Garment> garment = share(made(strip));
+AtRest pull(const Strip& strip, double load_n_per_m, double frame_rate_hz = 60.0) {
+  const std::shared_ptr<const Garment> garment = share(make_strip(strip));
   SimulationSettings settings;
   settings.frame_rate_hz = frame_rate_hz;
-  settings.rest.speed_m_per_s = 0.0;  // a light load pulls a millimetre, and not fast
+  settings.rest_settings.speed_m_per_s = 0.0;  // a light load stretches by a millimetre, and slowly
   BoundedSettings bounded;
   bounded.contact = false;
   bounded.max_stretch = 0.2;
@@ -97,7 +97,7 @@ TEST(Elasticity, AStripStretchesByLoadOverStiffnessOnAnyMeshAtAnyFrameRate) {
     for (const double load : {1.0, 5.0, 20.0}) {
       for (const double rate_hz : {24.0, 60.0, 240.0}) {
         const double expected = load / strip.warp_n_per_m;
-        EXPECT_NEAR(pulled(strip, load, rate_hz).strain, expected, 0.03 * expected)
+        EXPECT_NEAR(pull(strip, load, rate_hz).strain, expected, 0.03 * expected)
             << columns << " columns, " << load << " N/m, " << rate_hz << " Hz";
       }
     }
@@ -108,28 +108,28 @@ TEST(Elasticity, WarpWeftAndBiasEachHaveTheirStiffness) {
   Strip strip;
   strip.warp_n_per_m = 2000.0;
   strip.warp_angle = std::acos(0.0);
-  EXPECT_NEAR(pulled(strip, 5.0).strain, 5.0 / 500.0, 0.03 * 5.0 / 500.0);
+  EXPECT_NEAR(pull(strip, 5.0).strain, 5.0 / 500.0, 0.03 * 5.0 / 500.0);
   strip.warp_angle = std::acos(0.0) / 2.0;
   const double bias_m_per_n = (1.0 / 2000.0 + 1.0 / 500.0 + 1.0 / 60.0) / 4.0;
-  EXPECT_NEAR(pulled(strip, 5.0).strain, 5.0 * bias_m_per_n, 0.04 * 5.0 * bias_m_per_n);
+  EXPECT_NEAR(pull(strip, 5.0).strain, 5.0 * bias_m_per_n, 0.04 * 5.0 * bias_m_per_n);
 }
 
 TEST(Elasticity, ThreadsLock) {
   Strip strip;
   strip.warp_limit = 0.005;
-  EXPECT_NEAR(pulled(strip, 10.0).strain, 0.005, 0.001);
+  EXPECT_NEAR(pull(strip, 10.0).strain, 0.005, 0.001);
 }
 
 TEST(Elasticity, ClothUnderLoadComesToRest) {
   for (const double rate_hz : {24.0, 60.0, 240.0}) {
-    EXPECT_LT(pulled({}, 5.0, rate_hz).speed_m_per_s, 2e-4) << rate_hz;
+    EXPECT_LT(pull({}, 5.0, rate_hz).speed_m_per_s, 2e-4) << rate_hz;
   }
 }
 
-// Else time steps take it back to its length at rest at once, at metres a second.
+// Time steps would otherwise take the cloth back to its rest length at once, at metres a second.
 TEST(Elasticity, ClothThatBeginsStretchedBeginsUnderTension) {
   const Strip strip;
-  const std::shared_ptr<const Garment> garment = share(made(strip));
+  const std::shared_ptr<const Garment> garment = share(make_strip(strip));
   SimulationSettings settings;
   settings.solver.method = BoundedSettings{.max_stretch = 0.2, .contact = false};
   Surroundings surroundings;
@@ -150,7 +150,7 @@ TEST(Elasticity, ClothThatBeginsStretchedBeginsUnderTension) {
 }
 
 TEST(Elasticity, GoesOnFromACheckpointWithTheSameBits) {
-  const std::shared_ptr<const Garment> garment = share(made({}));
+  const std::shared_ptr<const Garment> garment = share(make_strip({}));
   SimulationSettings settings;
   settings.solver.method = BoundedSettings{};
   const auto hung = [&] { return Simulation(garment, {0, 1, 2, 3, 4, 5}, settings, {}); };
@@ -171,7 +171,7 @@ TEST(Elasticity, ACheckpointServesClothOfAnotherLaw) {
   const auto hung = [](const Strip& strip) {
     SimulationSettings settings;
     settings.solver.method = BoundedSettings{};
-    return Simulation(share(made(strip)), {0, 1, 2, 3, 4, 5}, settings, {});
+    return Simulation(share(make_strip(strip)), {0, 1, 2, 3, 4, 5}, settings, {});
   };
   Simulation with = hung({});
   Simulation without = hung({.warp_n_per_m = 0.0, .weft_n_per_m = 0.0, .shear_n_per_m = 0.0});
@@ -186,9 +186,9 @@ TEST(Elasticity, ACheckpointServesClothOfAnotherLaw) {
 TEST(Elasticity, AllStiffnessesAreGivenOrNone) {
   Strip strip;
   strip.shear_n_per_m = 0.0;
-  EXPECT_THROW(made(strip), std::invalid_argument);
+  EXPECT_THROW(make_strip(strip), std::invalid_argument);
   strip.warp_n_per_m = strip.weft_n_per_m = 0.0;
-  EXPECT_NO_THROW(made(strip));
+  EXPECT_NO_THROW(make_strip(strip));
 }
 
 }  // namespace

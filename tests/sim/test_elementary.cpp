@@ -33,12 +33,12 @@ TEST(Elementary, TheTurnsOfADirectionAgreeWithTheLibrary) {
   for (int k = 0; k <= 4000; ++k) {
     const double angle = 2.0 * std::numbers::pi * (k / 4000.0 - 0.5);
     const double x = 3.0 * std::cos(angle), y = 3.0 * std::sin(angle);
-    EXPECT_NEAR(turns_of(y, x), std::atan2(y, x) / (2.0 * std::numbers::pi), 4e-16) << angle;
+    EXPECT_NEAR(atan2_turns(y, x), std::atan2(y, x) / (2.0 * std::numbers::pi), 4e-16) << angle;
   }
-  EXPECT_EQ(turns_of(0.0, 0.0), 0.0);
-  EXPECT_EQ(turns_of(0.0, 2.0), 0.0);
-  EXPECT_EQ(turns_of(-2.0, 0.0), -0.25);
-  EXPECT_EQ(turns_of(0.0, -2.0), 0.5);
+  EXPECT_EQ(atan2_turns(0.0, 0.0), 0.0);
+  EXPECT_EQ(atan2_turns(0.0, 2.0), 0.0);
+  EXPECT_EQ(atan2_turns(-2.0, 0.0), -0.25);
+  EXPECT_EQ(atan2_turns(0.0, -2.0), 0.5);
 }
 
 TEST(Elementary, TheExponentialAgreesWithTheLibrary) {

@@ -18,7 +18,7 @@ SimulationSettings settings_with(double max_strain) {
   return settings;
 }
 
-double largest_strain(const Garment& garment, const State& state) {
+double max_strain(const Garment& garment, const State& state) {
   const Stretch stretch = measure_stretch(garment.springs, state.current);
   return std::max(stretch.max, stretch.max_compression);
 }
@@ -29,14 +29,14 @@ TEST(FastProjection, ProjectsOneEdgeByNewtonsStep) {
   const std::vector<double> rest_m = {1.0};
   LengthSystem system(edges, rest_m, {{}, {1.0, 1.0 / 3.0}});
   std::vector<Vec3> positions = {{0, 0, 0}, {0, 1.2, 0}};
-  EXPECT_NEAR(system.largest_strain(positions), 0.2, 1e-15);
+  EXPECT_NEAR(system.find_max_strain(positions), 0.2, 1e-15);
   ASSERT_TRUE(system.project(positions));
   const double change_m = (1.2 * 1.2 - 1.0) / 2.4;
   EXPECT_NEAR(positions[0].y, 0.75 * change_m, 1e-6) << "a third of the other's mass";
   EXPECT_NEAR(positions[1].y, 1.2 - 0.25 * change_m, 1e-6);
 }
 
-// Three edges to one vertex and a chain: lengths of many edges at once, to second order.
+// Many edges are corrected at once, to second order.
 TEST(FastProjection, ConvergesAsNewtonsMethodAndKeepsTheMomentum) {
   const Garment garment = make_garment(make_grid({.columns = 4, .rows = 4}));
   const std::size_t count = garment.springs.structural_count;
@@ -49,10 +49,10 @@ TEST(FastProjection, ConvergesAsNewtonsMethodAndKeepsTheMomentum) {
     positions[v].z += 0.03 * (v % 3);
     momentum += garment.masses_kg[v] * positions[v];
   }
-  std::vector<double> strains = {system.largest_strain(positions)};
+  std::vector<double> strains = {system.find_max_strain(positions)};
   for (int projection = 0; projection < 4; ++projection) {
     ASSERT_TRUE(system.project(positions));
-    strains.push_back(system.largest_strain(positions));
+    strains.push_back(system.find_max_strain(positions));
   }
   EXPECT_LT(strains[2], 0.2 * strains[1]);
   EXPECT_LT(strains[4], 1e-6) << strains[1] << ' ' << strains[2] << ' ' << strains[3];
@@ -62,7 +62,7 @@ TEST(FastProjection, ConvergesAsNewtonsMethodAndKeepsTheMomentum) {
   EXPECT_NEAR(glm::length(momentum), 0.0, 1e-12);
 }
 
-// Two masses below two pins.
+// Two masses hang below two pins.
 TEST(FastProjection, AStripSwingsWithThePeriodOfItsLength) {
   const double length_m = 0.7;
   const double amplitude_rad = 0.2;
@@ -83,7 +83,7 @@ TEST(FastProjection, AStripSwingsWithThePeriodOfItsLength) {
     if (before < 0.0 && now >= 0.0) {
       passages_s.push_back(simulation.state().time_s - simulation.frame_time_s() * now / (now - before));
     }
-    EXPECT_LT(largest_strain(strip, simulation.state()), 1e-6);
+    EXPECT_LT(max_strain(strip, simulation.state()), 1e-6);
     EXPECT_EQ(simulation.state().current[0], strip.mesh.positions[0]) << "pinned";
   }
   ASSERT_EQ(passages_s.size(), 2U);
@@ -99,11 +99,11 @@ TEST(FastProjection, AGridKeepsItsLengthsInWindAndIsSheared) {
   Simulation simulation(share(cloth), {0, 8}, settings_with(1e-3), windy);
   for (int frame = 0; frame < 60; ++frame) {
     simulation.advance_frame();
-    ASSERT_LT(largest_strain(cloth, simulation.state()), 1e-3) << frame;
+    ASSERT_LT(max_strain(cloth, simulation.state()), 1e-3) << frame;
   }
   double longest = 0.0;
   const Springs& springs = cloth.springs;
-  for (std::size_t s = springs.begin_of(SpringKind::shear); s < springs.end_of(SpringKind::shear); ++s) {
+  for (std::size_t s = springs.begin_index(SpringKind::shear); s < springs.end_index(SpringKind::shear); ++s) {
     const auto& now = simulation.state().current;
     const double length_m = glm::distance(now[springs.ends[s][0]], now[springs.ends[s][1]]);
     longest = std::max(longest, length_m / springs.rest_lengths_m[s]);
@@ -111,7 +111,7 @@ TEST(FastProjection, AGridKeepsItsLengthsInWindAndIsSheared) {
   EXPECT_GT(longest, 1.002) << "diagonals are soft";
 }
 
-// As many lengths as coordinates, and flat: singular, and solved all the same.
+// The system has as many lengths as coordinates. It is singular for a flat sheet and has to be solved nevertheless.
 TEST(FastProjection, TrianglesThatLockAreSolved) {
   const Garment sheet = make_garment(irregular_sheet(12, 1.0));
   Mesh bent = sheet.mesh;
@@ -122,7 +122,7 @@ TEST(FastProjection, TrianglesThatLockAreSolved) {
     Simulation simulation(share(garment), {0, 11}, settings_with(0.01), {});
     for (int frame = 0; frame < 10; ++frame) {
       simulation.advance_frame();
-      EXPECT_LT(largest_strain(garment, simulation.state()), 0.05) << frame;
+      EXPECT_LT(max_strain(garment, simulation.state()), 0.05) << frame;
     }
   }
 }

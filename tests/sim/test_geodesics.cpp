@@ -57,9 +57,9 @@ TEST(Geodesics, TheNearestOfManySourcesCounts) {
   for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
     const double to_left_m = glm::length(mesh.positions[v] - mesh.positions[0]);
     const double to_right_m = glm::length(mesh.positions[v] - mesh.positions[20]);
-    const double nearest_m = std::min(to_left_m, to_right_m);
-    EXPECT_GE(found.distances_m[v], nearest_m - 1e-12);
-    EXPECT_LE(found.distances_m[v], 1.01 * nearest_m + 1e-12);
+    const double min_distance_m = std::min(to_left_m, to_right_m);
+    EXPECT_GE(found.distances_m[v], min_distance_m - 1e-12);
+    EXPECT_LE(found.distances_m[v], 1.01 * min_distance_m + 1e-12);
     if (std::abs(to_left_m - to_right_m) > 0.1) {
       EXPECT_EQ(found.nearest_sources[v], to_left_m < to_right_m ? 0u : 20u);
     }

@@ -49,7 +49,7 @@ std::vector<ConditionOf> conditions(const Garment& garment) {
 
 constexpr double small = 1e-6;
 
-/// The derivative of f by a coordinate of `vectors`, as a difference.
+/// Returns the derivative of f by a coordinate of `vectors`, as a difference quotient.
 template <class F>
 auto difference(std::vector<Vec3> vectors, Index vertex, int axis, double step, F f) {
   vectors[vertex][axis] += step;
@@ -73,7 +73,7 @@ TEST(ImplicitConditions, HaveTheGradientsOfTheirDifferences) {
   }
 }
 
-/// The system of this condition: forces, and their derivatives by positions and velocities.
+/// The system of one condition: forces, and their derivatives by positions and velocities.
 struct Assembled {
   BlockMatrix matrix;
   std::vector<Vec3> right_side = std::vector<Vec3>(4, Vec3(0.0));
@@ -84,7 +84,7 @@ struct Assembled {
   }
 };
 
-// In a step of 1 s without damping the matrix is -df/dx; for shear and bend without the second derivative.
+// The matrix of a step of 1 s without damping is -df/dx; shear and bend leave out the second derivative.
 TEST(ImplicitSystem, HasTheDerivativesOfTheForcesByPositions) {
   const Crumpled cloth;
   const std::vector<Vec3> still(4, Vec3(0.0));
@@ -111,7 +111,7 @@ TEST(ImplicitSystem, HasTheDerivativesOfTheForcesByPositions) {
   }
 }
 
-// In a step of almost no time the right side is h f and the matrix -h df/dv.
+// The right side of a step of almost no time is h f, and its matrix is -h df/dv.
 TEST(ImplicitSystem, HasTheDampingAndItsDerivativesByVelocities) {
   const Crumpled cloth;
   const double h = 1e-9;
@@ -177,7 +177,7 @@ TEST(ImplicitConditions, BendASheetLikeAPlate) {
   for (const Hinge& hinge : hinges(garment)) {
     energy_j += 0.5 * hinge.shape * std::pow(bend_condition(hinge, around).value, 2);
   }
-  // One of 40 folds is not there: the sheet ends.
+  // One of 40 folds is missing, where the sheet ends.
   EXPECT_NEAR(energy_j, 0.5 * (1.0 * 39 / 40) * 0.3 / (radius_m * radius_m), 1e-3 * energy_j);
   for (const Hinge& hinge : hinges(make_garment({around, garment.mesh.triangles, {}}))) {
     EXPECT_NEAR(bend_condition(hinge, around).value, 0.0, 1e-12) << "at rest when made so";
@@ -214,17 +214,17 @@ TEST(ConjugateGradients, SolveAKnownSystemAndKeepWhatIsGiven) {
 
 constexpr double exact = 1e-12;
 
-SimulationSettings settings_of(const ImplicitSettings& implicit, std::optional<int> substeps = {}) {
+SimulationSettings case_settings(const ImplicitSettings& implicit, std::optional<int> substeps = {}) {
   SimulationSettings settings;
   settings.solver.method = implicit;
   settings.solver.substeps = substeps;
-  settings.rest.speed_m_per_s = 0.0;
+  settings.rest_settings.speed_m_per_s = 0.0;
   return settings;
 }
 
 TEST(Implicit, FallsFreely) {
   const Garment cloth = make_garment(make_grid({}));
-  Simulation simulation(share(cloth), {}, settings_of({.tolerance = exact}, 3), vacuum(9.81));
+  Simulation simulation(share(cloth), {}, case_settings({.tolerance = exact}, 3), vacuum(9.81));
   for (int frame = 0; frame < 20; ++frame) {
     simulation.advance_frame();
   }
@@ -240,7 +240,7 @@ TEST(Implicit, FallsThroughAirAtItsTerminalSpeed) {
   const Garment cloth = make_garment(make_grid({}));
   Surroundings thick = vacuum(9.81);
   thick.forces.air_drag_per_s = 1000.0;
-  Simulation simulation(share(cloth), {}, settings_of({.tolerance = exact}), thick);
+  Simulation simulation(share(cloth), {}, case_settings({.tolerance = exact}), thick);
   double speed = 0.0;
   for (int frame = 0; frame < 20; ++frame) {
     simulation.advance_frame();
@@ -249,14 +249,14 @@ TEST(Implicit, FallsThroughAirAtItsTerminalSpeed) {
   }
 }
 
-/// Four masses of which two are pinned: a cell that is stretched downwards by `stretched_m` at the start, and
-/// how far it is after each step.
+/// Returns the extension after each step of a cell of four masses, two of them pinned, which starts stretched downwards
+/// by `stretched_m`.
 std::vector<double> swings(const ImplicitSettings& implicit, double stretched_m, int steps) {
   const Garment cell = make_garment(make_grid({.columns = 2, .rows = 2, .width_m = 0.3, .height_m = 0.2}));
   std::vector<Vec3> start = cell.mesh.positions;
   start[2].y -= stretched_m;
   start[3].y -= stretched_m;
-  Simulation simulation(share(cell), {0, 1}, settings_of(implicit, 1), vacuum(0.0), start);
+  Simulation simulation(share(cell), {0, 1}, case_settings(implicit, 1), vacuum(0.0), start);
   std::vector<double> all;
   for (int step = 0; step < steps; ++step) {
     simulation.advance_frame();
@@ -284,14 +284,14 @@ TEST(Implicit, DampsASwingAsBackwardEulerDoes) {
   }
 }
 
-// The upper masses are led up and down: their new velocity u pulls at the lower ones in the same step,
+// The upper masses are pins that move up and down: their new velocity u pulls at the lower ones in the same step,
 // v' = (v + h w^2 (e + h u)) / (1 + h^2 w^2) with the extension e.
 TEST(Implicit, PinsThatAreLedPullWithTheVelocityTheyWillHave) {
   const Garment cell = make_garment(make_grid({.columns = 2, .rows = 2, .width_m = 0.3, .height_m = 0.2}));
   Surroundings led = vacuum(0.0);
   led.pin_motion = {{0.0, 0.02, 0.0}, 3.0};
   const ImplicitSettings implicit = {.stretch_n_per_m = 0.5, .damping_s = 0.0, .tolerance = exact};
-  Simulation simulation(share(cell), {0, 1}, settings_of(implicit, 1), led);
+  Simulation simulation(share(cell), {0, 1}, case_settings(implicit, 1), led);
   const double w_squared = (0.5 * 0.3 / (2.0 * 0.2)) / (0.15 * 0.3 * 0.2 / 4.0);
   const double h = 1.0 / 60.0;
   double pin = 0.0, x = 0.0, v = 0.0;
@@ -313,7 +313,7 @@ TEST(Implicit, AHangingStripStretchesByTheWeightBelow) {
   Surroundings air = vacuum(9.81);
   air.forces.air_drag_per_s = 5.0;
   const ImplicitSettings implicit = {.stretch_n_per_m = stiffness, .shear_n_per_m = 10.0, .tolerance = 1e-10};
-  Simulation simulation(share(strip), {0, 1, 2, 3}, settings_of(implicit), air);
+  Simulation simulation(share(strip), {0, 1, 2, 3}, case_settings(implicit), air);
   for (int frame = 0; frame < 400; ++frame) {
     simulation.advance_frame();
   }
@@ -367,7 +367,7 @@ double elastic_energy_j(const Garment& garment, const ImplicitSettings& implicit
   return energy;
 }
 
-// However crumpled and stretched it starts.
+// The start is crumpled and stretched at random.
 TEST(Implicit, NeverGainsEnergyWithoutForces) {
   const Garment cloth = make_garment(irregular_sheet(9, 0.5));
   std::mt19937 random(11);
@@ -378,7 +378,7 @@ TEST(Implicit, NeverGainsEnergyWithoutForces) {
     }
   }
   const ImplicitSettings implicit = {.damping_s = 0.0, .tolerance = 1e-8};
-  Simulation simulation(share(cloth), {}, settings_of(implicit), vacuum(0.0), start);
+  Simulation simulation(share(cloth), {}, case_settings(implicit), vacuum(0.0), start);
   double before_j = elastic_energy_j(cloth, implicit, start);
   for (int frame = 0; frame < 60; ++frame) {
     simulation.advance_frame();
@@ -396,12 +396,12 @@ TEST(Implicit, PinsStayOrMoveAsTheyAreLed) {
   const Garment cloth = make_garment(make_grid({}));
   Surroundings shaken;
   shaken.pin_motion = {{0.1, 0.0, 0.05}, 2.0};
-  Simulation simulation(share(cloth), {0, 8}, settings_of({}), {});
+  Simulation simulation(share(cloth), {0, 8}, case_settings({}), {});
   for (int frame = 0; frame < 30; ++frame) {
     simulation.advance_frame();
     EXPECT_EQ(simulation.state().current[8], cloth.mesh.positions[8]);
   }
-  Simulation moved(share(cloth), {0, 8}, settings_of({}), shaken);
+  Simulation moved(share(cloth), {0, 8}, case_settings({}), shaken);
   for (int frame = 0; frame < 30; ++frame) {
     moved.advance_frame();
     const Vec3 offset = pin_displacement(shaken.pin_motion, {0.0, moved.state().time_s});
@@ -410,14 +410,14 @@ TEST(Implicit, PinsStayOrMoveAsTheyAreLed) {
   EXPECT_GT(glm::distance(moved.state().current[80], simulation.state().current[80]), 1e-3) << "drawn along";
 }
 
-// A start that is stretched springs back: short steps at first, whole frames again at the end.
+// A stretched start springs back: steps are short at first, and whole frames again at the end.
 TEST(Implicit, HalvesItsStepWhereStretchChangesAndDoublesItAgain) {
   const Garment cloth = make_garment(make_grid({}));
   Positions start = cloth.mesh.positions;
   for (Vec3& p : start) {
     p.y *= 1.6;
   }
-  SimulationSettings settings = settings_of({.largest_stretch_change = 0.05});
+  SimulationSettings settings = case_settings({.max_stretch_change = 0.05});
   settings.solver.max_substeps = 100;
   Simulation simulation(share(cloth), {0, 8}, settings, {}, start);
   simulation.advance_frame();
@@ -431,14 +431,14 @@ TEST(Implicit, HalvesItsStepWhereStretchChangesAndDoublesItAgain) {
   EXPECT_NEAR(simulation.state().time_s, 61.0 / 60.0, 1e-12);
 }
 
-// The step it goes on from decides which steps it tries.
+// A checkpoint contains the last time step, which decides which steps are tried next.
 TEST(Implicit, GoesOnWithTheStepItHad) {
   const Garment cloth = make_garment(make_grid({}));
   Positions start = cloth.mesh.positions;
   for (Vec3& p : start) {
     p.y *= 1.6;
   }
-  const SimulationSettings settings = settings_of({.largest_stretch_change = 0.05});
+  const SimulationSettings settings = case_settings({.max_stretch_change = 0.05});
   Simulation simulation(share(cloth), {0, 8}, settings, {}, start);
   int shortened = 0;
   for (int frame = 0; frame < 12; ++frame) {
@@ -455,12 +455,11 @@ TEST(Implicit, GoesOnWithTheStepItHad) {
 }
 
 TEST(Implicit, RefusesSettingsThatMakeNoSense) {
-  for (const ImplicitSettings& wrong :
-       {ImplicitSettings{.stretch_n_per_m = -1.0}, ImplicitSettings{.tolerance = 0.0},
-        ImplicitSettings{.largest_stretch_change = NAN}}) {
+  for (const ImplicitSettings& wrong : {ImplicitSettings{.stretch_n_per_m = -1.0}, ImplicitSettings{.tolerance = 0.0},
+                                        ImplicitSettings{.max_stretch_change = NAN}}) {
     EXPECT_THROW(make_solver({.method = wrong}), std::invalid_argument);
   }
-  EXPECT_THROW(make_solver({.method = FastProjectionSettings{.most_projections = 0}}), std::invalid_argument);
+  EXPECT_THROW(make_solver({.method = FastProjectionSettings{.max_projections = 0}}), std::invalid_argument);
   EXPECT_THROW(make_solver({.method = VassilevSettings{{}, -0.1}}), std::invalid_argument);
 }
 

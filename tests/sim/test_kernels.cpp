@@ -1,4 +1,4 @@
-// The loops in which the time of the solver that keeps a bound goes.
+// The loops in which the bounded solver spends its time.
 
 #include <gtest/gtest.h>
 
@@ -21,7 +21,7 @@ namespace {
 
 using namespace bounded;
 
-/// Rows with none to nine entries each.
+/// Returns matrix rows with none to nine entries each.
 std::vector<std::vector<MatrixEntry>> some_entries(std::size_t size, std::mt19937& random) {
   std::uniform_int_distribution<Index> column(0, static_cast<Index>(size) - 1);
   std::normal_distribution<double> value(0.0, 1.0);
@@ -45,7 +45,7 @@ TEST(Kernels, ASlicedMatrixGivesTheProductOfItsEntries) {
   std::generate(x.begin(), x.end(), [&] { return metres(random); });
   Float4Array positions(size + block_size);
   for (std::size_t row = 0; row < size; ++row) {
-    positions[row] = float4_of({x[row], 2.0 * x[row], -x[row]});
+    positions[row] = to_float4({x[row], 2.0 * x[row], -x[row]});
   }
   Float4Array result(size + block_size, Float4{1.0F, 2.0F, 3.0F, 0.0F});
   std::vector<double> doubles(size, 1.0);
@@ -101,7 +101,7 @@ Inputs::Inputs() {
                     [&] { return (axis == 1 ? 1.0F : 0.0F) + 10.0F * metres(random); });
     }
   }
-  // Stretched alike in all directions, and two lanes that are not stretched at all.
+  // One lane is stretched alike in all directions, and two are not stretched at all.
   for (std::size_t k : {0, 1, 2}) {
     surface.blocks[0].along_per_m[k] = surface.blocks[0].across_per_m[k] = surface.blocks[0].skew_per_m[k] =
         0.0F;
@@ -128,7 +128,7 @@ Float4Array Inputs::random_rows() {
 }
 
 /// The results of all kernels, by the name of the kernel.
-std::map<std::string, Float4Array> results_of(const Kernels& kernels, const Inputs& in) {
+std::map<std::string, Float4Array> run_kernels(const Kernels& kernels, const Inputs& in) {
   const SpringLanes& springs = in.layout.springs;
   std::vector<std::uint32_t> blocks(springs.block_count());
   std::iota(blocks.begin(), blocks.end(), 0U);
@@ -153,14 +153,13 @@ std::map<std::string, Float4Array> results_of(const Kernels& kernels, const Inpu
     kernels.sweep_surface(in.surface, range, nullptr, results["sweep_surface"].data());
     kernels.sweep_surface(in.surface, range, sums.data(), results["sweep_surface with sums"].data());
   }
-  std::memcpy(floats_of(results["sums of sweep_surface"].data()), sums.data(),
-              sums.size() * sizeof(SurfaceSums));
+  std::memcpy(as_floats(results["sums of sweep_surface"].data()), sums.data(), sums.size() * sizeof(SurfaceSums));
   for (const auto [begin, end, again] : in.surface.sweep) {
     kernels.shorten_surface(in.surface, std::span(surface_blocks).subspan(begin, end - begin), 1.02F, 1.8F,
                             results["shorten_surface"].data());
   }
-  kernels.largest_surface_ratios(in.surface, 0, surface_blocks.size(), in.current.data(),
-                                 floats_of(results["largest_surface_ratios"].data()));
+  kernels.find_max_surface_ratios(in.surface, 0, surface_blocks.size(), in.current.data(),
+                                  as_floats(results["largest_surface_ratios"].data()));
   kernels.sweep(springs, 0, blocks.size(), results["sweep"].data());
   kernels.shorten(springs, blocks, 1.02F, 1.8F, results["shorten"].data());
   kernels.predict(0, in.layout.row_count(), in.prediction, nullptr, in.start.data(), in.current.data(),
@@ -170,8 +169,7 @@ std::map<std::string, Float4Array> results_of(const Kernels& kernels, const Inpu
   kernels.add_product(in.matrix, 0, in.matrix.slice_count(), in.start.data(), results["add_product"].data());
   kernels.wind(in.layout.triangles, in.air, 0, in.layout.triangles.lane_count(), in.start.data(),
                in.current.data(), in.previous.data(), in.opposed.data(), results["wind"].data());
-  kernels.largest_ratios(springs, 0, blocks.size(), in.current.data(),
-                         floats_of(results["largest_ratios"].data()));
+  kernels.find_max_ratios(springs, 0, blocks.size(), in.current.data(), as_floats(results["largest_ratios"].data()));
   return results;
 }
 
@@ -182,7 +180,7 @@ bool same_bits(const Lanes<T>& a, const Lanes<T>& b) {
 
 TEST(Kernels, EveryVectorUnitGivesTheBitsOfTheScalarLoops) {
   const Inputs in;
-  const auto expected = results_of(scalar_kernels(), in);
+  const auto expected = run_kernels(scalar_kernels(), in);
   EXPECT_FALSE(same_bits(expected.at("sweep"), in.current));
   EXPECT_FALSE(same_bits(expected.at("shorten"), in.current));
   EXPECT_FALSE(same_bits(expected.at("sweep_surface"), in.current));
@@ -197,8 +195,8 @@ TEST(Kernels, EveryVectorUnitGivesTheBitsOfTheScalarLoops) {
   }
   EXPECT_FALSE(same_bits(expected.at("predict"), expected.at("predict with tethers")));
   for (const VectorUnit unit : available_vector_units()) {
-    for (const auto& [kernel, result] : results_of(kernels_for(unit), in)) {
-      EXPECT_TRUE(same_bits(result, expected.at(kernel))) << kernel << " of " << name_of(unit);
+    for (const auto& [kernel, result] : run_kernels(kernels_for(unit), in)) {
+      EXPECT_TRUE(same_bits(result, expected.at(kernel))) << kernel << " of " << to_name(unit);
     }
   }
 }
@@ -212,7 +210,7 @@ TEST(Kernels, EveryVectorUnitStartsSpringsWithTheBitsOfTheScalarLoops) {
   };
   EXPECT_FALSE(same_bits(started(scalar_kernels()), in.layout.springs.blocks));
   for (const VectorUnit unit : available_vector_units()) {
-    EXPECT_TRUE(same_bits(started(kernels_for(unit)), started(scalar_kernels()))) << name_of(unit);
+    EXPECT_TRUE(same_bits(started(kernels_for(unit)), started(scalar_kernels()))) << to_name(unit);
   }
 }
 
@@ -225,7 +223,7 @@ TEST(Kernels, EveryVectorUnitStartsTrianglesWithTheBitsOfTheScalarLoops) {
   };
   EXPECT_FALSE(same_bits(started(scalar_kernels()), in.surface.blocks));
   for (const VectorUnit unit : available_vector_units()) {
-    EXPECT_TRUE(same_bits(started(kernels_for(unit)), started(scalar_kernels()))) << name_of(unit);
+    EXPECT_TRUE(same_bits(started(kernels_for(unit)), started(scalar_kernels()))) << to_name(unit);
   }
 }
 
@@ -245,14 +243,14 @@ TEST(Kernels, ThePredictionAgreesWithTheOtherSolvers) {
   const std::vector<double> inverse_masses_per_kg(count, 4.0);
   std::vector<Vec3> previous, current, forces_n, expected(count);
   for (std::size_t row = 0; row < count; ++row) {
-    previous.push_back(vector_of(in.previous[row]));
-    current.push_back(vector_of(in.current[row]));
-    forces_n.push_back(1e3 * vector_of(in.start[row]));
+    previous.push_back(to_vec3(in.previous[row]));
+    current.push_back(to_vec3(in.current[row]));
+    forces_n.push_back(1e3 * to_vec3(in.start[row]));
   }
   predict_positions(previous, current, forces_n, inverse_masses_per_kg, time_step_s, expected);
   Float4Array accelerations;
   for (const Float4& start : in.start) {
-    accelerations.push_back(float4_of(4e3 * vector_of(start)));
+    accelerations.push_back(to_float4(4e3 * to_vec3(start)));
   }
   const Prediction airless = {1.0F, static_cast<float>(time_step_s * time_step_s), {}};
   for (const VectorUnit unit : available_vector_units()) {
@@ -260,7 +258,7 @@ TEST(Kernels, ThePredictionAgreesWithTheOtherSolvers) {
     kernels_for(unit).predict(0, in.layout.row_count(), airless, nullptr, accelerations.data(),
                               in.current.data(), predicted.data());
     for (std::size_t row = 0; row < count; ++row) {
-      ASSERT_LT(glm::distance(vector_of(predicted[row]), expected[row]), 2e-8) << name_of(unit) << ' ' << row;
+      ASSERT_LT(glm::distance(to_vec3(predicted[row]), expected[row]), 2e-8) << to_name(unit) << ' ' << row;
     }
   }
 }
@@ -288,9 +286,9 @@ TEST(Kernels, TheWindAgreesWithTheOtherSolvers) {
     rows->resize(layout.row_count());
   }
   for (std::size_t row = 0; row < layout.vertex_count(); ++row) {
-    const Index v = layout.vertex_of_row[row];
-    motion.start.high[row] = float4_of(garment.mesh.positions[v]);
-    motion.current[row] = float4_of(state.current[v] - garment.mesh.positions[v]);
+    const Index v = layout.vertex_indices[row];
+    motion.start.high[row] = to_float4(garment.mesh.positions[v]);
+    motion.current[row] = to_float4(state.current[v] - garment.mesh.positions[v]);
   }
   ExternalForces external;
   external.gravity_m_per_s2 = {0, 0, 0};
@@ -301,10 +299,9 @@ TEST(Kernels, TheWindAgreesWithTheOtherSolvers) {
     forces.update_wind(garment, external.wind, motion, 0.0, 1e-3, 2e-3, kernels);
     forces.update(garment, external, motion, 0.0, 1e-3, 1e-3, kernels);
     for (std::size_t row = 0; row < layout.vertex_count(); ++row) {
-      const Index v = layout.vertex_of_row[row];
-      const Vec3 force = vector_of(forces.accelerations()[row]) * garment.masses_kg[v];
-      EXPECT_LT(glm::length(force - expected[v]), 2e-4 * glm::length(expected[v]))
-          << name_of(unit) << ", vertex " << v;
+      const Index v = layout.vertex_indices[row];
+      const Vec3 force = to_vec3(forces.accelerations()[row]) * garment.masses_kg[v];
+      EXPECT_LT(glm::length(force - expected[v]), 2e-4 * glm::length(expected[v])) << to_name(unit) << ", vertex " << v;
     }
   }
 }
@@ -340,7 +337,7 @@ TEST(SlowForces, TheWindGoesOnAsItWasUntilItIsUpdated) {
   const auto first_row_at = [&](double gravity) {
     external.gravity_m_per_s2.y = gravity;
     forces.update(garment, external, motion, 0.0, 1e-3, 1e-3, kernels);
-    return vector_of(forces.accelerations()[0]);
+    return to_vec3(forces.accelerations()[0]);
   };
   EXPECT_EQ(first_row_at(-10.0), Vec3(0, -10, 0));
   forces.update_wind(garment, external.wind, motion, 0.0, 1e-3, 2e-3, kernels);

@@ -1,4 +1,4 @@
-// The order that the solver that keeps a bound works in.
+// The order in which the bounded solver works.
 
 #include <gtest/gtest.h>
 
@@ -29,14 +29,14 @@ TEST(Layout, EveryMovableSpringIsInOneLaneAndColoursShareNoVertex) {
       if (lanes.spring[k] != SpringLanes::no_spring) {
         ++seen[lanes.spring[k]];
         const auto [a, b] = garment.springs.ends[lanes.spring[k]];
-        EXPECT_EQ(std::minmax(layout.vertex_of_row[lanes.row_i(k)], layout.vertex_of_row[lanes.row_j(k)]),
+        EXPECT_EQ(std::minmax(layout.vertex_indices[lanes.row_i(k)], layout.vertex_indices[lanes.row_j(k)]),
                   std::minmax(a, b));
       } else {
         EXPECT_GE(lanes.row_i(k), layout.vertex_count());
       }
     }
   }
-  for (std::size_t s = 0; s < garment.springs.begin_of(SpringKind::flexural); ++s) {
+  for (std::size_t s = 0; s < garment.springs.begin_index(SpringKind::flexural); ++s) {
     const auto [a, b] = garment.springs.ends[s];
     const bool between_pins = pins.inverse_masses_per_kg[a] + pins.inverse_masses_per_kg[b] == 0.0;
     EXPECT_EQ(seen[s], between_pins ? 0 : 1);
@@ -46,7 +46,7 @@ TEST(Layout, EveryMovableSpringIsInOneLaneAndColoursShareNoVertex) {
 TEST(Layout, RowsAreInTheOrderOfTheirDistanceFromThePins) {
   const Garment garment = make_garment(sheet(5, 1.0));
   const Layout layout = make_layout(garment, make_pins(garment, {2}));
-  EXPECT_EQ(layout.vertex_of_row[0], 2u);
+  EXPECT_EQ(layout.vertex_indices[0], 2u);
   EXPECT_TRUE(std::is_sorted(layout.distance_from_pins_m.begin(), layout.distance_from_pins_m.end()));
   EXPECT_NEAR(layout.distance_from_pins_m.back(), std::hypot(0.5, 1.0), 1e-12);
 }
@@ -61,19 +61,18 @@ TEST(Layout, TheStartOfAFrameIsKeptToTheDigitsOfTwoSinglePrecisionNumbers) {
   StartRows start;
   set_start(layout, positions_m, start);
   for (std::size_t row = 0; row < layout.vertex_count(); ++row) {
-    const Vec3 from_origin_m = positions_m[layout.vertex_of_row[row]] - positions_m[layout.vertex_of_row[0]];
-    EXPECT_LT(glm::distance(vector_of(start.high[row]) + vector_of(start.low[row]), from_origin_m), 1e-14)
-        << row;
+    const Vec3 from_origin_m = positions_m[layout.vertex_indices[row]] - positions_m[layout.vertex_indices[0]];
+    EXPECT_LT(glm::distance(to_vec3(start.high[row]) + to_vec3(start.low[row]), from_origin_m), 1e-14) << row;
   }
 }
 
-/// The triangles of the garment by their corners' rows, sorted.
+/// Returns the garment's triangles by the sorted solver indices of their corners.
 std::map<std::array<Index, 3>, Index> triangles_by_rows(const Garment& garment, const Layout& layout) {
   std::map<std::array<Index, 3>, Index> triangles;
   for (Index t = 0; t < garment.mesh.triangles.size(); ++t) {
     std::array<Index, 3> rows;
     for (std::size_t k = 0; k < 3; ++k) {
-      rows[k] = layout.row_of_vertex[garment.mesh.triangles[t][k]];
+      rows[k] = layout.solver_indices[garment.mesh.triangles[t][k]];
     }
     std::sort(rows.begin(), rows.end());
     triangles[rows] = t;
@@ -105,7 +104,7 @@ TEST(Layout, EveryMovableTriangleIsInOneLaneAndColoursShareNoVertex) {
   for (std::size_t t = 0; t < seen.size(); ++t) {
     const Triangle& corners = garment.mesh.triangles[t];
     const bool is_pinned = std::all_of(corners.begin(), corners.end(),
-                                       [&](Index v) { return layout.row_of_vertex[v] < layout.pin_count; });
+                                       [&](Index v) { return layout.solver_indices[v] < layout.pin_count; });
     EXPECT_EQ(seen[t], is_pinned ? 0 : 1) << t;
   }
   EXPECT_EQ(std::count(seen.begin(), seen.end(), 0), 2) << "between the pins";
@@ -115,21 +114,21 @@ TEST(Layout, EveryMovableTriangleIsInOneLaneAndColoursShareNoVertex) {
 TEST(Layout, OnlyTrianglesNearThePinsAreSweptAgain) {
   const Garment garment = make_garment(irregular_sheet(33, 1.0));
   const Layout layout = make_layout(garment, make_pins(garment, {0}), BoundKind::surface);
-  double furthest_m = 0.0;
+  double max_distance_m = 0.0;
   for (const auto [begin, end, again] : layout.surface.sweep) {
     for (std::size_t lane = begin * block_size; again && lane < end * block_size; ++lane) {
       const auto& at = layout.surface.blocks[lane / block_size].at;
       const std::size_t k = lane % block_size;
       const Index row = std::min({at[0][k], at[1][k], at[2][k]}) / 4;
-      furthest_m =
-          row < layout.vertex_count() ? std::max(furthest_m, layout.distance_from_pins_m[row]) : furthest_m;
+      max_distance_m =
+          row < layout.vertex_count() ? std::max(max_distance_m, layout.distance_from_pins_m[row]) : max_distance_m;
     }
   }
-  EXPECT_GT(furthest_m, 0.2);
-  EXPECT_LT(furthest_m, 1.0) << "of 1.4";
+  EXPECT_GT(max_distance_m, 0.2);
+  EXPECT_LT(max_distance_m, 1.0) << "of 1.4";
   const Layout unpinned = make_layout(garment, make_pins(garment, {}), BoundKind::surface);
   EXPECT_TRUE(std::none_of(unpinned.surface.sweep.begin(), unpinned.surface.sweep.end(),
-                           [](const BlockRange& range) { return range.again; }));
+                           [](const BlockRange& range) { return range.is_repeat; }));
 }
 
 TEST(Layout, FineClothIsSweptLessAgainAndCorrectedMore) {
@@ -156,8 +155,7 @@ TEST(Layout, NeedlesAndBentCellsAreHeldByTheirSprings) {
   const auto free_springs = [](const Mesh& cloth) {
     const Garment garment = make_garment(cloth);
     const std::vector<bool> held = springs_held_by_triangles(garment);
-    const auto bound =
-        held.begin() + static_cast<std::ptrdiff_t>(garment.springs.begin_of(SpringKind::flexural));
+    const auto bound = held.begin() + static_cast<std::ptrdiff_t>(garment.springs.begin_index(SpringKind::flexural));
     return std::count(held.begin(), bound, false);
   };
   EXPECT_EQ(free_springs(mesh), 0);

@@ -14,13 +14,13 @@
 namespace taut::sim {
 namespace {
 
-Springs springs_of(const Mesh& mesh, FlexuralRule rule = FlexuralRule::angular) {
+Springs map_springs(const Mesh& mesh, FlexuralRule rule = FlexuralRule::angular) {
   MappingSettings settings;
   settings.flexural_rule = rule;
   return map_to_springs(mesh, make_adjacency(mesh), settings);
 }
 
-Mesh grid_of(Index columns, Index rows) {
+Mesh make_test_grid(Index columns, Index rows) {
   GridSettings settings;
   settings.columns = columns;
   settings.rows = rows;
@@ -29,11 +29,11 @@ Mesh grid_of(Index columns, Index rows) {
 
 using Drawing = std::vector<std::string>;
 
-/// A 5x5 grid with `centre` as o and every mass point that a spring of the kind joins to it as x.
+/// Draws a 5x5 grid: `centre` as o, and every mass point that a spring of the kind joins to it as x.
 Drawing draw_springs_at(const Springs& springs, SpringKind kind, Index centre) {
   Drawing drawing(5, ".....");
   drawing[centre / 5][centre % 5] = 'o';
-  for (std::size_t s = springs.begin_of(kind); s < springs.end_of(kind); ++s) {
+  for (std::size_t s = springs.begin_index(kind); s < springs.end_index(kind); ++s) {
     const auto [a, b] = springs.ends[s];
     if (a == centre || b == centre) {
       const Index other = a == centre ? b : a;
@@ -46,7 +46,7 @@ Drawing draw_springs_at(const Springs& springs, SpringKind kind, Index centre) {
 // The paper's Figure 1, seen from the middle, from a corner and from beside the border.
 
 TEST(MappingOfA5x5Grid, StructuralSpringsJoinHorizontalAndVerticalNeighbours) {
-  const Springs springs = springs_of(grid_of(5, 5));
+  const Springs springs = map_springs(make_test_grid(5, 5));
   EXPECT_EQ(draw_springs_at(springs, SpringKind::structural, 12), (Drawing{".....",  //
                                                                            "..x..",  //
                                                                            ".xox.",  //
@@ -60,7 +60,7 @@ TEST(MappingOfA5x5Grid, StructuralSpringsJoinHorizontalAndVerticalNeighbours) {
 }
 
 TEST(MappingOfA5x5Grid, ShearSpringsJoinDiagonalNeighbours) {
-  const Springs springs = springs_of(grid_of(5, 5));
+  const Springs springs = map_springs(make_test_grid(5, 5));
   EXPECT_EQ(draw_springs_at(springs, SpringKind::shear, 12), (Drawing{".....",  //
                                                                       ".x.x.",  //
                                                                       "..o..",  //
@@ -74,7 +74,7 @@ TEST(MappingOfA5x5Grid, ShearSpringsJoinDiagonalNeighbours) {
 }
 
 TEST(MappingOfA5x5Grid, FlexuralSpringsSkipOneMassPoint) {
-  const Springs springs = springs_of(grid_of(5, 5));
+  const Springs springs = map_springs(make_test_grid(5, 5));
   EXPECT_EQ(draw_springs_at(springs, SpringKind::flexural, 12), (Drawing{"..x..",  //
                                                                          ".....",  //
                                                                          "x.o.x",  //
@@ -88,15 +88,15 @@ TEST(MappingOfA5x5Grid, FlexuralSpringsSkipOneMassPoint) {
 }
 
 TEST(MappingOfA5x5Grid, HasTheNumbersOfFigure1) {
-  const Springs springs = springs_of(grid_of(5, 5));
+  const Springs springs = map_springs(make_test_grid(5, 5));
   EXPECT_EQ(springs.count(SpringKind::structural), 2u * 5 * 4);
   EXPECT_EQ(springs.count(SpringKind::shear), 2u * 4 * 4);
   EXPECT_EQ(springs.count(SpringKind::flexural), 2u * 5 * 3);
 }
 
 TEST(Mapping, RestLengthsAreTheModelsOwn) {
-  const Mesh mesh = grid_of(3, 3);
-  const Springs springs = springs_of(mesh);
+  const Mesh mesh = make_test_grid(3, 3);
+  const Springs springs = map_springs(mesh);
   ASSERT_GT(springs.size(), 0u);
   for (std::size_t s = 0; s < springs.size(); ++s) {
     const auto [a, b] = springs.ends[s];
@@ -106,10 +106,10 @@ TEST(Mapping, RestLengthsAreTheModelsOwn) {
 
 TEST(Mapping, JoinsNoTwoVerticesTwice) {
   for (const FlexuralRule rule : {FlexuralRule::angular, FlexuralRule::opposite_vertex}) {
-    Mesh triangles = grid_of(6, 4);
+    Mesh triangles = make_test_grid(6, 4);
     triangles.quads.clear();
-    for (const Mesh& mesh : {grid_of(6, 4), triangles}) {
-      const Springs springs = springs_of(mesh, rule);
+    for (const Mesh& mesh : {make_test_grid(6, 4), triangles}) {
+      const Springs springs = map_springs(mesh, rule);
       const std::set<Edge> distinct(springs.ends.begin(), springs.ends.end());
       EXPECT_EQ(distinct.size(), springs.size());
       for (const Edge& e : springs.ends) {
@@ -135,8 +135,8 @@ Mesh fan(const std::vector<double>& angles_deg, bool closed) {
 }
 
 std::set<Edge> flexural_springs(const Mesh& mesh, FlexuralRule rule = FlexuralRule::angular) {
-  const Springs springs = springs_of(mesh, rule);
-  return {springs.ends.begin() + static_cast<std::ptrdiff_t>(springs.begin_of(SpringKind::flexural)),
+  const Springs springs = map_springs(mesh, rule);
+  return {springs.ends.begin() + static_cast<std::ptrdiff_t>(springs.begin_index(SpringKind::flexural)),
           springs.ends.end()};
 }
 
@@ -151,10 +151,11 @@ TEST(AngularRule, JoinsNothingBelowTheAngle) {
 }
 
 TEST(AngularRule, TakesTheStraightestNeighbour) {
-  // Opposite to vertex 1 at 0 degrees lie 155, 178 and 200: 178 it is. The others look back at 1 as well.
+  // Vertices at 155, 178 and 200 degrees lie opposite to vertex 1 at 0 degrees; 178 is the straightest. Vertex 1 is
+  // also the straightest for the two others.
   const auto springs = flexural_springs(fan({0, 80, 155, 178, 200, 280}, true));
   EXPECT_TRUE(springs.count({1, 4}));
-  EXPECT_TRUE(springs.count({1, 3}));  // from 155 degrees nothing lies straighter than 0
+  EXPECT_TRUE(springs.count({1, 3}));  // seen from 155 degrees, nothing lies straighter than 0
   EXPECT_TRUE(springs.count({1, 5}));
   EXPECT_TRUE(springs.count({2, 6}));
 }
@@ -164,8 +165,8 @@ TEST(AngularRule, TheAngleIsASetting) {
   MappingSettings settings;
   EXPECT_EQ(map_to_springs(mesh, make_adjacency(mesh), settings).count(SpringKind::flexural), 0u);
   settings.flexural_rule = FlexuralRule::angular;
-  settings.smallest_flexural_angle_rad = 2.4;  // 137.5 degrees
-  // Around the fan's centre 1 and 2 are 140 degrees apart, but the rim joins them already.
+  settings.min_flexural_angle_rad = 2.4;  // 137.5 degrees
+  // Vertices 1 and 2 are 140 degrees apart around the fan's centre, but the rim joins them already.
   EXPECT_EQ(map_to_springs(mesh, make_adjacency(mesh), settings).count(SpringKind::flexural), 0u);
   const Mesh open = {{{0, 0, 0}, {1, 0, 0}, {-0.766, 0.643, 0}, {0, 1, 0}}, {{0, 1, 3}, {0, 3, 2}}, {}};
   EXPECT_EQ(map_to_springs(open, make_adjacency(open), settings).ends.back(), (Edge{1, 2}));
@@ -183,7 +184,7 @@ TEST(OppositeVertexRule, LeavesNonManifoldEdgesAlone) {
 }
 
 TEST(Mapping, OneTriangleHasThreeStructuralSprings) {
-  const Springs springs = springs_of({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}, {}});
+  const Springs springs = map_springs({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}, {}});
   EXPECT_EQ(springs.ends, (std::vector<Edge>{{0, 1}, {0, 2}, {1, 2}}));
   EXPECT_EQ(springs.structural_count, 3u);
 }
@@ -202,7 +203,7 @@ TEST(Adjacency, ListsEdgesAndTheirTriangles) {
 }
 
 TEST(Garment, SharesTheMassEvenly) {
-  const Garment garment = make_garment(grid_of(3, 3), {}, {.areal_density_kg_per_m2 = 0.2});
+  const Garment garment = make_garment(make_test_grid(3, 3), {}, {.areal_density_kg_per_m2 = 0.2});
   double total = 0.0;
   for (const double mass : garment.masses_kg) {
     total += mass;
@@ -214,15 +215,15 @@ TEST(Garment, SharesTheMassEvenly) {
 
 TEST(Garment, WithAnotherMaterialEqualsOneMadeOfIt) {
   const Material denim = {.areal_density_kg_per_m2 = 0.4, .bending_rigidity_n_m = 5e-5, .friction = 0.6};
-  const Garment made = make_garment(grid_of(3, 3), {}, denim);
-  const Garment changed = with_material(make_garment(grid_of(3, 3)), denim);
+  const Garment made = make_garment(make_test_grid(3, 3), {}, denim);
+  const Garment changed = with_material(make_garment(make_test_grid(3, 3)), denim);
   EXPECT_EQ(changed.material, denim);
   EXPECT_EQ(changed.masses_kg, made.masses_kg);
   EXPECT_THROW(with_material(made, {.friction = -0.1}), std::invalid_argument);
 }
 
 TEST(Pins, AreSortedAndUniqueAndHaveInfiniteMass) {
-  const Garment garment = make_garment(grid_of(3, 3));
+  const Garment garment = make_garment(make_test_grid(3, 3));
   const Pins pins = make_pins(garment, {2, 0, 2});
   EXPECT_EQ(pins.vertices, (std::vector<Index>{0, 2}));
   EXPECT_EQ(pins.inverse_masses_per_kg[2], 0.0);
@@ -239,10 +240,10 @@ TEST(Garment, SharesATrianglesMassAmongItsCorners) {
 }
 
 TEST(Garment, GivesVerticesOfNeedlesALeastMass) {
-  Mesh mesh = grid_of(9, 9);
+  Mesh mesh = make_test_grid(9, 9);
   const Garment even = make_garment(mesh);
   const auto corner = static_cast<Index>(mesh.positions.size());
-  // A triangle of next to no area, outside at a corner of the grid.
+  // A triangle of almost no area lies outside, at a corner of the grid.
   mesh.positions.push_back(mesh.positions[0] + Vec3(0.0, 1e-6, 1e-6));
   mesh.triangles.push_back({0, 1, corner});
   const Garment garment = make_garment(mesh);
@@ -252,8 +253,8 @@ TEST(Garment, GivesVerticesOfNeedlesALeastMass) {
 }
 
 TEST(Garment, RefusesImpossibleMaterials) {
-  EXPECT_THROW(make_garment(grid_of(3, 3), {}, {.areal_density_kg_per_m2 = 0.0}), std::invalid_argument);
-  EXPECT_THROW(make_garment(grid_of(3, 3), {}, {.thickness_m = -0.001}), std::invalid_argument);
+  EXPECT_THROW(make_garment(make_test_grid(3, 3), {}, {.areal_density_kg_per_m2 = 0.0}), std::invalid_argument);
+  EXPECT_THROW(make_garment(make_test_grid(3, 3), {}, {.thickness_m = -0.001}), std::invalid_argument);
 }
 
 }  // namespace

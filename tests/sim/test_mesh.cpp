@@ -59,20 +59,21 @@ TEST(WeldAndValidate, RenumbersAroundUnusedVertices) {
 
 TEST(WeldAndValidate, TellsWhatBecameOfEachVertex) {
   const Vec3 aside = {2, 0, 0};
-  // 0 is used by nothing, 4 is welded to 1, 6 is only of a triangle without area, 7 lies at 1 and is unused.
+  // Vertex 0 is unused, 4 is welded to 1, 6 belongs only to a triangle without area, 7 lies at 1 and is unused.
   const Mesh input = {
       {{9, 9, 9}, right, up, origin, right, diagonal, aside, right}, {{3, 1, 2}, {2, 4, 5}, {3, 1, 6}}, {}};
   const ValidatedMesh out = weld_and_validate(input);
-  EXPECT_EQ(out.kept, (std::vector<Index>{no_vertex, 0, 1, 2, 0, 3, no_vertex, no_vertex}));
+  EXPECT_EQ(out.result_vertices, (std::vector<Index>{no_vertex, 0, 1, 2, 0, 3, no_vertex, no_vertex}));
   for (const Index v : {1U, 2U, 3U, 4U, 5U}) {
-    EXPECT_EQ(out.mesh.positions[out.kept[v]], input.positions[v]);
+    EXPECT_EQ(out.mesh.positions[out.result_vertices[v]], input.positions[v]);
   }
 }
 
 TEST(WeldAndValidate, TellsWhatBecameOfNearVertices) {
   const Mesh input = {
       {origin, right, up, {1.0001, 0, 0}, diagonal, {0, 1.0001, 0}}, {{0, 1, 2}, {5, 3, 4}}, {}};
-  EXPECT_EQ(weld_and_validate(input, {.weld_distance_m = 0.01}).kept, (std::vector<Index>{0, 1, 2, 1, 3, 2}));
+  EXPECT_EQ(weld_and_validate(input, {.weld_distance_m = 0.01}).result_vertices,
+            (std::vector<Index>{0, 1, 2, 1, 3, 2}));
 }
 
 TEST(WeldAndValidate, KeepsTinyTriangles) {
@@ -81,7 +82,7 @@ TEST(WeldAndValidate, KeepsTinyTriangles) {
   EXPECT_EQ(out.mesh.triangles.size(), 1u);
 }
 
-// A ring of triangles that closes around the vertex in its middle, as in the middle of a cloth.
+// A closed ring of triangles around a vertex, as in the middle of a cloth.
 Mesh closed_fan(const Vec3& middle, double lift, bool shares_vertices) {
   Mesh mesh;
   const std::vector<Vec3> rim = {{1, 0, lift}, {0, 1, lift}, {-1, 0, lift}, {0, -1, lift}};
@@ -111,14 +112,14 @@ TEST(WeldAndValidate, KeepsLayersThatTouchApart) {
     const Mesh layers = both(closed_fan(origin, 0.5, shares), closed_fan(origin, -0.5, shares));
     const ValidatedMesh out = weld_and_validate(layers);
     EXPECT_EQ(out.mesh.positions.size(), 10u);
-    EXPECT_EQ(out.report.parted_vertices, 1u);
+    EXPECT_EQ(out.report.unwelded_vertices, 1u);
     EXPECT_EQ(out.report.welded_vertices, layers.positions.size() - 10u);
     EXPECT_EQ(out.report.unused_vertices, 0u);
     EXPECT_EQ(out.mesh.triangles.size(), 8u);
   }
 }
 
-// Along a whole line only a file that shares vertices tells which triangles belong together.
+// Only shared vertices in the file tell which triangles belong together if layers touch along a whole line.
 TEST(WeldAndValidate, KeepsLayersThatTouchAlongALineApart) {
   Mesh layer = {{{0, 0, 0},
                  {1, 0, 0},
@@ -140,7 +141,7 @@ TEST(WeldAndValidate, KeepsLayersThatTouchAlongALineApart) {
     p.z = (p.y == 0 && p.x >= 0 && p.x <= 1) ? 0.0 : 0.5;
   }
   const ValidatedMesh out = weld_and_validate(both(layer, above));
-  EXPECT_EQ(out.report.parted_vertices, 2u);
+  EXPECT_EQ(out.report.unwelded_vertices, 2u);
   EXPECT_EQ(out.mesh.positions.size(), 22u);
 }
 
@@ -170,7 +171,7 @@ TEST(WeldAndValidate, TurnsTheFewTrianglesThatFaceTheOtherWay) {
   EXPECT_EQ(out.mesh.triangles, (std::vector<Triangle>{{0, 1, 2}, {0, 2, 3}, {2, 4, 3}}));
 }
 
-std::string error_of(const Mesh& mesh) {
+std::string error_text(const Mesh& mesh) {
   try {
     weld_and_validate(mesh);
   } catch (const std::invalid_argument& error) {
@@ -180,13 +181,12 @@ std::string error_of(const Mesh& mesh) {
 }
 
 TEST(WeldAndValidate, RefusesBadMeshesWithTheReason) {
-  EXPECT_EQ(error_of({{origin, right, up}, {{0, 1, 3}}, {}}),
+  EXPECT_EQ(error_text({{origin, right, up}, {{0, 1, 3}}, {}}),
             "triangle 0 uses vertex 3, but there are only 3 vertices");
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_EQ(error_of({{origin, {0, nan, 0}, up}, {{0, 1, 2}}, {}}),
-            "vertex 1 has a coordinate that is not finite");
-  EXPECT_EQ(error_of({{origin, right}, {{0, 1, 1}}, {}}), "no triangle with an area remains of 1 triangles");
-  EXPECT_EQ(error_of({}), "no triangle with an area remains of 0 triangles");
+  EXPECT_EQ(error_text({{origin, {0, nan, 0}, up}, {{0, 1, 2}}, {}}), "vertex 1 has a coordinate that is not finite");
+  EXPECT_EQ(error_text({{origin, right}, {{0, 1, 1}}, {}}), "no triangle with an area remains of 1 triangles");
+  EXPECT_EQ(error_text({}), "no triangle with an area remains of 0 triangles");
 }
 
 TEST(Grid, HasItsSizeAndFacesTheViewer) {
@@ -261,7 +261,7 @@ TEST(Sewing, JoinsBordersOfDifferentParts) {
 
 TEST(Sewing, NeverJoinsAPartToItself) {
   EXPECT_EQ(sewn({strip(0.0, 0.0005, Vec3(0.0))}), 0U);
-  // The strip between two others is narrower than what is sewn: its sides would become one.
+  // The strip between two others is narrower than the sewing distance, so that its two sides would become one.
   EXPECT_EQ(
       sewn({strip(0.0, 0.1, Vec3(0.0)), strip(0.1003, 0.1006, Vec3(0.0)), strip(0.1009, 0.2, Vec3(0.0))}),
       0U);
@@ -273,7 +273,7 @@ TEST(Sewing, LeavesLayersApart) {
     p.z += 5e-4;
   }
   EXPECT_EQ(sewn({strip(0.0, 0.1, Vec3(0.0)), above}), 0U);
-  // Two sheets that part from each other at a seam, by 5 and by 13 degrees.
+  // Two sheets diverge from a seam, by 5 and by 13 degrees.
   EXPECT_EQ(sewn({strip(0.0005, 0.1, Vec3(0.0)), strip(0.0, 0.1, {0.0, 0.0, 0.009})}), 0U);
   EXPECT_EQ(sewn({strip(0.0005, 0.1, Vec3(0.0)), strip(0.0, 0.1, {0.0, 0.0, 0.023})}), 4U);
 }

@@ -37,7 +37,7 @@ std::shared_ptr<const BodyMeshData> corner() {
                                                            {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}});
 }
 
-std::vector<Vec3> positions_of(const Body& body, double time_s) {
+std::vector<Vec3> body_positions(const Body& body, double time_s) {
   std::vector<Vec3> positions_m(std::get<BodyMesh>(body.shape).data->positions_m.size());
   positions_at(body, time_s, positions_m);
   return positions_m;
@@ -45,8 +45,8 @@ std::vector<Vec3> positions_of(const Body& body, double time_s) {
 
 TEST(MovingBodies, AMeshIsTurnedAndMovedAsAWhole) {
   const Body body = {.shape = BodyMesh{corner()}, .motion = quarter};
-  EXPECT_EQ(positions_of(body, 0.0), corner()->positions_m);
-  const std::vector<Vec3> later = positions_of(body, 1.0);
+  EXPECT_EQ(body_positions(body, 0.0), corner()->positions_m);
+  const std::vector<Vec3> later = body_positions(body, 1.0);
   expect_near(later[1], {0, 1, 1});
   expect_near(later[2], {-1, 0, 1});
   EXPECT_FALSE(is_moving_after(body, 1.0));
@@ -76,13 +76,13 @@ TEST(MovingBodies, AMeshGoesThroughItsFramesAndIsHeldInTheLast) {
   const auto frames = std::make_shared<const ListedFrames>(
       2.0, std::vector{corner()->positions_m, grown, corner()->positions_m});
   const Body body = {.shape = BodyMesh{corner(), frames}};
-  EXPECT_EQ(positions_of(body, 0.0), corner()->positions_m);
-  EXPECT_EQ(positions_of(body, 0.25)[1], Vec3(2, 0, 0));
-  EXPECT_EQ(positions_of(body, 0.5), grown);
-  EXPECT_EQ(positions_of(body, 9.0), corner()->positions_m);
+  EXPECT_EQ(body_positions(body, 0.0), corner()->positions_m);
+  EXPECT_EQ(body_positions(body, 0.25)[1], Vec3(2, 0, 0));
+  EXPECT_EQ(body_positions(body, 0.5), grown);
+  EXPECT_EQ(body_positions(body, 9.0), corner()->positions_m);
   EXPECT_TRUE(is_moving_after(body, 0.9));
   EXPECT_FALSE(is_moving_after(body, 1.0));
-  EXPECT_EQ(positions_of({.shape = BodyMesh{corner(), frames}, .motion = {.shift = {{1, 0, 0}}}}, 0.5)[1],
+  EXPECT_EQ(body_positions({.shape = BodyMesh{corner(), frames}, .motion = {.shift = {{1, 0, 0}}}}, 0.5)[1],
             Vec3(3.5, 0, 0))
       << "its frames move with it";
 }

@@ -114,7 +114,7 @@ TEST_P(MovingPinsOf, ThoseThatAreLedGoStraightToPlacesOfTheirOwnAndStay) {
   const std::vector<Vec3>& modelled = garment->mesh.positions;
   Surroundings surroundings;
   surroundings.pin_motion = {{0.0, 0.0, 0.002}, 1.0};
-  surroundings.led_pins = {{0, columns - 1}, {{0.0, 0.004, 0.0}, {-0.002, 0.0, 0.0}}, 0.0, 4.0 / 60.0};
+  surroundings.prescribed_pins = {{0, columns - 1}, {{0.0, 0.004, 0.0}, {-0.002, 0.0, 0.0}}, 0.0, 4.0 / 60.0};
   Simulation simulation(garment, row(0), settings, surroundings);
   for (int frame = 1; frame <= 6; ++frame) {
     simulation.advance_frame();
@@ -128,13 +128,13 @@ TEST_P(MovingPinsOf, ThoseThatAreLedGoStraightToPlacesOfTheirOwnAndStay) {
 
 TEST(MovingPins, ThoseThatAreLedKeepClothAwakeAndNeedAWayAndATime) {
   Surroundings surroundings;
-  surroundings.led_pins = {{3, 7}, {Vec3(0.1), Vec3(0.0)}, 1.0, 2.0};
+  surroundings.prescribed_pins = {{3, 7}, {Vec3(0.1), Vec3(0.0)}, 1.0, 2.0};
   require_possible(surroundings, 8);
   EXPECT_FALSE(is_steady(surroundings, 0.5));
   EXPECT_TRUE(is_steady(surroundings, 2.0));
   EXPECT_THROW(require_possible(surroundings, 7), std::invalid_argument);
-  const auto expect_refused = [&](const LedPins& led) {
-    surroundings.led_pins = led;
+  const auto expect_refused = [&](const PrescribedPins& led) {
+    surroundings.prescribed_pins = led;
     EXPECT_THROW(require_possible(surroundings, 8), std::invalid_argument);
   };
   expect_refused({{7, 3}, {Vec3(0.1), Vec3(0.0)}, 1.0, 2.0});

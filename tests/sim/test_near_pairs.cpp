@@ -1,4 +1,4 @@
-// Pairs that could meet, against a search through all pairs in double precision.
+// Pairs that could meet, compared with a search through all pairs in double precision.
 
 #include <gtest/gtest.h>
 
@@ -18,8 +18,8 @@ namespace {
 
 using namespace bounded;
 
-/// The same for a pair and for the pair of the same two edges the other way round.
-std::array<Index, 5> name_of(const NearPair& pair) {
+/// Returns a name that does not depend on the order of a pair's two edges.
+std::array<Index, 5> to_name(const NearPair& pair) {
   std::array<Index, 4> r = pair.rows;
   if (pair.first_count == 2 && std::tie(r[2], r[3]) < std::tie(r[0], r[1])) {
     r = {r[2], r[3], r[0], r[1]};
@@ -27,20 +27,20 @@ std::array<Index, 5> name_of(const NearPair& pair) {
   return {pair.first_count, r[0], r[1], r[2], r[3]};
 }
 
-/// Holds what was found against all pairs. Returns how many there are.
+/// Compares the pairs found with all pairs. Returns how many of all pairs certainly could meet.
 std::size_t expect_what_is_near(const Scene& scene, std::span<const NearPair> pairs) {
-  // Boxes are rounded to a grid of 65 530 numbers across the cloth and all that it can reach.
+  // Boxes are rounded to a grid of 65 530 numbers across the cloth and its reach.
   const std::vector<Vec3> places_m = scene.places_m();
-  const Vec3 size_m = extent_of(places_m).size();
+  const Vec3 size_m = compute_extent(places_m).size();
   const double grid_m = (std::max({size_m.x, size_m.y, size_m.z}) + 0.05) / 65530.0;
   std::set<std::array<Index, 5>> found;
   for (const NearPair& pair : pairs) {
-    EXPECT_TRUE(found.insert(name_of(pair)).second) << "found twice";
+    EXPECT_TRUE(found.insert(to_name(pair)).second) << "found twice";
   }
   std::size_t near = 0;
   for (const NearPair& pair : all_pairs(scene.mesh())) {
-    const auto [gap_m, reach_m, tolerance_m] = gap_of(pair, scene);
-    const bool is_found = found.erase(name_of(pair)) == 1;
+    const auto [gap_m, reach_m, tolerance_m] = measure_gap(pair, scene);
+    const bool is_found = found.erase(to_name(pair)) == 1;
     if (!boxes_overlap(pair, scene, grid_m) || gap_m > reach_m + tolerance_m) {
       EXPECT_FALSE(is_found) << pair.first_count << ": " << gap_m << " m, reach " << reach_m;
     } else if (boxes_overlap(pair, scene) && gap_m < reach_m - tolerance_m) {
@@ -68,7 +68,7 @@ std::vector<float> some_radii(std::size_t count, float largest, std::mt19937& ra
   return radii;
 }
 
-/// Triangles that share corners at random, and two thirds as many of a body.
+/// Triangles of cloth that share corners at random, and two thirds as many triangles of a body.
 Scene soup(Index triangles, unsigned seed) {
   std::mt19937 random(seed);
   const Index rows = triangles * 2;
@@ -89,13 +89,13 @@ Scene soup(Index triangles, unsigned seed) {
   }
   scene.positions = some_vectors(rows, 0.1F, random);
   for (Index row = 1; row < rows; ++row) {
-    // Small triangles: rows lie near those before them.
+    // Each vertex is near the one before it, so that triangles are small.
     const Float4 before = scene.positions[row - 1];
     scene.positions[row] = scaled_sum(before, scene.positions[row], row % 7 == 0 ? -1.0F : 0.2F);
   }
   scene.moves = some_vectors(rows, 0.01F, random);
   scene.radii = some_radii(rows, 0.005F, random);
-  scene.together = mean_of(scene.moves);
+  scene.together = mean_position(scene.moves);
   return scene;
 }
 
@@ -111,11 +111,11 @@ Scene folded_sheet(Index count) {
     const double middle = mesh.positions[0].x + 0.5;
     p.z += p.x > middle ? 0.001 : 0.0;
     p.x = std::min(p.x, 2.0 * middle - p.x);
-    scene.positions.push_back(float4_of(p));
+    scene.positions.push_back(to_float4(p));
     add_scaled(scene.moves[row], {0.02F, -0.05F, 0.01F, 0.0F}, 1.0F);
   }
   scene.radii = some_radii(mesh.positions.size(), 0.001F, random);
-  scene.together = mean_of(scene.moves);
+  scene.together = mean_position(scene.moves);
   return scene;
 }
 
@@ -127,7 +127,7 @@ TEST(NearPairs, AreThoseOfASearchThroughAll) {
   EXPECT_GT(expect_what_is_near(scene, scene.find()), 500U);
 }
 
-/// Other radii and moves for some rows.
+/// Changes the radii and moves of some vertices. Returns marks of them.
 std::vector<std::uint8_t> change_some(Scene& scene, unsigned seed) {
   std::mt19937 random(seed);
   std::bernoulli_distribution is_marked(0.1);
@@ -147,14 +147,15 @@ TEST(NearPairs, AroundRowsThatMoveOtherwiseAreFoundAnew) {
     ParallelKernels kernels(kernels_for(VectorUnit::best), 1);
     NearPairs pairs(scene.mesh(), true, scene.places_m());
     pairs.find(scene.positions, scene.moves, scene.radii, kernels);
-    scene.together = mean_of(scene.moves);
+    scene.together = mean_position(scene.moves);
     const std::vector<std::uint8_t> marks = change_some(scene, 7);
     EXPECT_GT(expect_what_is_near(scene, pairs.find_anew(marks, scene.positions, scene.moves, scene.radii, kernels)),
               100U);
   }
 }
 
-/// Rows as they are expected from a part of their ways to another, and within their radii.
+/// Sets `now` to the predicted motion between two parts of the time. Vertices deviate from it a little, every 50th a
+/// hundred times as far.
 void go_on(const Scene& scene, float from, float to, unsigned seed, Scene& now) {
   std::mt19937 random(seed);
   const Float4Array off = some_vectors(scene.positions.size(), 3e-4F, random);
@@ -162,20 +163,20 @@ void go_on(const Scene& scene, float from, float to, unsigned seed, Scene& now) 
     const bool keeps_to_it = row % 50 != 0;
     now.positions[row] = scaled_sum(scene.positions[row], scene.moves[row], from);
     add_scaled(now.positions[row], off[row], keeps_to_it ? 1.0F : 100.0F);
-    now.moves[row] = times(scene.moves[row], to - from);
+    now.moves[row] = multiply(scene.moves[row], to - from);
   }
 }
 
-/// Expects all pairs that could meet `now` among those found.
+/// Expects `lasting` to find all pairs that could meet in `now`.
 void expect_all_near(const Scene& now, const TimeSpan& time, LastingPairs& lasting) {
   ParallelKernels kernels(kernels_for(VectorUnit::best), 1);
   std::set<std::array<Index, 5>> names;
   for (const NearPair& pair : lasting.find({now.positions, now.moves, now.radii, time}, 1.0, 0.1F, kernels)) {
-    EXPECT_TRUE(names.insert(name_of(pair)).second) << "found twice";
+    EXPECT_TRUE(names.insert(to_name(pair)).second) << "found twice";
   }
   std::size_t near = 0;
   for (const NearPair& pair : now.find()) {
-    near += names.count(name_of(pair));
+    near += names.count(to_name(pair));
   }
   EXPECT_EQ(near, now.find().size()) << time.from_s;
   EXPECT_GT(near, 1000U);
@@ -191,7 +192,7 @@ TEST(LastingPairs, AreAllThatAreNear) {
   }
 }
 
-// As in the rounds of a correction: no time passes, and a few rows are elsewhere.
+// Rounds of a correction search like this: no time passes, and a few vertices have moved.
 TEST(LastingPairs, AreAllThatAreNearAtAMomentAgainAndAgain) {
   const Scene scene = folded_sheet(30);
   for (const double began_s : {0.0, 0.5, 1.0}) {
@@ -218,7 +219,7 @@ TEST(NearPairs, AreTheSameInTheSameOrderForEveryVectorUnitAndAnyThreads) {
     const std::vector<NearPair> expected = scene.find(VectorUnit::scalar);
     EXPECT_FALSE(expected.empty());
     for (const VectorUnit unit : available_vector_units()) {
-      EXPECT_EQ(scene.find(unit), expected) << sim::name_of(unit);
+      EXPECT_EQ(scene.find(unit), expected) << sim::to_name(unit);
     }
     for (const int threads : {2, 3, 4}) {
       EXPECT_EQ(scene.find(VectorUnit::best, threads), expected) << threads;
@@ -239,7 +240,7 @@ Scene two_triangles(const Float4& size_m, std::mt19937& random) {
   return scene;
 }
 
-// Thin triangles and edges that are nearly parallel included.
+// The sizes include thin triangles and nearly parallel edges.
 TEST(NearPairs, AreNearIfTheirDistanceIsLessThanTheirRadii) {
   std::mt19937 random(9);
   for (const Float4& size_m :
@@ -252,11 +253,11 @@ TEST(NearPairs, AreNearIfTheirDistanceIsLessThanTheirRadii) {
           std::fill(scene.radii.begin(), scene.radii.end(), static_cast<float>(0.5 * reach));
           const std::vector<NearPair> found = scene.find();
           return std::any_of(found.begin(), found.end(),
-                             [&](const NearPair& f) { return name_of(f) == name_of(pair); });
+                             [&](const NearPair& f) { return to_name(f) == to_name(pair); });
         };
-        const auto [distance, reach, rounding] = gap_of(pair, scene);
+        const auto [distance, reach, rounding] = measure_gap(pair, scene);
         EXPECT_TRUE(is_found(distance * (1.0 + 1e-6))) << pair.first_count << ' ' << size_m.y;
-        // A pair that touches has no line between nearest points.
+        // A touching pair has no line between its nearest points.
         if (distance > rounding) {
           EXPECT_FALSE(is_found(distance * (1.0 - 2e-5) - rounding))
               << pair.first_count << ": " << distance << " m, " << size_m.y;
@@ -287,16 +288,16 @@ TEST(NearPairs, ComeAnewFromTheSamePositionsAndFromOthers) {
   const std::vector<NearPair> first = pairs.find(scene.positions, scene.moves, scene.radii, kernels);
   Float4Array away = scene.positions;
   for (std::size_t row = 0; row < away.size(); ++row) {
-    away[row] = float4_of(10.0 * flat[row]);
+    away[row] = to_float4(10.0 * flat[row]);
   }
   EXPECT_TRUE(pairs.find(away, Float4Array(away.size()), std::vector<float>(away.size()), kernels).empty());
   EXPECT_EQ(pairs.find(scene.positions, scene.moves, scene.radii, kernels), first);
   std::set<std::array<Index, 5>> names, names_in_other_order;
   for (const NearPair& pair : first) {
-    names.insert(name_of(pair));
+    names.insert(to_name(pair));
   }
   for (const NearPair& pair : scene.find()) {
-    names_in_other_order.insert(name_of(pair));
+    names_in_other_order.insert(to_name(pair));
   }
   EXPECT_EQ(names, names_in_other_order);
 }
@@ -327,12 +328,12 @@ TEST(Clearances, SharesAreDistancesByReaches) {
   const std::vector<Vec3> positions_m = {{0, 0, 0}, {1, 0, 0}, {0, 0, 1}, {0, 0.3, 0}, {1, 0.3, 0}, {0, 0.3, 1}};
   Clearances clearances(std::vector<Triangle>{{0, 1, 2}, {3, 4, 5}}, {}, true, positions_m);
   const std::vector<float> reach_m = {0.1F, 0.1F, 0.1F, 0.3F, 0.0F, 0.0F};
-  const std::span<const float> shares = clearances.find_shares(positions_m, reach_m);
+  const std::span<const float> shares = clearances.find_ratios(positions_m, reach_m);
   for (const std::size_t v : {0, 1, 2, 3, 4, 5}) {
     EXPECT_NEAR(shares[v], 0.75F, 1e-5F) << v;
   }
   const std::vector<float> short_reach_m(6, 0.1F);
-  for (const float share : clearances.find_shares(positions_m, short_reach_m)) {
+  for (const float share : clearances.find_ratios(positions_m, short_reach_m)) {
     EXPECT_EQ(share, 1.0F);
   }
 }

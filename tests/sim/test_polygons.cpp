@@ -85,7 +85,7 @@ TEST(Polygons, EndsOnBadOutlinesToo) {
   EXPECT_EQ((Face{std::vector<Vec3>(7, Vec3(1e300))}.cut().size()), 5u);
 }
 
-std::string error_of(std::vector<std::uint32_t> counts, std::vector<Index> corners) {
+std::string error_text(std::vector<std::uint32_t> counts, std::vector<Index> corners) {
   const std::vector<Vec3> positions(4, Vec3(0.0));
   try {
     cut_into_triangles({positions, counts, corners});
@@ -96,10 +96,10 @@ std::string error_of(std::vector<std::uint32_t> counts, std::vector<Index> corne
 }
 
 TEST(Polygons, RefusesBadFacesWithTheReason) {
-  EXPECT_EQ(error_of({2}, {0, 1}), "face 0 has 2 corners; expected 3 to 5000");
-  EXPECT_EQ(error_of({3, 4}, {0, 1, 2, 3, 1}), "face 1 has 4 corners, but only 2 are there");
-  EXPECT_EQ(error_of({3}, {0, 1, 4}), "face 0 uses vertex 4, but there are only 4");
-  EXPECT_EQ(error_of({3}, {0, 1, 2, 3}), "1 corners belong to no face");
+  EXPECT_EQ(error_text({2}, {0, 1}), "face 0 has 2 corners; expected 3 to 5000");
+  EXPECT_EQ(error_text({3, 4}, {0, 1, 2, 3, 1}), "face 1 has 4 corners, but only 2 are there");
+  EXPECT_EQ(error_text({3}, {0, 1, 4}), "face 0 uses vertex 4, but there are only 4");
+  EXPECT_EQ(error_text({3}, {0, 1, 2, 3}), "1 corners belong to no face");
 }
 
 }  // namespace

@@ -50,8 +50,7 @@ TEST(Provot, StretchesLessThanIdealSpringsOfTheSameStiffness) {
     for (int frame = 0; frame < 300; ++frame) {
       simulation.advance_frame();
     }
-    stretch[kind_of(method) == SolverKind::provot] =
-        measure_stretch(cloth.springs, simulation.state().current).max;
+    stretch[solver_kind(method) == SolverKind::provot] = measure_stretch(cloth.springs, simulation.state().current).max;
   }
   EXPECT_GT(stretch[0], 0.25);
   EXPECT_LT(stretch[1], 0.15);

@@ -8,7 +8,7 @@ namespace {
 
 constexpr float thickness_m = 1e-3F;
 
-/// A vertex of a body below a triangle of cloth, which comes up.
+/// A triangle of cloth and a vertex of a body, which rises from below.
 struct Scene {
   Scene(float distance_m, float moves_m) {
     rows.positions = {{0.0F, 0.0F, 0.0F, 0.0F},
@@ -49,8 +49,8 @@ TEST(Regions, WhatCannotGiveWayIsNamed) {
   EXPECT_NEAR(regions.blocked()->distance, 1e-4F, 1e-7F);
 }
 
-/// Layers above each other, and under them a vertex of a body that comes up. Pairs are in the order in which a pass
-/// hands a push on least.
+/// Layers above each other, and a vertex of a body that rises from below. The order of the pairs is the worst one for a
+/// pass to hand a push on.
 Scene pushed_pile(Index layers, float moves_m) {
   constexpr float apart_m = 1.2e-4F;
   Scene scene(apart_m, moves_m);
@@ -71,7 +71,7 @@ Scene pushed_pile(Index layers, float moves_m) {
   return scene;
 }
 
-// Twelve passes over the pairs hold eight layers fast, and what comes up runs into them.
+// Twelve passes over the pairs would leave eight layers in place, and the rising vertex would run into them.
 TEST(Regions, APushGoesThroughAPile) {
   ParallelKernels kernels(kernels_for(VectorUnit::best), 1);
   Scene scene = pushed_pile(20, 3e-4F);
@@ -80,7 +80,7 @@ TEST(Regions, APushGoesThroughAPile) {
   EXPECT_FALSE(regions.blocked());
 }
 
-// In 144 passes that ask for the thickness, weighed by masses, the heavy layer still stops what comes up.
+// A heavy layer would still stop the rising vertex after 144 passes that demand the thickness, weighted by masses.
 TEST(Regions, AHeavyLayerGivesWayToAPileThatIsPushed) {
   ParallelKernels kernels(kernels_for(VectorUnit::best), 1);
   Scene scene = pushed_pile(6, 3e-4F);

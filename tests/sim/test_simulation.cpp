@@ -195,8 +195,8 @@ TEST(Simulation, WithoutAnyForceNothingMoves) {
     Simulation simulation(share(pinned_cloth()), corners, settings, nothing);
     run(simulation, 100);
     EXPECT_TRUE(simulation.state().asleep);
-    // In single precision bending forces cancel but for their last digits, and gradients are not quite 1.
-    const double rounding_m = kind_of(method) == SolverKind::bounded ? 2e-7 : 0.0;
+    // Bending forces in single precision cancel up to their last digits, and gradients are not quite 1.
+    const double rounding_m = solver_kind(method) == SolverKind::bounded ? 2e-7 : 0.0;
     for (std::size_t v = 0; v < simulation.state().current.size(); ++v) {
       EXPECT_LE(glm::length(simulation.state().current[v] - simulation.garment().mesh.positions[v]),
                 rounding_m);
@@ -224,7 +224,7 @@ TEST(Simulation, GravityChangesAlongItsPath) {
   ExternalForces external;
   external.gravity_path = {{1.0, {0, 0, 0}}, {2.0, {0, 29.43, 0}}};
   EXPECT_DOUBLE_EQ(gravity_at(external, 1.5).y, 0.5 * 9.81);
-  EXPECT_DOUBLE_EQ(largest_gravity_m_per_s2(external), 2.0 * 9.81);
+  EXPECT_DOUBLE_EQ(max_gravity_m_per_s2(external), 2.0 * 9.81);
 }
 
 TEST(Simulation, GustsAndMovingPinsKeepItAwake) {
@@ -291,7 +291,7 @@ TEST(Simulation, RefusesImpossibleSurroundingsAndKeepsTheOnesItHas) {
   surroundings.forces.artificial_forces = {{80, {1, 2, 3}}, {81, {1, 2, 3}}};
   EXPECT_EQ(refusal_of(surroundings), "a force acts on vertex 81, but there are only 81");
   surroundings = {};
-  surroundings.forces.held_vertices = {{99, {}, 10.0, 1.0}};
+  surroundings.forces.grabbed_vertices = {{99, {}, 10.0, 1.0}};
   EXPECT_EQ(refusal_of(surroundings), "a hand holds vertex 99, but there are only 81");
 }
 
@@ -355,11 +355,11 @@ TEST(Simulation, RefusesClothThatItCannotKeepApart) {
   };
   const double edge_m = mean_edge_m(pinned_cloth().springs);
   EXPECT_EQ(refusal(1.0, {}).substr(0, 38), "thickness: found 1 m (1000 mm), edges ") << refusal(1.0, {});
-  EXPECT_EQ(refusal(0.99 * thickest_part_of_edge * edge_m, {}), "");
-  EXPECT_NE(refusal(1.01 * thickest_part_of_edge * edge_m, {}), "");
+  EXPECT_EQ(refusal(0.99 * max_thickness_per_edge * edge_m, {}), "");
+  EXPECT_NE(refusal(1.01 * max_thickness_per_edge * edge_m, {}), "");
   EXPECT_EQ(refusal(1.0, {.contact = false}), "");
   EXPECT_EQ(refusal(0.9e-5, {}), "thickness: found 9e-06 m (0.009 mm), expected at least 0.01 mm");
-  EXPECT_EQ(refusal(least_thickness_m, {}), "");
+  EXPECT_EQ(refusal(min_thickness_m, {}), "");
 }
 
 TEST(Simulation, RefusesAMaterialOrASolverThatDoNotGoTogetherAndStaysAsItWas) {
@@ -486,7 +486,7 @@ TEST(Measures, ConvergenceIsTheLengthOfTheLastMove) {
   std::vector<Vec3> now = before;
   now[4] += Vec3(0.03, 0.04, 0);
   const ShapeChange change = {before, now, 0.5};
-  EXPECT_NEAR(convergence_of(change, 4), 0.05, 1e-15);
+  EXPECT_NEAR(vertex_convergence_m(change, 4), 0.05, 1e-15);
   EXPECT_NEAR(measure_convergence(change).max_m, 0.05, 1e-15);
   EXPECT_NEAR(measure_convergence(change).rms_m, 0.05 / 9.0, 1e-15);
   EXPECT_NEAR(rms_speed(change), 0.1 / 9.0, 1e-15);
@@ -497,9 +497,9 @@ TEST(Measures, TheFirstLostVertexIsFound) {
   EXPECT_EQ(first_lost(positions), 5u);
   positions[3].y = std::numeric_limits<double>::infinity();
   EXPECT_EQ(first_lost(positions), 3u);
-  positions[2].z = -0.9 * lost_at_m;
+  positions[2].z = -0.9 * max_coordinate_m;
   EXPECT_EQ(first_lost(positions), 3u);
-  positions[2].z = -1.1 * lost_at_m;
+  positions[2].z = -1.1 * max_coordinate_m;
   EXPECT_EQ(first_lost(positions), 2u) << "single precision, in which it is drawn, ends sooner than double";
   positions[1].x = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(first_lost(positions), 1u);

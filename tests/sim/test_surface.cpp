@@ -15,36 +15,36 @@ Mesh one_triangle(const std::array<Vec3, 3>& corners) {
 
 constexpr std::array<Vec3, 3> crooked = {Vec3(0.3, -0.2, 0.1), Vec3(1.1, 0.4, -0.3), Vec3(-0.2, 0.7, 0.9)};
 
-PrincipalStretches stretches_of(const std::array<Vec3, 3>& rest, const std::array<Vec3, 3>& now) {
+PrincipalStretches measure_stretches(const std::array<Vec3, 3>& rest, const std::array<Vec3, 3>& now) {
   return principal_stretches(deformation_gradient(triangles_at_rest(one_triangle(rest))[0], now));
 }
 
-Vec3 turned(const Vec3& p) {
+Vec3 turn(const Vec3& p) {
   return Vec3(0.36, 0.48, 0.8) * p.x + Vec3(-0.8, 0.6, 0.0) * p.y + Vec3(-0.48, -0.64, 0.6) * p.z;
 }
 
 TEST(Surface, TurningAndMovingStretchesNothing) {
   std::array<Vec3, 3> now;
   for (std::size_t k = 0; k < 3; ++k) {
-    now[k] = turned(crooked[k]) + Vec3(5.0, -3.0, 2.0);
+    now[k] = turn(crooked[k]) + Vec3(5.0, -3.0, 2.0);
   }
-  const PrincipalStretches stretches = stretches_of(crooked, now);
-  EXPECT_NEAR(stretches.largest, 1.0, 1e-7);
-  EXPECT_NEAR(stretches.smallest, 1.0, 1e-7);
+  const PrincipalStretches stretches = measure_stretches(crooked, now);
+  EXPECT_NEAR(stretches.max_ratio, 1.0, 1e-7);
+  EXPECT_NEAR(stretches.min_ratio, 1.0, 1e-7);
 }
 
 TEST(Surface, LargestAndSmallestAreThoseOfAKnownMap) {
-  // In the plane x y: stretched by 1.3 along (3, 4) / 5 and by 0.6 at right angles to it.
+  // The map stretches by 1.3 along (3, 4) / 5 in the xy plane, and by 0.6 at right angles to it.
   const Vec3 u(0.6, 0.8, 0.0);
   const Vec3 v(-0.8, 0.6, 0.0);
   const std::array<Vec3, 3> rest = {Vec3(0.1, 0.2, 0.0), Vec3(0.9, 0.3, 0.0), Vec3(0.4, 1.1, 0.0)};
   std::array<Vec3, 3> now;
   for (std::size_t k = 0; k < 3; ++k) {
-    now[k] = turned(1.3 * glm::dot(u, rest[k]) * u + 0.6 * glm::dot(v, rest[k]) * v);
+    now[k] = turn(1.3 * glm::dot(u, rest[k]) * u + 0.6 * glm::dot(v, rest[k]) * v);
   }
-  const PrincipalStretches stretches = stretches_of(rest, now);
-  EXPECT_NEAR(stretches.largest, 1.3, 1e-14);
-  EXPECT_NEAR(stretches.smallest, 0.6, 1e-14);
+  const PrincipalStretches stretches = measure_stretches(rest, now);
+  EXPECT_NEAR(stretches.max_ratio, 1.3, 1e-14);
+  EXPECT_NEAR(stretches.min_ratio, 0.6, 1e-14);
 }
 
 TEST(Surface, GrowsAcrossEdgesThatOnlyShorten) {
@@ -104,7 +104,7 @@ TEST(Surface, NeedlesHaveNone) {
 TEST(Surface, TheWarpRunsAlongTheSecondTextureCoordinate) {
   const Mesh mesh = {{{0.0, 0.0, 0.0}, {2.0, 1.0, 0.0}, {0.5, 2.0, 0.0}}, {{0, 1, 2}}, {}};
   const auto warp_in_space = [&](const std::vector<glm::vec2>& coordinates) {
-    const Vec2 warp = warps_of(mesh, coordinates)[0];
+    const Vec2 warp = warps_from_coordinates(mesh, coordinates)[0];
     const Vec3 first = glm::normalize(mesh.positions[1]);
     return warp.x * first + warp.y * glm::cross(Vec3(0.0, 0.0, 1.0), first);
   };

@@ -1,4 +1,4 @@
-// One triangle after a sweep and after the projection, against what must hold of any.
+// One triangle after a sweep and after the projection: properties that hold for any triangle.
 
 #include <gtest/gtest.h>
 
@@ -30,7 +30,7 @@ class OneTriangle {
 
   void place(const std::array<Vec3, 3>& corners) {
     for (Index v = 0; v < 3; ++v) {
-      rows_[layout_.row_of_vertex[v]] = float4_of(corners[v] - rest[v]);
+      rows_[layout_.solver_indices[v]] = to_float4(corners[v] - rest[v]);
     }
   }
   void sweep(bool again = false) { kernels_.sweep_surface(layout_.surface, {0, 1, again}, nullptr, rows_.data()); }
@@ -43,16 +43,16 @@ class OneTriangle {
   std::array<Vec3, 3> corners() const {
     std::array<Vec3, 3> now;
     for (Index v = 0; v < 3; ++v) {
-      now[v] = rest[v] + vector_of(rows_[layout_.row_of_vertex[v]]);
+      now[v] = rest[v] + to_vec3(rows_[layout_.solver_indices[v]]);
     }
     return now;
   }
   PrincipalStretches stretches() const {
     return principal_stretches(deformation_gradient(garment_.triangles_at_rest[0], corners()));
   }
-  double largest_by_kernel() const {
+  double max_by_kernel() const {
     float squared = 0.0F;
-    kernels_.largest_surface_ratios(layout_.surface, 0, 1, rows_.data(), &squared);
+    kernels_.find_max_surface_ratios(layout_.surface, 0, 1, rows_.data(), &squared);
     return std::sqrt(static_cast<double>(squared));
   }
   const std::vector<double>& masses_kg() const { return garment_.masses_kg; }
@@ -65,7 +65,7 @@ class OneTriangle {
 };
 
 /// The rest shape stretched by `first` along (0.6, 0.8) and by `second` across, turned out of its plane.
-std::array<Vec3, 3> stretched(double first, double second) {
+std::array<Vec3, 3> stretch_triangle(double first, double second) {
   const Vec3 u(0.6, 0.8, 0.0), v(-0.8, 0.6, 0.0);
   const Vec3 u_now(0.6, 0.64, 0.48), v_now(-0.8, 0.48, 0.36);
   std::array<Vec3, 3> corners;
@@ -78,27 +78,27 @@ std::array<Vec3, 3> stretched(double first, double second) {
 TEST(SurfaceKernels, MeasureTheLargestSingularValue) {
   OneTriangle triangle({});
   for (const auto& [first, second] : {std::pair(1.1, 0.7), {1.0, 1.0}, {0.4, 1.3}, {1.2, 1.2}}) {
-    triangle.place(stretched(first, second));
-    EXPECT_NEAR(triangle.largest_by_kernel(), std::max(first, second), 2e-6);
+    triangle.place(stretch_triangle(first, second));
+    EXPECT_NEAR(triangle.max_by_kernel(), std::max(first, second), 2e-6);
   }
 }
 
 TEST(SurfaceKernels, BothDirectionsAreBroughtBackAtOnce) {
   OneTriangle triangle({});
-  triangle.place(stretched(1.02, 1.01));
+  triangle.place(stretch_triangle(1.02, 1.01));
   triangle.sweep();
-  // But for the second order and a 256th of it.
-  EXPECT_NEAR(triangle.stretches().largest, 1.0, 1e-3);
-  EXPECT_NEAR(triangle.stretches().smallest, 1.0, 1e-3);
+  // The remainder is of second order in the stretch, plus a 256th of the stretch (min_mobility).
+  EXPECT_NEAR(triangle.stretches().max_ratio, 1.0, 1e-3);
+  EXPECT_NEAR(triangle.stretches().min_ratio, 1.0, 1e-3);
 }
 
 TEST(SurfaceKernels, TheDirectionThatIsNotTooLongStaysAsItIs) {
   OneTriangle triangle({});
-  triangle.place(stretched(1.05, 0.8));
+  triangle.place(stretch_triangle(1.05, 0.8));
   triangle.shorten(0.01);
-  EXPECT_NEAR(triangle.stretches().largest, 1.01, 1e-3);
-  EXPECT_NEAR(triangle.stretches().smallest, 0.8, 1e-5);
-  triangle.place(stretched(1.005, 0.8));
+  EXPECT_NEAR(triangle.stretches().max_ratio, 1.01, 1e-3);
+  EXPECT_NEAR(triangle.stretches().min_ratio, 0.8, 1e-5);
+  triangle.place(stretch_triangle(1.005, 0.8));
   const auto before = triangle.corners();
   triangle.shorten(0.01);
   EXPECT_EQ(triangle.corners(), before);
@@ -106,7 +106,7 @@ TEST(SurfaceKernels, TheDirectionThatIsNotTooLongStaysAsItIs) {
 
 TEST(SurfaceKernels, TheCentreOfMassDoesNotMove) {
   OneTriangle triangle({});
-  triangle.place(stretched(1.3, 1.1));
+  triangle.place(stretch_triangle(1.3, 1.1));
   const auto before = triangle.corners();
   triangle.sweep();
   Vec3 moved(0.0);
@@ -120,18 +120,18 @@ TEST(SurfaceKernels, TheCentreOfMassDoesNotMove) {
 TEST(SurfaceKernels, PinnedCornersStayExactlyWhereTheyAre) {
   for (const std::vector<Index>& pins : {std::vector<Index>{0}, {1, 2}}) {
     OneTriangle triangle(pins);
-    triangle.place(stretched(1.1, 1.05));
+    triangle.place(stretch_triangle(1.1, 1.05));
     const auto before = triangle.corners();
     triangle.sweep();
     triangle.shorten(0.01);
     for (const Index v : pins) {
       EXPECT_EQ(triangle.corners()[v], before[v]);
     }
-    EXPECT_LT(triangle.stretches().largest, principal_stretches({Vec3(1.1, 0, 0), Vec3(0, 1.05, 0)}).largest);
+    EXPECT_LT(triangle.stretches().max_ratio, principal_stretches({Vec3(1.1, 0, 0), Vec3(0, 1.05, 0)}).max_ratio);
   }
 }
 
-// Nothing that the third corner does can shorten the edge between the two.
+// The third corner cannot shorten the edge between the two pins, wherever it moves.
 TEST(SurfaceKernels, ACornerBesideAnEdgeBetweenPinsIsNotThrownAway) {
   OneTriangle triangle({0, 1});
   std::array<Vec3, 3> corners = rest;
@@ -145,21 +145,21 @@ TEST(SurfaceKernels, ACornerBesideAnEdgeBetweenPinsIsNotThrownAway) {
 
 TEST(SurfaceKernels, WhatIsTooShortPushesByItsShareAndOnceInASweep) {
   OneTriangle triangle({}, 0.25);
-  triangle.place(stretched(1.0, 0.9));
+  triangle.place(stretch_triangle(1.0, 0.9));
   triangle.sweep(true);
-  EXPECT_NEAR(triangle.stretches().smallest, 0.9, 1e-6);
+  EXPECT_NEAR(triangle.stretches().min_ratio, 0.9, 1e-6);
   triangle.sweep();
   const double error = (0.81 - 1.0) / (0.81 + 1.0);
-  EXPECT_NEAR(triangle.stretches().smallest, 0.9 * (1.0 - 0.25 * error), 3e-4);
-  EXPECT_NEAR(triangle.stretches().largest, 1.0, 1e-5);
+  EXPECT_NEAR(triangle.stretches().min_ratio, 0.9 * (1.0 - 0.25 * error), 3e-4);
+  EXPECT_NEAR(triangle.stretches().max_ratio, 1.0, 1e-5);
 }
 
 TEST(SurfaceKernels, RelaxationIsOfWhatIsTooLongAlone) {
   OneTriangle triangle({}, 0.25, 1.25);
-  triangle.place(stretched(1.02, 0.98));
+  triangle.place(stretch_triangle(1.02, 0.98));
   triangle.sweep();
-  EXPECT_NEAR(triangle.stretches().largest, 0.995, 3e-4);
-  EXPECT_NEAR(triangle.stretches().smallest, 0.985, 3e-4);
+  EXPECT_NEAR(triangle.stretches().max_ratio, 0.995, 3e-4);
+  EXPECT_NEAR(triangle.stretches().min_ratio, 0.985, 3e-4);
 }
 
 }  // namespace

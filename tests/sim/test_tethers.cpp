@@ -41,11 +41,11 @@ TEST(Tethers, TheClothAtRestReachesNone) {
   for (std::size_t row = 0; row < layout.vertex_count(); ++row) {
     const Tether& tether = tethers.lanes[row];
     const Vec3 from_pin_m(tether.start_x, tether.start_y, tether.start_z);
-    const Vec3 expected_m = garment.mesh.positions[layout.vertex_of_row[row]] -
-                            garment.mesh.positions[layout.vertex_of_row[tethers.pin[row]]];
+    const Vec3 expected_m = garment.mesh.positions[layout.vertex_indices[row]] -
+                            garment.mesh.positions[layout.vertex_indices[tethers.pin[row]]];
     EXPECT_LT(glm::distance(from_pin_m, expected_m), 1e-7);
     EXPECT_GE(tether.squared_length, glm::dot(expected_m, expected_m) * (1.0 - 1e-6));
-    count += tether.squared_length < never_reached ? 1 : 0;
+    count += tether.squared_length < unreachable_squared_m2 ? 1 : 0;
   }
   EXPECT_GT(count, layout.vertex_count() * 9 / 10) << "all but those next to the pins";
 }
@@ -81,8 +81,8 @@ TEST(Tethers, BringVerticesBackAndMoveWithThePins) {
   EXPECT_NEAR(hung_at(1.02 * length_m), length_m, 5e-4) << "to the second order of the error";
 }
 
-// A curtain: what tethers are for. It is flat and cannot give way sideways, so that it bounces up and down
-// within its bound where no tethers catch it.
+// A curtain, the case that tethers exist for: it is flat and cannot give way sideways, so that it bounces up and down
+// within its bound without tethers.
 void expect_fewer_steps(BoundKind bound) {
   const Index count = 97;
   const Garment garment = sheet(count);

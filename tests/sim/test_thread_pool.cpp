@@ -66,8 +66,8 @@ TEST(ThreadPool, ReportsWhoDidTheWork) {
   }
 }
 
-/// Frames of one second of work for the caller alone, on a machine where others do as much as the caller and
-/// it then waits for them that long.
+/// Returns the mean duration of frames of one second of work, in parts of the caller's time alone. The other threads do
+/// as much as the caller, which then waits for them that long.
 double part_of_alone(int frames, const std::function<double(int frame)>& waited_s) {
   ThreadChoice choice;
   double sum = 0.0;

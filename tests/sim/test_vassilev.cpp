@@ -20,8 +20,8 @@ Garment pair() {
   return garment;
 }
 
-/// Where the masses are predicted, relative to where they are now, once velocities have been modified.
-std::vector<Vec3> modified(double length_m, const std::vector<Vec3>& moved_m, std::vector<Index> pins = {}) {
+/// Returns the predicted motion of the masses after the modification of velocities.
+std::vector<Vec3> modify(double length_m, const std::vector<Vec3>& moved_m, std::vector<Index> pins = {}) {
   const Garment garment = pair();
   State state = make_state(garment);
   state.current[1] = {length_m, 0, 0};
@@ -33,7 +33,7 @@ std::vector<Vec3> modified(double length_m, const std::vector<Vec3>& moved_m, st
 const std::vector<Vec3> parting = {{-0.02, 0.03, 0}, {0.06, 0, 0.01}};
 
 TEST(Vassilev, EndsOfALongSpringPartNoFurtherAndKeepTheirMomentum) {
-  const std::vector<Vec3> moved = modified(1.2, parting);
+  const std::vector<Vec3> moved = modify(1.2, parting);
   EXPECT_NEAR(moved[1].x - moved[0].x, 0.0, 1e-15);
   EXPECT_NEAR(1.0 * moved[0].x + 3.0 * moved[1].x, 1.0 * parting[0].x + 3.0 * parting[1].x, 1e-15);
   EXPECT_NEAR(moved[0].y, parting[0].y, 1e-15) << "across the spring nothing changes";
@@ -41,16 +41,16 @@ TEST(Vassilev, EndsOfALongSpringPartNoFurtherAndKeepTheirMomentum) {
 }
 
 TEST(Vassilev, LeavesSpringsBelowTheThresholdAndThoseThatShorten) {
-  const std::vector<Vec3> below = modified(1.09, parting);
+  const std::vector<Vec3> below = modify(1.09, parting);
   EXPECT_NEAR(below[0].x, parting[0].x, 1e-15);
   EXPECT_NEAR(below[1].x, parting[1].x, 1e-15);
-  const std::vector<Vec3> closing = modified(1.2, {{0.02, 0, 0}, {0.01, 0, 0}});
+  const std::vector<Vec3> closing = modify(1.2, {{0.02, 0, 0}, {0.01, 0, 0}});
   EXPECT_NEAR(closing[0].x, 0.02, 1e-15);
   EXPECT_NEAR(closing[1].x, 0.01, 1e-15);
 }
 
 TEST(Vassilev, APinnedEndStaysAndStopsTheOther) {
-  const std::vector<Vec3> moved = modified(1.2, {{0, 0, 0}, {0.06, 0, 0.01}}, {0});
+  const std::vector<Vec3> moved = modify(1.2, {{0, 0, 0}, {0.06, 0, 0.01}}, {0});
   EXPECT_EQ(moved[0], Vec3(0.0));
   EXPECT_NEAR(moved[1].x, 0.0, 1e-15);
 }

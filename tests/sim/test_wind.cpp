@@ -89,13 +89,13 @@ TEST(Gusts, StayWithinTheirAmplitudeAndRepeatForTheSameSeed) {
   wind.gust_amplitude = 0.3;
   Wind other = wind;
   other.gust_seed = 2;
-  double lowest = 100.0, highest = 0.0, largest_change = 0.0, difference = 0.0, before = 0.0;
+  double lowest = 100.0, highest = 0.0, max_change = 0.0, difference = 0.0, before = 0.0;
   for (int k = 0; k < 3000; ++k) {
     const double speed = glm::length(wind_velocity(wind, k * 0.01));
     EXPECT_EQ(speed, glm::length(wind_velocity(wind, k * 0.01)));
     lowest = std::min(lowest, speed);
     highest = std::max(highest, speed);
-    largest_change = k > 0 ? std::max(largest_change, std::abs(speed - before)) : 0.0;
+    max_change = k > 0 ? std::max(max_change, std::abs(speed - before)) : 0.0;
     difference = std::max(difference, std::abs(speed - glm::length(wind_velocity(other, k * 0.01))));
     before = speed;
   }
@@ -103,7 +103,7 @@ TEST(Gusts, StayWithinTheirAmplitudeAndRepeatForTheSameSeed) {
   EXPECT_LE(highest, 13.0);
   EXPECT_LT(lowest, 8.5);
   EXPECT_GT(highest, 11.5);
-  EXPECT_LT(largest_change, 0.3) << "smooth";
+  EXPECT_LT(max_change, 0.3) << "smooth";
   EXPECT_GT(difference, 1.0) << "another seed, other gusts";
 }
 
@@ -135,7 +135,7 @@ TEST(ExternalForces, AddUp) {
   EXPECT_NEAR(forces[40].y, -garment.masses_kg[40] * 10, 1e-15);
 }
 
-// In each of the two a force and the whole drag cancel out; where drag is less, the sheet moves against the wind.
+// A force cancels the whole drag, so that the sheet would move against the wind if drag were smaller.
 TEST(Wind, PressesWhatIsHeldAsMuchAsWhatFalls) {
   const Garment garment = make_garment(make_grid({}));
   Surroundings surroundings;

@@ -4,7 +4,7 @@
 
 namespace taut::sim {
 
-/// Without air, so that nothing but gravity acts.
+/// Returns surroundings without air, so that nothing but gravity acts.
 inline Surroundings vacuum(double gravity_m_per_s2) {
   Surroundings surroundings;
   surroundings.forces.air_drag_per_s = 0.0;

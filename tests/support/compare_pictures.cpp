@@ -1,8 +1,9 @@
 // compare_pictures EXPECTED.png ACTUAL.png FOLDER [CHANNEL FRACTION MEAN]
-//     Compares within the limits of PictureLimit, or those given. Where the pictures differ, prints how and
-//     writes FOLDER/difference.png and FOLDER/side_by_side.png. Exit code 0: alike; 1: different; 2: error.
+//     Compares two pictures by the limits of PictureLimit, or by the given ones. If they differ, prints the
+//     differences and writes FOLDER/difference.png and FOLDER/side_by_side.png. Exit code 0: equal; 1: different;
+//     2: error.
 // compare_pictures repack FROM.png TO.png
-//     The same pixels in the fewest bytes and without texts, for a baseline.
+//     Writes the same pixels in the fewest bytes and without texts, for a baseline.
 
 #include <cstdio>
 #include <exception>
@@ -19,7 +20,7 @@ using namespace taut;
 
 namespace {
 
-tests::PictureLimit limit_of(int argc, char** argv) {
+tests::PictureLimit parse_limit(int argc, char** argv) {
   tests::PictureLimit limit;
   if (argc == 7) {
     limit = {std::stoi(argv[4]), std::stod(argv[5]), std::stod(argv[6])};
@@ -65,7 +66,7 @@ int main(int argc, char** argv) {
       return repack(argv[2], argv[3]);
     }
     if (argc == 4 || argc == 7) {
-      return compare_files(argv[1], argv[2], argv[3], limit_of(argc, argv));
+      return compare_files(argv[1], argv[2], argv[3], parse_limit(argc, argv));
     }
     std::fprintf(stderr,
                  "usage: compare_pictures EXPECTED.png ACTUAL.png FOLDER [CHANNEL FRACTION MEAN]\n"

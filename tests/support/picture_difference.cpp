@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::size_t worst_pixels = 10;
 
-int largest_channel_difference(const std::uint8_t* a, const std::uint8_t* b) {
+int max_channel_difference(const std::uint8_t* a, const std::uint8_t* b) {
   int largest = 0;
   for (int channel = 0; channel < 3; ++channel) {
     largest = std::max(largest, std::abs(int{a[channel]} - int{b[channel]}));
@@ -39,7 +39,7 @@ PictureDifference compare(const renderer::Image& expected, const renderer::Image
   }
   for (int y = 0; y < expected.height_px; ++y) {
     for (int x = 0; x < expected.width_px; ++x) {
-      const int difference = largest_channel_difference(expected.at(x, y), actual.at(x, y));
+      const int difference = max_channel_difference(expected.at(x, y), actual.at(x, y));
       result.differing_pixels += difference > limit.channel_difference;
       if (difference > 0) {
         keep_worst(result.worst, {x, y, difference});

@@ -13,8 +13,7 @@ namespace {
 
 using Pixels = std::unique_ptr<stbi_uc, void (*)(void*)>;
 
-renderer::Image image_of(const Pixels& pixels, int width_px, int height_px, int channels,
-                         const std::string& name) {
+renderer::Image to_image(const Pixels& pixels, int width_px, int height_px, int channels, const std::string& name) {
   if (pixels == nullptr) {
     throw std::runtime_error("cannot read '" + name + "': " + stbi_failure_reason());
   }
@@ -29,7 +28,7 @@ renderer::Image read_png(const std::filesystem::path& path, int channels) {
   int width_px = 0, height_px = 0, found_channels = 0;
   const Pixels pixels(stbi_load(path.c_str(), &width_px, &height_px, &found_channels, channels),
                       stbi_image_free);
-  return image_of(pixels, width_px, height_px, channels, path.string());
+  return to_image(pixels, width_px, height_px, channels, path.string());
 }
 
 renderer::Image decode_png(std::span<const std::uint8_t> bytes, int channels) {
@@ -37,7 +36,7 @@ renderer::Image decode_png(std::span<const std::uint8_t> bytes, int channels) {
   const Pixels pixels(stbi_load_from_memory(bytes.data(), static_cast<int>(bytes.size()), &width_px,
                                             &height_px, &found_channels, channels),
                       stbi_image_free);
-  return image_of(pixels, width_px, height_px, channels, "a PNG in memory");
+  return to_image(pixels, width_px, height_px, channels, "a PNG in memory");
 }
 
 }  // namespace taut::tests

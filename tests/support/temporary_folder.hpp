@@ -23,13 +23,13 @@ class TemporaryFolder {
   TemporaryFolder(const TemporaryFolder&) = delete;
   TemporaryFolder& operator=(const TemporaryFolder&) = delete;
 
-  /// Writes a file; returns its path.
+  /// Writes a file and returns its path.
   std::filesystem::path write(const std::string& name, const std::string& text) const {
     std::ofstream(path_ / name) << text;
     return path_ / name;
   }
   std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
-  /// Number of entries in the folder.
+  /// Returns the number of entries in the folder.
   std::size_t file_count() const {
     return static_cast<std::size_t>(std::distance(std::filesystem::directory_iterator(path_), {}));
   }
@@ -38,9 +38,8 @@ class TemporaryFolder {
   std::filesystem::path path_;
 };
 
-/// The message of the Error that `statement` throws. Empty if it throws none.
-template <class Error, class Statement>
-std::string message_of(const Statement& statement) {
+/// Returns the message of the Error that `statement` throws, or an empty text if it throws none.
+template <class Error, class Statement> std::string error_message(const Statement& statement) {
   try {
     statement();
   } catch (const Error& error) {

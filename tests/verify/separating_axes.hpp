@@ -8,8 +8,8 @@
 
 namespace taut::app::test {
 
-// Whether triangles with small whole coordinates cross, by another way than the program's: whole numbers, and
-// convex sets are apart if and only if an axis separates them (Gottschalk, Lin and Manocha 1996).
+// Crossing of triangles with small whole coordinates, by another method than the program's. It computes in whole
+// numbers: convex sets are apart if and only if an axis separates them (Gottschalk, Lin and Manocha 1996).
 
 using Whole = std::array<std::int64_t, 3>;
 using WholeCorners = std::array<Whole, 3>;
@@ -45,9 +45,9 @@ inline bool separates(const Whole& axis, std::span<const Whole> a, std::span<con
   return most_a < least_b;
 }
 
-/// Whether the convex hulls of up to three points each have no point in common. Then the direction from one
-/// to the other where they are closest separates them: that between two corners, one at right angles to a
-/// side in the plane of a corner, or one at right angles to two sides.
+/// Returns whether the convex hulls of up to three points each have no point in common. If so, the direction of their
+/// smallest distance separates them. It joins two corners, or is at right angles to a side in the plane of a corner,
+/// or to two sides.
 inline bool are_apart(std::span<const Whole> a, std::span<const Whole> b) {
   std::vector<Whole> edges = sides(a), axes;
   const std::vector<Whole> sides_of_b = sides(b);
@@ -69,7 +69,7 @@ inline bool are_apart(std::span<const Whole> a, std::span<const Whole> b) {
                      [&](const Whole& axis) { return separates(axis, a, b) || separates(axis, b, a); });
 }
 
-/// Whether triangles with an area cross, of which the first `shared` corners are the same vertices.
+/// Returns whether two triangles with area cross. Their first `shared` corners are the same vertices.
 inline bool do_cross(const WholeCorners& a, const WholeCorners& b, std::size_t shared) {
   if (shared == 0) {
     return !are_apart(a, b);

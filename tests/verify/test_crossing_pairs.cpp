@@ -10,7 +10,7 @@ namespace {
 
 using sim::Vec3;
 
-/// Triangles between random vertices, many of which are shared.
+/// Triangles between random vertices. Many vertices are shared.
 struct Soup {
   std::vector<test::Whole> places;
   std::vector<Vec3> positions_m;
@@ -36,7 +36,7 @@ struct Soup {
 
   test::WholeCorners corners(const sim::Triangle& t) const { return {places[t[0]], places[t[1]], places[t[2]]}; }
 
-  /// With what they share first.
+  /// Puts the shared vertices first and compares in whole numbers.
   bool do_cross(sim::Triangle a, sim::Triangle b) const {
     const auto is_in = [](const sim::Triangle& t) {
       return [&t](sim::Index v) { return std::find(t.begin(), t.end(), v) != t.end(); };
@@ -52,7 +52,7 @@ struct Soup {
 
 using Indices = std::vector<std::array<sim::Index, 2>>;
 
-Indices indices_of(const std::vector<CrossingPair>& pairs) {
+Indices to_indices(const std::vector<CrossingPair>& pairs) {
   Indices indices;
   for (const CrossingPair& pair : pairs) {
     indices.push_back({pair.first, pair.second});
@@ -72,7 +72,7 @@ TEST(CrossingPairs, AreThoseOfAllPairsOfTriangles) {
         }
       }
     }
-    EXPECT_EQ(indices_of(crossing_pairs(soup.surface())), expected) << size;
+    EXPECT_EQ(to_indices(crossing_pairs(soup.surface())), expected) << size;
     EXPECT_GT(expected.size(), 50U) << size;
     EXPECT_LT(expected.size(), 7000U) << size;
   }
@@ -89,7 +89,7 @@ TEST(CrossingPairs, OfClothAndBodyAreThoseOfAllPairsOfTheirTriangles) {
       }
     }
   }
-  EXPECT_EQ(indices_of(crossing_pairs(cloth.surface(), body.surface())), expected);
+  EXPECT_EQ(to_indices(crossing_pairs(cloth.surface(), body.surface())), expected);
   EXPECT_GT(expected.size(), 50U);
 }
 
@@ -98,8 +98,8 @@ TEST(CrossingPairs, AreDescribedByTheFirst) {
   const std::vector<sim::Triangle> triangles = {{0, 1, 2}, {3, 4, 5}, {3, 6, 5}};
   const Surface cloth = {positions, triangles};
   const std::vector<CrossingPair> pairs = crossing_pairs(cloth);
-  // The last two share an edge's ends and overlap, folded flat.
-  EXPECT_EQ(indices_of(pairs), (Indices{{0, 1}, {0, 2}, {1, 2}}));
+  // The last two triangles share two vertices and overlap, folded flat.
+  EXPECT_EQ(to_indices(pairs), (Indices{{0, 1}, {0, 2}, {1, 2}}));
   EXPECT_EQ(describe(cloth, pairs),
             "3 pairs of triangles cross, the first: triangle 0 (vertices 0, 1, 2) and triangle 1 (vertices "
             "3, 4, 5) at "

@@ -10,12 +10,10 @@ namespace {
 using sim::Vec2;
 using sim::Vec3;
 
-// Of whole coordinates up to 2^42, whose products of three need some 80 bits.
+// Integer for determinants of whole coordinates up to 2^42. Products of three numbers need some 80 bits here.
 __extension__ using Wide = __int128;
 
-int sign_of(Wide value) {
-  return (value > 0) - (value < 0);
-}
+int sign(Wide value) { return (value > 0) - (value < 0); }
 
 int exact(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
   Wide m[3][3];
@@ -29,7 +27,7 @@ int exact(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
     const int i = (k + 1) % 3, j = (k + 2) % 3;
     sum += m[0][k] * (m[1][i] * m[2][j] - m[1][j] * m[2][i]);
   }
-  return sign_of(sum);
+  return sign(sum);
 }
 
 struct NearlyFlat {
@@ -74,7 +72,7 @@ TEST(Orientation, IsThatOfWholeNumbersInThePlane) {
   }
 }
 
-// Rounded products agree here: 0.1 + 0.2 is not on the line as doubles have it, and 0.5 + 0.5 is.
+// Rounded products are equal here. As doubles, 0.1 + 0.2 is not on the line, and 0.5 + 0.5 is.
 TEST(Orientation, SeesTheLastBit) {
   EXPECT_EQ(orientation(Vec2(0.0, 0.0), Vec2(12.0, 12.0), Vec2(24.0, 24.0)), 0);
   EXPECT_NE(orientation(Vec2(0.5, 0.5), Vec2(12.0, 12.0), Vec2(24.0, std::nextafter(24.0, 25.0))), 0);

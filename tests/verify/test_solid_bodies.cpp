@@ -26,22 +26,22 @@ TEST(SolidBodies, OfAPlaneTheCornersDecide) {
   EXPECT_TRUE(enters_half_space(tilted, point, up));
 }
 
-// No corner and no edge is near.
+// The triangle is so wide that no corner and no edge is near.
 TEST(SolidBodies, AreEnteredInTheMiddleOfATriangle) {
-  const Limb ball = {Vec3(0.0), Vec3(0.0), 0.1, 0.1};
+  const LimbShape ball = {Vec3(0.0), Vec3(0.0), 0.1, 0.1};
   EXPECT_TRUE(enters_limb(wide_triangle_at(0.1 - 2e-9), ball));
   EXPECT_FALSE(enters_limb(wide_triangle_at(0.1 + 2e-9), ball));
-  const Limb lying = {Vec3(-0.3, 0.0, 0.0), Vec3(0.3, 0.0, 0.0), 0.1, 0.1};
+  const LimbShape lying = {Vec3(-0.3, 0.0, 0.0), Vec3(0.3, 0.0, 0.0), 0.1, 0.1};
   EXPECT_TRUE(enters_limb(wide_triangle_at(0.1 - 2e-9), lying));
   EXPECT_FALSE(enters_limb(wide_triangle_at(0.1 + 2e-9), lying));
-  const Limb standing = {Vec3(0.0, -1.0, 0.0), Vec3(0.0, 1.0, 0.0), 0.02, 0.02};
+  const LimbShape standing = {Vec3(0.0, -1.0, 0.0), Vec3(0.0, 1.0, 0.0), 0.02, 0.02};
   EXPECT_TRUE(enters_limb(wide_triangle_at(0.0), standing)) << "pierced by it";
   EXPECT_TRUE(enters_limb({Vec3(0.01), Vec3(0.011), Vec3(0.01, 0.011, 0.01)}, standing)) << "inside it";
   EXPECT_FALSE(enters_limb({Vec3(0.1), Vec3(0.3), Vec3(0.1, 0.3, 0.1)}, standing));
 }
 
-/// How far outside a point is, as the limb is defined.
-double outside_m(const Vec3& p, const Limb& limb) {
+/// Distance of a point from the limb's surface, by the definition of a limb; negative inside.
+double outside_m(const Vec3& p, const LimbShape& limb) {
   const Vec3 axis = limb.end_m - limb.start_m;
   const double at = std::clamp(glm::dot(p - limb.start_m, axis) / glm::dot(axis, axis), 0.0, 1.0);
   return glm::distance(p, limb.start_m + at * axis) - glm::mix(limb.start_radius_m, limb.end_radius_m, at);
@@ -50,10 +50,10 @@ double outside_m(const Vec3& p, const Limb& limb) {
 TEST(SolidBodies, AreEnteredWhereAnyPointOfATriangleIsInTheLimb) {
   std::mt19937 random(5);  // NOLINT: the same triangles in every run
   std::uniform_real_distribution<double> coordinate(-0.3, 0.3), side(-0.1, 0.1);
-  const Limb limb = {Vec3(-0.2, 0.0, 0.05), Vec3(0.15, 0.1, 0.0), 0.04, 0.13};
+  const LimbShape limb = {Vec3(-0.2, 0.0, 0.05), Vec3(0.15, 0.1, 0.0), 0.04, 0.13};
   constexpr int fine = 40;
   int in = 0, out = 0;
-  // In braces the order of the numbers is fixed.
+  // Braces fix the order of the three numbers.
   const auto any = [&](auto& distribution) {
     return Vec3{distribution(random), distribution(random), distribution(random)};
   };
@@ -62,19 +62,19 @@ TEST(SolidBodies, AreEnteredWhereAnyPointOfATriangleIsInTheLimb) {
     t[0] = any(coordinate);
     t[1] = t[0] + any(side);
     t[2] = t[0] + any(side);
-    double nearest_m = 1.0;
+    double min_distance_m = 1.0;
     for (int u = 0; u <= fine; ++u) {
       for (int v = 0; u + v <= fine; ++v) {
         const Vec3 p = t[0] + (t[1] - t[0]) * (1.0 * u / fine) + (t[2] - t[0]) * (1.0 * v / fine);
-        nearest_m = std::min(nearest_m, outside_m(p, limb));
+        min_distance_m = std::min(min_distance_m, outside_m(p, limb));
       }
     }
     const bool enters = enters_limb(t, limb);
-    // Between the points that were looked at it may be nearer: by how far these are apart, and somewhat more
-    // as the limb widens along its axis.
-    const double longest_m =
+    // The triangle may be nearer between the sampled points: by at most their distance, and somewhat more as the limb
+    // widens along its axis.
+    const double max_length_m =
         std::max({glm::distance(t[0], t[1]), glm::distance(t[1], t[2]), glm::distance(t[2], t[0])});
-    ASSERT_TRUE(enters ? nearest_m < 1.1 * longest_m / fine : nearest_m >= -most_depth_m) << i;
+    ASSERT_TRUE(enters ? min_distance_m < 1.1 * max_length_m / fine : min_distance_m >= -max_depth_m) << i;
     ++(enters ? in : out);
   }
   EXPECT_GT(in, 300);

@@ -24,7 +24,7 @@ TEST(VerifiedStretch, IsTheLargestSingularValue) {
   const LargestStretch along = stretch_by(sheet, {{1.25, 0, 0}, {0, 0.5, 0}, {0, 0, 1}});
   EXPECT_NEAR(along.springs, 0.25, 1e-12);
   EXPECT_NEAR(along.surface, 0.25, 1e-12);
-  // Sheared by s the singular values are sqrt(1 + s^2 / 4) +- s / 2; turned, the lengths stay.
+  // A shear by s has the singular values sqrt(1 + s^2 / 4) +- s / 2. A rotation keeps lengths.
   const double s = 0.5, turn = 0.6, other = 0.8;
   const glm::dmat3 sheared = {{1, 0, 0}, {s, 1, 0}, {0, 0, 1}};
   const glm::dmat3 turned = {{turn, 0, other}, {0, 1, 0}, {-other, 0, turn}};
@@ -33,7 +33,7 @@ TEST(VerifiedStretch, IsTheLargestSingularValue) {
   EXPECT_LT(across.springs, across.surface);
 }
 
-// Sheared either way, one diagonal of a square grows: that of its triangles or the other.
+// A shear to either side lengthens one diagonal of a square: an edge of its triangles, or the other diagonal.
 TEST(VerifiedStretch, IsThatOfBothDiagonals) {
   const sim::Mesh sheet = sim::make_grid({.columns = 2, .rows = 2, .width_m = 1.0, .height_m = 1.0});
   for (const double s : {0.5, -0.5}) {

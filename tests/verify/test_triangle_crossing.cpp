@@ -18,7 +18,7 @@ struct Case {
 
 using Judge = std::optional<Vec3> (*)(const Corners&, const Corners&);
 
-/// Whichever comes first, and wherever it begins behind what is shared.
+/// Compares both orders of the triangles, and all rotations of the corners after the shared ones.
 void expect_all(Judge judge, std::size_t shared, std::span<const Case> cases) {
   for (const Case& c : cases) {
     Corners a = c.a, b = c.b;
@@ -127,7 +127,7 @@ TEST(TriangleCrossing, IsAtAPlaceThatBothHave) {
   EXPECT_EQ(crossing_place_beside_edge(floor, {o, x, y}), Vec3(2, 0, 0));
 }
 
-// Among few places, most pairs touch in some special way.
+// Corners have few different positions, so most pairs touch in some special way.
 TEST(TriangleCrossing, IsThatOfWholeNumbers) {
   std::mt19937 random(11);  // NOLINT: the same triangles in every run
   std::uniform_int_distribution<int> coordinate(-2, 2);
@@ -143,7 +143,7 @@ TEST(TriangleCrossing, IsThatOfWholeNumbers) {
       if (k >= 3 && k - 3 < shared) {
         p = whole[0][k - 3];
       }
-      // A place where thirds of a millimetre are exact and metres leave their mark.
+      // The offset makes metres affect the rounding; steps of 2^-12 m stay exact.
       corners[k / 3][k % 3] = Vec3(0.75, 1.5, -0.25) + 0x1p-12 * Vec3(p[0], p[1], p[2]);
     }
     if (shared > 0 && !(test::has_area(whole[0]) && test::has_area(whole[1]))) {

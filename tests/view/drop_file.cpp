@@ -1,7 +1,7 @@
-// Drags files onto a window and lets them go, as a file manager does (XDND, version 5).
+// Drags files onto a window and drops them there, as a file manager does (XDND, version 5).
 //   drop_file TITLE FILE...
-// TITLE is how the window's name begins. Fails where there is no such window, it does not take files, or it
-// does not say in time that it has taken them.
+// TITLE is the beginning of the window's name. Fails if there is no such window, if the window refuses files, or if
+// it does not confirm them in time.
 
 #include <X11/Xatom.h>
 #include <X11/Xlib.h>
@@ -17,7 +17,7 @@
 
 namespace {
 
-std::string uri_of(const std::string& file) {
+std::string file_uri(const std::string& file) {
   std::string uri = "file://";
   for (const char c : std::filesystem::absolute(file).string()) {
     if (std::isalnum(static_cast<unsigned char>(c)) != 0 || std::strchr("/-_.~", c) != nullptr) {
@@ -39,7 +39,7 @@ class Drag {
       throw std::runtime_error("there is no display");
     }
     for (const std::string& file : files) {
-      uris_ += uri_of(file) + "\r\n";
+      uris_ += file_uri(file) + "\r\n";
     }
     source_ = XCreateSimpleWindow(display_, root(), 0, 0, 1, 1, 0, 0, 0);
     target_ = window_titled(root(), title);
@@ -61,7 +61,7 @@ class Drag {
       throw std::runtime_error("the window takes no files");
     }
     send("XdndDrop", 0, CurrentTime, 0, 0);
-    // The lowest bit alone says it, but GLFW 3.3 answers with the number of bytes it was handed.
+    // The lowest bit alone confirms it, but GLFW 3.3 answers with the number of bytes it was handed.
     if (answer("XdndFinished").data.l[1] == 0) {
       throw std::runtime_error("the window has not taken the files");
     }
@@ -105,7 +105,7 @@ class Drag {
     XFlush(display_);
   }
 
-  // Hands the files' names over whenever it is asked for them.
+  // Waits for an answer of this kind. Meanwhile it hands over the files' names at every request.
   XClientMessageEvent answer(const char* kind) {
     const auto begin = std::chrono::steady_clock::now();
     while (std::chrono::steady_clock::now() - begin < std::chrono::seconds(20)) {

@@ -15,7 +15,7 @@ struct Person {
   app::SimulationHost simulation;
   app::Viewer viewer;
 
-  /// Keeps what is saved in `folder`.
+  /// Opens the scene in a window that saves files in `folder`.
   explicit Person(const std::string& scene, const std::vector<app::Override>& overrides = {},
                   const std::filesystem::path& folder = ".")
       : simulation(app::find_scene(scene, overrides), app::SimulationHost::Runs::when_asked),

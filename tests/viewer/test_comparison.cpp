@@ -18,13 +18,13 @@ using test::Person;
 
 constexpr const char* own_steps = "solver.substeps=0";
 
-DrawnScene scene_of(const char* solver, double wind = 0.0) {
+DrawnScene make_scene(const char* solver, double wind = 0.0) {
   return find_scene("pinned-9x9-5", std::vector<Override>{parse_override(std::string("solver.kind=") + solver),
                                                           parse_override(own_steps),
                                                           parse_override("wind.speed=" + std::to_string(wind))});
 }
 
-// Flies apart at once.
+// Springs with these settings diverge at once.
 const std::vector<Override> too_stiff = {parse_override("solver.kind=ideal"), parse_override("solver.substeps=1"),
                                          parse_override("solver.stiffness.structural=1e9"),
                                          parse_override("wind.speed=5")};
@@ -36,7 +36,7 @@ void advance(auto& simulation, int frames) {
 }
 
 std::vector<sim::Vec3> alone(const char* solver, int frames, double wind = 0.0) {
-  LiveSimulation live(scene_of(solver, wind));
+  LiveSimulation live(make_scene(solver, wind));
   advance(live, frames);
   return live.take_snapshot()->positions();
 }
@@ -49,7 +49,7 @@ ChangeSettings with_wind(const DrawnScene& scene, double speed) {
 
 TEST(SimulationPair, EachIsItsSolverAlone) {
   for (const sim::SolverKind kind : sim::all_solver_kinds) {
-    SimulationPair pair(scene_of("bounded"));
+    SimulationPair pair(make_scene("bounded"));
     advance(pair, 5);
     pair.apply(Compare{kind});
     advance(pair, 12);
@@ -58,12 +58,12 @@ TEST(SimulationPair, EachIsItsSolverAlone) {
     EXPECT_EQ(now->record.frame, 12);
     EXPECT_EQ(now->compared->record.frame, 12);
     EXPECT_EQ(now->positions(), alone("bounded", 12));
-    EXPECT_EQ(now->compared->positions(), alone(sim::name_of(kind), 12)) << sim::name_of(kind);
+    EXPECT_EQ(now->compared->positions(), alone(sim::to_name(kind), 12)) << sim::to_name(kind);
   }
 }
 
 TEST(SimulationPair, SettingsReachBothAndOutliveAReset) {
-  const DrawnScene scene = scene_of("bounded");
+  const DrawnScene scene = make_scene("bounded");
   SimulationPair pair(scene);
   pair.apply(Compare{sim::SolverKind::provot});
   pair.apply(SetPaused{true});
@@ -81,7 +81,7 @@ TEST(SimulationPair, SettingsReachBothAndOutliveAReset) {
 }
 
 TEST(SimulationPair, BothGoBack) {
-  SimulationPair pair(scene_of("strong", 5.0));
+  SimulationPair pair(make_scene("strong", 5.0));
   pair.apply(Compare{sim::SolverKind::bounded});
   advance(pair, 10);
   const SnapshotPtr past = pair.take_snapshot();
@@ -100,7 +100,7 @@ TEST(SimulationPair, BothGoBack) {
 TEST(SimulationPair, OneThatIsLostDoesNotStopTheOther) {
   const DrawnScene scene = find_scene("pinned-9x9-5", too_stiff);
   ChangeSettings change(scene);
-  change.simulation = scene_of("bounded").simulation;
+  change.simulation = make_scene("bounded").simulation;
   SimulationPair pair(scene);
   pair.apply(change);
   pair.apply(Compare{sim::SolverKind::ideal});
@@ -141,7 +141,7 @@ TEST(SimulationPair, TheSecondGoesOnWhereTheFirstIsLost) {
 }
 
 TEST(SimulationPair, SaysWhichHoldsBothBack) {
-  SimulationPair pair(scene_of("bounded"));
+  SimulationPair pair(make_scene("bounded"));
   EXPECT_STREQ(slower_solver(*pair.take_snapshot()), "bounded");
   pair.apply(Compare{sim::SolverKind::provot});
   Snapshot second = *pair.take_snapshot()->compared;
@@ -154,9 +154,9 @@ TEST(SimulationPair, SaysWhichHoldsBothBack) {
   EXPECT_STREQ(slower_solver(now), "bounded");
 }
 
-// The memory that the past may take is that of both.
+// The two garments share the memory for the past.
 TEST(SimulationPair, TwoGarmentsReachHalfAsFarBack) {
-  SimulationPair pair(scene_of("bounded"));
+  SimulationPair pair(make_scene("bounded"));
   Snapshot now = *pair.take_snapshot();
   sim::Checkpoint large = *now.checkpoint;
   large.state.current.resize(20000);
@@ -169,7 +169,7 @@ TEST(SimulationPair, TwoGarmentsReachHalfAsFarBack) {
 }
 
 TEST(SimulationPair, WhatASolverRefusesLeavesTheFirstAlone) {
-  DrawnScene scene = scene_of("ideal");
+  DrawnScene scene = make_scene("ideal");
   scene.simulation.solver.bounded.max_stretch = 1e-9;
   SimulationPair pair(scene);
   pair.apply(Compare{sim::SolverKind::bounded});
@@ -191,12 +191,12 @@ TEST(Comparison, IsChosenInThePanelAndSharesTheWind) {
   }
   const OrbitCamera before = state.camera;
   person.click("compare.provot");
-  ASSERT_TRUE(compared(state));
+  ASSERT_TRUE(compared_garment(state));
   EXPECT_FALSE(state.camera == before) << "half the room";
   const ViewArea half = garment_area(state, person.viewer.layout());
   EXPECT_EQ(half.width_px, whole.width_px / 2);
-  for (const sim::Vec3& position : compared(state)->positions()) {
-    EXPECT_TRUE(half.contains(*state.camera.pixel_of(glm::vec3(position), half)));
+  for (const sim::Vec3& position : compared_garment(state)->positions()) {
+    EXPECT_TRUE(half.contains(*state.camera.project_to_pixel(glm::vec3(position), half)));
   }
   person.press(keys::up);
   person.wait(10);
@@ -209,11 +209,11 @@ TEST(Comparison, IsChosenInThePanelAndSharesTheWind) {
   EXPECT_EQ(state.newest->compared->record.frame, state.newest->record.frame);
   person.click("compare");
   person.click("compare.none");
-  EXPECT_FALSE(compared(state));
+  EXPECT_FALSE(compared_garment(state));
   EXPECT_EQ(garment_area(state, person.viewer.layout()).width_px, whole.width_px);
 }
 
-// From either half, at the same cloth.
+// Either half of the window can be pulled, and both cloths follow.
 TEST(Comparison, TheHandPullsBoth) {
   const auto at = [](glm::vec2 px) { return renderer::WindowEvent(renderer::PointerMoved{px.x, px.y}); };
   const auto left = [](bool down) { return renderer::WindowEvent(renderer::ButtonChanged{PointerButton::left, down}); };
@@ -223,8 +223,8 @@ TEST(Comparison, TheHandPullsBoth) {
   person.wait(10);
   const ViewerState& state = person.viewer.state();
   const ViewArea half = garment_area(state, person.viewer.layout());
-  const glm::vec3 middle(compared(state)->positions()[40]);
-  const glm::vec2 place = *state.camera.pixel_of(middle, half) + glm::vec2(half.width_px, 0.0F);
+  const glm::vec3 middle(compared_garment(state)->positions()[40]);
+  const glm::vec2 place = *state.camera.project_to_pixel(middle, half) + glm::vec2(half.width_px, 0.0F);
   person.act({at(place), left(true)});
   ASSERT_TRUE(state.held);
   EXPECT_EQ(state.held->vertex, 40U);
@@ -232,14 +232,14 @@ TEST(Comparison, TheHandPullsBoth) {
   person.act(at(place - glm::vec2(1.2F * static_cast<float>(half.width_px), 40.0F)));
   person.wait(2);
   EXPECT_TRUE(state.camera == before);
-  EXPECT_TRUE(state.at_compared) << "it began there";
+  EXPECT_TRUE(state.is_over_second) << "it began there";
   EXPECT_LT(state.held->hand_m.x, middle.x - 0.1);
   for (const Snapshot* garment : {state.newest.get(), state.newest->compared.get()}) {
-    EXPECT_FALSE(garment->surroundings.forces.held_vertices.empty());
+    EXPECT_FALSE(garment->surroundings.forces.grabbed_vertices.empty());
   }
   person.act(left(false));
   person.wait(1);
-  EXPECT_TRUE(state.newest->compared->surroundings.forces.held_vertices.empty());
+  EXPECT_TRUE(state.newest->compared->surroundings.forces.grabbed_vertices.empty());
 }
 
 TEST(Comparison, IsDrawnSideBySideAndInPicturesToo) {
@@ -257,7 +257,7 @@ TEST(Comparison, IsDrawnSideBySideAndInPicturesToo) {
   for (int y = 0; y < 600; ++y) {
     for (int x = 0; x < scene.width_px; ++x) {
       const std::uint8_t* const pixel = scene.at(x, y);
-      cloth[x < half.width_px ? 0 : 1] += pixel[2] > pixel[0] + 40 ? 1 : 0;  // it is blue
+      cloth[x < half.width_px ? 0 : 1] += pixel[2] > pixel[0] + 40 ? 1 : 0;  // the cloth is blue
       ASSERT_TRUE(std::equal(pixel, pixel + 3, whole.at(x, y))) << x << ' ' << y;
     }
   }
@@ -266,11 +266,11 @@ TEST(Comparison, IsDrawnSideBySideAndInPicturesToo) {
 }
 
 TEST(Comparison, ASessionSaysIt) {
-  const Session session = parse_session(R"(["taut-session", 2]
+  const RecordedSession session = parse_session(R"(["taut-session", 2]
 ["scene", "pinned-9x9-5"]
 ["compare", "provot"]
 ["frame", 1])",
-                                        "s");
+                                                "s");
   EXPECT_EQ(session.start.compared_with, sim::SolverKind::provot);
   EXPECT_CONTAINS(session_head(session.start), R"(["compare","provot"])");
   EXPECT_THROW(parse_session(R"(["taut-session", 2]

@@ -84,7 +84,7 @@ TEST(LiveSimulation, GoesOnFromAFrameOfThePast) {
   EXPECT_EQ(live.state_hash(), then) << "the same frames come again";
 }
 
-// The solver's memory is gone back to as well.
+// Going back also restores the solver's memory.
 TEST(LiveSimulation, PlaysOnFromAnyFrameBitForBit) {
   for (const char* solver : {"strong", "bounded"}) {
     const std::vector<Override> overrides = {parse_override(std::string("solver.kind=\"") + solver + '"'),
@@ -155,7 +155,7 @@ TEST(LiveSimulation, DoesNotGoBackToAnotherGarment) {
   EXPECT_EQ(live.state_hash(), state);
 }
 
-// Wherever the shape is another one, without a frame of its own.
+// Requires that the record has the stretches of the shown shape, also if that shape is not the result of a frame.
 void expect_stretches_of_shape(const SnapshotPtr& shown, const char* when) {
   const sim::Garment& garment = *shown->garment;
   EXPECT_EQ(shown->record.stretch.max, sim::measure_stretch(garment.springs, shown->positions()).max) << when;
@@ -181,7 +181,7 @@ TEST(LiveSimulation, MeasuresBothStretchesOfWhatItShows) {
   }
 }
 
-// The bound is lowered, and a solver with a bound chosen, while nothing moves.
+// The bound is lowered, and a solver with a bound is chosen, while nothing moves.
 TEST(LiveSimulation, ANewBoundHoldsBeforeTheNextFrame) {
   const DrawnScene scene = find_scene("pinned-9x9-20", {});
   LiveSimulation live(scene);
@@ -354,7 +354,7 @@ TEST(SteppedSimulation, FollowsTheClockInSlowMotion) {
   EXPECT_EQ(simulation.begin_frame(0.0, std::nullopt)->record.frame, 10);
 }
 
-// Frames of a window that draws at an uneven rate, with commands at odd moments.
+// Commands at odd moments, in a window that draws frames at an uneven rate.
 std::vector<SimulationCommand> commands_at(int frame, const DrawnScene& scene, const Snapshot& newest,
                                            const SnapshotPtr& past) {
   switch (frame) {
@@ -429,7 +429,8 @@ TEST(SteppedSimulation, RefusesAPaceThatGoesBack) {
   EXPECT_THROW(simulation.begin_frame(0.0, Pace{4, 6}), std::runtime_error);
 }
 
-// Cloth that is blown into itself is held up by what lies beside it, and gives when that is pushed.
+// The wind blows the shirt into itself, where contact stops corrections towards the bound. They push the cloth in their
+// way.
 TEST(LiveSimulation, KeepsItsBoundInAStormThatBlowsTheShirtIntoItself) {
   for (const auto& [direction, speed] : {std::pair("[0, 1, 0]", "10"), {"[0, 1, 0]", "20"}, {"[-1, 0, 0]", "20"}}) {
     const std::string storm = std::string(speed) + " m/s towards " + direction;

@@ -9,13 +9,13 @@
 #include "app/viewer/headless_viewer.hpp"
 #include "sim/measures.hpp"
 
-// Sessions of people in the window in which something went wrong, as it was recorded.
+// Recorded sessions of people in the window in which something went wrong.
 
 namespace taut::app {
 namespace {
 
 struct Replay {
-  Session session;
+  RecordedSession session;
   HeadlessViewer window;
 
   explicit Replay(const std::string& name, const std::vector<Override>& overrides = {})
@@ -23,8 +23,8 @@ struct Replay {
         window(find_scene(session.start.scene, overrides), session.start, ".", "auto") {}
 };
 
-// ideal with 20 steps a frame, which are too few for its springs, then strong: the picture of what flew
-// apart ended the program.
+// First ideal with 20 substeps a frame, too few for its springs, then strong. The picture of the diverged cloth once
+// ended the program.
 TEST(Replays, AClothThatFliesApartIsDrawnAndTheNextSolverStartsAnew) {
   Replay replay("crash.txt", {parse_override("solver.kind=\"ideal\""), parse_override("solver.substeps=20")});
   int drawn = 0;
@@ -47,7 +47,7 @@ TEST(Replays, AClothThatFliesApartIsDrawnAndTheNextSolverStartsAnew) {
   EXPECT_FALSE(replay.window.viewer().state().newest->stopped);
 }
 
-// Left to choose, ideal takes steps that are short enough.
+// Without a fixed number of substeps, ideal takes substeps that are short enough.
 TEST(Replays, NothingFliesApartOfItself) {
   Replay replay("crash.txt");
   for (const SessionFrame& frame : replay.session.frames) {
@@ -56,7 +56,7 @@ TEST(Replays, NothingFliesApartOfItself) {
   }
 }
 
-/// The volume that triangles enclose about their middle, in m^3: below 0 if their insides face outwards.
+/// Volume that triangles enclose about their middle, in m^3; negative if their insides face outwards.
 double enclosed_m3(std::span<const sim::Vec3> positions_m, std::span<const sim::Triangle> triangles) {
   const sim::Vec3 middle = std::reduce(positions_m.begin(), positions_m.end(), sim::Vec3(0.0)) /
                            static_cast<double>(positions_m.size());

@@ -14,7 +14,7 @@ using renderer::PointerButton;
 using renderer::PointerMoved;
 using renderer::WindowEvent;
 
-std::string message_of(const std::string& text) {
+std::string error_message(const std::string& text) {
   try {
     parse_session(text, "s.txt");
   } catch (const InputError& error) {
@@ -37,7 +37,7 @@ std::vector<SessionEvent> one_of_each() {
           PointAt{"wind.speed", 0.25, 0.75}};
 }
 
-TEST(Session, WhatIsWrittenReadsBackTheSame) {
+TEST(RecordedSession, WhatIsWrittenReadsBackTheSame) {
   SessionFrame paced{one_of_each(), 0.016683333333333332, Pace{12, 34}, 0x0123456789abcdefU};
   SessionFrame plain{{WindowEvent(PointerMoved{3.0, 4.0})}, 1.0 / 60.0, std::nullopt, std::nullopt};
   SessionStart start;
@@ -46,7 +46,7 @@ TEST(Session, WhatIsWrittenReadsBackTheSame) {
   start.size = {640, 480};
   start.scale = 1.5;
 
-  const Session read =
+  const RecordedSession read =
       parse_session(session_head(start) + session_lines(paced) + session_lines(plain), "s.txt");
   EXPECT_EQ(read.start.scene, start.scene);
   ASSERT_EQ(read.start.overrides.size(), 1U);
@@ -58,31 +58,30 @@ TEST(Session, WhatIsWrittenReadsBackTheSame) {
   EXPECT_EQ(read.frames[1], plain);
 }
 
-TEST(Session, EveryKeyReadsBackTheSame) {
+TEST(RecordedSession, EveryKeyReadsBackTheSame) {
   for (int key = 0; key <= renderer::keys::last; ++key) {
     const SessionFrame frame{{WindowEvent(KeyChanged{key, true})}, 1.0 / 60.0, std::nullopt, std::nullopt};
-    const Session read = parse_session("[\"taut-session\", 2]\n" + session_lines(frame), "s.txt");
+    const RecordedSession read = parse_session("[\"taut-session\", 2]\n" + session_lines(frame), "s.txt");
     EXPECT_EQ(read.frames.front(), frame) << key;
   }
 }
 
-TEST(Session, CountsFramesAndGivesLastEventsOne) {
-  const Session read =
+TEST(RecordedSession, CountsFramesAndGivesLastEventsOne) {
+  const RecordedSession read =
       parse_session("[\"taut-session\", 2]\n# a remark\n\n[\"frame\", 3]\n[\"key\", 72, true]\n", "s.txt");
   ASSERT_EQ(read.frames.size(), 4U);
   EXPECT_TRUE(read.frames[2].events.empty());
   EXPECT_EQ(read.frames[3].events.size(), 1U);
 }
 
-TEST(Session, SaysWhereWhatIsWrong) {
-  EXPECT_EQ(message_of(""), R"(s.txt: is empty, expected ["taut-session", 2])");
-  EXPECT_EQ(message_of("taut-session 1\n"),
-            R"(s.txt:1: found 'taut-session 1', expected ["taut-session", 2])");
-  EXPECT_EQ(message_of(R"(["taut-session", 3])"),
+TEST(RecordedSession, SaysWhereWhatIsWrong) {
+  EXPECT_EQ(error_message(""), R"(s.txt: is empty, expected ["taut-session", 2])");
+  EXPECT_EQ(error_message("taut-session 1\n"), R"(s.txt:1: found 'taut-session 1', expected ["taut-session", 2])");
+  EXPECT_EQ(error_message(R"(["taut-session", 3])"),
             R"(s.txt:1: found '["taut-session", 3]', expected ["taut-session", 2])");
   const std::string head = "[\"taut-session\", 2]\n";
   const std::string wrong_key = R"(["key", "h", true])";
-  EXPECT_NE(message_of(head + wrong_key).find("s.txt:2: found '" + wrong_key + "', expected [\"key\", CODE"),
+  EXPECT_NE(error_message(head + wrong_key).find("s.txt:2: found '" + wrong_key + "', expected [\"key\", CODE"),
             std::string::npos);
   for (const char* line : {R"(["key", 65])",
                            R"(["key", 999, true])",
@@ -115,9 +114,9 @@ TEST(Session, SaysWhereWhatIsWrong) {
                            R"([])",
                            R"({"move": [1, 2]})",
                            "frame 1"}) {
-    EXPECT_NE(message_of(head + line + '\n').find("s.txt:2: found '"), std::string::npos) << line;
+    EXPECT_NE(error_message(head + line + '\n').find("s.txt:2: found '"), std::string::npos) << line;
   }
-  EXPECT_NE(message_of(head + "[\"frame\"]\n[\"scene\", \"x\"]\n").find("s.txt:3"), std::string::npos);
+  EXPECT_NE(error_message(head + "[\"frame\"]\n[\"scene\", \"x\"]\n").find("s.txt:3"), std::string::npos);
 }
 
 TEST(InputQueue, SpreadsAClickThatIsShorterThanAFrame) {

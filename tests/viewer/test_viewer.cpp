@@ -4,7 +4,7 @@
 
 #include "app/base/files.hpp"
 #include "app/drawing/drawn_scene.hpp"
-#include "app/models/garment_import.hpp"
+#include "app/models/reading/garment_import.hpp"
 #include "app/output/picture_record.hpp"
 #include "app/viewer/headless_viewer.hpp"
 #include "app/viewer/panel/panel.hpp"
@@ -76,7 +76,7 @@ TEST(Window, EveryControlSaysWhatItDoes) {
   Person person("tshirt", {parse_override("garment.file=\"" TAUT_ASSETS_FOLDER "/garments/tshirt_1028.obj\"")});
   for (const sim::SolverKind solver : sim::all_solver_kinds) {
     person.click("solver");
-    person.click(std::string("solver.") + sim::name_of(solver));
+    person.click(std::string("solver.") + sim::to_name(solver));
     person.click("solver");
     for (const auto& [name, place] : person.viewer.state().places) {
       EXPECT_FALSE(hint_for(name).empty()) << name;
@@ -87,7 +87,7 @@ TEST(Window, EveryControlSaysWhatItDoes) {
   }
 }
 
-// The text beside them grows and shrinks while the pointer rests there.
+// The text beside the readings grows and shrinks while the pointer rests there.
 TEST(Window, ReadingsAreExplainedAllAcrossThePanel) {
   Person person("pinned-9x9-5");
   const auto right_of = [&](const char* name) { return person.viewer.state().places.at(name).upper_px.x; };
@@ -127,14 +127,14 @@ TEST(Window, TheWheelZoomsToThePointer) {
   EXPECT_LT(glm::length(camera.camera().eye - far), 0.95F * distance_m);
   person.act(renderer::WindowEvent(renderer::WheelTurned{0.0, -5.0}));
   for (const glm::vec3& point : {near, far}) {
-    const auto seen = camera.pixel_of(point, area);
+    const auto seen = camera.project_to_pixel(point, area);
     ASSERT_TRUE(seen);
     EXPECT_NEAR(seen->x, place.x, 0.2F);
     EXPECT_NEAR(seen->y, place.y, 0.2F);
   }
 }
 
-// A press often comes in the same frame as the way to where it is: that way is no drag.
+// A press often arrives in the same frame as the movement to its place. That movement is no drag.
 TEST(Window, ADragBeginsWhereTheButtonGoesDown) {
   const auto at = [](double x, double y) { return renderer::WindowEvent(renderer::PointerMoved{x, y}); };
   for (const PointerButton button : {PointerButton::left, PointerButton::right}) {
@@ -149,7 +149,7 @@ TEST(Window, ADragBeginsWhereTheButtonGoesDown) {
     EXPECT_FALSE(camera == before);
     if (button == PointerButton::right) {
       const ViewArea area = scene_area(person.viewer.layout());
-      EXPECT_NEAR(camera.pixel_of(before.camera().target, area)->x, 0.5 * area.width_px + 60.0, 0.01);
+      EXPECT_NEAR(camera.project_to_pixel(before.camera().target, area)->x, 0.5 * area.width_px + 60.0, 0.01);
     }
   }
 }
@@ -162,7 +162,7 @@ TEST(Window, AThreadLeadsToAHandThatTheClothDoesNotFollow) {
   const ViewerState& state = person.viewer.state();
   const ViewArea area = scene_area(person.viewer.layout());
   const glm::vec3 middle(state.shown->positions()[40]);
-  const glm::vec2 middle_px = *state.camera.pixel_of(middle, area);
+  const glm::vec2 middle_px = *state.camera.project_to_pixel(middle, area);
   const auto thread_to = [&](glm::vec2 place_px) {
     person.act(at(place_px));
     return hand_thread(state, *state.shown, area);
@@ -174,7 +174,7 @@ TEST(Window, AThreadLeadsToAHandThatTheClothDoesNotFollow) {
   const auto thread = thread_to(away_px);
   ASSERT_TRUE(thread);
   EXPECT_EQ((*thread)[0], middle);
-  EXPECT_LT(glm::distance(*state.camera.pixel_of((*thread)[1], area), away_px), 0.1F);
+  EXPECT_LT(glm::distance(*state.camera.project_to_pixel((*thread)[1], area), away_px), 0.1F);
   thread_to(middle_px);
   person.act(renderer::WindowEvent(renderer::WheelTurned{0.0, 30.0}));
   EXPECT_FALSE(thread_to(middle_px + glm::vec2(20.0F, 0.0F))) << "some millimetres, seen from near";
@@ -183,17 +183,17 @@ TEST(Window, AThreadLeadsToAHandThatTheClothDoesNotFollow) {
   EXPECT_FALSE(hand_thread(state, *state.shown, area)) << "let go";
 }
 
-// A press is meant for the picture that was shown when it was made.
+// A press is meant for the picture that was shown at that moment.
 TEST(Window, AHandTakesTheClothThatWasSeen) {
   Person person("cloth-fall");
   person.wait(20);
   const ViewerState& state = person.viewer.state();
   const ViewArea area = scene_area(person.viewer.layout());
   const SnapshotPtr seen = state.shown;
-  const sim::Index vertex = 20 * 33 + 16;  // far from the held corners
+  const sim::Index vertex = 20 * 33 + 16;  // far from the pinned corners
   SessionFrame late;
   late.elapsed_s = 0.2;
-  const glm::vec2 px = *state.camera.pixel_of(glm::vec3(seen->positions()[vertex]), area);
+  const glm::vec2 px = *state.camera.project_to_pixel(glm::vec3(seen->positions()[vertex]), area);
   late.events = {renderer::WindowEvent(renderer::PointerMoved{px.x, px.y}),
                  renderer::WindowEvent(renderer::ButtonChanged{PointerButton::left, true})};
   person.viewer.update(late);
@@ -263,7 +263,7 @@ TEST(Window, GarmentsWithOtherSeamsHangFromTheirOwn) {
   }
 }
 
-// Scenes of grids have a number of time steps for their own solver.
+// Scenes of grids fix the number of substeps for their own solver.
 TEST(Window, AnySolverOfTheListTakesItsOwnTimeSteps) {
   Person person("pinned-9x9-5");
   ASSERT_EQ(person.viewer.state().scene.simulation.solver.substeps, 1);
@@ -291,7 +291,7 @@ TEST(Window, WorkOfAPauseSlowsNothingLater) {
   EXPECT_EQ(person.viewer.state().measurements.real_time.busy_share(), 0.0);
 }
 
-// As a person meets it: springs fly apart, the window says so, and another solver is chosen from the list.
+// Springs diverge, the window reports it, and the person chooses another solver from the list.
 TEST(Window, AnySolverOfTheListGoesOnAfterADivergence) {
   for (const sim::SolverKind solver : sim::all_solver_kinds) {
     Person person("pinned-9x9-5", {parse_override("solver.kind=\"ideal\""), parse_override("solver.substeps=1"),
@@ -301,10 +301,10 @@ TEST(Window, AnySolverOfTheListGoesOnAfterADivergence) {
     EXPECT_NE(person.viewer.state().warning.find("stopped"), std::string::npos);
     person.click("solver");
     person.click(std::string("solver.") +
-                 sim::name_of(solver == sim::SolverKind::ideal ? sim::SolverKind::bounded : solver));
+                 sim::to_name(solver == sim::SolverKind::ideal ? sim::SolverKind::bounded : solver));
     person.wait(20);
     const bool has_those_springs = solver == sim::SolverKind::provot || solver == sim::SolverKind::vassilev;
-    EXPECT_FALSE(person.viewer.state().newest->stopped && !has_those_springs) << sim::name_of(solver);
+    EXPECT_FALSE(person.viewer.state().newest->stopped && !has_those_springs) << sim::to_name(solver);
     EXPECT_LT(person.viewer.state().newest->record.frame, 30) << "from the start";
   }
 }
@@ -357,7 +357,7 @@ TEST(Window, CanBeDrawnBeforeItsFirstFrame) {
   EXPECT_EQ(window.draw().width_px, 1280);
 }
 
-// The picture that F12 and F10 take: the scene and its legends.
+// The picture of F12 and F10 shows the scene and its legends alone.
 TEST(Window, APictureHasNothingOfTheWindow) {
   SessionStart start;
   start.size = {900, 600};

@@ -47,7 +47,7 @@ TEST(OrbitCamera, LooksFromTheSameSideWhereItComesFromTooFarOrTooNear) {
 
 TEST(OrbitCamera, TurnsAboutItsTargetAndNeverOverThePole) {
   OrbitCamera camera = from_the_front();
-  camera.orbit({360.0F, 0.0F}, area);  // half the height: a quarter turn
+  camera.orbit({360.0F, 0.0F}, area);  // a drag by half the height turns by a quarter
   EXPECT_LT(glm::distance(camera.camera().eye, glm::vec3(-4.0F, 1.0F, 0.0F)), 1e-4F);
   camera.orbit({0.0F, 1e6F}, area);
   EXPECT_LT(camera.camera().eye.y, 5.0F);
@@ -57,9 +57,9 @@ TEST(OrbitCamera, TurnsAboutItsTargetAndNeverOverThePole) {
 TEST(OrbitCamera, PanMovesWhatIsUnderThePointerWithIt) {
   OrbitCamera camera = from_the_front();
   const glm::vec3 target = camera.camera().target;
-  const glm::vec2 before = *camera.pixel_of(target, area);
+  const glm::vec2 before = *camera.project_to_pixel(target, area);
   camera.pan({50.0F, -30.0F}, area);
-  const glm::vec2 after = *camera.pixel_of(target, area);
+  const glm::vec2 after = *camera.project_to_pixel(target, area);
   EXPECT_NEAR(after.x - before.x, 50.0F, 0.01F);
   EXPECT_NEAR(after.y - before.y, -30.0F, 0.01F);
 }
@@ -68,7 +68,7 @@ TEST(OrbitCamera, RayThroughAPixelLeadsToWhatIsSeenThere) {
   OrbitCamera camera = from_the_front();
   camera.orbit({77.0F, 55.0F}, area);
   const glm::vec3 point{0.3F, 1.2F, -0.4F};
-  const Ray ray = camera.ray_through(*camera.pixel_of(point, area), area);
+  const Ray ray = camera.ray_through(*camera.project_to_pixel(point, area), area);
   const glm::vec3 way = point - ray.origin;
   EXPECT_LT(glm::length(glm::cross(way, ray.direction)), 1e-4F);
 }
@@ -79,7 +79,7 @@ TEST(OrbitCamera, FramesABoxAndStaysWithinBoundsHoweverFarTheWheelTurns) {
   camera.zoom(-1e9F, {950.0F, 3.0F}, area);
   camera.fit({{-1.0F, -1.0F, -1.0F}, {1.0F, 1.0F, 1.0F}}, area);
   for (const float x : {-1.0F, 1.0F}) {
-    EXPECT_TRUE(area.contains(*camera.pixel_of({x, x, x}, area)));
+    EXPECT_TRUE(area.contains(*camera.project_to_pixel({x, x, x}, area)));
   }
 }
 
@@ -175,11 +175,11 @@ TEST(RealTime, IsWhatWentByLately) {
 
 TEST(RealTime, TellsWhySimulatingIsSlow) {
   const double frame_ms = 1000.0 / 60.0;
-  EXPECT_EQ(slowed_by(0.99, 1.0, 12.0, frame_ms, 0.9), SlowedBy::nothing);
-  EXPECT_EQ(slowed_by(0.1, 0.1, 60.0, 10.0 * frame_ms, 0.0), SlowedBy::nothing) << "slow as asked";
-  EXPECT_EQ(slowed_by(0.3, 1.0, 55.0, frame_ms, 0.9), SlowedBy::simulation);
-  EXPECT_EQ(slowed_by(0.6, 1.0, 10.0, frame_ms, 0.8), SlowedBy::drawing);
-  EXPECT_EQ(slowed_by(0.6, 1.0, 10.0, frame_ms, 0.2), SlowedBy::other_programs);
+  EXPECT_EQ(find_slowdown(0.99, 1.0, 12.0, frame_ms, 0.9), SlowedBy::nothing);
+  EXPECT_EQ(find_slowdown(0.1, 0.1, 60.0, 10.0 * frame_ms, 0.0), SlowedBy::nothing) << "slow as asked";
+  EXPECT_EQ(find_slowdown(0.3, 1.0, 55.0, frame_ms, 0.9), SlowedBy::simulation);
+  EXPECT_EQ(find_slowdown(0.6, 1.0, 10.0, frame_ms, 0.8), SlowedBy::drawing);
+  EXPECT_EQ(find_slowdown(0.6, 1.0, 10.0, frame_ms, 0.2), SlowedBy::other_programs);
 }
 
 TEST(Picking, DragsInThePlaneThatFacesTheCamera) {
@@ -213,7 +213,7 @@ TEST(Grip, MovesNoFasterThanAnArm) {
   EXPECT_EQ(moved_hand(hand, {0.05, 0, 0}, 0.01), sim::Vec3(0.05, 0, 0));
 }
 
-SnapshotPtr snapshot_of(const std::shared_ptr<const LoadedScene>& loaded, std::uint64_t serial, int frame) {
+SnapshotPtr make_snapshot(const std::shared_ptr<const LoadedScene>& loaded, std::uint64_t serial, int frame) {
   Snapshot snapshot;
   snapshot.serial = serial;
   snapshot.loaded = loaded;
@@ -228,7 +228,7 @@ TEST(Timeline, ReachesTenSecondsBackAndForgetsWhatIsBeyond) {
   const auto loaded = std::make_shared<const LoadedScene>();
   Timeline timeline;
   for (int frame = 0; frame <= 2000; ++frame) {
-    timeline.add(snapshot_of(loaded, static_cast<std::uint64_t>(frame) + 1, frame));
+    timeline.add(make_snapshot(loaded, static_cast<std::uint64_t>(frame) + 1, frame));
   }
   const SnapshotPtr now = timeline.newest();
   EXPECT_EQ(first_frame_in_reach(*now), 1400);
@@ -241,18 +241,18 @@ TEST(Timeline, ReachesTenSecondsBackAndForgetsWhatIsBeyond) {
 TEST(Timeline, WhatWasBeforeAResetIsNotThePastOfWhatCameAfter) {
   const auto loaded = std::make_shared<const LoadedScene>();
   Timeline timeline;
-  timeline.add(snapshot_of(loaded, 1, 40));
-  timeline.add(snapshot_of(loaded, 2, 41));
+  timeline.add(make_snapshot(loaded, 1, 40));
+  timeline.add(make_snapshot(loaded, 2, 41));
   const SnapshotPtr before = timeline.newest();
-  timeline.add(snapshot_of(loaded, 3, 0));
+  timeline.add(make_snapshot(loaded, 3, 0));
   EXPECT_EQ(timeline.of_frame(timeline.newest(), 41)->serial, 3U);
   EXPECT_EQ(timeline.of_frame(before, 40)->serial, 1U) << "a window that is one snapshot behind";
   EXPECT_EQ(timeline.with_serial(2)->serial, 2U);
-  timeline.add(snapshot_of(std::make_shared<const LoadedScene>(), 4, 50));
+  timeline.add(make_snapshot(std::make_shared<const LoadedScene>(), 4, 50));
   EXPECT_EQ(timeline.of_frame(timeline.newest(), 41)->serial, 4U);
 }
 
-// 0..99, back to 60, 60..79, back to 30, 30..
+// Frames 0 to 99, back to 60, 60 to 79, back to 30, then 30 to the last.
 TEST(Timeline, GoingBackTwiceLeavesOnePast) {
   const auto loaded = std::make_shared<const LoadedScene>();
   for (const int last : {35, 900}) {
@@ -260,7 +260,7 @@ TEST(Timeline, GoingBackTwiceLeavesOnePast) {
     std::uint64_t serial = 0;
     for (const auto& [first, end] : {std::pair(0, 100), std::pair(60, 80), std::pair(30, last + 1)}) {
       for (int frame = first; frame < end; ++frame) {
-        timeline.add(snapshot_of(loaded, ++serial, frame));
+        timeline.add(make_snapshot(loaded, ++serial, frame));
       }
     }
     const SnapshotPtr now = timeline.newest();
@@ -278,7 +278,7 @@ TEST(Timeline, ManyChangesOfOneFrameDoNotGrowIt) {
   const auto loaded = std::make_shared<const LoadedScene>();
   Timeline timeline;
   for (std::uint64_t serial = 1; serial <= 10000; ++serial) {
-    timeline.add(snapshot_of(loaded, serial, 7));
+    timeline.add(make_snapshot(loaded, serial, 7));
   }
   EXPECT_LT(timeline.count(), 200U);
   EXPECT_EQ(timeline.newest()->serial, 10000U);
@@ -317,7 +317,7 @@ TEST(QualityControl, GivesWayToTheSimulationAndInTheEndRests) {
   }
   EXPECT_EQ(quality.level(), picture_qualities.size() - 1);
   EXPECT_GT(quality.rest_ms(), 20.0);
-  EXPECT_LE(quality.rest_ms(), QualityControl::most_rest_ms);
+  EXPECT_LE(quality.rest_ms(), QualityControl::max_rest_ms);
   for (int frame = 0; frame < 1000; ++frame) {
     quality.note(15.0, 0.0);
   }
@@ -356,7 +356,7 @@ TEST(Panel, LeavesNarrowWindowsToTheScene) {
   EXPECT_EQ(scene_area({0, 0, 1.0F, true}).width_px, 1);
 }
 
-// The mesh has other numbers: vertex 0 of the file belongs to no face, 3 is welded to 1.
+// The mesh has other numbers: vertex 0 of the file belongs to no face, and 3 is welded to 1.
 TEST(KeptScene, NumbersItsPinsAsTheGarmentsFile) {
   LoadedScene loaded;
   loaded.file_vertices.mesh_vertex = {sim::no_vertex, 2, 0, 2, 1};

@@ -16,7 +16,7 @@ namespace keys = renderer::keys;
 using renderer::PointerButton;
 using test::Person;
 
-// Beside the bound, at once, and kept with the scene.
+// The kind of bound is a choice of the bounded solver alone. It takes effect at once and is saved with the scene.
 TEST(Window, TheBoundHoldsWhatIsChosen) {
   Person person("pinned-9x9-5");
   EXPECT_FALSE(person.shows("solver.bound")) << "the scene's solver has no bound";
@@ -31,11 +31,11 @@ TEST(Window, TheBoundHoldsWhatIsChosen) {
     for (const auto& [name, place] : person.viewer.state().places) {
       EXPECT_FALSE(hint_for(name).empty()) << name;
     }
-    person.click(std::string("solver.bound.") + sim::name_of(bound));
+    person.click(std::string("solver.bound.") + sim::to_name(bound));
     const auto& method = person.viewer.state().newest->settings.solver.method;
     EXPECT_EQ(std::get<sim::BoundedSettings>(method).bound, bound) << "while it runs";
     EXPECT_CONTAINS(scene_text(kept_scene(person.viewer.state(), {640, 480})),
-                    std::string("bound = \"") + sim::name_of(bound) + '"');
+                    std::string("bound = \"") + sim::to_name(bound) + '"');
   }
 }
 
@@ -51,7 +51,7 @@ TEST(Window, ContactIsASwitchOfBoundedAlone) {
   EXPECT_CONTAINS(scene_text(kept_scene(person.viewer.state(), {640, 480})), "contact = false");
 }
 
-// A moment of the past as the bound of now leaves it.
+// A moment of the past, projected into the present bound.
 TEST(Window, MeasuresWhatItShowsOfThePast) {
   Person person("pinned-9x9-20");
   person.wait(60);
@@ -77,23 +77,23 @@ TEST(Window, ColoursShowTheStretchOfWhatIsChosen) {
     for (const auto& [name, place] : person.viewer.state().places) {
       EXPECT_FALSE(hint_for(name).empty()) << name;
     }
-    person.click(std::string("look.stretch_of.") + name_of(shown));
+    person.click(std::string("look.stretch_of.") + to_name(shown));
     EXPECT_EQ(person.viewer.state().scene.picture.stretch_of, shown);
     EXPECT_CONTAINS(scene_text(kept_scene(person.viewer.state(), {640, 480})),
-                    std::string("stretch_of = \"") + name_of(shown) + '"');
+                    std::string("stretch_of = \"") + to_name(shown) + '"');
   }
   person.click("look.shaded");
   EXPECT_FALSE(person.shows("look.stretch_of"));
 }
 
-// At the size a window opens with, whatever is chosen.
+// The panel fits the initial size of the window with every solver.
 TEST(Window, ThePanelNeedsNoScrolling) {
   Person person("pinned-9x9-5");
   person.click("look.stretch");
   for (const sim::SolverKind solver : sim::all_solver_kinds) {
     person.click("solver");
-    person.click(std::string("solver.") + sim::name_of(solver));
-    EXPECT_LE(person.viewer.state().places.at("keep.video").upper_px.y, 720.0F) << sim::name_of(solver);
+    person.click(std::string("solver.") + sim::to_name(solver));
+    EXPECT_LE(person.viewer.state().places.at("keep.video").upper_px.y, 720.0F) << sim::to_name(solver);
   }
 }
 

@@ -9,13 +9,13 @@ void draw_solid(renderer::Canvas& canvas, std::span<const glm::vec2> points, con
   for (std::size_t i = 1; i < points.size(); ++i) {
     canvas.line(points[i - 1].x, points[i - 1].y, points[i].x, points[i].y, stroke.colour, stroke.thickness_px);
   }
-  // Segments are stroked one by one: a disc closes the wedge at every corner.
+  // A disc at every corner closes the wedge between segments, which are stroked one by one.
   for (std::size_t i = 1; i + 1 < points.size(); ++i) {
     canvas.circle(points[i].x, points[i].y, 0.5F * stroke.thickness_px, stroke.colour);
   }
 }
 
-// Walks along the line and tells dashes from gaps.
+// Splits a line into dashes while it walks along the line.
 class Dasher {
  public:
   Dasher(const Stroke& stroke, const glm::vec2& start)
@@ -70,8 +70,8 @@ void append_column(std::vector<glm::vec2> column, std::vector<glm::vec2>& result
   result.push_back(column.back());
 }
 
-// With more decades than this, only some ticks have labels, so that labels do not overlap.
-constexpr double most_labelled_decades = 8.0;
+// Number of decades above which only some ticks get labels, so that labels do not overlap.
+constexpr double max_labelled_decades = 8.0;
 
 std::vector<Tick> linear_ticks(const Axis& axis) {
   const double step = renderer::round_step(axis.maximum - axis.minimum);
@@ -84,8 +84,8 @@ std::vector<Tick> linear_ticks(const Axis& axis) {
 
 std::vector<Tick> logarithmic_ticks(const Axis& axis) {
   const double decades = std::log10(axis.maximum / axis.minimum);
-  const int every = static_cast<int>(std::ceil(decades / most_labelled_decades));
-  // Powers where digits would have to be counted.
+  const int every = static_cast<int>(std::ceil(decades / max_labelled_decades));
+  // Large ranges use powers of ten, whose digits need not be counted.
   const bool in_full = axis.minimum >= 0.0099 && axis.maximum <= 10001.0;
   std::vector<Tick> ticks;
   for (int exponent = static_cast<int>(std::floor(std::log10(axis.minimum) + 1e-9));
@@ -109,7 +109,7 @@ using renderer::Canvas;
 using renderer::HorizontalAlign;
 using renderer::VerticalAlign;
 
-struct Axes {
+struct PlotAxes {
   const Plot& plot;
   Area area;
 
@@ -122,18 +122,19 @@ struct Axes {
   }
 };
 
-float widest_label_px(const Canvas& canvas, const Axis& axis, const PlotStyle& style) {
-  float widest_px = 0.0F;
-  for (const Tick& tick : ticks_of(axis)) {
-    widest_px = std::max(widest_px, canvas.measure(tick.label, text_style(style.text_px)).width_px);
+float max_label_width_px(const Canvas& canvas, const Axis& axis, const PlotStyle& style) {
+  float max_width_px = 0.0F;
+  for (const Tick& tick : make_ticks(axis)) {
+    max_width_px = std::max(max_width_px, canvas.measure(tick.label, text_style(style.text_px)).width_px);
   }
-  return widest_px;
+  return max_width_px;
 }
 
-void draw_x_ticks(Canvas& canvas, const Axes& axes, const PlotStyle& style) {
-  const renderer::TextStyle text = text_style(style.text_px).aligned(HorizontalAlign::centre, VerticalAlign::top);
+void draw_x_ticks(Canvas& canvas, const PlotAxes& axes, const PlotStyle& style) {
+  const renderer::TextStyle text =
+      text_style(style.text_px).with_alignment(HorizontalAlign::centre, VerticalAlign::top);
   const float bottom_px = axes.area.y_px + axes.area.height_px;
-  for (const Tick& tick : ticks_of(axes.plot.x)) {
+  for (const Tick& tick : make_ticks(axes.plot.x)) {
     const float x_px = axes.x_of(tick.value);
     const float length_px = tick.label.empty() ? 0.5F * style.tick_px : style.tick_px;
     if (!tick.label.empty()) {
@@ -146,10 +147,11 @@ void draw_x_ticks(Canvas& canvas, const Axes& axes, const PlotStyle& style) {
               axes.plot.x.label, text);
 }
 
-void draw_y_ticks(Canvas& canvas, const Axes& axes, const PlotStyle& style) {
-  const renderer::TextStyle text = text_style(style.text_px).aligned(HorizontalAlign::right, VerticalAlign::middle);
+void draw_y_ticks(Canvas& canvas, const PlotAxes& axes, const PlotStyle& style) {
+  const renderer::TextStyle text =
+      text_style(style.text_px).with_alignment(HorizontalAlign::right, VerticalAlign::middle);
   const float left_px = axes.area.x_px;
-  for (const Tick& tick : ticks_of(axes.plot.y)) {
+  for (const Tick& tick : make_ticks(axes.plot.y)) {
     const float y_px = axes.y_of(tick.value);
     const float length_px = tick.label.empty() ? 0.5F * style.tick_px : style.tick_px;
     if (!tick.label.empty()) {
@@ -160,10 +162,10 @@ void draw_y_ticks(Canvas& canvas, const Axes& axes, const PlotStyle& style) {
   }
 }
 
-void draw_run(Canvas& canvas, std::span<const glm::vec2> points, const Axes& axes, const Stroke& stroke) {
+void draw_run(Canvas& canvas, std::span<const glm::vec2> points, const PlotAxes& axes, const Stroke& stroke) {
   std::vector<glm::vec2> piece;
   for (std::size_t i = 1; i < points.size(); ++i) {
-    const auto segment = clipped(points[i - 1], points[i], axes.area);
+    const auto segment = clip_segment(points[i - 1], points[i], axes.area);
     if (!segment || piece.empty() || piece.back() != (*segment)[0]) {
       draw_polyline(canvas, piece, stroke);
       piece.clear();
@@ -176,17 +178,17 @@ void draw_run(Canvas& canvas, std::span<const glm::vec2> points, const Axes& axe
   draw_polyline(canvas, piece, stroke);
 }
 
-void draw_line(Canvas& canvas, const Curve& curve, const Axes& axes) {
+void draw_line(Canvas& canvas, const Curve& curve, const PlotAxes& axes) {
   std::vector<glm::vec2> run;
   for (const DataPoint& point : curve.points) {
     if (axes.has_place(point)) {
       run.emplace_back(axes.x_of(point[0]), axes.y_of(point[1]));
       continue;
     }
-    draw_run(canvas, thinned_out(run), axes, curve.stroke);
+    draw_run(canvas, thin_out(run), axes, curve.stroke);
     run.clear();
   }
-  draw_run(canvas, thinned_out(run), axes, curve.stroke);
+  draw_run(canvas, thin_out(run), axes, curve.stroke);
 }
 
 void draw_marker(Canvas& canvas, float x_px, float y_px, const Curve& curve, float radius_px) {
@@ -204,7 +206,7 @@ void draw_marker(Canvas& canvas, float x_px, float y_px, const Curve& curve, flo
   }
 }
 
-void draw_points(Canvas& canvas, const Curve& curve, const Axes& axes, const PlotStyle& style) {
+void draw_points(Canvas& canvas, const Curve& curve, const PlotAxes& axes, const PlotStyle& style) {
   for (std::size_t i = 0; i < curve.points.size(); ++i) {
     if (!axes.has_place(curve.points[i])) continue;
     const float x_px = axes.x_of(curve.points[i][0]);
@@ -220,9 +222,10 @@ void draw_points(Canvas& canvas, const Curve& curve, const Axes& axes, const Plo
   }
 }
 
-void draw_levels(Canvas& canvas, const Axes& axes, const PlotStyle& style) {
-  const renderer::TextStyle text = text_style(0.9F * style.text_px, palette::quiet_ink).aligned(HorizontalAlign::right);
-  for (const Level& level : axes.plot.levels) {
+void draw_levels(Canvas& canvas, const PlotAxes& axes, const PlotStyle& style) {
+  const renderer::TextStyle text =
+      text_style(0.9F * style.text_px, palette::quiet_ink).with_alignment(HorizontalAlign::right);
+  for (const LegendLevel& level : axes.plot.levels) {
     const float y_px = axes.y_of(level.y);
     const float right_px = axes.area.x_px + axes.area.width_px;
     draw_polyline(canvas, std::vector<glm::vec2>{{axes.area.x_px, y_px}, {right_px, y_px}},
@@ -231,7 +234,7 @@ void draw_levels(Canvas& canvas, const Axes& axes, const PlotStyle& style) {
   }
 }
 
-void draw_legend_lines(Canvas& canvas, const Axes& axes, const PlotStyle& style) {
+void draw_legend_lines(Canvas& canvas, const PlotAxes& axes, const PlotStyle& style) {
   const renderer::TextStyle text = text_style(style.text_px);
   const float sample_px = 2.6F * style.text_px, row_px = 1.5F * style.text_px;
   float width_px = 0.0F, rows = 0.0F;
@@ -257,8 +260,8 @@ void draw_legend_lines(Canvas& canvas, const Axes& axes, const PlotStyle& style)
   }
 }
 
-// The middle of a plot's data, to the left of which are its numbers.
-constexpr float caption_at = 636.0F / 1160.0F;
+// Middle of a plot's data area, as a fraction of the plot's width; the numbers are to its left.
+constexpr float caption_centre_fraction = 636.0F / 1160.0F;
 
 }  // namespace
 
@@ -288,7 +291,7 @@ std::vector<glm::vec2> bow(const glm::vec2& a, const glm::vec2& b, float sideway
   return points;
 }
 
-std::vector<glm::vec2> thinned_out(std::span<const glm::vec2> points) {
+std::vector<glm::vec2> thin_out(std::span<const glm::vec2> points) {
   std::vector<glm::vec2> result;
   std::vector<glm::vec2> column;
   for (const glm::vec2& point : points) {
@@ -302,7 +305,7 @@ std::vector<glm::vec2> thinned_out(std::span<const glm::vec2> points) {
   return result;
 }
 
-std::vector<Tick> ticks_of(const Axis& axis) {
+std::vector<Tick> make_ticks(const Axis& axis) {
   if (!axis.chosen.empty()) {
     std::vector<Tick> ticks;
     for (const double value : axis.chosen) ticks.push_back({value, fmt::format("{:g}", value) + axis.suffix});
@@ -347,21 +350,22 @@ std::string scientific(double value) {
 }
 
 void draw_legend_entry(Canvas& canvas, const Curve& curve, float left_px, float middle_px, const PlotStyle& style) {
-  // A marker alone is as wide as it is.
+  // A marker without a line takes only its own width.
   const float sample_px = curve.stroke.thickness_px > 0.0F ? 2.6F * style.text_px : 2.0F * style.marker_px;
   if (curve.stroke.thickness_px > 0.0F) {
     draw_polyline(canvas, std::vector<glm::vec2>{{left_px, middle_px}, {left_px + sample_px, middle_px}}, curve.stroke);
   }
   draw_marker(canvas, left_px + 0.5F * sample_px, middle_px, curve, style.marker_px);
-  const renderer::TextStyle name = text_style(style.text_px).aligned(HorizontalAlign::left, VerticalAlign::middle);
+  const renderer::TextStyle name =
+      text_style(style.text_px).with_alignment(HorizontalAlign::left, VerticalAlign::middle);
   canvas.text(left_px + sample_px + 0.5F * style.text_px, middle_px, curve.name, name);
 }
 
-std::optional<std::array<glm::vec2, 2>> clipped(const glm::vec2& a, const glm::vec2& b, const Area& area) {
+std::optional<std::array<glm::vec2, 2>> clip_segment(const glm::vec2& a, const glm::vec2& b, const Area& area) {
   const glm::vec2 along = b - a;
   float enter = 0.0F, leave = 1.0F;
   const auto cut = [&](float slope, float distance) {
-    // Inside where slope * t <= distance.
+    // Inside: slope * t <= distance.
     if (slope == 0.0F) return distance >= 0.0F;
     const float t = distance / slope;
     (slope < 0.0F ? enter : leave) = slope < 0.0F ? std::max(enter, t) : std::min(leave, t);
@@ -373,12 +377,11 @@ std::optional<std::array<glm::vec2, 2>> clipped(const glm::vec2& a, const glm::v
   return std::array{enter > 0.0F ? a + enter * along : a, leave < 1.0F ? a + leave * along : b};
 }
 
-Area data_area_of(const Canvas& canvas, const Plot& plot, const Area& area, const PlotStyle& style) {
-  // The first and the last label of the x axis are centred under their ticks, and what has no room there
-  // stands out.
-  const float half_px = 0.5F * widest_label_px(canvas, plot.x, style);
+Area compute_data_area(const Canvas& canvas, const Plot& plot, const Area& area, const PlotStyle& style) {
+  // The first and the last label of the x axis are centred under their ticks, so half of each stands out.
+  const float half_px = 0.5F * max_label_width_px(canvas, plot.x, style);
   const float left_px =
-      std::max(widest_label_px(canvas, plot.y, style) + style.tick_px + 0.5F * style.text_px, half_px);
+      std::max(max_label_width_px(canvas, plot.y, style) + style.tick_px + 0.5F * style.text_px, half_px);
   const float right_px = half_px + style.line_px;
   const float top_px = 1.9F * style.text_px;
   const float bottom_px = style.tick_px + 2.9F * style.text_px;
@@ -387,10 +390,10 @@ Area data_area_of(const Canvas& canvas, const Plot& plot, const Area& area, cons
 }
 
 void draw_plot(Canvas& canvas, const Plot& plot, const Area& area, const PlotStyle& style) {
-  const Axes axes{plot, data_area_of(canvas, plot, area, style)};
+  const PlotAxes axes{plot, compute_data_area(canvas, plot, area, style)};
   draw_x_ticks(canvas, axes, style);
   draw_y_ticks(canvas, axes, style);
-  // Above the axis and level: read without turning the head.
+  // The label is horizontal above the axis, to be read without turning the head.
   canvas.text(area.x_px, axes.area.y_px - 0.75F * style.text_px, plot.y.label, text_style(style.text_px));
   draw_levels(canvas, axes, style);
   for (const Curve& curve : plot.curves) {
@@ -421,8 +424,8 @@ Drawing draw_plot_sheet(std::vector<PlotPanel> panels, const PlotSheet& sheet) {
     for (std::size_t i = 0; i < panels.size(); ++i) {
       const Area area = plot_area(sheet, i);
       draw_plot(canvas, panels[i].plot, area, sheet.plot);
-      draw_caption(canvas, panels[i].caption, area.x_px + caption_at * area.width_px, area.y_px + area.height_px,
-                   sheet.caption);
+      draw_caption(canvas, panels[i].caption, area.x_px + caption_centre_fraction * area.width_px,
+                   area.y_px + area.height_px, sheet.caption);
     }
   };
   return drawing;

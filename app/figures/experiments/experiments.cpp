@@ -3,7 +3,7 @@
 #include "app/base/progress.hpp"
 #include "app/frame_loop.hpp"
 #include "app/models/garment_loading.hpp"
-#include "app/output/frame_verifier.hpp"
+#include "app/runs/frame_verifier.hpp"
 
 namespace taut::app {
 namespace {
@@ -20,7 +20,7 @@ void keep(const sim::Simulation& simulation, int frame, Recording& recording) {
   recording.moments.push_back({measure_frame(simulation, frame), simulation.state().current});
 }
 
-/// Counts in a recording what frames are promised, whether it is kept or not.
+/// Counts crossings and the largest stretch of every frame, without ending the run if a promise is broken.
 class PromiseCounter {
  public:
   explicit PromiseCounter(Recording& recording) : counts_(recording.promises.emplace()) {}
@@ -30,7 +30,7 @@ class PromiseCounter {
     counts_.frames = verifier_.frames();
     counts_.stretch = verifier_.largest();
     counts_.crossing_pairs += *record.crossing_pairs;
-    counts_.most_pairs = std::max(counts_.most_pairs, *record.crossing_pairs);
+    counts_.max_pairs = std::max(counts_.max_pairs, *record.crossing_pairs);
     counts_.crossing_frames += *record.crossing_pairs > 0 ? 1 : 0;
   }
 
@@ -39,11 +39,11 @@ class PromiseCounter {
   FrameVerifier verifier_;
 };
 
-struct View {
+struct PatchView {
   sim::Vec3 origin_m, right, up;
 };
 
-SpringPatch patch_of(const sim::Garment& garment, const std::vector<sim::Index>& vertices, const View& view) {
+SpringPatch make_patch(const sim::Garment& garment, const std::vector<sim::Index>& vertices, const PatchView& view) {
   SpringPatch patch;
   std::map<sim::Index, std::size_t> place;
   for (const sim::Index vertex : vertices) {
@@ -53,7 +53,7 @@ SpringPatch patch_of(const sim::Garment& garment, const std::vector<sim::Index>&
   }
   const sim::Springs& springs = garment.springs;
   for (const sim::SpringKind kind : sim::all_spring_kinds) {
-    for (std::size_t s = springs.begin_of(kind); s < springs.end_of(kind); ++s) {
+    for (std::size_t s = springs.begin_index(kind); s < springs.end_index(kind); ++s) {
       const auto a = place.find(springs.ends[s][0]), b = place.find(springs.ends[s][1]);
       if (a != place.end() && b != place.end()) patch.springs.push_back({{a->second, b->second}, kind});
     }
@@ -76,7 +76,7 @@ void map_models(Results& results) {
   results.grid_patch = whole_patch(sim::make_garment(sim::make_grid({.columns = 5, .rows = 5})));
   const LoadedGarment loaded = load_garment(shirt_scene("tshirt-gravity", model_sizes.front()));
   const sim::Garment& shirt = *loaded.garment;
-  // The middle of the chest: flat, and away from every seam.
+  // The middle of the chest is flat and away from every seam.
   const sim::Vec3 chest_m(0.06, 1.25, 0.11);
   results.shirt_patch = patch_around(shirt, nearest_vertex(shirt.mesh.positions, chest_m).vertex, 2);
 }
@@ -97,8 +97,8 @@ void run_methods(Results& results, const ProgressCallback& report_progress) {
   }
 }
 
-// {substeps, sweeps}: one long step with several sweeps, and many short steps with one sweep. The second
-// stretches far less.
+// {substeps, sweeps}: one long step with several sweeps, and many short steps with one sweep. The second stretches far
+// less.
 constexpr std::array<std::array<int, 2>, 2> measured_settings = {{{1, 10}, {100, 1}}};
 
 struct TimedRun {
@@ -107,7 +107,7 @@ struct TimedRun {
 };
 
 TimedRun make_timed_run(int triangles, DrawnScene scene) {
-  // The method alone: contact is another matter.
+  // Times the method alone, without contact.
   scene.simulation.solver.bounded.contact = false;
   const bool is_strong = scene.simulation.solver.kind == sim::SolverKind::strong;
   const FrameTimes times = {.triangles = triangles,
@@ -138,16 +138,16 @@ void time_frame(TimedRun& run) {
   run.simulation.advance_frame(throw_if_interrupted);
   run.times.frame_ms.push_back(stopwatch.elapsed_ms());
   const double stretch = sim::measure_stretch(run.simulation.garment().springs, run.simulation.state().current).max;
-  run.times.largest_stretch = std::max(run.times.largest_stretch, stretch);
+  run.times.max_stretch_seen = std::max(run.times.max_stretch_seen, stretch);
 }
 
 }  // namespace
 
-void note_stretch(const FrameRecord& record, Recording& recording) {
-  sim::SurfaceStretch& largest = recording.largest_surface_stretch;
-  recording.largest_stretch = std::max(recording.largest_stretch, record.stretch.max);
-  largest.max = std::max(largest.max, record.surface_stretch.max);
-  largest.p99 = std::max(largest.p99, record.surface_stretch.p99);
+void add_stretch(const FrameRecord& record, Recording& recording) {
+  sim::SurfaceStretch& max_surface_stretch = recording.max_surface_stretch;
+  recording.max_stretch_seen = std::max(recording.max_stretch_seen, record.stretch.max);
+  max_surface_stretch.max = std::max(max_surface_stretch.max, record.surface_stretch.max);
+  max_surface_stretch.p99 = std::max(max_surface_stretch.p99, record.surface_stretch.p99);
 }
 
 Recording record_frames(const DrawnScene& scene, std::span<const int> frames, const ProgressCallback& report_progress,
@@ -161,7 +161,7 @@ Recording record_frames(const DrawnScene& scene, std::span<const int> frames, co
     if (std::ranges::binary_search(frames, frame)) keep(moment, frame, recording);
   };
   outputs.report = [&](const FrameRecord& record) {
-    note_stretch(record, recording);
+    add_stretch(record, recording);
     report_progress(static_cast<double>(record.frame) / frames.back());
   };
   if (checking == Checking::promises) {
@@ -202,15 +202,15 @@ StepRecording record_steps(const DrawnScene& scene, std::span<const int> frames,
     for (int step = 0; step < steps_in_frame && !recording.came_to_rest; ++step) {
       simulation.advance_frame(throw_if_interrupted);
       recording.came_to_rest = simulation.state().asleep;
-      // Cloth that is put to sleep is stopped; until then it moved.
+      // Falling asleep stops the cloth; its last movement is the one before.
       if (!recording.came_to_rest) {
-        recording.moved_m.push_back(sim::convergence_of(simulation.change(), vertex));
+        recording.moved_m.push_back(sim::vertex_convergence_m(simulation.change(), vertex));
       }
     }
     FrameRecord record;
     record.time_s = simulation.state().time_s;
     measure_stretches(simulation, record);
-    note_stretch(record, recording.frames);
+    add_stretch(record, recording.frames);
     if (counter) counter->count(simulation, record);
     if (recording.came_to_rest || std::ranges::binary_search(frames, frame)) {
       keep(simulation, frame, recording.frames);
@@ -227,7 +227,7 @@ std::size_t SpringPatch::count(sim::SpringKind kind) const {
 SpringPatch whole_patch(const sim::Garment& garment) {
   std::vector<sim::Index> all(garment.mesh.positions.size());
   std::iota(all.begin(), all.end(), sim::Index{0});
-  return patch_of(garment, all, {sim::Vec3(0.0), {1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}});
+  return make_patch(garment, all, {sim::Vec3(0.0), {1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}});
 }
 
 SpringPatch patch_around(const sim::Garment& garment, sim::Index vertex, int rings) {
@@ -243,7 +243,7 @@ SpringPatch patch_around(const sim::Garment& garment, sim::Index vertex, int rin
   }
   const sim::Vec3 normal = normal_around(garment, vertices);
   const sim::Vec3 right = glm::normalize(glm::cross(sim::Vec3(0.0, 1.0, 0.0), normal));
-  return patch_of(garment, vertices, {garment.mesh.positions[vertex], right, glm::cross(normal, right)});
+  return make_patch(garment, vertices, {garment.mesh.positions[vertex], right, glm::cross(normal, right)});
 }
 
 std::vector<Job> experiments(Results& results, Checking checking) {
@@ -252,7 +252,7 @@ std::vector<Job> experiments(Results& results, Checking checking) {
       {fall_scene, 10.0,
        [&results, checking](const ProgressCallback& report) { results.fall = record_fall(report, checking); }},
       {"methods", 0.3, [&results](const ProgressCallback& report) { run_methods(results, report); }}};
-  // The last frame of the scene, or of so many.
+  // Adds a run that keeps its last frame: frame `frames`, or else the scene's last frame.
   const auto add = [&jobs, checking](const char* name, double cost, std::optional<int> frames,
                                      std::optional<Recording>& place) {
     jobs.push_back({name, cost, [=, &place](const ProgressCallback& report) {
@@ -281,7 +281,7 @@ DrawnScene shirt_scene(const std::string& name, int triangles) {
 DrawnScene strong_shirt_scene(int triangles) {
   DrawnScene scene = shirt_scene("tshirt-gravity", triangles);
   scene.simulation.solver.kind = sim::SolverKind::strong;
-  // Rigid against compression too, triangles lock and the shirt does not fall into folds.
+  // Triangles that also resist compression would lock, and the shirt would not fall into folds.
   scene.simulation.solver.strong.rigidity = {0.1, 0.01};
   return scene;
 }
@@ -318,10 +318,10 @@ std::optional<Unrest> measure_unrest(const MethodRun& run) {
   for (std::size_t i = begin; i < run.moved_rms_m.size(); ++i) {
     squares += run.moved_rms_m[i] * run.moved_rms_m[i];
   }
-  const double largest =
+  const double max_fraction =
       *std::max_element(run.max_stretch.begin() + static_cast<std::ptrdiff_t>(begin), run.max_stretch.end());
   const auto count = static_cast<double>(run.moved_rms_m.size() - begin);
-  return Unrest{std::sqrt(squares / count) / run.time_step_s, largest};
+  return Unrest{std::sqrt(squares / count) / run.time_step_s, max_fraction};
 }
 
 StraightLine fit_line(std::span<const std::array<double, 2>> points) {
@@ -341,7 +341,7 @@ StraightLine fit_line(std::span<const std::array<double, 2>> points) {
     const double distance = y - line.offset - line.slope * x;
     squares += distance * distance;
   }
-  line.misfit = std::sqrt(squares / n);
+  line.rms_residual = std::sqrt(squares / n);
   return line;
 }
 
@@ -349,7 +349,7 @@ PowerLaw fit_power_law(std::span<const std::array<double, 2>> points) {
   std::vector<std::array<double, 2>> logarithms;
   for (const auto& [x, y] : points) logarithms.push_back({std::log(x), std::log(y)});
   const StraightLine line = fit_line(logarithms);
-  return {line.slope, std::exp(line.offset), line.misfit};
+  return {line.slope, std::exp(line.offset), line.rms_residual};
 }
 
 double FrameTimes::median_ms() const { return median(frame_ms); }
@@ -357,10 +357,10 @@ double FrameTimes::median_ms() const { return median(frame_ms); }
 void measure_frame_times(int repeats, const ProgressCallback& report_progress, Results& results) {
   std::vector<TimedRun> runs = make_timed_runs();
   for (TimedRun& run : runs) {
-    // The first frame fills the caches.
+    // Fills the caches.
     run.simulation.advance_frame(throw_if_interrupted);
   }
-  // In turn: what else the machine does meanwhile meets all of them alike.
+  // The runs take turns, so that other work of the machine affects all of them equally.
   for (int repeat = 0; repeat < repeats; ++repeat) {
     for (TimedRun& run : runs) time_frame(run);
     report_progress(static_cast<double>(repeat + 1) / repeats);
@@ -374,7 +374,7 @@ PowerLaw fit_power_law(const std::vector<FrameTimes>& times, int substeps) {
   std::vector<std::array<double, 2>> points;
   for (const FrameTimes& time : times) {
     if (time.substeps == substeps) {
-      points.push_back({static_cast<double>(time.triangles), time.shortest_ms()});
+      points.push_back({static_cast<double>(time.triangles), time.min_ms()});
     }
   }
   return fit_power_law(points);

@@ -6,18 +6,17 @@
 #include "app/viewer/panel/panel_parts.hpp"
 #include "app/viewer/panel/user_interface.hpp"
 
-// The panel and its hints; the choice of a second garment, and labels over both: to the right, where no
-// legend is.
+// The panel and its hints, the list of solvers for a second garment, and the labels over both garments. List and labels
+// are at the right, where there is no legend.
 
 namespace taut::app {
 namespace {
 
-// At scale 1.
+// width at scale 1
 constexpr float panel_width_px = 320.0F;
-// The pointer must rest on an item for this long before its hint appears. A shorter time makes the panel
-// flicker.
+// Time that the pointer must rest on an item before its hint appears. A shorter time makes the panel flicker.
 constexpr double hint_after_s = 0.5;
-// Of each small picture, in the sheet of them.
+// size of each picture in the sheet of thumbnails
 constexpr glm::ivec2 thumbnail_px{96, 72};
 
 int panel_width(const WindowLayout& layout) { return static_cast<int>(panel_width_px * layout.scale); }
@@ -45,7 +44,7 @@ void explain(ViewerState& state, const std::string& name) {
   const std::string text = hint_for(name);
   if (text.empty() || is_hint_due(state)) return;
   constexpr float letters_in_line = 26.0F;
-  // Left of the panel and of its lists, above the time bar: it covers nothing that is pointed at or read.
+  // The hint is left of the panel and its lists, or above the time bar, where it does not cover the item or its text.
   const ImVec2 lower = ImGui::GetItemRectMin(), size = ImGui::GetIO().DisplaySize;
   const float gap = ImGui::GetStyle().ItemSpacing.x;
   const bool is_beside = lower.x > 0.5F * size.x && ImGui::GetWindowPos().x > 0.0F;
@@ -61,18 +60,18 @@ void explain(ViewerState& state, const std::string& name) {
 
 constexpr ImU32 between_colour = IM_COL32(0, 0, 0, 56);
 
-// By what the panel plots, for both.
-std::string measured_of(const Snapshot& garment, const ViewerState& state) {
+// Describes a garment by the measures that the panel plots.
+std::string describe_measurement(const Snapshot& garment, const ViewerState& state) {
   const bool of_springs = bound_kind(state.scene) == sim::BoundKind::springs;
   const FrameRecord& record = garment.record;
-  const double largest = of_springs ? record.stretch.max : record.surface_stretch.max;
-  const std::string stretch = fmt::format("largest stretch {} %", in_little_room(100.0 * largest, 2));
+  const double max_stretch = of_springs ? record.stretch.max : record.surface_stretch.max;
+  const std::string stretch = fmt::format("largest stretch {} %", short_number(100.0 * max_stretch, 2));
   return state.measurements.shows_times
              ? fmt::format("{}, {} ms a frame", stretch, few_digits(static_cast<float>(record.sim_ms)))
              : stretch;
 }
 
-std::string lost_of(const Snapshot& garment, const ViewerState& state, const ViewArea& area) {
+std::string describe_loss(const Snapshot& garment, const ViewerState& state, const ViewArea& area) {
   return garment.stopped ? fmt::format("stopped at {:.2f} s: R starts both again", garment.record.time_s)
                          : lost_cloth(garment.positions(), garment.loaded->garment->mesh.triangles, state.camera, area);
 }
@@ -83,9 +82,9 @@ void lay_out_label(const char* name, const Snapshot& garment, const ViewerState&
   ImGui::SetNextWindowBgAlpha(0.85F);
   if (ImGui::Begin(name, nullptr, untouchable)) {
     ImGui::PushTextWrapPos(std::max(0.8F * static_cast<float>(area.width_px), 16.0F));
-    ImGui::TextUnformatted(solver_of(garment));
-    ImGui::TextUnformatted(measured_of(garment, state).c_str());
-    if (const std::string lost = lost_of(garment, state, area); !lost.empty()) {
+    ImGui::TextUnformatted(solver_name(garment));
+    ImGui::TextUnformatted(describe_measurement(garment, state).c_str());
+    if (const std::string lost = describe_loss(garment, state, area); !lost.empty()) {
       ImGui::TextColored({0.70F, 0.12F, 0.10F, 1.0F}, "%s", lost.c_str());
     }
     ImGui::PopTextWrapPos();
@@ -106,7 +105,7 @@ ViewArea scene_area(const WindowLayout& layout) {
 
 ViewArea garment_area(const ViewerState& state, const WindowLayout& layout) {
   const ViewArea whole = scene_area(layout);
-  return compared(state) != nullptr ? ViewArea{std::max(whole.width_px / 2, 1), whole.height_px} : whole;
+  return compared_garment(state) != nullptr ? ViewArea{std::max(whole.width_px / 2, 1), whole.height_px} : whole;
 }
 
 void lay_out(ViewerState& state, const WindowLayout& layout) {
@@ -119,7 +118,7 @@ void lay_out(ViewerState& state, const WindowLayout& layout) {
   if (layout.has_panel) lay_out_time_bar(state, area, layout.scale);
   lay_out_messages(state, area, layout.scale);
   lay_out_key_sheet(state, area);
-  // Nothing has been under the pointer in this frame.
+  // No item was under the pointer in this frame: the time over the last item did not grow.
   if (before && state.hovered && before->name == state.hovered->name && before->for_s == state.hovered->for_s) {
     state.hovered.reset();
   }
@@ -132,7 +131,7 @@ void note_place(ViewerState& state, const char* name) {
   if (ImGui::IsItemHovered() && !ImGui::IsAnyMouseDown()) explain(state, name);
 }
 
-// Returns whether it was clicked. A picture stands left of the text.
+// Draws an entry and returns true if it was clicked. A thumbnail is left of the text.
 bool lay_out_entry(const ListEntry& entry) {
   if (!entry.thumbnail) return ImGui::Selectable(entry.label.c_str(), entry.is_chosen);
   ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
@@ -157,8 +156,8 @@ bool lay_out_entry(const ListEntry& entry) {
   return is_clicked;
 }
 
-std::optional<std::size_t> list_of(ViewerState& state, const char* label, const std::string& name,
-                                   const std::string& closed, const std::vector<ListEntry>& entries) {
+std::optional<std::size_t> draw_list(ViewerState& state, const char* label, const std::string& name,
+                                     const std::string& closed, const std::vector<ListEntry>& entries) {
   std::optional<std::size_t> clicked;
   ImGui::SetNextWindowSizeConstraints({0.0F, 0.0F}, {FLT_MAX, 0.9F * ImGui::GetIO().DisplaySize.y});
   if (ImGui::BeginCombo(label, closed.c_str(), ImGuiComboFlags_HeightLarge)) {
@@ -201,15 +200,15 @@ void lay_out_comparison(ViewerState& state) {
   std::optional<sim::SolverKind>& with = state.compared_with;
   std::vector<ListEntry> entries = {{"none", "none", !with}};
   for (const sim::SolverKind kind : sim::all_solver_kinds) {
-    entries.push_back({sim::name_of(kind), sim::name_of(kind), with == kind});
+    entries.push_back({sim::to_name(kind), sim::to_name(kind), with == kind});
   }
-  if (const auto clicked = list_of(state, "compare with", "compare", with ? sim::name_of(*with) : "none", entries)) {
+  if (const auto clicked = draw_list(state, "compare with", "compare", with ? sim::to_name(*with) : "none", entries)) {
     with = *clicked == 0 ? std::nullopt : std::optional(sim::all_solver_kinds[*clicked - 1]);
   }
 }
 
 void lay_out_labels(const ViewerState& state, const ViewArea& area, float scale) {
-  const Snapshot* second = compared(state);
+  const Snapshot* second = compared_garment(state);
   if (second == nullptr) return;
   const auto width = static_cast<float>(area.width_px);
   const auto height = static_cast<float>(area.height_px);
@@ -244,7 +243,7 @@ std::string hint_for(const std::string& name) {
   static const std::vector<Key<Scene>> keys = scene_keys();
   const auto key = std::ranges::find(keys, name, &Key<Scene>::name);
   if (key == keys.end()) return "";
-  const std::string meaning = meaning_of(name), unit = key->unit.empty() ? "" : ", in " + key->unit;
+  const std::string meaning = key_meaning(name), unit = key->unit.empty() ? "" : ", in " + key->unit;
   return static_cast<char>(std::toupper(meaning[0])) + meaning.substr(1) + unit + '.';
 }
 

@@ -7,8 +7,8 @@
 namespace taut::app {
 namespace {
 
-std::vector<ListEntry> entries_of(const ViewerState& state, const std::vector<Choice>& choices,
-                                  const std::string& chosen) {
+std::vector<ListEntry> make_entries(const ViewerState& state, const std::vector<Choice>& choices,
+                                    const std::string& chosen) {
   std::vector<ListEntry> entries;
   for (const Choice& choice : choices) {
     entries.push_back({choice.label.empty() ? choice.name : choice.label, choice.name, choice.name == chosen});
@@ -20,7 +20,7 @@ std::vector<ListEntry> entries_of(const ViewerState& state, const std::vector<Ch
 
 void lay_out_scene_list(ViewerState& state) {
   const std::string& name = state.scene.name;
-  if (const auto clicked = list_of(state, "##scene", "scene", name, entries_of(state, state.scenes, name))) {
+  if (const auto clicked = draw_list(state, "##scene", "scene", name, make_entries(state, state.scenes, name))) {
     state.scene_asked = state.scenes[*clicked].name;
   }
   const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
@@ -35,17 +35,17 @@ void lay_out_scene_list(ViewerState& state) {
 void lay_out_garment_list(ViewerState& state) {
   const std::filesystem::path& file = state.scene.garment.file;
   const std::string name = file.empty() ? "grid" : file.stem().string();
-  if (const auto clicked = list_of(state, "garment", "garment", name, entries_of(state, state.garments, name))) {
+  if (const auto clicked = draw_list(state, "garment", "garment", name, make_entries(state, state.garments, name))) {
     state.garment_asked = state.garments[*clicked].file;
   }
 }
 
 void lay_out_fabric_list(ViewerState& state) {
   const std::string name = std::filesystem::path(state.scene.fabric).stem().string();
-  const std::string own = "the scene's own";
-  std::vector<ListEntry> entries = entries_of(state, state.fabrics, name);
-  entries.insert(entries.begin(), {own, "own", name.empty()});
-  if (const auto clicked = list_of(state, "fabric", "fabric", name.empty() ? own : name, entries)) {
+  const std::string own_fabric = "the scene's own";
+  std::vector<ListEntry> entries = make_entries(state, state.fabrics, name);
+  entries.insert(entries.begin(), {own_fabric, "own", name.empty()});
+  if (const auto clicked = draw_list(state, "fabric", "fabric", name.empty() ? own_fabric : name, entries)) {
     state.fabric_asked = *clicked == 0 ? "" : entries[*clicked].name;
   }
 }
@@ -61,26 +61,27 @@ void lay_out_motion_list(ViewerState& state) {
     entries.push_back({motion.label, motion.name, is_first && is_chosen(motion, source)});
     shown = entries.back().is_chosen ? motion.label : shown;
   }
-  if (const auto clicked = list_of(state, "motion", "motion", shown, entries)) {
+  if (const auto clicked = draw_list(state, "motion", "motion", shown, entries)) {
     state.motion_asked = choices[*clicked];
   }
 }
 
-// Colours that ended at the bound go on ending there; others have to show where it is.
+// Adapts the colours to a new bound. Colours that ended at the old bound end at the new one; other ranges grow until
+// they show the bound.
 void keep_range_to_bound(PictureStyle& picture, double before, double bound) {
   if (!picture.stretch_range) return;
   auto& [lowest, highest] = *picture.stretch_range;
   if (highest == before || highest < bound) highest = std::max(bound, lowest + 1e-4);
 }
 
-// Choices of the solver.
+// Controls for the choice of the solver.
 std::string chosen_substeps(const ViewerState& state) {
   const int chosen = state.newest->record.substeps;
   const bool is_most = chosen >= state.scene.simulation.solver.max_substeps;
   return chosen == 0 ? "auto" : fmt::format("auto, {}{}", chosen, is_most ? ", no more" : "");
 }
 
-// Two items in the place of one.
+// Draws two items in the space of one.
 struct Halves {
   float gap = ImGui::GetStyle().ItemInnerSpacing.x;
   float width = 0.5F * (ImGui::CalcItemWidth() - gap);
@@ -92,7 +93,7 @@ struct Halves {
   }
 };
 
-// How much, and beside it of what where there is a choice.
+// Draws the slider of the bound and, for solvers with several kinds of bound, the list of kinds.
 void lay_out_bound(ViewerState& state) {
   sim::BoundedSettings& bounded = state.scene.simulation.solver.bounded;
   const bool has_kinds = state.scene.simulation.solver.kind == sim::SolverKind::bounded;
@@ -110,7 +111,7 @@ void lay_out_bound(ViewerState& state) {
   }
 }
 
-// The list of solvers, and beside it whether there is contact where the solver knows any.
+// Draws the list of solvers and, for a solver with contact, the switch for contact.
 void lay_out_solver_list(ViewerState& state) {
   SolverChoice& solver = state.scene.simulation.solver;
   const bool knows_contact = solver.kind == sim::SolverKind::bounded;
@@ -125,7 +126,7 @@ void lay_out_solver_list(ViewerState& state) {
   solver = with_solver(solver, kind, state.newest->loaded->scene.simulation.solver);
 }
 
-// Two sliders side by side; the second one's label stands for both.
+// Draws two sliders side by side. The second one's label describes both.
 void slider_pair(ViewerState& state, const Slider& left, const Slider& right) {
   const Halves halves;
   halves.begin_left();
@@ -134,7 +135,7 @@ void slider_pair(ViewerState& state, const Slider& left, const Slider& right) {
   number_slider(state, right);
 }
 
-// Sliders of the fabric: its stiffness against bending, and against crumpling.
+// Draws the sliders of the fabric's bending and compression stiffness.
 void lay_out_stiffness(ViewerState& state) {
   sim::Material& fabric = state.scene.material;
   const double before_un_m = 1e6 * fabric.bending_rigidity_n_m;
@@ -176,9 +177,9 @@ void lay_out_solver(ViewerState& state) {
   number_slider(state, {"air drag", "air.drag", state.scene.surroundings.forces.air_drag_per_s, 0.0, 10.0, "%.2f /s"});
 }
 
-// The two wind values of the paper's figure 5. The slider snaps to them.
+// Wind speeds of the paper's figure 5, to which the slider snaps.
 constexpr std::array<double, 2> paper_values = {1.0, 10.0};
-// Distance within which it snaps. A larger value makes nearby speeds unreachable.
+// Distance within which the slider snaps. A larger value makes nearby speeds unreachable.
 constexpr double snap_m_per_s = 0.12;
 
 struct Colours {
@@ -190,7 +191,7 @@ struct Colours {
   ImU32 mark = IM_COL32(192, 57, 43, 255);
 };
 
-double snapped(double speed) {
+double snap_speed(double speed) {
   for (const double value : paper_values) {
     if (std::abs(speed - value) < snap_m_per_s) return value;
   }
@@ -216,7 +217,7 @@ void draw_scale(ImDrawList& list, const Colours& colours, const ImVec2& left, fl
   }
 }
 
-// A slider as large as its importance.
+// Draws a large slider for the wind speed.
 void speed_slider(ViewerState& state, float scale) {
   double& speed = state.scene.surroundings.forces.wind.speed_m_per_s;
   const float knob = 11.0F * scale;
@@ -224,13 +225,13 @@ void speed_slider(ViewerState& state, float scale) {
   const float width = ImGui::GetContentRegionAvail().x;
   ImGui::InvisibleButton("speed", {width, 2.0F * knob});
   note_place(state, "wind.speed");
-  // Named so that 0 and 1 across are the slider's ends.
+  // The rectangle makes 0 and 1 of a session's position the ends of the slider.
   state.places["wind.speed"] = {{corner.x + knob, corner.y}, {corner.x + width - knob, corner.y + 2.0F * knob}};
   const ImVec2 left = {corner.x + knob, corner.y + knob};
   const float length = width - 2.0F * knob;
   if (ImGui::IsItemActive()) {
     const double place = std::clamp((ImGui::GetIO().MousePos.x - left.x) / length, 0.0F, 1.0F);
-    speed = snapped(place * strongest_wind_m_per_s);
+    speed = snap_speed(place * strongest_wind_m_per_s);
   }
 
   const Colours colours;
@@ -245,26 +246,26 @@ void speed_slider(ViewerState& state, float scale) {
   ImGui::Dummy({width, ImGui::GetTextLineHeight() + 4.0F * scale});
 }
 
-// Directions on the ground as the camera sees them: up on the dial is away from the eye.
-struct Ground {
+// Ground directions in the camera's view: up on the dial is away from the eye.
+struct GroundChoice {
   glm::dvec3 away;
   glm::dvec3 right;
 
-  explicit Ground(double azimuth_rad)
+  explicit GroundChoice(double azimuth_rad)
       : away(-std::sin(azimuth_rad), 0.0, -std::cos(azimuth_rad)),
         right(std::cos(azimuth_rad), 0.0, -std::sin(azimuth_rad)) {}
 };
 
 void direction_dial(ViewerState& state, float radius, float scale) {
   glm::dvec3& direction = state.scene.surroundings.forces.wind.direction;
-  const Ground ground(state.camera.azimuth_rad());
+  const GroundChoice ground(state.camera.azimuth_rad());
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   ImGui::InvisibleButton("direction", {2.0F * radius, 2.0F * radius});
   note_place(state, "wind.direction");
   const ImVec2 centre = {corner.x + radius, corner.y + radius};
   const ImVec2 pointer = {ImGui::GetIO().MousePos.x - centre.x, ImGui::GetIO().MousePos.y - centre.y};
   if (ImGui::IsItemActive() && (pointer.x != 0.0F || pointer.y != 0.0F)) {
-    // Wind that also rises or falls keeps doing so.
+    // The vertical part of the wind does not change.
     const double flat = std::max(std::hypot(direction.x, direction.z), 1e-3);
     const glm::dvec3 asked =
         static_cast<double>(pointer.x) * ground.right - static_cast<double>(pointer.y) * ground.away;
@@ -294,7 +295,7 @@ void gust_and_gravity(ViewerState& state) {
   ImGui::PushItemWidth(-0.38F * ImGui::GetContentRegionAvail().x);
   number_slider(state, {"gusts", "wind.gust_amplitude", wind.gust_amplitude, 0.0, 1.0, "%.2f"});
   number_slider(state, {"period", "wind.gust_period", wind.gust_period_s, 0.1, 10.0, "%.1f s", true});
-  double down = 0.0 - forces.gravity_m_per_s2.y;  // and not -0
+  double down = 0.0 - forces.gravity_m_per_s2.y;  // 0 instead of -0
   if (number_slider(state, {"gravity", "gravity", down, 0.0, 20.0, "%.2f m/s²"})) {
     forces.gravity_m_per_s2.y = -down;
   }

@@ -6,7 +6,7 @@
 #include "app/viewer/panel/user_interface.hpp"
 #include "app/viewer/state/viewer_state.hpp"
 
-// Measurements, and overlays of the scene: the time bar, messages, legends and the sheet of keys.
+// Measurements, and overlays of the scene: the time bar, messages, legends and the list of keys.
 
 namespace taut::app {
 namespace {
@@ -20,18 +20,18 @@ struct Words {
   ImU32 colour = ImGui::GetColorU32(ImGuiCol_TextDisabled);
 };
 
-struct Plot {
+struct PanelPlot {
   std::string title;
-  std::vector<Words> reading;  ///< the newest values; in the colours of their curves where there are several
+  std::vector<Words> reading;  ///< newest values; several have the colours of their curves
 };
 
-// The frame of a plot with its line of text above; returns the rectangle for the curves.
-ItemPlace plot_frame(ViewerState& state, const char* name, const Plot& plot, float scale) {
+// Draws the frame of a plot with its title and newest values above. Returns the rectangle for the curves.
+ItemPlace plot_frame(ViewerState& state, const char* name, const PanelPlot& plot, float scale) {
   ImGui::BeginGroup();
   ImGui::TextUnformatted(plot.title.c_str());
   const float width = ImGui::GetContentRegionAvail().x;
   const float gap = ImGui::GetStyle().ItemSpacing.x;
-  float left = width + gap;  // from where the group begins
+  float left = width + gap;  // offset from the group's left edge
   for (const Words& words : plot.reading) left -= ImGui::CalcTextSize(words.text.c_str()).x + gap;
   for (const Words& words : plot.reading) {
     ImGui::SameLine(left);
@@ -50,35 +50,35 @@ ItemPlace plot_frame(ViewerState& state, const char* name, const Plot& plot, flo
   return {{corner.x, corner.y}, {corner.x + width, corner.y + height}};
 }
 
-float height_of(float value, const ItemPlace& place, float highest) {
+float plot_height(float value, const ItemPlace& place, float highest) {
   const float part = std::clamp(value / highest, 0.0F, 1.0F);
   return place.upper_px.y - 1.0F - part * (place.upper_px.y - place.lower_px.y - 2.0F);
 }
 
 void draw_curve(std::span<const float> values, const ItemPlace& place, float highest, ImU32 colour, float scale) {
   if (values.size() < 2) return;
-  const float step = (place.upper_px.x - place.lower_px.x) / static_cast<float>(RecentValues::most - 1);
+  const float step = (place.upper_px.x - place.lower_px.x) / static_cast<float>(RecentValues::max_count - 1);
   std::vector<ImVec2> points;
   points.reserve(values.size());
   for (std::size_t i = 0; i < values.size(); ++i) {
     const auto from_end = static_cast<float>(values.size() - 1 - i);
-    points.emplace_back(place.upper_px.x - step * from_end, height_of(values[i], place, highest));
+    points.emplace_back(place.upper_px.x - step * from_end, plot_height(values[i], place, highest));
   }
-  // A whole number of pixels: two triangles for each point instead of six.
+  // A whole number of pixels needs two triangles per point instead of six.
   ImGui::GetWindowDrawList()->AddPolyline(points.data(), static_cast<int>(points.size()), colour, ImDrawFlags_None,
                                           std::round(1.5F * scale));
 }
 
-float largest(std::span<const float> values) { return values.empty() ? 0.0F : *std::ranges::max_element(values); }
+float max_value(std::span<const float> values) { return values.empty() ? 0.0F : *std::ranges::max_element(values); }
 
-// Scales in steps, or they would breathe with every value.
+// Returns the maximum of a scale in powers of 2, so that the scale does not change with every value.
 float rounded_up(float value, float least) {
   float limit = least;
   while (limit < value) limit *= 2.0F;
   return limit;
 }
 
-// As wide as the panel: a line whose end comes and goes would take its explanation from under the pointer.
+// Draws a line as wide as the panel, so that the pointer stays over it when the text becomes shorter.
 void reading_line(ViewerState& state, const char* name, const std::string& text) {
   ImGui::BeginGroup();
   const float width = ImGui::GetContentRegionAvail().x;
@@ -90,33 +90,33 @@ void reading_line(ViewerState& state, const char* name, const std::string& text)
 }
 
 void plot_stretch(ViewerState& state, float scale) {
-  const sim::BoundKind held = bound_kind(state.scene);
-  const bool holds_springs = held == sim::BoundKind::springs;
+  const sim::BoundKind kind_kept = bound_kind(state.scene);
+  const bool holds_springs = kind_kept == sim::BoundKind::springs;
   const RecentValues& stretch = holds_springs ? state.measurements.max_stretch : state.measurements.max_surface_stretch;
   const std::optional<double> bound = stretch_bound(state.scene);
   const auto limit = static_cast<float>(bound.value_or(0.0));
-  const std::string now = in_little_room(100.0F * stretch.last(), 2);
+  const std::string now = short_number(100.0F * stretch.last(), 2);
   const std::string reading =
       bound ? fmt::format("{} %, {} {:.4g} %", now, bound_word(state.scene), 100.0 * *bound) : now + " %, no bound";
-  const float highest = rounded_up(largest(stretch.values()), std::max(1.25F * limit, 0.001F));
+  const float highest = rounded_up(max_value(stretch.values()), std::max(1.25F * limit, 0.001F));
   const bool is_exceeded = bound && !state.newest->record.bound_kept;
   const Words words = is_exceeded ? Words{reading, bound_colour} : Words{reading};
   const ItemPlace place = plot_frame(state, "measured.stretch",
                                      {holds_springs ? "Stretch of springs" : "Stretch of the surface", {words}}, scale);
   if (bound) {
-    const float y = height_of(limit, place, highest);
+    const float y = plot_height(limit, place, highest);
     ImGui::GetWindowDrawList()->AddLine({place.lower_px.x, y}, {place.upper_px.x, y}, bound_colour, scale);
   }
   draw_curve(stretch.values(), place, highest, curve_colour, scale);
-  reading_line(state, "measured.stretches", other_stretches(state.newest->record, held));
+  reading_line(state, "measured.stretches", other_stretches(state.newest->record, kind_kept));
   reading_line(state, "measured.contact", contact_text(state.newest->record.contact));
 }
 
 void plot_convergence(ViewerState& state, float scale) {
   const RecentValues& moved = state.measurements.convergence_mm;
-  const float highest = rounded_up(largest(moved.values()), 0.01F);
+  const float highest = rounded_up(max_value(moved.values()), 0.01F);
   const ItemPlace place = plot_frame(state, "measured.convergence",
-                                     {"Convergence", {{in_little_room(moved.last(), 3) + " mm a frame"}}}, scale);
+                                     {"Convergence", {{short_number(moved.last(), 3) + " mm a frame"}}}, scale);
   draw_curve(moved.values(), place, highest, curve_colour, scale);
 }
 
@@ -126,7 +126,7 @@ void plot_times(ViewerState& state, float scale) {
     plot_frame(state, "measured.times", {"Milliseconds", {{"not shown here"}}}, scale);
     return;
   }
-  const float highest = rounded_up(std::max(largest(m.simulate_ms.values()), largest(m.draw_ms.values())), 10.0F);
+  const float highest = rounded_up(std::max(max_value(m.simulate_ms.values()), max_value(m.draw_ms.values())), 10.0F);
   const std::vector<Words> reading = {{"simulate " + few_digits(m.simulate_ms.last()), curve_colour},
                                       {"draw " + few_digits(m.draw_ms.last()), second_colour},
                                       {"panel " + few_digits(m.panel_ms.last())}};
@@ -147,13 +147,13 @@ std::string reason_text(SlowedBy reason, const Snapshot& newest) {
   return texts[static_cast<std::size_t>(reason)];
 }
 
-/// How fast the window is, and why no faster. Empty where it is not known.
-std::optional<std::pair<double, SlowedBy>> speed_of(const ViewerState& state) {
+/// Returns the simulation's speed and the reason why it is not faster; empty if it is unknown.
+std::optional<std::pair<double, SlowedBy>> simulation_speed(const ViewerState& state) {
   const Measurements& m = state.measurements;
   const auto factor = m.real_time.factor();
   if (!m.shows_times || !factor) return std::nullopt;
   const double frame_ms = 1000.0 / (state.scene.simulation.frame_rate_hz * state.speed);
-  return std::pair(*factor, slowed_by(*factor, state.speed, m.worked_ms, frame_ms, m.real_time.busy_share()));
+  return std::pair(*factor, find_slowdown(*factor, state.speed, m.worked_ms, frame_ms, m.real_time.busy_share()));
 }
 
 std::string pictures_text(const ViewerState& state) {
@@ -166,15 +166,15 @@ bool stands_still(const ViewerState& state) { return state.newest->paused || has
 
 std::string speed_text(const ViewerState& state) {
   if (stands_still(state)) return state.newest->paused ? "paused" : "stopped";
-  const auto speed = speed_of(state);
+  const auto speed = simulation_speed(state);
   if (!speed) return "times real time: not known here";
   return fmt::format("{:.2f} x real time{}", speed->first, reason_text(speed->second, *state.newest));
 }
 
-/// Where the simulation falls behind, a button that takes a garment of fewer triangles; right of the last line, so that
-/// nothing below moves away from the pointer.
+/// If the simulation is too slow, draws a button that loads a garment of fewer triangles. The button is at the end of
+/// the last line, so that no item below moves away from the pointer.
 void offer_coarser(ViewerState& state) {
-  const auto speed = speed_of(state);
+  const auto speed = simulation_speed(state);
   const Choice* const coarser = coarser_than(state.newest->loaded->scene.garment.file.stem().string(), state.garments);
   if (stands_still(state) || !speed || speed->second != SlowedBy::simulation || coarser == nullptr) return;
   const std::string label = "Take " + coarser->name;
@@ -189,7 +189,7 @@ constexpr float background = 0.88F;
 constexpr std::array<std::pair<const char*, double>, 4> speeds = {
     {{"1 x", 1.0}, {"1/2", 0.5}, {"1/4", 0.25}, {"1/10", 0.1}}};
 
-ImU32 packed(const renderer::Colour& colour) {
+ImU32 pack_colour(const renderer::Colour& colour) {
   return ImGui::ColorConvertFloat4ToU32({colour.r, colour.g, colour.b, 1.0F});
 }
 
@@ -201,14 +201,14 @@ void lay_out_speed(ViewerState& state) {
     shown = factor == state.speed ? label : shown;
   }
   ImGui::SetNextItemWidth(4.2F * ImGui::GetFontSize());
-  if (const auto clicked = list_of(state, "##speed", "speed", shown, entries)) {
+  if (const auto clicked = draw_list(state, "##speed", "speed", shown, entries)) {
     state.speed = speeds[*clicked].second;
   }
 }
 
 void lay_out_timeline(ViewerState& state, float width) {
   const Snapshot& newest = *state.newest;
-  // In floating point, or the knob would be as wide as one of a few frames.
+  // Floating-point values make the knob narrow; with integers it would be as wide as one frame of a few.
   const double last = newest.record.frame;
   const double first = std::min<double>(first_frame_in_reach(newest), last - 1.0);
   double place = state.past_frame.value_or(newest.record.frame);
@@ -225,7 +225,7 @@ void lay_out_timeline(ViewerState& state, float width) {
 }
 
 void legend_of_stretch(const ViewerState& state, float scale) {
-  // Not a structured binding, which Clang before 16 does not let a lambda capture.
+  // Clang before 16 does not let a lambda capture a structured binding.
   const std::array<double, 2> range = shown_stretch_range(state.scene);
   const double low = range[0], high = range[1];
   const ImVec2 corner = ImGui::GetCursorScreenPos();
@@ -236,7 +236,7 @@ void legend_of_stretch(const ViewerState& state, float scale) {
     const float top = corner.y + size.y * static_cast<float>(i) / bands;
     const float t = 1.0F - (static_cast<float>(i) + 0.5F) / bands;
     list.AddRectFilled({corner.x, top}, {corner.x + size.x, top + size.y / bands + 1.0F},
-                       packed(renderer::colour_at(renderer::ColourMap::viridis, t)));
+                       pack_colour(renderer::colour_at(renderer::ColourMap::viridis, t)));
   }
   const auto mark = [&](double value, const std::string& text, ImU32 colour) {
     const auto part = static_cast<float>((value - low) / (high - low));
@@ -263,11 +263,11 @@ void legend_of_springs(const ViewerState& state, float scale) {
     const std::size_t count = state.newest->loaded->garment->springs.count(kind);
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     const float y = corner.y + 0.5F * ImGui::GetTextLineHeight();
-    ImGui::GetWindowDrawList()->AddLine({corner.x, y}, {corner.x + 16.0F * scale, y}, packed(spring_colour(kind)),
+    ImGui::GetWindowDrawList()->AddLine({corner.x, y}, {corner.x + 16.0F * scale, y}, pack_colour(spring_colour(kind)),
                                         3.0F * scale);
     ImGui::Dummy({18.0F * scale, ImGui::GetTextLineHeight()});
     ImGui::SameLine();
-    ImGui::Text("%s, %zu", sim::name_of(kind), count);
+    ImGui::Text("%s, %zu", sim::to_name(kind), count);
   }
 }
 

@@ -37,20 +37,20 @@ constexpr std::array<std::pair<ImGuiKey, int>, 19> navigation_keys = {{
     {ImGuiKey_X, 'X'},
 }};
 
-// The file of the font that other text of the program is drawn with; empty where there is none.
+// Returns the font file that the program uses for other text; empty if there is none.
 std::filesystem::path font_file() {
   FcConfig* config = FcInitLoadConfigAndFonts();
   FcPattern* wanted = FcNameParse(reinterpret_cast<const FcChar8*>("DejaVu Sans"));
   FcConfigSubstitute(config, wanted, FcMatchPattern);
   FcDefaultSubstitute(wanted);
   FcResult result = FcResultNoMatch;
-  FcPattern* found = FcFontMatch(config, wanted, &result);
+  FcPattern* match = FcFontMatch(config, wanted, &result);
   FcChar8* file = nullptr;
   std::filesystem::path path;
-  if (found != nullptr && FcPatternGetString(found, FC_FILE, 0, &file) == FcResultMatch) {
+  if (match != nullptr && FcPatternGetString(match, FC_FILE, 0, &file) == FcResultMatch) {
     path = reinterpret_cast<const char*>(file);
   }
-  if (found != nullptr) FcPatternDestroy(found);
+  if (match != nullptr) FcPatternDestroy(match);
   FcPatternDestroy(wanted);
   FcConfigDestroy(config);
   return path;
@@ -148,7 +148,7 @@ void UserInterface::make_letters() {
 
   ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
   atlas.Clear();
-  // Latin, the signs of dashes and arrows, and simple shapes.
+  // Latin letters, dashes, arrows and simple symbols.
   static constexpr std::array<ImWchar, 9> ranges = {0x20, 0xFF, 0x2010, 0x2027, 0x2190, 0x2199, 0x2212, 0x2212, 0};
   const float height_px = static_cast<float>(letter_height_px) * scale;
   const bool has_font = !font_.empty() && std::filesystem::exists(font_) &&

@@ -3,13 +3,13 @@
 namespace taut::app {
 namespace {
 
-// Cloth hangs from the hand by a spring, and follows it late: less than this apart it is in the hand. Smaller
-// shows threads of millimetres whenever the hand moves.
-constexpr float least_m = 0.005F;
-// The same in the picture. Smaller shows a dot on cloth that is far away.
-constexpr float least_px = 4.0F;
+// Distance up to which the cloth counts as in the hand; the hand's spring makes it follow late. A smaller value shows
+// short threads whenever the hand moves.
+constexpr float min_shift_m = 0.005F;
+// Distance in the picture up to which the cloth counts as in the hand. A smaller value shows a dot on distant cloth.
+constexpr float min_shift_px = 4.0F;
 
-// Dark with a light rim shows on cloth and ground of any colour.
+// A dark line with a light rim shows on cloth and floor of any colour.
 constexpr renderer::Colour rim_colour = renderer::rgb(0xFFFFFF);
 constexpr renderer::Colour core_colour = renderer::rgb(0x1C1C1C);
 constexpr float rim_width_px = 4.5F;
@@ -22,8 +22,7 @@ constexpr renderer::Colour normal_colour = renderer::rgb(0x2E7D32);
 // Length of lines that show normals, as a fraction of the diagonal of the garment at rest.
 constexpr float normal_length = 0.012F;
 
-/// Adds the thread to what is drawn: in front of everything, faint where surfaces hide it. `thread` must live
-/// as long as `frame` is used.
+/// Adds the thread in front of everything, faint where surfaces hide it. `thread` must outlive `frame`.
 void add_thread(const HandThread& thread, renderer::FrameView& frame) {
   for (const bool hidden : {false, true}) {
     renderer::LineView line{.points = thread,
@@ -48,31 +47,29 @@ void add_thread(const HandThread& thread, renderer::FrameView& frame) {
 
 // The first frames at a level are ignored, because they compile shaders and allocate memory.
 constexpr int ignored_frames = 2;
-// Slow frames in a row before the quality is reduced: 1/3 s. Fewer would react to short loads of other
-// programs.
+// Consecutive slow frames before the quality is reduced: 1/3 s. Fewer would react to short loads of other programs.
 constexpr int frames_to_worsen = 10;
-// With a mean above this the quality is reduced sooner, after frames_to_worsen_fast frames.
-constexpr double far_too_long_ms = 1.6 * QualityControl::longest_ms;
+// Mean above which the quality is reduced sooner, after frames_to_worsen_fast frames.
+constexpr double max_slow_ms = 1.6 * QualityControl::max_ms;
 constexpr int frames_to_worsen_fast = 4;
-// A level that was kept for this many frames has proven itself.
+// Frames after which a tried level counts as fast enough.
 constexpr int proven_frames = 300;
-// Upper limit of patience_, in frames.
-constexpr int most_patience = 3000;
+// Upper limit of trial_wait_frames_, in frames.
+constexpr int max_patience = 3000;
 // Weight of the newest frame in running means. A larger value reacts faster and less steadily.
 constexpr double newest_weight = 0.2;
-// A longer frame counts as this long, because one frame that another program delayed says little.
-constexpr double longest_believed_ms = 1.9 * QualityControl::longest_ms;
-// A better level is tried if its expected time is below this fraction of longest_ms.
-constexpr double room = 0.95;
-// Fractions of simulated time. Giving up more than `much` is visible as slow motion; less than `little` does
-// not matter.
-constexpr double much_given_up = 0.05;
-constexpr double little_given_up = 0.01;
-// How much the pause after a frame grows or shrinks in one frame.
+// Limit on the duration of a frame in the mean: one frame that another program delayed says little.
+constexpr double max_believed_ms = 1.9 * QualityControl::max_ms;
+// Fraction of max_ms below which a better level's expected time must be, to try that level.
+constexpr double better_level_fraction = 0.95;
+// Fractions of simulated time. Giving up more than `much` is visible as slow motion; less than `little` is not.
+constexpr double max_lost_fraction = 0.05;
+constexpr double negligible_lost_fraction = 0.01;
+// Change of the pause after a frame, per frame.
 constexpr double more_rest_ms = 2.0;
 constexpr double less_rest_ms = 0.2;
 
-std::uint64_t hash_of(const renderer::OverlayView& overlay) {
+std::uint64_t hash_overlay(const renderer::OverlayView& overlay) {
   std::uint64_t hash = 0;
   const auto add = [&hash](const auto& values) {
     const std::string_view bytes(reinterpret_cast<const char*>(values.data()), values.size() * sizeof(values[0]));
@@ -86,8 +83,8 @@ std::uint64_t hash_of(const renderer::OverlayView& overlay) {
   return hash;
 }
 
-// The frames of lists that open over the panel are clipped to the whole window only: where they are is where
-// their vertices are.
+// Returns true if a part of the overlay is beside the scene. Lists that open over the panel are clipped only to the
+// whole window, so the position of their vertices decides.
 bool is_beside(const renderer::OverlayView& overlay, const renderer::OverlayPart& part, int scene_width_px) {
   if (part.clip_lower_px.x >= scene_width_px) return true;
   const auto indices = overlay.indices.subspan(part.first_index, part.index_count);
@@ -96,26 +93,26 @@ bool is_beside(const renderer::OverlayView& overlay, const renderer::OverlayPart
   });
 }
 
-// Panels beside the scene, or over it.
-renderer::OverlayView parts_of(const renderer::OverlayView& overlay, int scene_width_px, bool beside) {
+// Returns the parts of the overlay that are beside the scene, or those over it.
+renderer::OverlayView scale_overlay(const renderer::OverlayView& overlay, int scene_width_px, bool beside) {
   renderer::OverlayView part = overlay;
   std::erase_if(part.parts,
                 [&](const renderer::OverlayPart& each) { return is_beside(overlay, each, scene_width_px) != beside; });
   return part;
 }
 
-// A smaller target is a window being closed, and nothing is drawn.
-constexpr int smallest_side_px = 8;
+// Minimum width and height to draw to. A smaller target is a window that is being closed.
+constexpr int min_side_px = 8;
 
-bool has_room(const ViewArea& area) { return area.width_px >= smallest_side_px && area.height_px >= smallest_side_px; }
+bool has_room(const ViewArea& area) { return area.width_px >= min_side_px && area.height_px >= min_side_px; }
 
 GarmentSight first_sight(const ViewerState& state, const WindowLayout& layout) {
   return {state, *state.shown, garment_area(state, layout)};
 }
 
-// The view of the compared garment, in the right half.
+// Returns the view of the second garment, in the right half.
 std::optional<GarmentSight> second_sight(const ViewerState& state, const WindowLayout& layout) {
-  const Snapshot* garment = compared(state);
+  const Snapshot* garment = compared_garment(state);
   if (garment == nullptr) return std::nullopt;
   const ViewArea whole = scene_area(layout);
   const int left_px = garment_area(state, layout).width_px;
@@ -127,10 +124,10 @@ std::optional<GarmentSight> second_sight(const ViewerState& state, const WindowL
 std::optional<HandThread> hand_thread(const ViewerState& state, const Snapshot& garment, const ViewArea& area) {
   if (!state.held) return std::nullopt;
   const std::vector<glm::vec3> ends = to_float({garment.positions()[state.held->vertex], state.held->hand_m});
-  const auto from_px = state.camera.pixel_of(ends[0], area);
-  const auto to_px = state.camera.pixel_of(ends[1], area);
-  const bool is_apart =
-      glm::distance(ends[0], ends[1]) > least_m && (!from_px || !to_px || glm::distance(*from_px, *to_px) > least_px);
+  const auto from_px = state.camera.project_to_pixel(ends[0], area);
+  const auto to_px = state.camera.project_to_pixel(ends[1], area);
+  const bool is_apart = glm::distance(ends[0], ends[1]) > min_shift_m &&
+                        (!from_px || !to_px || glm::distance(*from_px, *to_px) > min_shift_px);
   return is_apart ? std::optional(HandThread{ends[0], ends[1]}) : std::nullopt;
 }
 
@@ -169,8 +166,8 @@ GarmentPainter& ScenePicture::painter_for(const GarmentSight& sight) {
 }
 
 void ScenePicture::add_normals(const Snapshot& garment, renderer::FrameView& frame) {
-  const renderer::SurfaceView surface = renderer::coarse_of(frame.surfaces.back());
-  const sim::Vec3 size_m = sim::extent_of(garment.loaded->garment->mesh.positions).size();
+  const renderer::SurfaceView surface = renderer::coarse_surface(frame.surfaces.back());
+  const sim::Vec3 size_m = sim::compute_extent(garment.loaded->garment->mesh.positions).size();
   const float length_m = normal_length * static_cast<float>(glm::length(size_m));
   normal_points_.clear();
   for (std::size_t v = 0; v < surface.positions.size(); ++v) {
@@ -188,13 +185,13 @@ ScenePicture::SceneLook ScenePicture::look_of(const GarmentSight& sight) {
           sight.area.width_px, sight.left_px};
 }
 
-// A scene that stands still is drawn once more to be kept; one that moves would be kept for nothing.
+// Draws the picture. It is kept only once the scene stands still, because a moving scene would not use it again.
 void ScenePicture::draw_anew(unsigned framebuffer, const GarmentSight& sight, const PictureQuality& quality,
                              bool keep) {
   const ViewerState& state = sight.state;
   const ViewArea& area = sight.area;
   GarmentPainter& painter = painter_for(sight);
-  painter.look_from(state.camera.camera(), quality.shortest_edge_px);
+  painter.look_from(state.camera.camera(), quality.min_edge_px);
   renderer::FrameView frame = painter.view(sight.garment.positions(), sight.garment.checkpoint->state.time_s);
   frame.backdrop.transparent = false;
   if (state.show_normals) add_normals(sight.garment, frame);
@@ -225,45 +222,46 @@ void QualityControl::go_to(std::size_t level) {
   given_up_ = 0.0;
 }
 
-// The picture's rate is the last thing to give way, and the first to come back.
+// The frame rate is reduced last and restored first.
 void QualityControl::note_simulation(double share_given_up) {
   given_up_ += newest_weight * (std::min(share_given_up, 1.0) - given_up_);
-  if (given_up_ > much_given_up && level_ + 1 == picture_qualities.size()) {
-    rest_ms_ = std::min(rest_ms_ + more_rest_ms, most_rest_ms);
-  } else if (given_up_ < little_given_up) {
+  if (given_up_ > max_lost_fraction && level_ + 1 == picture_qualities.size()) {
+    rest_ms_ = std::min(rest_ms_ + more_rest_ms, max_rest_ms);
+  } else if (given_up_ < negligible_lost_fraction) {
     rest_ms_ = std::max(rest_ms_ - less_rest_ms, 0.0);
   }
 }
 
 bool QualityControl::is_too_slow() {
-  const bool is_slow = mean_ms_ > longest_ms || given_up_ > much_given_up;
+  const bool is_slow = mean_ms_ > max_ms || given_up_ > max_lost_fraction;
   slow_frames_ = is_slow ? slow_frames_ + 1 : 0;
-  return slow_frames_ >= (mean_ms_ > far_too_long_ms ? frames_to_worsen_fast : frames_to_worsen);
+  return slow_frames_ >= (mean_ms_ > max_slow_ms ? frames_to_worsen_fast : frames_to_worsen);
 }
 
 bool QualityControl::has_time_for_better() const {
-  if (level_ == 0 || rest_ms_ > 0.0 || given_up_ > little_given_up || frames_ < ignored_frames + patience_) {
+  if (level_ == 0 || rest_ms_ > 0.0 || given_up_ > negligible_lost_fraction ||
+      frames_ < ignored_frames + trial_wait_frames_) {
     return false;
   }
   const double dearer = picture_qualities[level_ - 1].cost / picture_qualities[level_].cost;
-  return mean_ms_ * dearer < room * longest_ms;
+  return mean_ms_ * dearer < better_level_fraction * max_ms;
 }
 
 void QualityControl::note(double measured_ms, double given_up_ms) {
-  const double frame_ms = std::min(measured_ms, longest_believed_ms);
+  const double frame_ms = std::min(measured_ms, max_believed_ms);
   ++frames_;
   if (frames_ <= ignored_frames) return;
   mean_ms_ = frames_ == ignored_frames + 1 ? frame_ms : mean_ms_ + newest_weight * (frame_ms - mean_ms_);
   note_simulation(given_up_ms / std::max(measured_ms, 1.0));
   if (is_trial_ && frames_ > proven_frames) {
     is_trial_ = false;
-    patience_ = least_patience;
+    trial_wait_frames_ = min_patience;
   }
   if (is_too_slow() && level_ + 1 < picture_qualities.size()) {
-    // A trial that failed should not be seen again soon: the picture would pump.
-    patience_ = is_trial_ ? std::min(2 * patience_, most_patience) : patience_;
+    // A failed trial must not be repeated soon, or the quality would alternate visibly.
+    trial_wait_frames_ = is_trial_ ? std::min(2 * trial_wait_frames_, max_patience) : trial_wait_frames_;
     is_trial_ = false;
-    go_to(level_ + (mean_ms_ > far_too_long_ms ? 2 : 1));
+    go_to(level_ + (mean_ms_ > max_slow_ms ? 2 : 1));
   } else if (has_time_for_better()) {
     is_trial_ = true;
     go_to(level_ - 1);
@@ -273,7 +271,7 @@ void QualityControl::note(double measured_ms, double given_up_ms) {
 InterfacePicture::InterfacePicture(renderer::Context& context)
     : context_(context), pass_(context), panel_target_(context) {}
 
-bool InterfacePicture::is_drawn(const renderer::OverlayView& overlay) const { return hash_of(overlay) == drawn_; }
+bool InterfacePicture::is_drawn(const renderer::OverlayView& overlay) const { return hash_overlay(overlay) == drawn_; }
 
 void InterfacePicture::draw_panel(const WindowLayout& layout, const renderer::OverlayView& panel) {
   const unsigned framebuffer = panel_target_.framebuffer(layout.width_px, layout.height_px);
@@ -283,7 +281,7 @@ void InterfacePicture::draw_panel(const WindowLayout& layout, const renderer::Ov
   since_panel_ = Stopwatch();
 }
 
-// Whether they are others than before.
+// Takes over the image of the letters. Returns false if it has not changed.
 bool InterfacePicture::take_letters(const UserInterface::Letters& letters) {
   if (letters.number == letters_number_) return false;
   pass_.set_sheet(letters.width_px, letters.height_px, letters.rgba);
@@ -294,7 +292,7 @@ bool InterfacePicture::take_letters(const UserInterface::Letters& letters) {
 void InterfacePicture::draw_over(unsigned framebuffer, const WindowLayout& layout,
                                  const UserInterface::Letters& letters, const renderer::OverlayView& overlay) {
   if (take_letters(letters)) {
-    panel_size_ = {};  // the panel has the old ones
+    panel_size_ = {};  // the kept panel shows the old letters
   }
   pass_.draw(framebuffer, layout.width_px, layout.height_px, overlay);
 }
@@ -303,19 +301,19 @@ void InterfacePicture::draw(unsigned framebuffer, const WindowLayout& layout, co
                             const renderer::OverlayView& overlay, bool is_urgent) {
   const bool has_new_letters = take_letters(letters);
   const int scene_width_px = scene_area(layout).width_px;
-  const std::uint64_t look = hash_of(overlay);
+  const std::uint64_t look = hash_overlay(overlay);
   if (scene_width_px < layout.width_px) {
     const bool fits = panel_size_ == renderer::Resized{layout.width_px, layout.height_px};
-    const bool is_old = since_panel_.elapsed_ms() >= 1000.0 * longest_s;
+    const bool is_old = since_panel_.elapsed_ms() >= 1000.0 * max_interval_s;
     if (!fits || has_new_letters || (look != panel_look_ && (is_urgent || is_old))) {
-      draw_panel(layout, parts_of(overlay, scene_width_px, true));
+      draw_panel(layout, scale_overlay(overlay, scene_width_px, true));
       panel_look_ = look;
     }
     panel_target_.copy_part_to(framebuffer, scene_width_px, 0, layout.width_px - scene_width_px, layout.height_px);
   } else {
     panel_look_ = look;
   }
-  pass_.draw(framebuffer, layout.width_px, layout.height_px, parts_of(overlay, scene_width_px, false));
+  pass_.draw(framebuffer, layout.width_px, layout.height_px, scale_overlay(overlay, scene_width_px, false));
   drawn_ = panel_look_;
 }
 
@@ -341,7 +339,7 @@ bool ViewerPicture::draw_scenes(unsigned framebuffer, const ViewerState& state, 
   return second_->draw(framebuffer, *second, level, anew) || drew_first;
 }
 
-// Kept, so that `draw` can show it without the legends, which it lays over itself.
+// Draws the scene so that the renderer keeps it: `draw` then shows it again, without these legends.
 renderer::Image ViewerPicture::picture(unsigned framebuffer, const ViewerState& state, const WindowLayout& layout,
                                        std::size_t level, const UserInterface::Letters& letters,
                                        const renderer::OverlayView& legends) {

@@ -13,14 +13,14 @@ using renderer::KeyChanged;
 using renderer::PointerMoved;
 using renderer::WindowEvent;
 
-// Limits on what a session may ask for, so that a damaged one ends with an error.
-constexpr int most_frames = 1000000;
-constexpr int largest_side_px = 16384;
+// Limits on a session's requests, so that a damaged session ends with an error.
+constexpr int max_frames = 1000000;
+constexpr int max_side_px = 16384;
 constexpr double far_px = 1e6;
 
 constexpr std::array button_names = {"left", "right", "middle"};
 
-/// How each line has to be; its verb comes first.
+/// Form of each kind of line, with its verb first.
 constexpr std::array<std::pair<std::string_view, const char*>, 17> forms = {{
     {"taut-session", R"(["taut-session", 2])"},
     {"scene", R"(["scene", SCENE])"},
@@ -62,15 +62,15 @@ struct EventWriter {
 
 std::string json_line(const Json& values) { return values.dump(-1, ' ', false, Json::error_handler_t::replace) + '\n'; }
 
-/// The values of a line; empty: it is no JSON.
+/// Returns the values of a line; empty if it is not JSON.
 Json parse_line(const std::string& text) try { return parse_json<Json>(text, "", ""); } catch (const InputError&) {
   return {};
 }
 
-/// One line, whose values are taken one after the other.
-class Line {
+/// A line whose values are read in order.
+class SessionLine {
  public:
-  Line(const std::string& file, int number, const std::string& text)
+  SessionLine(const std::string& file, int number, const std::string& text)
       : file_(file), number_(number), text_(text), values_(parse_line(text)) {
     if (!values_.is_array() || values_.empty() || !values_[0].is_string()) {
       fail(number == 1 ? forms[0].second : R"(a list [VERB, ...])");
@@ -118,19 +118,19 @@ class Line {
   std::size_t taken_ = 1;
 };
 
-renderer::Resized read_size(Line& line) {
-  const int width = line.number(0, largest_side_px);
-  return {width, line.number(0, largest_side_px)};
+renderer::Resized read_size(SessionLine& line) {
+  const int width = line.number(0, max_side_px);
+  return {width, line.number(0, max_side_px)};
 }
 
-renderer::PointerButton read_button(Line& line) {
+renderer::PointerButton read_button(SessionLine& line) {
   const auto* const name = std::ranges::find(button_names, line.text());
   return name != button_names.end() ? static_cast<renderer::PointerButton>(name - button_names.begin())
                                     : (line.fail(), renderer::PointerButton::left);
 }
 
-// Values are taken in the order in which they stand in braces.
-std::optional<SessionEvent> read_event(Line& line) {
+// Reads an event. Values in braces are evaluated from left to right.
+std::optional<SessionEvent> read_event(SessionLine& line) {
   const std::string verb = line.verb();
   if (verb == "key") return WindowEvent(KeyChanged{line.number(0, renderer::keys::last), line.flag()});
   if (verb == "button") return WindowEvent(ButtonChanged{read_button(line), line.flag()});
@@ -148,7 +148,7 @@ std::optional<SessionEvent> read_event(Line& line) {
   return std::nullopt;
 }
 
-bool read_start(Line& line, SessionStart& start) {
+bool read_start(SessionLine& line, SessionStart& start) {
   const std::string verb = line.verb();
   if (verb == "scene") {
     start.scene = line.text();
@@ -168,11 +168,11 @@ bool read_start(Line& line, SessionStart& start) {
   return true;
 }
 
-void read_line(Line& line, Session& session, SessionFrame& frame) {
+void read_line(SessionLine& line, RecordedSession& session, SessionFrame& frame) {
   const std::string verb = line.verb();
   const auto finish_frame = [&] { session.frames.push_back(std::exchange(frame, {})); };
   if (verb == "frame") {
-    const int count = line.has_more() ? line.number(1, most_frames - static_cast<int>(session.frames.size())) : 1;
+    const int count = line.has_more() ? line.number(1, max_frames - static_cast<int>(session.frames.size())) : 1;
     for (int i = 0; i < count; ++i) finish_frame();
   } else if (verb == "paced") {
     frame.elapsed_s = line.number(0.0, 1e6);
@@ -198,15 +198,15 @@ bool moves_pointer(const SessionEvent& event) {
   return as<PointerMoved>(event) != nullptr || std::holds_alternative<PointAt>(event);
 }
 
-// Whether the events of a frame hide from it that `next` came after them. Cloth that is let go would never have
-// seen the last place it was dragged to.
+// Returns true if `next` must wait for another frame, because a frame does not show the order of its events. Otherwise
+// cloth that is released would miss the last position of the drag.
 bool has_to_wait(const SessionEvent& next, const std::vector<SessionEvent>& taken) {
   return std::ranges::any_of(taken, [&](const SessionEvent& before) {
     const auto* button = as<ButtonChanged>(before);
     const auto* key = as<KeyChanged>(before);
     const auto* next_button = as<ButtonChanged>(next);
     const auto* next_key = as<KeyChanged>(next);
-    // Files are loaded one after the other, and what is wrong with each is said.
+    // Files are loaded one by one, each with its own messages.
     const bool drops_two = as<renderer::FileDropped>(before) != nullptr && as<renderer::FileDropped>(next) != nullptr;
     const bool lets_go = next_button != nullptr && !next_button->down;
     return drops_two || (lets_go && moves_pointer(before)) ||
@@ -222,7 +222,7 @@ std::string session_head(const SessionStart& start) {
   for (const Override& changed : start.overrides) {
     text += json_line({"set", changed.key + '=' + changed.value});
   }
-  if (start.compared_with) text += json_line({"compare", sim::name_of(*start.compared_with)});
+  if (start.compared_with) text += json_line({"compare", sim::to_name(*start.compared_with)});
   return text + json_line({"window", start.size.width_px, start.size.height_px, start.scale});
 }
 
@@ -234,30 +234,32 @@ std::string session_lines(const SessionFrame& frame) {
   return frame.expected_state ? text + json_line({"state", *frame.expected_state}) : text;
 }
 
-Session read_session(const std::filesystem::path& file) { return parse_session(read_text_file(file), file.string()); }
+RecordedSession read_session(const std::filesystem::path& file) {
+  return parse_session(read_text_file(file), file.string());
+}
 
-Session parse_session(const std::string& text, const std::string& name) {
+RecordedSession parse_session(const std::string& text, const std::string& name) {
   if (text.empty()) throw InputError(name + ": is empty, expected " + forms[0].second);
   std::istringstream lines(text);
-  Session session;
+  RecordedSession session;
   SessionFrame frame;
   int number = 0;
   for (std::string content; std::getline(lines, content);) {
     if (++number == 1) {
-      Line line(name, number, content);
+      SessionLine line(name, number, content);
       if (line.verb() != forms[0].first || line.number(0, 1000) != 2) line.fail(forms[0].second);
     } else if (!content.empty() && content.front() != '#') {
-      Line line(name, number, content);
+      SessionLine line(name, number, content);
       read_line(line, session, frame);
     }
   }
-  // Events that no frame follows get one.
+  // Trailing events without a frame get one.
   if (!frame.events.empty()) session.frames.push_back(std::move(frame));
   return session;
 }
 
 SessionRecorder::SessionRecorder(const std::filesystem::path& file, const SessionStart& start) : path_(file) {
-  prepare_folder_of(file);
+  prepare_parent_folder(file);
   file_.open(file, std::ios::trunc);
   file_ << session_head(start) << std::flush;
   if (!file_) throw InputError("cannot write '" + file.string() + "'");
@@ -269,14 +271,15 @@ void SessionRecorder::add(const SessionFrame& frame) {
 }
 
 std::vector<SessionEvent> InputQueue::take_frame() {
-  std::vector<SessionEvent> taken;
-  while (!waiting_.empty() && !has_to_wait(waiting_.front(), taken)) {
-    const bool replaces = !taken.empty() && moves_pointer(taken.back()) && moves_pointer(waiting_.front());
-    if (replaces) taken.pop_back();
-    taken.push_back(std::move(waiting_.front()));
+  std::vector<SessionEvent> frame_events;
+  while (!waiting_.empty() && !has_to_wait(waiting_.front(), frame_events)) {
+    const bool replaces =
+        !frame_events.empty() && moves_pointer(frame_events.back()) && moves_pointer(waiting_.front());
+    if (replaces) frame_events.pop_back();
+    frame_events.push_back(std::move(waiting_.front()));
     waiting_.pop_front();
   }
-  return taken;
+  return frame_events;
 }
 
 }  // namespace taut::app

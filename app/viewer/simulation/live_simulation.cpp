@@ -2,19 +2,19 @@
 
 #include "app/base/errors.hpp"
 #include "app/base/progress.hpp"
-#include "app/bodies/wearing.hpp"
-#include "app/models/inspection.hpp"
-#include "app/output/run_checkpoint.hpp"
+#include "app/garments/dressing/wearing.hpp"
+#include "app/models/inspecting/inspection.hpp"
+#include "app/runs/run_checkpoint.hpp"
 
 namespace taut::app {
 namespace {
 
-constexpr std::size_t most_bytes = 288U << 20U;
-constexpr int fewest_frames = 30;
-// The window may be so many snapshots behind the newest and still look back as far as it promises.
-constexpr int slack = 120;
-constexpr int look_after = 16;
-// A checkpoint while cloth moves: three arrays of positions, and the correction of the last frame.
+constexpr std::size_t max_bytes = 288U << 20U;
+constexpr int min_frames = 30;
+// Number of snapshots that the window may be behind the newest without losing any of the promised past.
+constexpr int max_window_delay = 120;
+constexpr int drop_interval = 16;
+// Bytes per vertex of a checkpoint while cloth moves: three arrays of positions, and the correction of the last frame.
 constexpr std::size_t vertex_bytes = 3 * sizeof(sim::Vec3) + 3 * sizeof(float);
 
 int reach_frames(const Snapshot& newest) {
@@ -22,16 +22,16 @@ int reach_frames(const Snapshot& newest) {
   const auto by_time = static_cast<int>(std::min(Timeline::span_s * rate_hz, 1e6));
   const std::size_t garments = newest.compared ? 2 : 1;
   const std::size_t frame_bytes = std::max<std::size_t>(1, garments * newest.positions().size() * vertex_bytes);
-  const auto by_memory = static_cast<int>(std::min<std::size_t>(most_bytes / frame_bytes, 1000000));
-  return std::max(fewest_frames, std::min(by_time, by_memory));
+  const auto by_memory = static_cast<int>(std::min<std::size_t>(max_bytes / frame_bytes, 1000000));
+  return std::max(min_frames, std::min(by_time, by_memory));
 }
 
-// Goes from a snapshot back through what led to it.
+// Walks back through the snapshots that led to a snapshot.
 class PastWalk {
  public:
   explicit PastWalk(const Snapshot& now) : loaded_(now.loaded), frame_(now.record.frame) {}
 
-  // Whether an older snapshot led to those before; of one frame, the last that it had.
+  // Returns true if an older snapshot led to the ones before. A frame with several snapshots gives only its last.
   bool takes(const Snapshot& older) {
     if (older.loaded != loaded_ || older.record.frame >= frame_) return false;
     frame_ = older.record.frame;
@@ -43,25 +43,27 @@ class PastWalk {
   int frame_;
 };
 
-// Of cloth between the fingers. Smaller pulls the cloth out to a point, larger lifts a plate.
-constexpr double reach_m = 0.03;
-// How fast a garment on the hand's spring alone would swing, in rad/s. Higher follows the cursor closer and
-// jerks harder.
+// Radius of cloth between the fingers. A smaller value pulls the cloth out to a point, a larger one lifts a stiff
+// plate.
+constexpr double grip_radius_m = 0.03;
+// Angular frequency of a garment that hangs only from the hand's spring. A higher value follows the pointer more
+// closely and jerks more.
 constexpr double swing_rad_per_s = 60.0;
-// In weights of the garment on Earth. More pulls a pinned garment harder against its stretch bound.
-constexpr double strength = 5.0;
+// Maximum pull in weights of the garment on Earth. A larger value pulls a pinned garment harder against its stretch
+// bound.
+constexpr double max_pull_weights = 5.0;
 constexpr double earth_m_per_s2 = 9.81;
 constexpr double arm_speed_m_per_s = 4.0;
 
-// A coarse mesh has no neighbour within reach: then the nearest ones help.
+// Returns the radius of a grip. On a coarse mesh it reaches at least the nearest vertices.
 double reach_around(const sim::Garment& garment, sim::Index vertex) {
-  double shortest_m = reach_m;
+  double min_length_m = grip_radius_m;
   for (const sim::Index e : garment.adjacency.vertex_edges[vertex]) {
     const sim::Index other = sim::other_end(garment.adjacency.edges[e], vertex);
     const double length_m = glm::distance(garment.mesh.positions[vertex], garment.mesh.positions[other]);
-    shortest_m = std::max(shortest_m, 1.05 * length_m);
+    min_length_m = std::max(min_length_m, 1.05 * length_m);
   }
-  return shortest_m;
+  return min_length_m;
 }
 
 std::shared_ptr<const LoadedScene> load(const DrawnScene& scene, std::uint64_t generation) {
@@ -78,10 +80,10 @@ bool keeps_apart(const sim::SimulationSettings& settings) {
   return bounded != nullptr && bounded->contact;
 }
 
-std::string describe_now(const Untangling& u) {
-  return fmt::format("{} crossed: {}", counted(u.pairs_before, "pair of triangles", "pairs of triangles"),
+std::string describe_now(const UntangleReport& u) {
+  return fmt::format("{} crossed: {}", count_text(u.pairs_before, "pair of triangles", "pairs of triangles"),
                      u.pairs_left == 0
-                         ? fmt::format("parted, no vertex was moved by more than {:.3g} mm", 1e3 * u.largest_move_m)
+                         ? fmt::format("parted, no vertex was moved by more than {:.3g} mm", 1e3 * u.max_move_m)
                          : fmt::format("{} left, around which contact is off until they are apart", u.pairs_left));
 }
 
@@ -95,8 +97,8 @@ bool moves(const Snapshot& snapshot) {
   return (!snapshot.stopped && !snapshot.record.asleep) || (snapshot.compared && moves(*snapshot.compared));
 }
 
-sim::Simulation gone_on_from(const Snapshot& past, const sim::SimulationSettings& settings,
-                             const sim::Material& material, const sim::Surroundings& surroundings) {
+sim::Simulation continue_from(const Snapshot& past, const sim::SimulationSettings& settings,
+                              const sim::Material& material, const sim::Surroundings& surroundings) {
   sim::Simulation simulation(past.garment, *past.pins, past.settings, past.surroundings);
   simulation.restore(*past.checkpoint);
   simulation.set_settings(settings);
@@ -109,17 +111,17 @@ int first_frame_in_reach(const Snapshot& newest) { return std::max(0, newest.rec
 
 void Timeline::add(SnapshotPtr snapshot) {
   kept_.push_back(std::move(snapshot));
-  if (++added_ >= look_after) {
+  if (++added_ >= drop_interval) {
     added_ = 0;
-    forget_what_is_past();
+    drop_old_snapshots();
   }
 }
 
-// Of what is older than the slack, only the past of the first one younger is of use.
-void Timeline::forget_what_is_past() {
-  if (kept_.size() <= slack) return;
-  const auto young = kept_.end() - slack;
-  const int first = first_frame_in_reach(**young) - slack;
+// Drops older snapshots, except the past of the oldest one within the slack.
+void Timeline::drop_old_snapshots() {
+  if (kept_.size() <= max_window_delay) return;
+  const auto young = kept_.end() - max_window_delay;
+  const int first = first_frame_in_reach(**young) - max_window_delay;
   PastWalk walk(**young);
   std::deque<SnapshotPtr> useful(young, kept_.end());
   for (auto older = std::make_reverse_iterator(young); older != kept_.rend(); ++older) {
@@ -134,25 +136,26 @@ const SnapshotPtr& Timeline::with_serial(std::uint64_t serial) const {
 }
 
 SnapshotPtr Timeline::of_frame(const SnapshotPtr& now, int frame) const {
-  SnapshotPtr nearest = now;
+  SnapshotPtr nearest_snapshot = now;
   PastWalk walk(*now);
   const auto end = std::ranges::upper_bound(kept_, now->serial, {}, &Snapshot::serial);
-  for (auto older = std::make_reverse_iterator(end); older != kept_.rend() && nearest->record.frame > frame; ++older) {
-    if (walk.takes(**older)) nearest = *older;
+  for (auto older = std::make_reverse_iterator(end); older != kept_.rend() && nearest_snapshot->record.frame > frame;
+       ++older) {
+    if (walk.takes(**older)) nearest_snapshot = *older;
   }
-  return nearest;
+  return nearest_snapshot;
 }
 
 Grip take_grip(const sim::Garment& garment, std::span<const sim::Vec3> positions, sim::Index vertex) {
   const double reach = reach_around(garment, vertex);
   Grip grip;
   grip.target_m = positions[vertex];
-  std::vector<sim::Index> found = {vertex};
+  std::vector<sim::Index> grip_vertices = {vertex};
   std::vector<bool> seen(positions.size(), false);
   seen[vertex] = true;
   double total = 0.0;
-  for (std::size_t i = 0; i < found.size(); ++i) {
-    const sim::Index at = found[i];
+  for (std::size_t i = 0; i < grip_vertices.size(); ++i) {
+    const sim::Index at = grip_vertices[i];
     const double distance_m = glm::distance(garment.mesh.positions[at], garment.mesh.positions[vertex]);
     const double weight = garment.masses_kg[at] * (1.0 - distance_m / reach);
     grip.vertices.push_back({at, weight, positions[at] - positions[vertex]});
@@ -161,7 +164,7 @@ Grip take_grip(const sim::Garment& garment, std::span<const sim::Vec3> positions
       const sim::Index next = sim::other_end(garment.adjacency.edges[e], at);
       if (!seen[next] && glm::distance(garment.mesh.positions[next], garment.mesh.positions[vertex]) < reach) {
         seen[next] = true;
-        found.push_back(next);
+        grip_vertices.push_back(next);
       }
     }
   }
@@ -169,16 +172,16 @@ Grip take_grip(const sim::Garment& garment, std::span<const sim::Vec3> positions
   return grip;
 }
 
-std::vector<sim::HeldVertex> held_vertices(const Grip& grip, const sim::Vec3& hand_m, const sim::Garment& garment) {
+std::vector<sim::GrabbedVertex> held_vertices(const Grip& grip, const sim::Vec3& hand_m, const sim::Garment& garment) {
   const double mass_kg = std::accumulate(garment.masses_kg.begin(), garment.masses_kg.end(), 0.0);
   const double stiffness_n_per_m = mass_kg * swing_rad_per_s * swing_rad_per_s;
-  const double force_n = strength * mass_kg * earth_m_per_s2;
-  std::vector<sim::HeldVertex> held;
-  held.reserve(grip.vertices.size());
+  const double force_n = max_pull_weights * mass_kg * earth_m_per_s2;
+  std::vector<sim::GrabbedVertex> held_list;
+  held_list.reserve(grip.vertices.size());
   for (const GripVertex& part : grip.vertices) {
-    held.push_back({part.vertex, hand_m + part.offset_m, stiffness_n_per_m * part.share, force_n * part.share});
+    held_list.push_back({part.vertex, hand_m + part.offset_m, stiffness_n_per_m * part.share, force_n * part.share});
   }
-  return held;
+  return held_list;
 }
 
 sim::Vec3 moved_hand(const sim::Vec3& hand_m, const sim::Vec3& target_m, double time_s) {
@@ -193,11 +196,11 @@ LiveSimulation::LiveSimulation(const DrawnScene& scene) {
   tell_of_start();
 }
 
-LiveSimulation::LiveSimulation(std::shared_ptr<const LoadedScene> loaded) : way_on_("R starts both again") {
+LiveSimulation::LiveSimulation(std::shared_ptr<const LoadedScene> loaded) : restart_hint_("R starts both again") {
   start(std::move(loaded));
 }
 
-// Makes everything that can fail first, so that a scene that cannot be simulated changes nothing.
+// Does everything that can fail first, so that a scene that cannot be simulated changes nothing.
 void LiveSimulation::start(std::shared_ptr<const LoadedScene> loaded) {
   const DrawnScene& scene = loaded->scene;
   sim::Simulation simulation = make_simulation(scene, *loaded);
@@ -223,7 +226,7 @@ void LiveSimulation::apply(const SimulationCommand& command) {
     tell(error.what(), true);
   }
   if (!now_.stopped) {
-    note_shape();  // whatever was done of the command; most wake cloth that slept
+    note_shape();  // A command that failed may have done part of its work; most commands wake sleeping cloth.
   }
 }
 
@@ -242,7 +245,7 @@ void LiveSimulation::tell_of_start() {
 
 void LiveSimulation::perform(const ChangeSettings& change) {
   if (now_.stopped) {
-    start(now_.loaded);  // there is nothing left to go on from
+    start(now_.loaded);  // a stopped simulation cannot continue
   }
   now_.pristine = now_.pristine && frame_ == start_frame_;
   const sim::SimulationSettings settings = simulation_settings(change.simulation);
@@ -251,20 +254,20 @@ void LiveSimulation::perform(const ChangeSettings& change) {
     simulation_->set_settings(settings);
     simulation_->set_material(change.material);
     if (!was_kept_apart && keeps_apart(settings)) untangle(change.simulation);
-    // Another bound may move the cloth before another frame.
+    // Another bound may move the cloth before the next frame.
     measure_stretches(*simulation_, now_.record);
   }
-  surroundings_ = settled(change.surroundings, *now_.loaded);
+  surroundings_ = settle_surroundings(change.surroundings, *now_.loaded);
   simulation_->set_surroundings(surroundings_);
 }
 
-// Triangles that crossed while nothing kept them apart.
+// Separates triangles that crossed while contact was off.
 void LiveSimulation::untangle(const RunSettings& simulation) {
   sim::Checkpoint now = simulation_->save();
   Scene scene = now_.loaded->scene;
   scene.simulation = simulation;
   std::vector<sim::Vec3> positions_m = now.state.current;
-  const std::optional<Untangling> untangling =
+  const std::optional<UntangleReport> untangling =
       untangle_start(scene, simulation_->garment(), false, positions_m, [](const std::string&) {});
   if (!untangling) return;
   for (std::size_t v = 0; v < positions_m.size(); ++v) {
@@ -277,7 +280,7 @@ void LiveSimulation::untangle(const RunSettings& simulation) {
 
 void LiveSimulation::perform(const TogglePin& toggle) {
   if (toggle.vertex >= now_.loaded->garment->mesh.positions.size()) {
-    return;  // aimed at a garment that has been replaced since
+    return;  // selected on a garment that has been replaced since
   }
   std::vector<sim::Index> pins = *now_.pins;
   const auto place = std::ranges::lower_bound(pins, toggle.vertex);
@@ -294,7 +297,7 @@ void LiveSimulation::perform(const TogglePin& toggle) {
 void LiveSimulation::perform(const TakeHold& hold) {
   for (const GripVertex& held : hold.grip.vertices) {
     if (held.vertex >= now_.loaded->garment->mesh.positions.size()) {
-      return;  // aimed at a garment that has been replaced since
+      return;  // selected on a garment that has been replaced since
     }
   }
   if (!grip_ && !hold.grip.vertices.empty()) {
@@ -322,10 +325,10 @@ void LiveSimulation::perform(const Reset&) {
 void LiveSimulation::perform(const GoBack& back) {
   const Snapshot& past = *back.to;
   if (past.loaded != now_.loaded) {
-    return;  // of a garment that has been replaced since
+    return;  // snapshot of a garment that has been replaced since
   }
   grip_.reset();
-  simulation_.emplace(gone_on_from(past, simulation_->settings(), simulation_->garment().material, surroundings_));
+  simulation_.emplace(continue_from(past, simulation_->settings(), simulation_->garment().material, surroundings_));
   now_.pins = past.pins;
   now_.record = past.record;
   frame_ = past.record.frame;
@@ -343,7 +346,7 @@ void LiveSimulation::perform(const SetPaused& pause) {
 void LiveSimulation::pull() {
   sim::Surroundings pulled = surroundings_;
   hand_m_ = moved_hand(hand_m_, grip_->target_m, frame_time_s());
-  pulled.forces.held_vertices = held_vertices(*grip_, hand_m_, simulation_->garment());
+  pulled.forces.grabbed_vertices = held_vertices(*grip_, hand_m_, simulation_->garment());
   simulation_->set_surroundings(pulled);
   now_.pristine = false;
 }
@@ -371,7 +374,7 @@ void LiveSimulation::advance(const std::function<void()>& poll) {
 
 void LiveSimulation::stop(const std::string& reason) {
   now_.stopped = true;
-  tell(reason + "; " + way_on_, true);
+  tell(reason + "; " + restart_hint_, true);
 }
 
 SnapshotPtr LiveSimulation::take_snapshot(SnapshotPtr compared) {
@@ -384,10 +387,10 @@ SnapshotPtr LiveSimulation::take_snapshot(SnapshotPtr compared) {
 }
 
 void LiveSimulation::tell(const std::string& text, bool is_error) {
-  constexpr std::size_t most = 8;
+  constexpr std::size_t max_messages_kept = 8;
   std::vector<Notice> notices = *now_.notices;
   notices.push_back({text, is_error, notices.empty() ? 1 : notices.back().number + 1});
-  if (notices.size() > most) notices.erase(notices.begin());
+  if (notices.size() > max_messages_kept) notices.erase(notices.begin());
   now_.notices = std::make_shared<const std::vector<Notice>>(std::move(notices));
 }
 

@@ -1,15 +1,15 @@
 #pragma once
 
 #include "app/drawing/garment_surface.hpp"
-#include "app/output/frame_record.hpp"
+#include "app/runs/frame_record.hpp"
 
 namespace taut::app {
 
-/// A scene with its garment, as it was loaded.
+/// A scene with its loaded garment.
 struct LoadedScene : GarmentInScene {
   DrawnScene scene;
   DrawnColours drawn_colours;
-  std::uint64_t generation = 0;  ///< a new number for each load
+  std::uint64_t generation = 0;  ///< number of the load
 };
 
 /// A message to the user.
@@ -19,53 +19,52 @@ struct Notice {
   std::uint64_t number = 0;  ///< larger for each new notice; 0: none yet
 };
 
-/// Everything the window may know of the simulation at one moment. Never changes once made, so both threads
-/// read it freely.
+/// The simulation's state for the window at one moment. It never changes once made, so both threads may read it.
 struct Snapshot {
-  std::uint64_t serial = 0;    ///< rises by 1 from snapshot to snapshot
+  std::uint64_t serial = 0;    ///< increases by 1 from snapshot to snapshot
   std::uint64_t advances = 0;  ///< simulated frames since the window was opened
   std::shared_ptr<const LoadedScene> loaded;
   std::shared_ptr<const std::vector<sim::Index>> pins;
   std::shared_ptr<const sim::Checkpoint> checkpoint;
-  // In force then: what the checkpoint goes on with. A hand's pull is among the forces.
+  // Garment, settings and surroundings that the checkpoint continues with. The forces include the hand's pull.
   std::shared_ptr<const sim::Garment> garment;
   sim::SimulationSettings settings;
   sim::Surroundings surroundings;
   FrameRecord record;
-  /// The latest, oldest first; never null. A window that missed a snapshot must not miss what it said.
+  /// Latest notices, oldest first; never null. A window that missed a snapshot still gets its notices.
   std::shared_ptr<const std::vector<Notice>> notices = std::make_shared<const std::vector<Notice>>();
-  std::shared_ptr<const Snapshot> compared;  ///< the second garment, at the same time; null: none
+  std::shared_ptr<const Snapshot> compared;  ///< second garment at the same time; null: none
   bool paused = false;
-  bool stopped = false;   ///< diverged or blocked: nothing moves until a reset
-  bool pristine = false;  ///< since the start or the last reset no setting changed and nobody pulled
+  bool stopped = false;   ///< diverged or blocked; nothing moves until a reset
+  bool pristine = false;  ///< no setting changed and nobody pulled since the start or the last reset
 
-  /// Positions that are drawn: in metres, per vertex.
+  /// Returns the drawn positions in metres, per vertex.
   const std::vector<sim::Vec3>& positions() const { return checkpoint->state.current; }
 };
 
-/// Whether no garment goes on.
+/// Returns true if all garments have stopped.
 bool has_stopped(const Snapshot& snapshot);
-/// Whether one of the garments goes on and is not at rest, unless it is paused.
+/// Returns true if a garment neither has stopped nor sleeps.
 bool moves(const Snapshot& snapshot);
 
-/// The simulation as it was, with the same bits to come while nothing is changed, but with the settings,
-/// the material and the surroundings of now. Throws as sim::Simulation does.
-sim::Simulation gone_on_from(const Snapshot& past, const sim::SimulationSettings& settings,
-                             const sim::Material& material, const sim::Surroundings& surroundings);
+/// Returns the simulation of a past snapshot with the present settings, material and surroundings. Without changes it
+/// continues with the same bits. Throws as sim::Simulation does.
+sim::Simulation continue_from(const Snapshot& past, const sim::SimulationSettings& settings,
+                              const sim::Material& material, const sim::Surroundings& surroundings);
 
 using SnapshotPtr = std::shared_ptr<const Snapshot>;
 
-/// The last snapshots, of ten simulated seconds or as many as memory allows. The past of a snapshot
-/// depends on that snapshot alone, not on what has been added since: the window may be some frames behind.
+/// The snapshots of the last ten simulated seconds, or as many as memory allows. The past of a snapshot does not depend
+/// on later snapshots, because the window may be some frames behind.
 class Timeline {
  public:
   void add(SnapshotPtr snapshot);
 
   const SnapshotPtr& newest() const { return kept_.back(); }
-  /// The snapshot with this serial number, or the nearest one that is kept.
+  /// Returns the snapshot with this serial number, or else the next one that is kept.
   const SnapshotPtr& with_serial(std::uint64_t serial) const;
-  /// The last snapshot of a frame in the past of `now`, or of the nearest frame that is kept; `now` itself
-  /// where it has no past. Frames that were gone back from, before a reset or of another garment, are not its past.
+  /// Returns the last snapshot of a frame in the past of `now`, or of the nearest kept frame; `now` itself if it has no
+  /// past. Frames that a rewind or a reset dropped, and frames of another garment, do not belong to the past.
   SnapshotPtr of_frame(const SnapshotPtr& now, int frame) const;
 
   std::size_t count() const { return kept_.size(); }
@@ -73,49 +72,49 @@ class Timeline {
   static constexpr double span_s = 10.0;
 
  private:
-  void forget_what_is_past();
+  void drop_old_snapshots();
 
-  std::deque<SnapshotPtr> kept_;  ///< by serial number
-  int added_ = 0;                 ///< since snapshots were last dropped
+  std::deque<SnapshotPtr> kept_;  ///< ordered by serial number
+  int added_ = 0;                 ///< number since snapshots were last dropped
 };
 
-/// The first frame that can be gone back to from `newest`; the same whatever a timeline happens to keep
-/// beyond.
+/// Returns the first frame that `newest` can go back to. It does not depend on what a timeline keeps.
 int first_frame_in_reach(const Snapshot& newest);
 
-/// One vertex of a grip.
+/// A vertex of a grip.
 struct GripVertex {
   sim::Index vertex = 0;
   double share = 0.0;                    ///< fraction of the pull; all shares add up to 1
-  sim::Vec3 offset_m = {0.0, 0.0, 0.0};  ///< from the vertex that was taken hold of
+  sim::Vec3 offset_m = {0.0, 0.0, 0.0};  ///< offset from the grabbed vertex
 };
 
 /// A hand that holds some square centimetres of cloth. A single vertex would be pulled out to a point.
 struct Grip {
   std::vector<GripVertex> vertices;
-  sim::Vec3 target_m = {0.0, 0.0, 0.0};  ///< where the vertex that was taken hold of should go
+  sim::Vec3 target_m = {0.0, 0.0, 0.0};  ///< target position of the grabbed vertex
 };
 
-/// A grip around a vertex. Shares shrink with the distance along edges. `positions`: metres, per vertex.
+/// Returns a grip around a vertex. Shares decrease with the distance along edges. `positions`: metres, per vertex.
 Grip take_grip(const sim::Garment& garment, std::span<const sim::Vec3> positions, sim::Index vertex);
 
-/// The hand at a point, as springs to vertices. They hold the whole garment's weight with a stretch of
-/// millimetres and give up at some times that weight.
-std::vector<sim::HeldVertex> held_vertices(const Grip& grip, const sim::Vec3& hand_m, const sim::Garment& garment);
+/// Returns the hand at a point as springs to vertices. They hold the whole garment's weight with a stretch of
+/// millimetres, and their force is limited to a few times that weight.
+std::vector<sim::GrabbedVertex> held_vertices(const Grip& grip, const sim::Vec3& hand_m, const sim::Garment& garment);
 
-/// Position of the hand after `time_s`, on its way to the target. It is no faster than an arm.
+/// Returns the position of the hand after `time_s` on its way to the target, at most as fast as an arm.
 sim::Vec3 moved_hand(const sim::Vec3& hand_m, const sim::Vec3& target_m, double time_s);
 
-// Requests of the window to the simulation; done between two simulated frames, in the order it was asked.
+// Requests of the window to the simulation. They are done in order, between two simulated frames.
 
 /// Replaces scene and garment.
 struct LoadScene {
   std::shared_ptr<const DrawnScene> scene;
 };
-/// All that can change while a garment moves. Artificial forces are the scene's own; a hand's come on top.
+/// Changes everything that can change while a garment moves. Artificial forces are the scene's; a hand's forces are
+/// added.
 struct ChangeSettings {
   ChangeSettings() = default;
-  /// The settings of the scene.
+  /// Takes the settings of the scene.
   explicit ChangeSettings(const Scene& scene)
       : simulation(scene.simulation), surroundings(scene.surroundings), material(scene.material) {}
 
@@ -125,15 +124,15 @@ struct ChangeSettings {
   sim::Surroundings surroundings;
   sim::Material material;
 };
-/// Pins the vertex where it is, or removes its pin.
+/// Pins the vertex at its position, or removes its pin.
 struct TogglePin {
   sim::Index vertex = 0;
 };
-/// Takes hold of cloth, or moves the hand that holds it.
+/// Grabs cloth, or moves the hand that holds it.
 struct TakeHold {
   Grip grip;
 };
-/// Lets go of the cloth.
+/// Releases the cloth.
 struct LetGo {};
 /// Returns to the start of the scene, with the scene's pins and the present settings.
 struct Reset {};
@@ -151,7 +150,7 @@ struct StepOnce {};
 struct SetSpeed {
   double factor = 1.0;
 };
-/// Simulates a second garment beside the first, by another solver, or none any more. Both begin anew.
+/// Simulates a second garment beside the first with another solver, or removes it. Both start again.
 struct Compare {
   std::optional<sim::SolverKind> with;
 };
@@ -159,30 +158,29 @@ struct Compare {
 using SimulationCommand = std::variant<LoadScene, ChangeSettings, TogglePin, TakeHold, LetGo, Reset, GoBack, SetPaused,
                                        StepOnce, SetSpeed, Compare>;
 
-/// A simulation that takes commands between its frames and goes on whatever comes: what a command or a frame
-/// cannot do becomes a notice. Its states depend on the order of commands and advances alone, never on a
-/// clock.
+/// A simulation that takes commands between its frames and continues after errors: a command or frame that fails
+/// becomes a notice. Its states depend only on the order of commands and advances, never on a clock.
 class LiveSimulation {
  public:
   /// Throws InputError if the garment cannot be loaded.
   explicit LiveSimulation(const DrawnScene& scene);
 
-  /// Of what another one has loaded, beside which it runs.
+  /// Simulates the garment of another simulation beside it.
   explicit LiveSimulation(std::shared_ptr<const LoadedScene> loaded);
 
   void apply(const SimulationCommand& command);
 
-  /// Whether the next frame is wanted: the simulation is not paused, or a single step was asked for.
+  /// Returns true if the next frame is due: the simulation is not paused, or a single step was requested.
   bool wants_to_advance() const { return !now_.stopped && (!now_.paused || steps_left_ > 0); }
   double speed() const { return speed_; }
   double frame_time_s() const { return simulation_->frame_time_s(); }
   std::uint64_t advances() const { return now_.advances; }
 
-  /// Computes one frame. Does nothing after the simulation has diverged or was blocked. Throws Interrupted
-  /// where `poll`, which is called often, does; the cloth is then as it was.
+  /// Computes one frame. Does nothing after the simulation has diverged or was blocked. Calls `poll` often; if it
+  /// throws Interrupted, so does this function, and the cloth does not change.
   void advance(const std::function<void()>& poll = {});
 
-  /// The state of now, with that of a garment beside it. Each call returns a serial number larger by 1.
+  /// Returns the present state, together with a second garment's. Each call increases the serial number by 1.
   SnapshotPtr take_snapshot(SnapshotPtr compared = nullptr);
 
   const std::shared_ptr<const LoadedScene>& loaded() const { return now_.loaded; }
@@ -203,7 +201,7 @@ class LiveSimulation {
   void perform(const SetPaused& pause);
   void perform(const StepOnce&) { steps_left_ += now_.paused ? 1 : 0; }
   void perform(const SetSpeed& speed) { speed_ = speed.factor; }
-  void perform(const Compare&) {}  // of a SimulationPair
+  void perform(const Compare&) {}  // done by SimulationPair
 
   void start(std::shared_ptr<const LoadedScene> loaded);
   void untangle(const RunSettings& simulation);
@@ -212,13 +210,13 @@ class LiveSimulation {
   void stop(const std::string& reason);
   void pull();
 
-  Snapshot now_;  ///< but for what the simulation knows itself
+  Snapshot now_;  ///< without the state that simulation_ has
   std::optional<sim::Simulation> simulation_;
   sim::Surroundings surroundings_;  ///< without the hand
   std::optional<Grip> grip_;
-  sim::Vec3 hand_m_ = {0.0, 0.0, 0.0};                          ///< on its way to the grip's target
-  const char* way_on_ = "R or any other setting starts again";  ///< after it has stopped
-  int start_frame_ = 0;                                         ///< the frame that the scene begins with
+  sim::Vec3 hand_m_ = {0.0, 0.0, 0.0};                          ///< hand's position, moving to the grip's target
+  const char* restart_hint_ = "R or any other setting starts again";  ///< hint after the simulation has stopped
+  int start_frame_ = 0;                                         ///< first frame of the scene
   int frame_ = 0;
   int steps_left_ = 0;
   double speed_ = 1.0;

@@ -6,15 +6,14 @@
 namespace taut::app {
 namespace {
 
-// A simulation that falls behind the clock by more gives the time up: it runs slower, and never hurries to
-// catch up.
-constexpr std::chrono::milliseconds most_behind{50};
-/// Whoever closes a window waits no longer.
-constexpr std::chrono::milliseconds longest_end{500};
+// Delay beyond which a simulation gives up time: it then runs slower instead of catching up.
+constexpr std::chrono::milliseconds max_delay{50};
+/// Maximum time that closing a window waits.
+constexpr std::chrono::milliseconds max_stop_time{500};
 
-// Where a frame of the window took longer, simulated time is given up instead of caught up with.
-constexpr double most_owed_s = 0.1;
-// A frame of the window and one of the simulation are both 1/60 s: rounding must not skip one.
+// Limit on the simulated time to catch up with after a slow frame of the window.
+constexpr double max_owed_s = 0.1;
+// Rounding must not skip a frame: frames of window and simulation both take 1/60 s.
 constexpr double rounding_s = 1e-9;
 
 }  // namespace
@@ -46,14 +45,14 @@ void SimulationPair::compare(const Compare& asked) {
   kind_ = asked.with;
   if (kind_) first_.apply(Reset{});
   begin_second();
-  if (second_) first_.tell(std::string("compared with ") + sim::name_of(*kind_) + ": both begin anew", false);
+  if (second_) first_.tell(std::string("compared with ") + sim::to_name(*kind_) + ": both begin anew", false);
 }
 
 ChangeSettings SimulationPair::own_settings() const {
-  ChangeSettings own = settings_;
-  SolverChoice& solver = own.simulation.solver;
+  ChangeSettings settings = settings_;
+  SolverChoice& solver = settings.simulation.solver;
   solver = with_solver(solver, *kind_, first_.loaded()->scene.simulation.solver);
-  return own;
+  return settings;
 }
 
 void SimulationPair::begin_second() {
@@ -68,16 +67,16 @@ void SimulationPair::begin_second() {
     second_->apply(SetPaused{paused_});
     pass_on_notices();
   } catch (const std::exception& error) {
-    first_.tell(std::string(sim::name_of(*kind_)) + ": " + error.what(), true);
+    first_.tell(std::string(sim::to_name(*kind_)) + ": " + error.what(), true);
   }
 }
 
 void SimulationPair::pass_on(const SimulationCommand& command) {
   if (std::holds_alternative<ChangeSettings>(command)) {
-    // A simulation that has stopped would begin anew, and the first one goes on.
+    // New settings would restart a stopped simulation while the first one continues.
     if (!second_->is_stopped()) second_->apply(own_settings());
   } else if (const auto* back = std::get_if<GoBack>(&command)) {
-    // A simulation that had stopped by then is as it was.
+    // A simulation that had stopped by then does not change.
     if (back->to->compared && !back->to->compared->stopped) second_->apply(GoBack{back->to->compared});
   } else {
     second_->apply(command);
@@ -89,7 +88,7 @@ void SimulationPair::pass_on_notices() {
   for (const Notice& notice : second_->notices()) {
     if (notice.number > told_notice_) {
       told_notice_ = notice.number;
-      first_.tell(std::string(sim::name_of(*kind_)) + ": " + notice.text, notice.is_error);
+      first_.tell(std::string(sim::to_name(*kind_)) + ": " + notice.text, notice.is_error);
     }
   }
 }
@@ -120,7 +119,7 @@ void SimulationHost::end() {
   changed_.notify_all();
   {
     std::unique_lock lock(mutex_);
-    changed_.wait_for(lock, longest_end, [this] { return !busy_; });
+    changed_.wait_for(lock, max_stop_time, [this] { return !busy_; });
     gives_up_ = is_in_frame_;
   }
   if (thread_.joinable()) thread_.join();
@@ -187,14 +186,14 @@ void SimulationHost::run() {
   }
 }
 
-// Commands that come meanwhile are done first.
+// Waits until the next frame is due and computes it. Commands that arrive meanwhile are done first.
 void SimulationHost::wait_until_due(std::unique_lock<std::mutex>& lock) {
   changed_.wait_until(lock, due_, [this] { return ending_ || !posted_.empty(); });
   if (ending_ || !posted_.empty()) return;
   const auto frame_time = std::chrono::duration_cast<Clock::duration>(
       std::chrono::duration<double>(simulation_.frame_time_s() / simulation_.speed()));
   const Clock::time_point next_due = due_ + frame_time;
-  due_ = std::max(next_due, Clock::now() - most_behind);
+  due_ = std::max(next_due, Clock::now() - max_delay);
   if (worked_ms_ < std::chrono::duration<double, std::milli>(frame_time).count()) given_up_ += due_ - next_due;
   advance(lock);
 }
@@ -222,7 +221,7 @@ void SimulationHost::advance(std::unique_lock<std::mutex>& lock) {
       if (gives_up_) throw Interrupted(0);
     });
   } catch (const Interrupted&) {
-    // Of what is shown nothing has changed.
+    // The shown state has not changed.
   }
   SnapshotPtr snapshot = simulation_.take_snapshot();
   const double worked_ms = working.elapsed_ms();
@@ -239,7 +238,7 @@ void SimulationHost::advance_as_asked() {
 }
 
 void SimulationHost::follow_clock(double elapsed_s) {
-  owed_s_ = std::min(owed_s_ + elapsed_s * simulation_.speed(), most_owed_s);
+  owed_s_ = std::min(owed_s_ + elapsed_s * simulation_.speed(), max_owed_s);
   while (simulation_.wants_to_advance() && owed_s_ + rounding_s >= simulation_.frame_time_s()) {
     owed_s_ -= simulation_.frame_time_s();
     advance_as_asked();
@@ -248,8 +247,8 @@ void SimulationHost::follow_clock(double elapsed_s) {
 }
 
 void SimulationHost::follow(const Pace& pace) {
-  constexpr std::uint64_t most_at_once = 100000;
-  if (pace.advances < simulation_.advances() || pace.advances > simulation_.advances() + most_at_once) {
+  constexpr std::uint64_t max_frames_at_once = 100000;
+  if (pace.advances < simulation_.advances() || pace.advances > simulation_.advances() + max_frames_at_once) {
     throw InputError("the session says {} simulated frames after {} of them", pace.advances, simulation_.advances());
   }
   while (simulation_.advances() < pace.advances) advance_as_asked();

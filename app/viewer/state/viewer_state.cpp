@@ -10,20 +10,20 @@ namespace taut::app {
 namespace {
 
 // Largest elevation. At 90 degrees the up direction is undefined.
-constexpr float steepest_rad = glm::radians(89.0F);
+constexpr float max_elevation_rad = glm::radians(89.0F);
 // Smallest distance to the target.
-constexpr float nearest_m = 0.01F;
+constexpr float min_distance_m = 0.01F;
 // Factor on the distance for each notch of the wheel.
-constexpr float closer_by_notch = 0.88F;
+constexpr float zoom_factor = 0.88F;
 // Fraction of the picture that `fit` leaves free around the box.
 constexpr float fit_margin = 0.06F;
 
 struct Hit {
   double distance_m = 0.0;
-  glm::dvec3 weights{0.0};  // of the three corners
+  glm::dvec3 weights{0.0};  // barycentric coordinates
 };
 
-// Moeller and Trumbore 1997.
+// Intersects a ray with a triangle (Moeller and Trumbore 1997).
 std::optional<Hit> meet(const glm::dvec3& origin, const glm::dvec3& direction, const sim::Vec3& a, const sim::Vec3& b,
                         const sim::Vec3& c) {
   const glm::dvec3 ab = b - a;
@@ -42,7 +42,8 @@ std::optional<Hit> meet(const glm::dvec3& origin, const glm::dvec3& direction, c
   return Hit{distance, {1.0 - u - v, u, v}};
 }
 
-// One bit for each side of what the camera sees that a point is beyond; a lost point is beyond all of them.
+// Returns a bit for each side of the camera's view volume that a point is beyond. A point that is not finite is beyond
+// all of them.
 unsigned sides_beyond(const sim::Vec3& position, const glm::dmat4& to_clip) {
   const glm::dvec4 clip = to_clip * glm::dvec4(position, 1.0);
   unsigned sides = 0;
@@ -53,23 +54,23 @@ unsigned sides_beyond(const sim::Vec3& position, const glm::dmat4& to_clip) {
 }
 
 // Time constant of the averages of RealTime. A larger value is steadier and reacts more slowly.
-constexpr double memory_s = 1.0;
-// RealTime::factor says nothing before this much real time.
+constexpr double averaging_time_s = 1.0;
+// Real time before which RealTime::factor is empty.
 constexpr double first_moments_s = 0.5;
-// Fraction of the speed asked for, or of the time a frame may take, that counts as all of it.
-constexpr double as_good_as_asked = 0.95;
-// Share of the processors' time above which this program itself is the reason.
-constexpr double most_of_it = 0.75;
+// Fraction of the requested speed, or of the available time, that counts as fast enough.
+constexpr double sufficient_fraction = 0.95;
+// Fraction of the processors' time above which this program itself is the reason.
+constexpr double max_share = 0.75;
 
-// How long messages are shown. Errors stay longer.
+// Display times of messages. Errors stay longer.
 constexpr double short_message_s = 4.0;
 constexpr double error_message_s = 12.0;
-// With more messages the oldest disappears.
-constexpr std::size_t most_messages = 4;
+// Maximum number of messages; the oldest disappears.
+constexpr std::size_t max_messages = 4;
 
 namespace fs = std::filesystem;
 
-// Of "tshirt_10600": "tshirt_" and 10600; 0 without a number.
+// Splits "tshirt_10600" into "tshirt_" and 10600; 0 if there is no number.
 std::pair<std::string, int> kind_and_number(const std::string& name) {
   const std::size_t digits = name.find_last_not_of("0123456789") + 1;
   const bool is_of_kind = digits > 0 && name[digits - 1] == '_';
@@ -145,20 +146,21 @@ OrbitCamera::OrbitCamera(const renderer::Camera& camera)
     : target_(camera.target), vertical_fov_rad_(camera.vertical_fov_rad) {
   const glm::vec3 back = camera.eye - camera.target;
   const float distance_m = glm::length(back);
-  distance_m_ = std::clamp(distance_m, nearest_m, farthest_m);
-  elevation_rad_ = std::clamp(std::asin(std::clamp(back.y / distance_m, -1.0F, 1.0F)), -steepest_rad, steepest_rad);
+  distance_m_ = std::clamp(distance_m, min_distance_m, max_distance_m);
+  elevation_rad_ =
+      std::clamp(std::asin(std::clamp(back.y / distance_m, -1.0F, 1.0F)), -max_elevation_rad, max_elevation_rad);
   azimuth_rad_ = std::atan2(back.x, back.z);
 }
 
 void OrbitCamera::orbit(const glm::vec2& way_px, const ViewArea& area) {
   const float rad_per_px = std::numbers::pi_v<float> / static_cast<float>(std::max(area.height_px, 100));
   azimuth_rad_ = std::remainder(azimuth_rad_ - way_px.x * rad_per_px, 2.0F * std::numbers::pi_v<float>);
-  elevation_rad_ = std::clamp(elevation_rad_ + way_px.y * rad_per_px, -steepest_rad, steepest_rad);
+  elevation_rad_ = std::clamp(elevation_rad_ + way_px.y * rad_per_px, -max_elevation_rad, max_elevation_rad);
 }
 
 void OrbitCamera::turn_to(float azimuth_rad, float elevation_rad) {
   azimuth_rad_ = azimuth_rad;
-  elevation_rad_ = std::clamp(elevation_rad, -steepest_rad, steepest_rad);
+  elevation_rad_ = std::clamp(elevation_rad, -max_elevation_rad, max_elevation_rad);
 }
 
 void OrbitCamera::pan(const glm::vec2& way_px, const ViewArea& area) {
@@ -172,15 +174,15 @@ void OrbitCamera::pan(const glm::vec2& way_px, const ViewArea& area) {
 }
 
 void OrbitCamera::move_target(const glm::vec3& target) {
-  target_ = glm::clamp(target, glm::vec3(-farthest_m), glm::vec3(farthest_m));
+  target_ = glm::clamp(target, glm::vec3(-max_distance_m), glm::vec3(max_distance_m));
 }
 
-// All that is on the ray through the pixel stays on it when the eye moves along it.
+// Moving the eye along the ray through the pixel keeps all points of the ray there.
 void OrbitCamera::zoom(float notches, const glm::vec2& point_px, const ViewArea& area) {
   const float before_m = distance_m_;
   const Ray ray = ray_through(point_px, area);
-  distance_m_ =
-      std::clamp(distance_m_ * std::pow(closer_by_notch, std::clamp(notches, -50.0F, 50.0F)), nearest_m, farthest_m);
+  distance_m_ = std::clamp(distance_m_ * std::pow(zoom_factor, std::clamp(notches, -50.0F, 50.0F)), min_distance_m,
+                           max_distance_m);
   const glm::vec3 forward = glm::normalize(target_ - ray.origin);
   const glm::vec3 under = ray.origin + ray.direction * (before_m / glm::dot(ray.direction, forward));
   move_target(under + (distance_m_ / before_m) * (target_ - under));
@@ -190,13 +192,13 @@ void OrbitCamera::fit(const renderer::Box& box, const ViewArea& area) {
   const renderer::Camera framed =
       renderer::fit_camera_to_box(box, {azimuth_rad_, elevation_rad_, vertical_fov_rad_, fit_margin}, area.aspect());
   move_target(framed.target);
-  distance_m_ = std::clamp(glm::distance(framed.eye, framed.target), nearest_m, farthest_m);
+  distance_m_ = std::clamp(glm::distance(framed.eye, framed.target), min_distance_m, max_distance_m);
 }
 
 renderer::Camera OrbitCamera::camera() const {
   const float flat = std::cos(elevation_rad_);
   const glm::vec3 back{flat * std::sin(azimuth_rad_), std::sin(elevation_rad_), flat * std::cos(azimuth_rad_)};
-  // As of a scene that names its camera's eye, so that a saved scene gives the same picture.
+  // camera_at() gives the same camera for a scene with camera.eye, so a saved scene gives the same picture.
   return camera_at(target_ + distance_m_ * back, target_, vertical_fov_rad_);
 }
 
@@ -211,7 +213,7 @@ Ray OrbitCamera::ray_through(const glm::vec2& point_px, const ViewArea& area) co
   return {seen.eye, glm::normalize(forward + x * right + y * up)};
 }
 
-std::optional<glm::vec2> OrbitCamera::pixel_of(const glm::vec3& point, const ViewArea& area) const {
+std::optional<glm::vec2> OrbitCamera::project_to_pixel(const glm::vec3& point, const ViewArea& area) const {
   const renderer::Camera seen = camera();
   const glm::vec4 clip = seen.projection(area.aspect()) * seen.view() * glm::vec4(point, 1.0F);
   if (!(clip.w > 0.0F)) return std::nullopt;
@@ -223,16 +225,16 @@ std::optional<PickedPoint> pick(const Ray& ray, std::span<const sim::Vec3> posit
                                 std::span<const sim::Triangle> triangles) {
   const glm::dvec3 origin(ray.origin);
   const glm::dvec3 direction(ray.direction);
-  std::optional<PickedPoint> nearest;
+  std::optional<PickedPoint> nearest_point;
   for (const sim::Triangle& t : triangles) {
     const auto hit = meet(origin, direction, positions[t[0]], positions[t[1]], positions[t[2]]);
-    if (hit && (!nearest || hit->distance_m < nearest->distance_m)) {
+    if (hit && (!nearest_point || hit->distance_m < nearest_point->distance_m)) {
       const glm::dvec3& w = hit->weights;
       const int corner = w.x >= w.y && w.x >= w.z ? 0 : (w.y >= w.z ? 1 : 2);
-      nearest = {t[static_cast<std::size_t>(corner)], origin + hit->distance_m * direction, hit->distance_m};
+      nearest_point = {t[static_cast<std::size_t>(corner)], origin + hit->distance_m * direction, hit->distance_m};
     }
   }
-  return nearest;
+  return nearest_point;
 }
 
 std::optional<glm::dvec3> drag_point(const Ray& ray, const glm::dvec3& through, const renderer::Camera& camera) {
@@ -249,14 +251,14 @@ std::string lost_cloth(std::span<const sim::Vec3> positions, std::span<const sim
                        const OrbitCamera& camera, const ViewArea& area) {
   const renderer::Camera seen = camera.camera();
   const glm::dmat4 to_clip(seen.projection(area.aspect()) * seen.view());
-  // By triangles: seen from near by, one may fill the picture with its corners outside.
+  // Tests triangles instead of vertices: a near triangle may fill the picture while its corners are outside.
   const bool is_seen = std::ranges::any_of(triangles, [&](const sim::Triangle& triangle) {
     const auto beyond = [&](int corner) { return sides_beyond(positions[triangle[corner]], to_clip); };
     return (beyond(0) & beyond(1) & beyond(2)) == 0U;
   });
   if (is_seen) return "";
   const bool is_in_reach = std::ranges::any_of(positions, [](const sim::Vec3& position) {
-    const auto is_near = [](double coordinate) { return std::abs(coordinate) < OrbitCamera::farthest_m; };
+    const auto is_near = [](double coordinate) { return std::abs(coordinate) < OrbitCamera::max_distance_m; };
     return is_near(position.x) && is_near(position.y) && is_near(position.z);
   });
   return is_in_reach ? "the cloth has left the picture: F looks at it, R starts again"
@@ -264,47 +266,47 @@ std::string lost_cloth(std::span<const sim::Vec3> positions, std::span<const sim
 }
 
 void RecentValues::add(float value) {
-  if (values_.size() == most) values_.erase(values_.begin());
+  if (values_.size() == max_count) values_.erase(values_.begin());
   values_.push_back(value);
 }
 
 void RealTime::add(double elapsed_s, double simulated_s, double busy_s, int pictures) {
-  const double kept = std::exp(-elapsed_s / memory_s);
-  elapsed_s_ = kept * elapsed_s_ + elapsed_s;
-  simulated_s_ = kept * simulated_s_ + simulated_s;
-  busy_s_ = kept * busy_s_ + busy_s;
-  pictures_ = kept * pictures_ + pictures;
+  const double decay = std::exp(-elapsed_s / averaging_time_s);
+  elapsed_s_ = decay * elapsed_s_ + elapsed_s;
+  simulated_s_ = decay * simulated_s_ + simulated_s;
+  busy_s_ = decay * busy_s_ + busy_s;
+  pictures_ = decay * pictures_ + pictures;
 }
 
 std::optional<double> RealTime::factor() const {
   return elapsed_s_ > first_moments_s ? std::optional(simulated_s_ / elapsed_s_) : std::nullopt;
 }
 
-SlowedBy slowed_by(double factor, double asked, double simulate_ms, double frame_ms, double busy_share) {
-  if (factor >= as_good_as_asked * asked) return SlowedBy::nothing;
-  if (simulate_ms >= as_good_as_asked * frame_ms) return SlowedBy::simulation;
-  return busy_share >= most_of_it ? SlowedBy::drawing : SlowedBy::other_programs;
+SlowedBy find_slowdown(double factor, double asked, double simulate_ms, double frame_ms, double busy_share) {
+  if (factor >= sufficient_fraction * asked) return SlowedBy::nothing;
+  if (simulate_ms >= sufficient_fraction * frame_ms) return SlowedBy::simulation;
+  return busy_share >= max_share ? SlowedBy::drawing : SlowedBy::other_programs;
 }
 
 const Choice* coarser_than(const std::string& name, std::span<const Choice> garments) {
   const auto [kind, triangles] = kind_and_number(name);
   const Choice* best = nullptr;
-  int most = 0;
+  int best_triangles = 0;
   for (const Choice& choice : garments) {
     const auto [other, count] = kind_and_number(choice.name);
-    if (other != kind || count >= triangles || count <= most) continue;
+    if (other != kind || count >= triangles || count <= best_triangles) continue;
     best = &choice;
-    most = count;
+    best_triangles = count;
   }
   return best;
 }
 
-std::string in_little_room(double value, int decimals) {
+std::string short_number(double value, int decimals) {
   return std::abs(value) < 1e5 ? fmt::format("{:.{}f}", value, decimals) : fmt::format("{:.1e}", value);
 }
 
 std::string other_stretches(const FrameRecord& record, sim::BoundKind plotted) {
-  const auto percent = [](double stretch) { return in_little_room(100.0 * stretch, 2); };
+  const auto percent = [](double stretch) { return short_number(100.0 * stretch, 2); };
   const bool plots_springs = plotted == sim::BoundKind::springs;
   const double p99 = plots_springs ? record.stretch.p99 : record.surface_stretch.p99;
   const double other = plots_springs ? record.surface_stretch.max : record.stretch.max;
@@ -314,13 +316,13 @@ std::string other_stretches(const FrameRecord& record, sim::BoundKind plotted) {
 }
 
 std::string contact_text(const sim::ContactReport& contact) {
-  const std::string nearest = std::isfinite(contact.smallest_distance_m)
-                                  ? "nearest " + in_little_room(1000.0 * contact.smallest_distance_m, 2) + " mm"
-                                  : std::string("nothing near");
-  return contact.left_out_share > 0.0
-             ? fmt::format("{}, {} pairs cross, {:.1f} % left out", nearest, contact.crossing_pairs,
-                           100.0 * contact.left_out_share)
-             : fmt::format("{}, {}", nearest, counted(contact.crossing_pairs, "pair crosses", "pairs cross"));
+  const std::string distance_text = std::isfinite(contact.min_distance_m)
+                                        ? "nearest " + short_number(1000.0 * contact.min_distance_m, 2) + " mm"
+                                        : std::string("nothing near");
+  return contact.excluded_area_fraction > 0.0
+             ? fmt::format("{}, {} pairs cross, {:.1f} % left out", distance_text, contact.crossing_pairs,
+                           100.0 * contact.excluded_area_fraction)
+             : fmt::format("{}, {}", distance_text, count_text(contact.crossing_pairs, "pair crosses", "pairs cross"));
 }
 
 void Measurements::add(const FrameRecord& record) {
@@ -337,25 +339,27 @@ void Measurements::forget() {
   }
 }
 
-const Snapshot* compared(const ViewerState& state) {
+const Snapshot* compared_garment(const ViewerState& state) {
   return state.newest->compared ? state.shown->compared.get() : nullptr;
 }
 
-const char* solver_of(const Snapshot& garment) { return sim::name_of(sim::kind_of(garment.settings.solver.method)); }
+const char* solver_name(const Snapshot& garment) {
+  return sim::to_name(sim::solver_kind(garment.settings.solver.method));
+}
 
 const char* slower_solver(const Snapshot& newest) {
   const bool is_second = newest.compared && newest.compared->record.sim_ms > newest.record.sim_ms;
-  return solver_of(is_second ? *newest.compared : newest);
+  return solver_name(is_second ? *newest.compared : newest);
 }
 
 const Snapshot& pointed_at(const ViewerState& state) {
-  const Snapshot* second = state.at_compared ? compared(state) : nullptr;
+  const Snapshot* second = state.is_over_second ? compared_garment(state) : nullptr;
   return second != nullptr ? *second : *state.shown;
 }
 
 void tell(ViewerState& state, const std::string& text, bool is_error) {
   std::erase_if(state.messages, [&](const Message& old) { return old.text == text; });
-  if (state.messages.size() >= most_messages) state.messages.erase(state.messages.begin());
+  if (state.messages.size() >= max_messages) state.messages.erase(state.messages.begin());
   state.messages.push_back({text, is_error, is_error ? error_message_s : short_message_s});
 }
 

@@ -20,19 +20,19 @@
 namespace taut::app {
 namespace {
 
-/// The shadow is counted in squares of this side.
+/// Side of the squares in which the shadow is counted.
 constexpr double square_m = 2.5e-4;
 constexpr int side_squares = 1280;
-/// The outline is taken in this many directions, and evened out over this many to each side.
+/// Number of directions in which the outline is measured, and of directions to each side over which it is smoothed.
 constexpr int direction_count = 720;
 constexpr int evened_directions = 12;
-/// A fold stands out from the dents beside it by at least this.
-constexpr double least_fold_m = 0.003;
-/// A disc that still moves after this many frames is taken as it is.
-constexpr int most_frames = 600;
+/// Minimum height of a fold above the dents beside it.
+constexpr double min_fold_m = 0.003;
+/// Frames after which a disc that still moves is measured.
+constexpr int max_frames = 600;
 constexpr double air_drag_per_s = 6.0;
-/// The cloth gets its weight little by little, as the instrument's plate is lowered: dropped at once it folds
-/// more often than at rest.
+/// Time in which the cloth gets its weight, as the instrument's plate is lowered slowly. A disc that is dropped at once
+/// has more folds at rest.
 constexpr double lowered_in_s = 3.0;
 
 std::vector<char> shadow_squares(std::span<const sim::Triangle> triangles, std::span<const sim::Vec3> positions_m) {
@@ -51,7 +51,7 @@ std::vector<char> shadow_squares(std::span<const sim::Triangle> triangles, std::
   return squares;
 }
 
-/// How far the shadow reaches in each direction, in m.
+/// Returns the radius of the shadow in each direction, in metres.
 std::vector<double> outline_m(const std::vector<char>& squares) {
   std::vector<double> radii_m;
   for (int k = 0; k < direction_count; ++k) {
@@ -70,7 +70,7 @@ std::vector<double> outline_m(const std::vector<char>& squares) {
   return radii_m;
 }
 
-std::vector<double> evened_out(const std::vector<double>& around) {
+std::vector<double> even_out(const std::vector<double>& around) {
   const auto count = static_cast<int>(around.size());
   std::vector<double> means;
   for (int k = 0; k < count; ++k) {
@@ -83,7 +83,7 @@ std::vector<double> evened_out(const std::vector<double>& around) {
   return means;
 }
 
-/// Counts how often the outline rises from a dent to a fold, going around once.
+/// Counts how often the outline rises from a dent to a fold in one turn.
 int fold_count(const std::vector<double>& radii_m) {
   const auto lowest = std::min_element(radii_m.begin(), radii_m.end());
   std::vector<double> around = radii_m;
@@ -93,7 +93,7 @@ int fold_count(const std::vector<double>& radii_m) {
   double turned_m = around.front();
   for (const double radius_m : around) {
     turned_m = rises ? std::max(turned_m, radius_m) : std::min(turned_m, radius_m);
-    if (rises ? radius_m < turned_m - least_fold_m : radius_m > turned_m + least_fold_m) {
+    if (rises ? radius_m < turned_m - min_fold_m : radius_m > turned_m + min_fold_m) {
       folds += rises ? 0 : 1;
       rises = !rises;
       turned_m = radius_m;
@@ -110,20 +110,21 @@ sim::SimulationSettings drape_settings() {
 
 using Points = std::vector<glm::dvec2>;
 
-/// How far a point may be from its place in a lattice, as a fraction of the edges.
+/// Largest distance of a point from its lattice position, as a fraction of the edge length.
 constexpr double scatter = 0.25;
-/// How near to a circle no point of the lattice is, as a fraction of the edges.
+/// Smallest distance of a lattice point from the circles, as a fraction of the edge length.
 constexpr double clearance = 0.65;
-/// The size of the triangle around all, in radii of the disc: so far that it bends no circle through the border.
+/// Size of the triangle around all points, in radii of the disc. It is so large that circles through the border are not
+/// affected.
 constexpr double far_away = 50.0;
-/// Points of a circle are joined as if each were this far beside it, as a fraction of the edges: of more than
-/// three on one circle none is in it.
+/// Random shift of all points before they are joined, as a fraction of the edge length: otherwise more than three
+/// points of the border would lie on one circle.
 constexpr double aside = 1e-3;
 
 class Random {
  public:
   explicit Random(std::uint64_t seed) : bits_(seed) {}
-  /// In [low, high), with the same bits everywhere.
+  /// Returns a number in [low, high), with the same bits on every machine.
   double between(double low, double high) {
     return low + (high - low) * static_cast<double>(bits_() >> 11) * 0x1.0p-53;
   }
@@ -141,7 +142,7 @@ void add_circle(double radius_m, double edge_m, Random& random, Points& points) 
   }
 }
 
-/// Even triangles, turned and shaken.
+/// Adds points of equilateral triangles, turned and shifted at random.
 void add_lattice(double inner_m, double radius_m, double edge_m, Random& random, Points& points) {
   const double turns = random.between(0.0, 1.0);
   const glm::dvec2 along{sim::cosine_of_turns(turns), sim::sine_of_turns(turns)};
@@ -164,7 +165,7 @@ double doubled_area(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& 
   return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
 
-/// Whether p lies in the circle through a, b and c, which turn counter-clockwise.
+/// Returns true if p lies in the circle through a, b and c, which are counter-clockwise.
 bool is_in_circle(const glm::dvec2& p, glm::dvec2 a, glm::dvec2 b, glm::dvec2 c) {
   a -= p;
   b -= p;
@@ -174,8 +175,7 @@ bool is_in_circle(const glm::dvec2& p, glm::dvec2 a, glm::dvec2 b, glm::dvec2 c)
          0.0;
 }
 
-/// Puts a point into the triangles: those around whose corners goes a circle that it lies in make way for a
-/// fan.
+/// Adds a point to the triangles: triangles whose circumcircle contains it are replaced by a fan around it.
 void insert(const Points& points, sim::Index p, std::vector<sim::Triangle>& triangles) {
   std::map<sim::Edge, int> edges;
   std::vector<sim::Triangle> kept;
@@ -196,7 +196,7 @@ void insert(const Points& points, sim::Index p, std::vector<sim::Triangle>& tria
   triangles = std::move(kept);
 }
 
-std::vector<sim::Triangle> triangulated(Points points, double radius_m) {
+std::vector<sim::Triangle> triangulate(Points points, double radius_m) {
   const auto count = static_cast<sim::Index>(points.size());
   const double far_m = far_away * radius_m;
   points.insert(points.end(), {{-far_m, -far_m}, {far_m, -far_m}, {0.0, far_m}});
@@ -214,7 +214,7 @@ std::vector<sim::Triangle> triangulated(Points points, double radius_m) {
 constexpr float from_above_rad = 1.55F;
 constexpr float narrow_view_rad = 0.2F;
 
-/// From and to, and once if they are the same.
+/// Returns "from-to", or one number if both are equal.
 std::string range_text(int from, int to) {
   return from == to ? fmt::format("{}", from) : fmt::format("{}-{}", from, to);
 }
@@ -245,7 +245,7 @@ DrapeShadow drape_shadow(std::span<const sim::Triangle> triangles, std::span<con
   const double shadow_m2 = square_m * square_m * static_cast<double>(std::count(squares.begin(), squares.end(), 1));
   const double clamped_m2 = std::numbers::pi * clamped_radius_m * clamped_radius_m;
   const double flat_m2 = std::numbers::pi * draped_radius_m * draped_radius_m;
-  return {(shadow_m2 - clamped_m2) / (flat_m2 - clamped_m2), fold_count(evened_out(outline_m(squares)))};
+  return {(shadow_m2 - clamped_m2) / (flat_m2 - clamped_m2), fold_count(even_out(outline_m(squares)))};
 }
 
 DrapeRun run_drape(const sim::Material& fabric, const DiscMesh& mesh, const ProgressCallback& report_progress) {
@@ -261,8 +261,8 @@ DrapeRun run_drape(const sim::Material& fabric, const DiscMesh& mesh, const Prog
   air.forces.air_drag_per_s = air_drag_per_s;
   air.forces.gravity_path = {{0.0, -air.forces.gravity_m_per_s2}, {lowered_in_s, sim::Vec3(0.0)}};
   sim::Simulation simulation(run.garment, run.pins, drape_settings(), air);
-  while (run.frames < most_frames && !simulation.state().asleep) {
-    report_progress(static_cast<double>(run.frames) / most_frames);
+  while (run.frames < max_frames && !simulation.state().asleep) {
+    report_progress(static_cast<double>(run.frames) / max_frames);
     simulation.advance_frame(throw_if_interrupted);
     ++run.frames;
   }
@@ -284,12 +284,12 @@ sim::Mesh make_disc(double inner_radius_m, double radius_m, const DiscMesh& mesh
     disc.positions.push_back({p.x, 0.0, -p.y});
   }
   for (glm::dvec2& p : points) {
-    // Compilers choose the order of a call's arguments.
+    // Separate statements, because compilers choose the order of a call's arguments.
     const double up = random.between(-aside, aside);
     const double right = random.between(-aside, aside);
     p += mesh.edge_m * glm::dvec2(right, up);
   }
-  disc.triangles = triangulated(std::move(points), radius_m);
+  disc.triangles = triangulate(std::move(points), radius_m);
   return disc;
 }
 

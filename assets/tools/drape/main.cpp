@@ -1,5 +1,5 @@
-// How fabrics drape over a disc, beside what is published of them: drape_meter [FABRIC or FILE...], in
-// drape.png and as a table.
+// drape_meter [FABRIC or FILE...]: compares the drape of fabrics over a disc with published ranges. Writes drape.png
+// and prints a table.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -16,7 +16,7 @@ namespace {
 std::vector<DrapedFabric> drape_all(const std::vector<std::string>& names) {
   std::vector<DrapedFabric> fabrics;
   for (const std::string& name : names) {
-    const DrawnScene scene = made_of({}, name);
+    const DrawnScene scene = set_fabric({}, name);
     fabrics.push_back({find_fabric(name), scene, std::vector<DrapeRun>(drape_meshes.size())});
   }
   std::vector<Job> jobs;
@@ -32,7 +32,7 @@ std::vector<DrapedFabric> drape_all(const std::vector<std::string>& names) {
   return fabrics;
 }
 
-/// "within", "above" or "below" what is published.
+/// Returns "within", "above" or "below" for the published range.
 std::string verdict(const DrapedFabric& draped) {
   const auto& band = draped.fabric.published_drape_percent;
   if (!band) {

@@ -7,10 +7,9 @@
 namespace taut::tailor {
 namespace {
 
-/// Arms point 43 degrees below the horizontal, where the cap of a T-shirt's sleeve meets its armhole without
-/// strain.
+/// Arms point 43 degrees below the horizontal, where the cap of a T-shirt's sleeve meets its armhole without strain.
 const Vec3 arm_direction = {0.7313537, -0.6819984, 0.0};
-/// Legs stand 2.5 degrees apart each, so that they touch nowhere.
+/// Legs are turned outward by 2.5 degrees each, so that they do not touch.
 const Vec3 leg_direction = {0.0436194, -0.9990482, 0.0};
 
 /// Heights above the floor and lengths along arms, in metres.
@@ -29,7 +28,7 @@ double get(const Measurements& m, const std::string& name) {
   return found->second;
 }
 
-/// The length that a tape takes along the curved back is a little longer than the height between its ends.
+/// The tape's length along the curved back is slightly larger than the difference of the heights.
 Landmarks landmarks(const Measurements& m) {
   constexpr double height_of_back = 0.959;
   constexpr double slope_of_shoulder = 0.2308682;  // tan 13 degrees, all sizes
@@ -40,7 +39,7 @@ Landmarks landmarks(const Measurements& m) {
   l.underbust = m.contains("underbust") ? l.waist + get(m, "waistToUnderbust") : l.waist;
   l.hips = l.waist - get(m, "waistToHips");
   l.seat = l.waist - get(m, "waistToSeat");
-  l.upper_leg = l.waist - get(m, "waistToUpperLeg") - 0.02;  // just below the fork, where a tape can lie
+  l.upper_leg = l.waist - get(m, "waistToUpperLeg") - 0.02;  // just below the fork, where a tape fits
   l.crotch = l.upper_leg + 0.03;
   l.hip_joint = l.crotch + 0.075;
   l.knee = l.waist - get(m, "waistToKnee");
@@ -55,7 +54,7 @@ Landmarks landmarks(const Measurements& m) {
   l.wrist = get(m, "shoulderToWrist");
   l.biceps = 0.5 * l.elbow;
   l.fingertip = l.wrist * 1.31;
-  // So that thighs of this girth end where hips of this girth do, and do not touch.
+  // Thighs and hips of these girths then end at the same width, and the thighs do not touch.
   l.hip_half_width = 0.1825 * get(m, "seat") - 0.145 * get(m, "upperLeg") - 0.0035;
   return l;
 }
@@ -137,17 +136,14 @@ std::size_t chain_index(const Shape& shape, const std::string& name) {
   throw std::runtime_error("the chain '" + name + "' is unknown; there are trunk, shoulder, arm and leg");
 }
 
-Vec3 turned(const Frame& frame, const Vec3& v) {
-  return v.x * frame.along + v.y * frame.side + v.z * frame.front;
-}
+Vec3 turn(const Frame& frame, const Vec3& v) { return v.x * frame.along + v.y * frame.side + v.z * frame.front; }
 
 void add_part(Shape& shape, const PartRecipe& recipe) {
   Part part = recipe.part;
   part.chain = chain_index(shape, recipe.chain);
   const Chain& chain = shape.chains[part.chain];
-  part.frame = {chain.reference_origin_m + turned(chain.frame, part.frame.origin_m),
-                turned(chain.frame, part.frame.along), turned(chain.frame, part.frame.side),
-                turned(chain.frame, part.frame.front)};
+  part.frame = {chain.reference_origin_m + turn(chain.frame, part.frame.origin_m), turn(chain.frame, part.frame.along),
+                turn(chain.frame, part.frame.side), turn(chain.frame, part.frame.front)};
   (recipe.is_detail ? shape.details : shape.parts).push_back(part);
 }
 
@@ -194,7 +190,7 @@ void add_joint(Body& body, const JointRecipe& recipe, bool right) {
   joint.chain = chain_index(body.shape, recipe.chain);
   joint.is_right = right;
   const Chain& chain = body.shape.chains[joint.chain];
-  joint.place_m = chain.sized(chain.reference_origin_m + turned(chain.frame, recipe.place_m));
+  joint.place_m = chain.sized(chain.reference_origin_m + turn(chain.frame, recipe.place_m));
   joint.place_m.x *= right ? -1.0 : 1.0;
   for (std::size_t j = 0; j < body.joints.size(); ++j) {
     joint.parent = body.joints[j].name == sided(recipe.parent) ? static_cast<int>(j) : joint.parent;

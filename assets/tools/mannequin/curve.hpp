@@ -6,8 +6,8 @@
 
 namespace taut::tailor {
 
-/// Smooth curves of N quantities through knots: cubic pieces whose slope at a knot is that of the parabola
-/// through it and its neighbours. Outside the knots the values are those of the nearest knot.
+/// Smooth curves of N quantities through knots: cubic pieces whose slope at a knot is the slope of the parabola through
+/// it and its neighbours. Values outside the knots equal the nearest knot's.
 template <std::size_t N>
 class Curve {
  public:

@@ -12,12 +12,12 @@ namespace {
 using sim::Index;
 using sim::Triangle;
 
-constexpr double longest = 4.0 / 3.0;  // of the length that is wanted
-/// Fine edges go on so far beyond a detail.
+constexpr double longest = 4.0 / 3.0;  // times the target length
+/// Width around a detail that has fine edges too.
 constexpr double margin_m = 0.004;
 
-/// Both halves at once: what is split on the left is split on the right. `images` has the vertex on the other
-/// side of each, which is itself at x = 0.
+/// Splits edges of both halves, so that they stay mirror images. `images`: the mirror image of each vertex, which is
+/// the vertex itself at x = 0.
 class Splitter {
  public:
   Splitter(const Shape& shape, sim::Mesh& mesh, std::vector<VertexWeights>& weights, std::vector<Index> images)
@@ -45,7 +45,7 @@ class Splitter {
 
   const Vec3& at(Index v) const { return mesh_.positions[v]; }
 
-  /// Both sides of the body choose alike by this.
+  /// Returns a number that is the same for both sides of the body, so that both choose alike.
   Index number(Index v) const { return std::min(v, images_[v]); }
 
   double wanted_m(const Vec3& left) const {
@@ -80,8 +80,8 @@ class Splitter {
     return side;
   }
 
-  // Only longest sides are split, those of neighbours first (Rivara 1997): no angle gets smaller than half of
-  // what it was.
+  // Splits only longest sides, neighbours' sides first (Rivara 1997), so that no angle becomes smaller than half of its
+  // original.
   void split_longest(Index t) {
     const auto [a, b] = longest_side(t);
     const Index other = triangle_of_.at({b, a});
@@ -122,10 +122,10 @@ class Splitter {
   sim::Mesh& mesh_;
   std::vector<VertexWeights>& weights_;
   std::vector<Index> images_;
-  std::map<Side, Index> triangle_of_;  // the one that has the side in this direction
+  std::map<Side, Index> triangle_of_;  // triangle that has the side in this direction
 };
 
-std::vector<Index> images_of(const FittedBody& fitted) {
+std::vector<Index> find_images(const FittedBody& fitted) {
   std::vector<Index> images(fitted.whole.positions.size());
   auto next = static_cast<Index>(fitted.half.positions.size());
   for (Index v = 0; v < fitted.half.positions.size(); ++v) {
@@ -135,8 +135,8 @@ std::vector<Index> images_of(const FittedBody& fitted) {
   return images;
 }
 
-/// Where details are the mesh goes to their surface, and its vertices among their neighbours. Those from
-/// `first_new` on always do.
+/// Moves vertices to the surface of details and to the middle of their neighbours. Vertices from `first_new` on always
+/// move.
 void put_on(const Shape& shape, const Shape& detailed, const std::vector<Index>& images, Index first_new,
             sim::Mesh& mesh) {
   constexpr double unmoved_m = 2e-4;
@@ -167,7 +167,7 @@ void put_on(const Shape& shape, const Shape& detailed, const std::vector<Index>&
 void add_details(const Shape& shape, FittedBody& fitted, std::vector<VertexWeights>& weights) {
   const Shape detailed = with_details(shape);
   const auto first_new = static_cast<Index>(fitted.whole.positions.size());
-  Splitter splitter(shape, fitted.whole, weights, images_of(fitted));
+  Splitter splitter(shape, fitted.whole, weights, find_images(fitted));
   for (int i = 0; i < 8; ++i) {
     splitter.round();
     put_on(shape, detailed, splitter.images(), first_new, fitted.whole);

@@ -10,10 +10,10 @@ namespace {
 using sim::Index;
 using sim::Triangle;
 
-/// No vertex but the border's comes nearer to x = 0: its mirror image would be as near.
-constexpr double nearest_to_border_m = 0.004;
+/// Minimum distance of inner vertices from x = 0, because their mirror images are as near.
+constexpr double min_border_distance_m = 0.004;
 
-/// A mesh that changes: triangles that died have three equal corners.
+/// A mesh that changes. Removed triangles have three equal corners.
 class Remesher {
  public:
   Remesher(const Shape& shape, sim::Mesh mesh) : shape_(shape), mesh_(std::move(mesh)) {
@@ -109,7 +109,7 @@ class Remesher {
   void split_long(Index a, Index b) {
     const std::vector<Index> shared = triangles_at(a, b);
     const double length_m = glm::length(at(a) - at(b));
-    // Only longest sides, or needles would be cut into ever thinner ones.
+    // Splits only longest sides, because needles would be cut into ever thinner ones.
     const bool is_longest = std::all_of(shared.begin(), shared.end(), [&](Index t) {
       const Vec3& c = at(third(mesh_.triangles[t], a, b));
       return length_m >= glm::length(c - at(a)) && length_m >= glm::length(c - at(b));
@@ -135,7 +135,8 @@ class Remesher {
     }
   }
 
-  /// Whether the triangles of `v` but those that have `but` keep their sides when it goes there.
+  /// Returns true if the triangles of `v`, except those that have `but`, keep their orientation when it moves to
+  /// `there`.
   bool may_move(Index v, Index but, const Vec3& there) const {
     for (const Index t : around_[v]) {
       Triangle triangle = mesh_.triangles[t];
@@ -257,7 +258,7 @@ class Remesher {
 
 }  // namespace
 
-sim::Mesh evened_out(const Shape& shape, const sim::Mesh& half, int rounds) {
+sim::Mesh even_out(const Shape& shape, const sim::Mesh& half, int rounds) {
   Remesher remesher(shape, half);
   for (int i = 0; i < rounds; ++i) {
     remesher.round();
@@ -291,7 +292,7 @@ void relax(const Shape& shape, sim::Mesh& half) {
     const Vec3 normal = outward / std::max(glm::length(outward), 1e-12);
     const Vec3 step = weights[v] > 0.0 ? sums[v] / weights[v] - p : Vec3(0.0);
     const Vec3 moved = on_surface(shape, p + 0.6 * (step - glm::dot(step, normal) * normal));
-    if (border || moved.x > nearest_to_border_m) {
+    if (border || moved.x > min_border_distance_m) {
       p = {border ? 0.0 : moved.x, moved.y, moved.z};
     }
   }

@@ -11,9 +11,9 @@ namespace {
 
 constexpr double cell_m = 0.0125;
 constexpr double accepted_m = 2e-4;
-constexpr double damping = 0.7;  // parts flow into each other, so that each correction moves other girths
+constexpr double damping = 0.7;  // parts flow into each other, so each correction changes other girths
 
-/// The height of the uppermost point of the surface at this x, in metres.
+/// Returns the height of the surface's uppermost point at this x, in metres.
 double top_m(const sim::Mesh& mesh, double x) {
   double top = 0.0;
   for (const sim::Triangle& t : mesh.triangles) {
@@ -28,8 +28,8 @@ double top_m(const sim::Mesh& mesh, double x) {
   return top;
 }
 
-/// Scales every section by what is wanted over what was found, and lifts the shoulders; returns the worst
-/// error, in metres.
+/// Scales every section by the wanted over the measured girth, and lifts the shoulders. Returns the largest error in
+/// metres.
 double correct(Body& body, std::vector<std::vector<double>>& factors, const sim::Mesh& whole) {
   const double lift = body.shoulder_tip_m.y - top_m(whole, body.shoulder_tip_m.x);
   body.shape.chains[1].frame.origin_m.y += damping * lift;
@@ -70,7 +70,7 @@ FittedBody fit(Body& body) {
     rough = extract();
   }
   FittedBody fitted;
-  fitted.half = evened_out(body.shape, rough, 12);
+  fitted.half = even_out(body.shape, rough, 12);
   for (int i = 0; i < 40; ++i) {
     put_on_surface(body.shape, fitted.half);
     fitted.whole = with_mirror_image(fitted.half);

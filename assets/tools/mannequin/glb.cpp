@@ -11,7 +11,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// Numbers of the glTF 2.0 specification.
+// Constants of the glTF 2.0 specification.
 constexpr int type_byte = 5121;
 constexpr int type_short = 5123;
 constexpr int type_float = 5126;
@@ -42,7 +42,7 @@ class Buffer {
   std::vector<std::uint8_t> bytes_;
 };
 
-/// Writes what accessors point to; every accessor has a view of its own.
+/// Writes the data of accessors, each with its own view.
 class Accessors {
  public:
   template <class Write>
@@ -65,7 +65,7 @@ class Accessors {
   Json list = Json::array();
 };
 
-Json rounded(const Vec3& v) {
+Json round_to_json(const Vec3& v) {
   return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
 }
 
@@ -96,8 +96,8 @@ Json add_mesh(Accessors& accessors, const std::string& name, const sim::Mesh& me
     low = glm::min(low, p);
     high = glm::max(high, p);
   }
-  accessors.list[positions]["min"] = rounded(low);
-  accessors.list[positions]["max"] = rounded(high);
+  accessors.list[positions]["min"] = round_to_json(low);
+  accessors.list[positions]["max"] = round_to_json(high);
   const std::size_t directions = vectors(normals(mesh));
   const std::size_t joints =
       accessors.add(type_byte, "VEC4", weights.size(), target_vertices, [&](Buffer& data) {
@@ -120,7 +120,7 @@ Json add_mesh(Accessors& accessors, const std::string& name, const sim::Mesh& me
       });
   const Json attributes = {
       {"POSITION", positions}, {"NORMAL", directions}, {"JOINTS_0", joints}, {"WEIGHTS_0", amounts}};
-  // An array of one is written out: compilers do not agree on what a list of one in braces is.
+  // Makes the array of one explicitly, because compilers disagree about a braced list of one.
   const Json primitive = {{"attributes", attributes}, {"indices", indices}};
   return {{"name", name}, {"primitives", Json::array({primitive})}};
 }
@@ -142,7 +142,7 @@ Json make_nodes(const std::string& name, const Body& body) {
   for (const Joint& joint : body.joints) {
     const auto parent = static_cast<std::size_t>(std::max(joint.parent, 0));
     const Vec3 from = joint.parent < 0 ? Vec3(0.0) : body.joints[parent].place_m;
-    nodes.push_back({{"name", joint.name}, {"translation", rounded(joint.place_m - from)}});
+    nodes.push_back({{"name", joint.name}, {"translation", round_to_json(joint.place_m - from)}});
     if (joint.parent >= 0) {
       nodes[parent + 1]["children"].push_back(nodes.size() - 1);
     }

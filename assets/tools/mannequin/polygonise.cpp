@@ -10,8 +10,7 @@ namespace {
 
 using sim::Index;
 
-/// The corners of a cell's six tetrahedra, all around the diagonal from corner 0 to corner 7; bits are x, y,
-/// z.
+/// Corners of a cell's six tetrahedra, all around the diagonal from corner 0 to corner 7. A corner's bits are x, y, z.
 constexpr std::array<std::array<int, 4>, 6> tetrahedra = {
     {{0, 1, 3, 7}, {0, 3, 2, 7}, {0, 2, 6, 7}, {0, 6, 4, 7}, {0, 4, 5, 7}, {0, 5, 1, 7}}};
 
@@ -70,7 +69,7 @@ class Marching {
       return;
     }
     const Vec3 outward = place(out[0]) - place(in[0]);
-    // New vertices are numbered as they are asked for: one after the other, in an order no compiler chooses.
+    // Separate statements number new vertices in an order that no compiler chooses.
     if (in.size() == 2) {
       const Index c = crossing(in[1], out[1]);
       const Index b = crossing(in[1], out[0]);

@@ -9,7 +9,7 @@
 namespace taut::tailor {
 namespace {
 
-/// A table of a file, and where it stands.
+/// A table of a file, and its place in the file.
 struct Place {
   std::string where;
   const toml::table& table;
@@ -131,7 +131,7 @@ PartRecipe read_part(const Place& place) {
   if (part.is_hollow && !result.is_detail) {
     place.fail("only a detail can be hollow");
   }
-  // Along, side and front of the chain are x, y and z until the part is put on it.
+  // Along, side and front of the chain are x, y and z until the part is placed on it.
   part.frame.origin_m = place.vector("origin", Vec3(0.0));
   part.frame.along = glm::normalize(place.vector("along", Vec3(1.0, 0.0, 0.0)));
   const Vec3 front = place.vector("front", Vec3(0.0, 0.0, 1.0));

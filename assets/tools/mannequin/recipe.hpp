@@ -9,29 +9,29 @@
 
 namespace taut::tailor {
 
-/// Published measurements by name, in metres.
+/// Published measurements in metres, by name.
 using Measurements = std::map<std::string, double>;
 
-/// Where a skeleton turns, on the reference body.
+/// A joint of the reference body.
 struct JointRecipe {
-  std::string name;    ///< of the left or middle joint; right ones are mirror images
+  std::string name;    ///< name of the left or middle joint; right ones are mirror images
   std::string parent;  ///< empty for the root
   std::string chain;
   Vec3 place_m;          ///< along the chain's axis, to its side, to its front
-  Vec3 hinge;            ///< of unit length: what lies there from the joint follows it
-  double width_m = 0.0;  ///< half the width over which what is before passes into what follows
+  Vec3 hinge;            ///< unit vector from the joint towards the flesh that follows it
+  double width_m = 0.0;  ///< half the width over which the parent's influence becomes the joint's
 };
 
-/// A part as the file describes it: places are along, to the side and to the front of its chain's axis.
+/// A part as in the file: positions are along, to the side and to the front of its chain's axis.
 struct PartRecipe {
   std::string chain;
   Part part;
   bool is_detail = false;
 };
 
-/// How a body is drawn: for one size, the reference.
+/// A body as drawn for one size, the reference.
 struct ShapeRecipe {
-  std::string reference;  ///< the size that it is drawn for
+  std::string reference;  ///< size that it is drawn for
   std::vector<PartRecipe> parts;
   std::vector<JointRecipe> joints;
 };

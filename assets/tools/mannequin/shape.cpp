@@ -8,10 +8,10 @@ namespace taut::tailor {
 namespace {
 
 constexpr double midline_m =
-    0.12;  // nearer to x = 0 than this, a part and its mirror image may flow together
-constexpr double edge_of_radius = 0.65;  // where the surface is bent, edges are this long for a radius of 1
-constexpr double shortest_edge_m = 0.012;
-constexpr double sole_blend_m = 0.012;  // how round the edge of the sole is
+    0.12;  // distance from x = 0 within which a part and its mirror image may flow together
+constexpr double edge_of_radius = 0.65;  // edge length on a bent surface, as a fraction of its radius
+constexpr double min_edge_m = 0.012;
+constexpr double sole_blend_m = 0.012;  // rounding of the sole's edge
 
 double piecewise(const std::vector<double>& from, const std::vector<double>& to, double t) {
   std::size_t i = 1;
@@ -21,31 +21,29 @@ double piecewise(const std::vector<double>& from, const std::vector<double>& to,
   return to[i - 1] + (t - from[i - 1]) * (to[i] - to[i - 1]) / (from[i] - from[i - 1]);
 }
 
-/// The smaller one, rounded where both are alike.
+/// Returns the smaller number, rounded where both are similar.
 double smooth_min(double a, double b, double width) {
   const double h = std::max(width - std::abs(a - b), 0.0) / width;
   return std::min(a, b) - h * h * h * width / 6.0;
 }
 
-/// How many times farther from the centre than the curve the point is. The curve is that of Fernandez-Guasti
-/// (1992): x^2 + y^2 - q x^2 y^2 = 1, an ellipse for q = 0.
+/// Returns the point's distance from the centre divided by the curve's, for the curve of Fernandez-Guasti (1992): x^2 +
+/// y^2 - q x^2 y^2 = 1, an ellipse for q = 0.
 double times_out(double x, double y, double squareness) {
   const double sum = x * x + y * y;
   const double root = std::sqrt(std::max(sum * sum - 4.0 * squareness * x * x * y * y, 0.0));
   return std::sqrt(0.5 * (sum + root));
 }
 
-Vec3 mirrored(const Vec3& p) {
-  return {-p.x, p.y, p.z};
-}
+Vec3 mirror(const Vec3& p) { return {-p.x, p.y, p.z}; }
 
-/// Of length 1, or less where the field has hardly any.
+/// Returns the unit vector, or a shorter one if the field hardly changes.
 Vec3 direction(const Vec3& v) {
   return v / std::max(glm::length(v), 1e-6);
 }
 
-/// One over the smallest radius of the surface there, over a centimetre or so, in 1/m.
-double largest_curvature(const Shape& shape, const Vec3& point_m) {
+/// Returns the largest curvature of the surface near the point, within about a centimetre, in 1/m.
+double max_curvature(const Shape& shape, const Vec3& point_m) {
   constexpr double step_m = 0.006;
   const Vec3 normal = direction(gradient(shape, point_m));
   const Vec3 aside = glm::normalize(
@@ -66,7 +64,7 @@ double both_sides_m(const Shape& shape, const Part& part, const Vec3& left_m) {
   if (part.on_midline || left_m.x > midline_m) {
     return left;
   }
-  return smooth_min(left, distance_m(shape, part, mirrored(left_m)), part.blend_m);
+  return smooth_min(left, distance_m(shape, part, mirror(left_m)), part.blend_m);
 }
 
 }  // namespace
@@ -103,11 +101,11 @@ double distance_m(const Shape& shape, const Part& part, const Vec3& point_m) {
   const double t = glm::dot(from, part.frame.along);
   const double within = std::clamp(t, part.sections.first(), part.sections.last());
   const auto [side, front, width_2, back_2, front_2, squareness] = part.sections(within);
-  constexpr double least_2 = 1e-8;  // a section that has shrunk to a point still has a direction outward
+  constexpr double min_squared = 1e-8;  // gives a section that has shrunk to a point an outward direction
   const double u = glm::dot(from, part.frame.side) - side;
   const double v = glm::dot(from, part.frame.front) - front;
-  const double x = u / std::sqrt(std::max(width_2, least_2));
-  const double y = v / std::sqrt(std::max(v < 0.0 ? back_2 : front_2, least_2));
+  const double x = u / std::sqrt(std::max(width_2, min_squared));
+  const double y = v / std::sqrt(std::max(v < 0.0 ? back_2 : front_2, min_squared));
   const double times = std::max(times_out(x, y, squareness), 1e-9);
   const double across = std::sqrt(u * u + v * v) * (1.0 - 1.0 / times);
   if (t == within) {
@@ -157,7 +155,7 @@ Vec3 gradient(const Shape& shape, const Vec3& point_m) {
 }
 
 Vec3 on_surface(const Shape& shape, Vec3 point_m) {
-  constexpr double longest_step_m = 0.01;
+  constexpr double max_step_m = 0.01;
   const bool stays = point_m.x == 0.0;
   for (int i = 0; i < 8; ++i) {
     Vec3 uphill = gradient(shape, point_m);
@@ -166,7 +164,7 @@ Vec3 on_surface(const Shape& shape, Vec3 point_m) {
     }
     Vec3 step = -distance_m(shape, point_m) * uphill / std::max(glm::dot(uphill, uphill), 0.05);
     const double length = glm::length(step);
-    point_m += length > longest_step_m ? step * (longest_step_m / length) : step;
+    point_m += length > max_step_m ? step * (max_step_m / length) : step;
   }
   return point_m;
 }
@@ -181,7 +179,7 @@ double edge_length_m(const Shape& shape, const Vec3& point_m) {
     sum += weight * part.edge_m;
     weights += weight;
   }
-  return std::clamp(edge_of_radius / largest_curvature(shape, point_m), shortest_edge_m, sum / weights);
+  return std::clamp(edge_of_radius / max_curvature(shape, point_m), min_edge_m, sum / weights);
 }
 
 }  // namespace taut::tailor

@@ -10,7 +10,7 @@ namespace taut::tailor {
 
 using sim::Vec3;
 
-/// Three directions at right angles: along a part, to its side and to its front.
+/// Three orthogonal directions: along a part, to its side and to its front.
 struct Frame {
   Vec3 origin_m = Vec3(0.0);
   Vec3 along = Vec3(0.0, 1.0, 0.0);
@@ -18,63 +18,63 @@ struct Frame {
   Vec3 front = Vec3(0.0, 0.0, 1.0);
 };
 
-/// How a group of parts of the reference body is brought to the size of another: lengths along its axis by
-/// straight pieces between landmarks, and what is across by a factor that varies along it.
+/// Maps a group of parts from the reference body to another size: lengths along its axis piecewise linearly between
+/// landmarks, and lengths across by a factor that varies along the axis.
 struct Chain {
   std::string name;
-  Frame frame;  ///< on the sized body; the reference's differs by its origin
+  Frame frame;  ///< frame on the sized body; the reference's differs only by its origin
   Vec3 reference_origin_m = Vec3(0.0);
   std::vector<double> sized_m;      ///< landmarks along the axis, increasing
-  std::vector<double> reference_m;  ///< the same landmarks on the reference body
-  std::vector<double> girths_m;     ///< places along the axis of the sized body with a factor, increasing
-  Curve<1> factor;                  ///< across, of the place along the axis of the sized body
-  double side_factor = 1.0;         ///< across to the side, besides
+  std::vector<double> reference_m;  ///< same landmarks on the reference body
+  std::vector<double> girths_m;     ///< positions with a factor along the axis of the sized body, increasing
+  Curve<1> factor;                  ///< factor across, by the position along the axis of the sized body
+  double side_factor = 1.0;         ///< further factor across to the side
 
-  /// Sets the factors at `girths_m`, as many as those.
+  /// Sets the factors at `girths_m`, one for each.
   void set_factors(const std::vector<double>& factors);
-  /// Returns where a point of the reference body is on the sized one.
+  /// Returns the position on the sized body of a point of the reference body.
   Vec3 sized(const Vec3& reference) const;
-  /// Returns where a point of the sized body is on the reference, and the smallest factor there.
+  /// Returns the position on the reference body of a point of the sized body, and the smallest factor there.
   Vec3 reference(const Vec3& sized, double& factor_there) const;
 };
 
-/// A part: a solid along a frame's axis. Its sections are closed curves made of two halves with a common
-/// width, one to the front and one to the back.
+/// A solid along a frame's axis. Its sections are closed curves made of two halves with a common width, one to the
+/// front and one to the back.
 struct Part {
   std::string name;
   std::size_t chain = 0;
-  double blend_m = 0.03;    ///< the width over which it flows into the parts before it
-  double edge_m = 0.029;    ///< of the triangles there
-  bool on_midline = false;  ///< goes through x = 0, and is there once and not twice
-  bool is_hollow = false;   ///< of a detail: taken away instead of added
-  Frame frame;              ///< on the reference body
-  /// At the place along the axis, in metres: centre to the side, centre to the front, the squares of half the
-  /// width, of the depth to the back and of that to the front, squareness from -1 (lozenge) over 0 (ellipse)
+  double blend_m = 0.03;    ///< width over which it flows into the parts before it
+  double edge_m = 0.029;    ///< edge length of its triangles
+  bool on_midline = false;  ///< crosses x = 0, and has no mirror image
+  bool is_hollow = false;   ///< details only: removed instead of added
+  Frame frame;              ///< frame on the reference body
+  /// Sections by the position along the axis, in metres: centre to the side, centre to the front, squares of half the
+  /// width, of the depth to the back and of the depth to the front, and squareness from -1 (lozenge) over 0 (ellipse)
   /// to 1 (rectangle).
   Curve<6> sections;
 };
 
-/// A body as a solid: x to its left, y up, z to the front, in metres, the mirror image of itself at x = 0.
+/// A body as a solid, symmetric about x = 0: x to its left, y up, z to the front, in metres.
 struct Shape {
   std::vector<Chain> chains;
   std::vector<Part> parts;
   std::vector<Part> details;  ///< features of the face, which are put on the mesh of the parts
 };
 
-/// Returns a signed measure of the distance to a part alone, in metres, negative inside.
+/// Returns an approximate signed distance to a part alone, in metres, negative inside.
 double distance_m(const Shape& shape, const Part& part, const Vec3& point_m);
-/// Returns the same of the whole body above y = 0, parts flowing into each other.
+/// Returns the distance to the whole body above y = 0, whose parts flow into each other.
 double distance_m(const Shape& shape, const Vec3& point_m);
-/// Returns the same of all parts of a chain on the left.
+/// Returns the distance to all parts of a chain on the left.
 double chain_distance_m(const Shape& shape, std::size_t chain, const Vec3& point_m);
-/// Returns the shape whose parts are all parts and details.
+/// Returns the shape with its details as parts.
 Shape with_details(const Shape& shape);
-/// Returns the direction of the fastest growth of `distance_m`, times that growth.
+/// Returns the gradient of `distance_m`.
 Vec3 gradient(const Shape& shape, const Vec3& point_m);
-/// Returns the point of the surface that Newton's method finds from there; one of x = 0 stays there.
+/// Returns the point of the surface that Newton's method finds from `point_m`. A point with x = 0 keeps it.
 Vec3 on_surface(const Shape& shape, Vec3 point_m);
-/// Returns how long edges of triangles shall be at a point of the surface, in metres: what the parts there
-/// ask for, or less where it is strongly bent.
+/// Returns the edge length of triangles at a point of the surface, in metres: the length of the parts there, or less on
+/// a strongly bent surface.
 double edge_length_m(const Shape& shape, const Vec3& point_m);
 
 }  // namespace taut::tailor

@@ -2,13 +2,13 @@
 
 #include <stdexcept>
 
-#include "app/models/garment_measures.hpp"
+#include "app/models/hanging/garment_measures.hpp"
 
 namespace taut::tailor {
 
 double girth_m(const sim::Mesh& mesh, const Tape& tape) {
   for (const app::SectionCurve& curve :
-       app::section_of({mesh.positions, mesh.triangles}, {tape.point_m, tape.normal})) {
+       app::cut_section({mesh.positions, mesh.triangles}, {tape.point_m, tape.normal})) {
     if (app::is_around_point(curve)) {
       return app::tight_tape_m(curve.points_m);
     }

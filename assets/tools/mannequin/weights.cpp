@@ -8,12 +8,12 @@
 namespace taut::tailor {
 namespace {
 
-using Row = std::vector<double>;  // a weight for every joint
+using Row = std::vector<double>;  // weight of every joint
 
 constexpr double midline_m =
-    0.03;                         // over twice this, what follows the left passes into what follows the right
-constexpr double reach_m = 0.04;  // what is farther than this from a limb does not follow it
-constexpr double least_weight = 1e-3;  // smaller ones are dropped
+    0.03;                         // half the width in which the influence of the left joints becomes the right joints'
+constexpr double reach_m = 0.04;  // distance from a limb beyond which a vertex does not follow it
+constexpr double min_weight = 1e-3;  // smaller weights are dropped
 constexpr int smoothing_rounds = 6;
 
 double smooth_step(double from_minus_1_to_1) {
@@ -21,7 +21,7 @@ double smooth_step(double from_minus_1_to_1) {
   return s * s * (3.0 - 2.0 * s);
 }
 
-/// How far from what follows the joint a point of the left is, in metres.
+/// Returns the distance in metres of a point on the left from the limb that follows the joint.
 double limb_distance_m(const Body& body, const Joint& joint, const Vec3& left) {
   double distance = chain_distance_m(body.shape, joint.chain, left);
   for (const Joint& child : body.joints) {
@@ -32,7 +32,7 @@ double limb_distance_m(const Body& body, const Joint& joint, const Vec3& left) {
   return distance;
 }
 
-/// How much of what follows the parent follows the joint, if only the joint is asked.
+/// Returns the fraction of the parent's influence that the joint takes over, without regard to other joints.
 double share(const Body& body, const Joint& joint, Vec3 p) {
   const double side = joint.is_right ? -1.0 : 1.0;
   p.x *= side;
@@ -45,7 +45,8 @@ double share(const Body& body, const Joint& joint, Vec3 p) {
   return result;
 }
 
-/// A hand hangs below the hinges of the spine that it follows: who follows a child follows its parent.
+/// Returns the joints' fractions. A point that follows a child follows its parent too: a hand hangs below the hinges of
+/// the spine that it follows.
 Row shares_at(const Body& body, const Vec3& p) {
   Row shares(body.joints.size(), 1.0);
   for (std::size_t j = shares.size() - 1; j > 0; --j) {
@@ -92,13 +93,13 @@ void smooth(std::vector<Row>& rows, const sim::Mesh& mesh) {
   }
 }
 
-VertexWeights strongest(const Row& row) {
+VertexWeights keep_strongest(const Row& row) {
   std::vector<std::uint8_t> order(row.size());
   std::iota(order.begin(), order.end(), std::uint8_t{0});
   std::stable_sort(order.begin(), order.end(), [&row](auto a, auto b) { return row[a] > row[b]; });
   auto kept = static_cast<std::size_t>(
-      std::count_if(order.begin(), order.begin() + 4, [&row](auto j) { return row[j] > least_weight; }));
-  // On the midline left and right weigh the same: both are kept, or none.
+      std::count_if(order.begin(), order.begin() + 4, [&row](auto j) { return row[j] > min_weight; }));
+  // Left and right joints have the same weight on the midline, so both are kept or none.
   kept -= kept == 4 && row[order[3]] == row[order[4]] ? 1 : 0;
   double sum = 0.0;
   for (std::size_t i = 0; i < kept; ++i) {
@@ -150,7 +151,7 @@ std::vector<VertexWeights> make_weights(const Body& body, const FittedBody& fitt
         row[j] = 0.5 * (std::min(before[j], before[image[j]]) + std::max(before[j], before[image[j]]));
       }
     }
-    result.push_back(strongest(row));
+    result.push_back(keep_strongest(row));
   }
   for (std::size_t v = 0; v < fitted.half.positions.size(); ++v) {
     if (fitted.half.positions[v].x != 0.0) {

@@ -8,14 +8,14 @@
 
 namespace taut::tailor {
 
-/// Which joints a vertex follows, the strongest first, and how much: float numbers whose sum is 1. Unused
-/// ones are joint 0 with weight 0.
+/// Joints that a vertex follows, the strongest first, with float weights whose sum is 1. Unused entries are joint 0
+/// with weight 0.
 struct VertexWeights {
   std::array<std::uint8_t, 4> joints{};
   std::array<float, 4> weights{};
 };
 
-/// Returns the weights of every vertex of the whole. Mirror images have mirrored weights.
+/// Returns the weights of every vertex of the whole body. Mirror images have mirrored weights.
 std::vector<VertexWeights> make_weights(const Body& body, const FittedBody& fitted);
 
 }  // namespace taut::tailor

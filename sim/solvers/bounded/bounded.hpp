@@ -11,11 +11,11 @@ class ParallelKernels;
 struct ProjectionResult;
 }  // namespace bounded
 
-/// The strong constraint organised so that a bound on stretch is kept in every frame at any resolution.
-/// How and why: bounded.md beside this file.
+/// The strong constraint, organised so that every frame keeps a bound on stretch at any resolution. Method and reasons:
+/// bounded.md beside this file.
 class BoundedSolver : public Solver {
  public:
-  /// Throws std::invalid_argument if this processor does not have the vector unit.
+  /// Throws std::invalid_argument if this processor lacks the vector unit.
   BoundedSolver(const BoundedSettings& settings, std::optional<int> substeps, int max_substeps);
   ~BoundedSolver() override;
 
@@ -29,45 +29,47 @@ class BoundedSolver : public Solver {
 
  private:
   struct Cloth;
-  struct Attempt;
+  struct FrameAttempt;
   struct FramePart;
-  struct Try;
-  struct Effort;
+  struct AttemptLimits;
+  struct WorkBudget;
 
   void lay_out(const Frame& frame);
   int substeps_for_load(const Frame& frame) const;
   double pins_turn_m(const Frame& frame, const State& state) const;
-  double usual_work(const Frame& frame, double pins_turn_m, const bounded::Memory& memory) const;
+  double expected_work(const Frame& frame, double pins_turn_m, const bounded::Memory& memory) const;
   bounded::Memory first_memory(const Frame& frame) const;
   void begin_frame(const State& state);
   void begin_substeps(double time_step_s);
   void follow_tension(int done, int substeps, double frame_time_s);
   [[nodiscard]] bool run_substeps(const Frame& frame, double time_s, int substeps, bool is_last);
-  bounded::ProjectionResult project(const Frame& frame, double end_s, int substeps, const Try& how,
+  bounded::ProjectionResult project(const Frame& frame, double end_s, int substeps, const AttemptLimits& how,
                                     bounded::Float4Array& corrections);
-  Attempt attempt(const Frame& frame, const State& state, bounded::Memory memory, const Try& how);
+  FrameAttempt attempt(const Frame& frame, const State& state, bounded::Memory memory, const AttemptLimits& how);
   int substeps_in(double time_s, const bounded::SubstepControl& control) const;
-  static Try next_try(const FramePart& part, const bounded::SubstepControl& control, const Effort& effort);
-  FramePart first_part(const bounded::Memory& memory, const Effort& effort) const;
+  static AttemptLimits next_try(const FramePart& part, const bounded::SubstepControl& control,
+                                const WorkBudget& effort);
+  FramePart first_part(const bounded::Memory& memory, const WorkBudget& effort) const;
   static void halve(FramePart& part, double raw_bounds, double limit);
-  static void go_on(FramePart& part, double raw_bounds, bool is_cheap);
-  void try_otherwise(FramePart& part, const Attempt& failed, double raw_bounds, const Try& how, const Effort& effort,
-                     bounded::SubstepControl& control) const;
-  Attempt advance(const Frame& frame, const State& begin, bounded::Memory memory, Effort& effort);
-  State shape_of(const Frame& frame, const State& begin, int substeps) const;
+  static void advance_part(FramePart& part, double raw_bounds, bool is_cheap);
+  void adapt_after_failure(FramePart& part, const FrameAttempt& failed, double raw_bounds, const AttemptLimits& how,
+                           const WorkBudget& effort, bounded::SubstepControl& control) const;
+  FrameAttempt advance(const Frame& frame, const State& begin, bounded::Memory memory, WorkBudget& effort);
+  State end_state(const Frame& frame, const State& begin, int substeps) const;
   void set_previous(State& state) const;
-  void require_a_way_on(const Frame& frame, const State& begin, const Attempt& last, const Effort& effort) const;
+  void require_unblocked(const Frame& frame, const State& begin, const FrameAttempt& last,
+                         const WorkBudget& effort) const;
 
-  /// The stretch that others are counted in.
+  /// Returns the unit of stretch in which other stretches are expressed.
   double bound() const;
 
   BoundedSettings settings_;
-  std::optional<int> substeps_;  ///< per frame; the solver chooses if there is none
+  std::optional<int> substeps_;  ///< per frame; the solver chooses if not set
   int max_substeps_;
   std::unique_ptr<bounded::ParallelKernels> kernels_;
   std::unique_ptr<Cloth> cloth_;
-  std::optional<bounded::Memory> memory_;  ///< of the last frame that was kept
-  bounded::Memory next_;                   ///< of the last frame that was advanced
+  std::optional<bounded::Memory> memory_;  ///< memory of the last kept frame
+  bounded::Memory next_;                   ///< memory of the last advanced frame
 };
 
 }  // namespace taut::sim

@@ -8,52 +8,52 @@
 namespace taut::sim::bounded {
 namespace {
 
-/// Greedy colouring: each element gets the first colour that no earlier one at its rows has. Elements are the
-/// `corners` rows that each of them moves. Returns the numbers of the elements of each colour, in order.
+/// Greedy colouring: each element gets the first colour that no earlier element at its vertices has. An element is the
+/// `corners` vertices that it moves. Returns the element indices of each colour, in order.
 template <std::size_t corners>
-std::vector<std::vector<std::size_t>> coloured(const std::vector<std::array<Index, corners>>& elements,
-                                               std::size_t row_count) {
+std::vector<std::vector<std::size_t>> colour_greedily(const std::vector<std::array<Index, corners>>& elements,
+                                                      std::size_t row_count) {
   std::vector<std::vector<std::size_t>> colours;
-  std::vector<std::vector<bool>> taken;
+  std::vector<std::vector<bool>> is_taken;
   for (std::size_t e = 0; e < elements.size(); ++e) {
     const std::array<Index, corners>& rows = elements[e];
     std::size_t c = 0;
-    while (c < colours.size() && std::any_of(rows.begin(), rows.end(), [&](Index row) { return taken[c][row]; })) {
+    while (c < colours.size() && std::any_of(rows.begin(), rows.end(), [&](Index row) { return is_taken[c][row]; })) {
       ++c;
     }
     if (c == colours.size()) {
       colours.emplace_back();
-      taken.emplace_back(row_count, false);
+      is_taken.emplace_back(row_count, false);
     }
     colours[c].push_back(e);
-    for (const Index row : rows) taken[c][row] = true;
+    for (const Index row : rows) is_taken[c][row] = true;
   }
   return colours;
 }
 
-void number_rows(const Garment& garment, const Pins& pins, Rows& rows) {
+void number_rows(const Garment& garment, const Pins& pins, SolverOrder& rows) {
   const GeodesicDistances geodesics = geodesic_distances(garment.mesh, garment.adjacency, pins.vertices);
   const std::vector<double>& distances_m = geodesics.distances_m;
-  std::vector<Index>& order = rows.vertex_of_row;
+  std::vector<Index>& order = rows.vertex_indices;
   order.resize(distances_m.size());
   std::iota(order.begin(), order.end(), Index{0});
   std::stable_sort(order.begin(), order.end(), [&](Index a, Index b) { return distances_m[a] < distances_m[b]; });
-  rows.row_of_vertex.resize(order.size());
+  rows.solver_indices.resize(order.size());
   for (Index row = 0; row < order.size(); ++row) {
-    rows.row_of_vertex[order[row]] = row;
+    rows.solver_indices[order[row]] = row;
     rows.distance_from_pins_m.push_back(distances_m[order[row]]);
     rows.inverse_masses_per_kg.push_back(static_cast<float>(pins.inverse_masses_per_kg[order[row]]));
   }
   for (const Index v : order) {
     const Index pin = geodesics.nearest_sources[v];
-    rows.nearest_pin_row.push_back(pin == GeodesicDistances::no_source ? 0 : rows.row_of_vertex[pin]);
+    rows.nearest_pin_row.push_back(pin == GeodesicDistances::no_source ? 0 : rows.solver_indices[pin]);
   }
   rows.inverse_masses_per_kg.resize(rows.row_count(), 0.0F);
   rows.pin_count = pins.vertices.size();
 }
 
-void measure_reach(const Garment& garment, Rows& rows) {
-  const std::size_t count = garment.springs.begin_of(SpringKind::flexural);
+void measure_reach(const Garment& garment, SolverOrder& rows) {
+  const std::size_t count = garment.springs.begin_index(SpringKind::flexural);
   for (const double distance_m : rows.distance_from_pins_m) {
     rows.reach_m = std::isfinite(distance_m) ? std::max(rows.reach_m, distance_m) : rows.reach_m;
   }
@@ -62,7 +62,7 @@ void measure_reach(const Garment& garment, Rows& rows) {
   rows.reach_springs = total_m > 0.0 ? rows.reach_m * static_cast<double>(count) / total_m : 0.0;
 }
 
-std::size_t bound_spring_count(const Springs& springs) { return springs.begin_of(SpringKind::flexural); }
+std::size_t bound_spring_count(const Springs& springs) { return springs.begin_index(SpringKind::flexural); }
 
 struct SpringInRows {
   Index row_i;
@@ -70,16 +70,17 @@ struct SpringInRows {
   Index spring;
 };
 
-/// Returns the springs with their ends as rows, the end nearer to the pins first. Springs between two pins
+/// Returns the springs with their ends as solver indices, the end nearer to the pins first. Springs between two pins
 /// cannot be corrected and are left out.
 std::vector<SpringInRows> movable_springs(const Springs& springs, const std::vector<bool>& is_left_out,
                                           const Layout& layout) {
+  assert(is_left_out.empty() || is_left_out.size() == springs.ends.size());
   std::vector<SpringInRows> rows;
   for (Index s = 0; s < bound_spring_count(springs); ++s) {
     if (is_left_out[s]) continue;
     const auto [a, b] = springs.ends[s];
-    const Index i = std::min(layout.row_of_vertex[a], layout.row_of_vertex[b]);
-    const Index j = std::max(layout.row_of_vertex[a], layout.row_of_vertex[b]);
+    const Index i = std::min(layout.solver_indices[a], layout.solver_indices[b]);
+    const Index j = std::max(layout.solver_indices[a], layout.solver_indices[b]);
     if (j >= layout.pin_count) rows.push_back({i, j, s});
   }
   std::sort(rows.begin(), rows.end(), [](const SpringInRows& a, const SpringInRows& b) {
@@ -88,7 +89,7 @@ std::vector<SpringInRows> movable_springs(const Springs& springs, const std::vec
   return rows;
 }
 
-/// Sets a lane to a spring between two rows.
+/// Sets a lane to a spring between two solver indices.
 void set_lane(SpringLanes& lanes, std::size_t lane, Index row_i, Index row_j, double share_i, double rest_m) {
   SpringBlock& block = lanes.blocks[lane / block_size];
   const std::size_t k = lane % block_size;
@@ -107,8 +108,8 @@ void append_colour(const std::vector<SpringInRows>& springs, const std::vector<s
   lanes.projection_share_i.resize(lanes.spring.size(), 0.0F);
   for (std::size_t k = 0; k < colour.size(); ++k) {
     const SpringInRows& s = springs[colour[k]];
-    const double w_i = pins.inverse_masses_per_kg[layout.vertex_of_row[s.row_i]];
-    const double w_j = pins.inverse_masses_per_kg[layout.vertex_of_row[s.row_j]];
+    const double w_i = pins.inverse_masses_per_kg[layout.vertex_indices[s.row_i]];
+    const double w_j = pins.inverse_masses_per_kg[layout.vertex_indices[s.row_j]];
     const double ratio = projection_ratio(s.row_i, s.row_j, layout);
     set_lane(lanes, begin + k, s.row_i, s.row_j, w_i / (w_i + w_j), garment.springs.rest_lengths_m[s.spring]);
     lanes.projection_share_i[begin + k] = static_cast<float>(w_i * ratio / (w_i * ratio + w_j));
@@ -128,7 +129,7 @@ SpringLanes make_spring_lanes(const Garment& garment, const Pins& pins, const st
   std::vector<std::array<Index, 2>> rows;
   for (const SpringInRows& s : springs) rows.push_back({s.row_i, s.row_j});
   SpringLanes lanes;
-  for (const std::vector<std::size_t>& colour : coloured(rows, layout.vertex_count())) {
+  for (const std::vector<std::size_t>& colour : colour_greedily(rows, layout.vertex_count())) {
     append_colour(springs, colour, garment, pins, layout, lanes);
   }
   return lanes;
@@ -142,8 +143,8 @@ TriangleLanes make_triangle_lanes(const Garment& garment, const Layout& layout) 
   lanes.corner_begin.assign(layout.vertex_count() + 1, 0);
   for (std::size_t corner = 0; corner < 3; ++corner) {
     for (const Triangle& t : triangles) {
-      lanes.at[corner].push_back(4 * layout.row_of_vertex[t[corner]]);
-      ++lanes.corner_begin[layout.row_of_vertex[t[corner]] + 1];
+      lanes.at[corner].push_back(4 * layout.solver_indices[t[corner]]);
+      ++lanes.corner_begin[layout.solver_indices[t[corner]] + 1];
     }
     lanes.at[corner].resize(padded, 4 * spare);
   }
@@ -158,9 +159,9 @@ TriangleLanes make_triangle_lanes(const Garment& garment, const Layout& layout) 
   return lanes;
 }
 
-/// The largest distance of a cell's diagonals from each other, in parts of the length of one. The way along
-/// the cell from corner to corner is then longer than the diagonal by the square of it at most.
-constexpr double flat = 1e-5;
+/// Largest distance between a flat cell's diagonals, as a fraction of the length of one. The path along the cell from
+/// corner to corner then exceeds the diagonal by at most the square of it.
+constexpr double max_flatness_error = 1e-5;
 
 bool is_flat(const Mesh& mesh, const Quad& cell) {
   const auto at = [&](std::size_t k) { return mesh.positions[cell[k]]; };
@@ -168,14 +169,15 @@ bool is_flat(const Mesh& mesh, const Quad& cell) {
   const Vec3 other = at(3) - at(1);
   const Vec3 normal = glm::cross(one, other);
   const double apart_m = std::abs(glm::dot(normal, at(1) - at(0)));
-  return apart_m <= flat * glm::length(one) * glm::length(normal);
+  return apart_m <= max_flatness_error * glm::length(one) * glm::length(normal);
 }
 
-// Triangles near the pins carry all that hangs below, and their error grows with their load. Without this, a
+// Triangles near the pins carry all cloth below, and their error grows with their load. Without repeated sweeps, a
 // shirt in a wind of 10 m/s takes twice the time.
 void sweep_again_near_pins(double first_part, SurfaceLanes& lanes) {
+  assert(first_part >= 0.0);
   const std::vector<BlockRange> colours = lanes.sweep;
-  for (double part = first_part; part > tuning::few; part *= tuning::swept_again) {
+  for (double part = first_part; part > tuning::outlier_fraction; part *= tuning::resweep_fraction) {
     for (const BlockRange& colour : colours) {
       const auto count = static_cast<std::uint32_t>(std::ceil(part * (colour.end - colour.begin)));
       lanes.sweep.push_back({colour.begin, colour.begin + count, true});
@@ -187,12 +189,12 @@ class SpringFinder {
  public:
   explicit SpringFinder(const Springs& springs) : springs_(springs) {}
 
-  /// Calls mark(s) for each bound spring s between a and b.
+  /// Calls mark(s) for each bounded spring s between a and b.
   template <typename Mark> void find(Index a, Index b, const Mark& mark) const {
     const Edge edge = {std::min(a, b), std::max(a, b)};
     for (const SpringKind kind : {SpringKind::structural, SpringKind::shear}) {
-      const auto first = springs_.ends.begin() + static_cast<std::ptrdiff_t>(springs_.begin_of(kind));
-      const auto last = springs_.ends.begin() + static_cast<std::ptrdiff_t>(springs_.end_of(kind));
+      const auto first = springs_.ends.begin() + static_cast<std::ptrdiff_t>(springs_.begin_index(kind));
+      const auto last = springs_.ends.begin() + static_cast<std::ptrdiff_t>(springs_.end_index(kind));
       const auto found = std::lower_bound(first, last, edge);
       if (found != last && *found == edge) mark(static_cast<std::size_t>(found - springs_.ends.begin()));
     }
@@ -202,32 +204,32 @@ class SpringFinder {
   const Springs& springs_;
 };
 
-/// Edges over the height that they are divided by. The rounding of edges grows by as much.
-constexpr double thin = 8.0;
+/// Ratio of edge to height above which a triangle is thin. Rounding of edges is amplified by this ratio.
+constexpr double max_aspect = 8.0;
 
 bool is_thin(const TriangleAtRest& rest) {
-  const double longest = std::max(rest.across_per_m, std::abs(rest.skew_per_m));
-  return longest > thin * rest.along_per_m;
+  const double max_per_m = std::max(rest.across_per_m, std::abs(rest.skew_per_m));
+  return max_per_m > max_aspect * rest.along_per_m;
 }
 
-using Corners = std::array<Index, 3>;
+using TriangleRows = std::array<Index, 3>;
 
 struct TriangleInRows {
-  Corners corners;  ///< as rows
+  TriangleRows corners;  ///< solver indices
   Index triangle;
 };
 
-std::vector<TriangleInRows> movable_triangles(const Garment& garment, const Rows& rows) {
+std::vector<TriangleInRows> movable_triangles(const Garment& garment, const SolverOrder& rows) {
   std::vector<TriangleInRows> movable;
   for (Index t = 0; t < garment.mesh.triangles.size(); ++t) {
-    Corners corners;
-    for (std::size_t k = 0; k < 3; ++k) corners[k] = rows.row_of_vertex[garment.mesh.triangles[t][k]];
+    TriangleRows corners;
+    for (std::size_t k = 0; k < 3; ++k) corners[k] = rows.solver_indices[garment.mesh.triangles[t][k]];
     if (garment.triangles_at_rest[t].has_surface() &&
         *std::max_element(corners.begin(), corners.end()) >= rows.pin_count) {
       movable.push_back({corners, t});
     }
   }
-  const auto sorted = [](Corners corners) {
+  const auto sorted = [](TriangleRows corners) {
     std::sort(corners.begin(), corners.end());
     return corners;
   };
@@ -237,7 +239,7 @@ std::vector<TriangleInRows> movable_triangles(const Garment& garment, const Rows
   return movable;
 }
 
-/// Sums over the corners of products of gradients: the matrix that the sum of w (g v)^2 is made with.
+/// Sums over the corners of weighted products of gradients: the matrix G of v^T G v = sum of w (g v)^2.
 struct SquaredGradients {
   double along = 0.0;
   double across = 0.0;
@@ -267,17 +269,18 @@ void set_mobility(const SquaredGradients& sums, const std::array<double, 3>& inv
   mobility.skew[k] = static_cast<float>(sums.mixed / sums.trace());
 }
 
-/// Inverse weights of corners in the projection, in parts of the inverse masses; see projection_ratio.
-std::array<double, 3> weighted(const std::array<double, 3>& inverse_masses, const Corners& corners, const Rows& rows) {
+/// Returns the corners' inverse weights in the projection, relative to the inverse masses; see projection_ratio.
+std::array<double, 3> projection_weights(const std::array<double, 3>& inverse_masses, const TriangleRows& corners,
+                                         const SolverOrder& rows) {
   std::array<double, 3> inverse_weights = inverse_masses;
-  const Index nearest = *std::min_element(corners.begin(), corners.end());
-  for (std::size_t k = 0; k < 3; ++k) inverse_weights[k] /= projection_ratio(nearest, corners[k], rows);
+  const Index nearest_row = *std::min_element(corners.begin(), corners.end());
+  for (std::size_t k = 0; k < 3; ++k) inverse_weights[k] /= projection_ratio(nearest_row, corners[k], rows);
   return inverse_weights;
 }
 
 class SurfaceMaker {
  public:
-  SurfaceMaker(const Garment& garment, const Pins& pins, const Rows& rows)
+  SurfaceMaker(const Garment& garment, const Pins& pins, const SolverOrder& rows)
       : garment_(garment), pins_(pins), rows_(rows) {}
 
   void append_colour(const std::vector<TriangleInRows>& triangles, const std::vector<std::size_t>& colour) {
@@ -308,15 +311,15 @@ class SurfaceMaker {
     std::array<double, 3> inverse_masses{};
     for (std::size_t corner = 0; corner < 3; ++corner) {
       block.at[corner][k] = 4 * t.corners[corner];
-      inverse_masses[corner] = pins_.inverse_masses_per_kg[rows_.vertex_of_row[t.corners[corner]]];
+      inverse_masses[corner] = pins_.inverse_masses_per_kg[rows_.vertex_indices[t.corners[corner]]];
     }
     block.along_per_m[k] = static_cast<float>(rest.along_per_m);
     block.across_per_m[k] = static_cast<float>(rest.across_per_m);
     block.skew_per_m[k] = static_cast<float>(rest.skew_per_m);
     const SquaredGradients sums = squared_gradients(rest, inverse_masses);
-    lanes_.has_thin = lanes_.has_thin || is_thin(rest);
+    lanes_.has_thin_triangles = lanes_.has_thin_triangles || is_thin(rest);
     set_mobility(sums, inverse_masses, k, block.mobility);
-    const std::array<double, 3> weights = weighted(inverse_masses, t.corners, rows_);
+    const std::array<double, 3> weights = projection_weights(inverse_masses, t.corners, rows_);
     set_mobility(squared_gradients(rest, weights), weights, k, lanes_.projection_mobility[lane / block_size]);
     const double area_m2 = 0.5 / (rest.along_per_m * rest.across_per_m);
     lanes_.triangle[lane] = t.triangle;
@@ -331,22 +334,22 @@ class SurfaceMaker {
 
   const Garment& garment_;
   const Pins& pins_;
-  const Rows& rows_;
+  const SolverOrder& rows_;
   SurfaceLanes lanes_;
 };
 
 }  // namespace
 
-std::size_t Rows::row_count() const { return (vertex_count() + 3 * block_size - 1) / block_size * block_size; }
+std::size_t SolverOrder::row_count() const { return (vertex_count() + 3 * block_size - 1) / block_size * block_size; }
 
-Rows make_rows(const Garment& garment, const Pins& pins) {
-  Rows rows;
+SolverOrder make_rows(const Garment& garment, const Pins& pins) {
+  SolverOrder rows;
   number_rows(garment, pins, rows);
   measure_reach(garment, rows);
   return rows;
 }
 
-double projection_ratio(Index row_i, Index row_j, const Rows& rows) {
+double projection_ratio(Index row_i, Index row_j, const SolverOrder& rows) {
   const double further_m = rows.distance_from_pins_m[row_j] - rows.distance_from_pins_m[row_i];
   if (!std::isfinite(further_m) || !(rows.reach_m > 0.0)) return 1.0;
   return exponential(-tuning::projection_weight_growth * further_m * rows.reach_springs / rows.reach_m);
@@ -356,20 +359,21 @@ void set_start(const Layout& layout, std::span<const Vec3> positions_m, StartRow
   assert(positions_m.size() == layout.vertex_count());
   start.high.resize(layout.row_count());
   start.low.resize(layout.row_count());
-  const Vec3 origin_m = positions_m[layout.vertex_of_row[0]];
+  const Vec3 origin_m = positions_m[layout.vertex_indices[0]];
   for (std::size_t row = 0; row < layout.vertex_count(); ++row) {
-    start.high[row] = float4_of(positions_m[layout.vertex_of_row[row]] - origin_m);
+    start.high[row] = to_float4(positions_m[layout.vertex_indices[row]] - origin_m);
   }
-  // A separate loop: in one loop, GCC 12 at -O3 uses the values before rounding in place of the rounded ones.
+  // A separate loop: in one loop, GCC 12 at -O3 uses the unrounded values in place of the rounded ones.
   for (std::size_t row = 0; row < layout.vertex_count(); ++row) {
-    const Vec3 from_origin_m = positions_m[layout.vertex_of_row[row]] - origin_m;
-    start.low[row] = float4_of(from_origin_m - vector_of(start.high[row]));
+    const Vec3 from_origin_m = positions_m[layout.vertex_indices[row]] - origin_m;
+    start.low[row] = to_float4(from_origin_m - to_vec3(start.high[row]));
   }
 }
 
 Layout make_layout(const Garment& garment, const Pins& pins, BoundKind bound) {
+  assert(pins.inverse_masses_per_kg.size() == garment.mesh.positions.size());
   Layout layout;
-  static_cast<Rows&>(layout) = make_rows(garment, pins);
+  static_cast<SolverOrder&>(layout) = make_rows(garment, pins);
   std::vector<bool> is_held(garment.springs.size(), false);
   if (bound == BoundKind::surface) {
     layout.surface = make_surface_lanes(garment, pins, layout);
@@ -403,19 +407,21 @@ std::vector<bool> springs_held_by_triangles(const Garment& garment) {
   return held;
 }
 
-SurfaceLanes make_surface_lanes(const Garment& garment, const Pins& pins, const Rows& rows) {
+SurfaceLanes make_surface_lanes(const Garment& garment, const Pins& pins, const SolverOrder& rows) {
+  assert(pins.inverse_masses_per_kg.size() == garment.mesh.positions.size());
   const std::vector<TriangleInRows> triangles = movable_triangles(garment, rows);
-  std::vector<Corners> corners;
+  std::vector<TriangleRows> corners;
   for (const TriangleInRows& t : triangles) corners.push_back(t.corners);
   SurfaceMaker maker(garment, pins, rows);
-  for (const std::vector<std::size_t>& colour : coloured(corners, rows.vertex_count())) {
+  for (const std::vector<std::size_t>& colour : colour_greedily(corners, rows.vertex_count())) {
     maker.append_colour(triangles, colour);
   }
   SurfaceLanes lanes = maker.take();
-  // In fine cloth triangles are longest where folds end, anywhere: less is swept again, and all is corrected more.
-  const bool is_fine = triangles.size() >= tuning::fine_triangles;
+  // The longest triangles of fine cloth are at the ends of folds, anywhere: fewer are swept again, and all are
+  // corrected more.
+  const bool is_fine = triangles.size() >= tuning::min_fine_triangles;
   if (is_fine) lanes.relaxation = tuning::fine_relaxation;
-  const double first_part = is_fine ? tuning::swept_again * tuning::swept_again : tuning::swept_again;
+  const double first_part = is_fine ? tuning::resweep_fraction * tuning::resweep_fraction : tuning::resweep_fraction;
   if (rows.pin_count > 0) sweep_again_near_pins(first_part, lanes);
   return lanes;
 }

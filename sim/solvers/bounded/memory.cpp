@@ -12,6 +12,7 @@ void save(const Float4Array& rows, std::size_t vertex_count, ByteWriter& bytes) 
 }
 
 Float4Array restored_rows(std::size_t vertex_count, std::size_t row_count, const char* what, ByteReader& bytes) {
+  assert(vertex_count <= row_count);
   Float4Array rows(row_count);
   for (std::size_t row = 0; row < vertex_count; ++row) {
     for (float* coordinate : {&rows[row].x, &rows[row].y, &rows[row].z}) *coordinate = bytes.get<float>(what);
@@ -22,15 +23,15 @@ Float4Array restored_rows(std::size_t vertex_count, std::size_t row_count, const
 void save(const ContactMemory& memory, ByteWriter& bytes) {
   bytes.put<std::uint8_t>(memory.may_have_crossed ? 1 : 0);
   bytes.put<std::uint8_t>(memory.bodies ? 1 : 0);
-  bytes.put<std::uint64_t>(memory.left_out.size());
-  for (const LeftOutTriangle& t : memory.left_out) {
+  bytes.put<std::uint64_t>(memory.excluded_triangles.size());
+  for (const ExcludedTriangle& t : memory.excluded_triangles) {
     bytes.put<std::uint64_t>(t.body ? *t.body + 1 : 0);
     bytes.put(t.triangle);
     bytes.put(t.group);
   }
 }
 
-/// Numbers of triangles of the cloth and of the bodies that are meshes.
+/// Returns the numbers of triangles of the cloth and of each body; 0 for bodies that are no meshes.
 std::vector<std::size_t> triangle_counts(const Frame& frame) {
   std::vector<std::size_t> counts = {frame.garment.mesh.triangles.size()};
   for (const Body& body : frame.surroundings.bodies) {
@@ -47,21 +48,21 @@ void restore(const Frame& frame, ByteReader& bytes, ContactMemory& memory) {
   memory.may_have_crossed = bytes.get_bool("whether a crossing was accepted");
   if (bytes.get_bool("whether it is known what crosses")) memory.bodies = bodies;
   const auto count = bytes.get<std::uint64_t>("the number of triangles that are left out", 0, all);
-  memory.left_out.clear();
+  memory.excluded_triangles.clear();
   for (std::uint64_t k = 0; k < count; ++k) {
-    LeftOutTriangle t;
+    ExcludedTriangle t;
     const auto body = bytes.get<std::uint64_t>("a body of a triangle that is left out", 0, bodies.size());
     if (body > 0) t.body = body - 1;
     const std::size_t last = std::max<std::size_t>(counts[body], 1) - 1;
     t.triangle = bytes.get<Index>("a triangle that is left out", 0, static_cast<Index>(last));
     t.group = bytes.get<Index>("the group of a triangle that is left out", 1, static_cast<Index>(all));
-    memory.left_out.push_back(t);
+    memory.excluded_triangles.push_back(t);
   }
 }
 
 void save(const ElasticMemory& memory, ByteWriter& bytes) {
   bytes.put<std::uint64_t>(memory.tension_n_per_m.size());
-  for (const auto* blocks : {&memory.tension_n_per_m, &memory.held_n_per_m}) {
+  for (const auto* blocks : {&memory.tension_n_per_m, &memory.shortening_n_per_m}) {
     for (const SurfaceSums& block : *blocks) {
       for (const auto* values : {&block.along, &block.across, &block.mixed}) {
         for (const float value : *values) bytes.put(value);
@@ -70,12 +71,12 @@ void save(const ElasticMemory& memory, ByteWriter& bytes) {
   }
 }
 
-// Cloth that had another law, or none, when it was saved begins without tension.
+// Cloth saved with another law, or none, begins without tension.
 void restore(const Frame& frame, ByteReader& bytes, ElasticMemory& memory) {
   ElasticMemory saved;
   const auto count =
       bytes.get<std::uint64_t>("the number of blocks under tension", 0, frame.garment.mesh.triangles.size());
-  for (auto* blocks : {&saved.tension_n_per_m, &saved.held_n_per_m}) {
+  for (auto* blocks : {&saved.tension_n_per_m, &saved.shortening_n_per_m}) {
     blocks->resize(count);
     for (SurfaceSums& block : *blocks) {
       for (auto* values : {&block.along, &block.across, &block.mixed}) {
@@ -95,31 +96,34 @@ void RowMemory::resize(std::size_t rows) {
 }
 
 void RowMemory::observe(std::size_t rows, const Float4Array& before, const Float4Array& after, double observed_s,
-                        float most_acceleration) {
+                        float max_acceleration_m_per_s2) {
+  assert(observed_s > 0.0);
+  assert(rows <= before.size() && before.size() == after.size());
   const auto per_s = static_cast<float>(1.0 / observed_s);
   for (std::size_t row = 0; row < rows; ++row) {
     const Float4 moved = scaled_sum(after[row], before[row], -1.0F);
-    const Float4 velocity = times(moved, per_s);
+    const Float4 velocity = multiply(moved, per_s);
     const Float4 change = scaled_sum(velocity, velocities[row], -1.0F);
     velocities[row] = velocity;
-    const Float4 observed = no_longer_than(most_acceleration, times(change, per_s));
-    accelerations[row] = times(scaled_sum(accelerations[row], observed, 1.0F), 0.5F);
+    const Float4 observed = limit_length(max_acceleration_m_per_s2, multiply(change, per_s));
+    accelerations[row] = multiply(scaled_sum(accelerations[row], observed, 1.0F), 0.5F);
   }
   elapsed_s = observed_s;
 }
 
 namespace {
 
-/// Returns the value with this rank from below, of values of which few are above it: those are found by what some of
-/// the values are, and put in order.
-double ranked_near_the_top(std::vector<double>& values, std::size_t rank) {
+/// Returns the value of this rank from below, for a rank near the top. A sample of the values gives a threshold, and
+/// only the values above it are sorted.
+double upper_quantile(std::vector<double>& values, std::size_t rank) {
+  assert(rank < values.size());
   constexpr std::size_t sampled_every = 16;
-  std::vector<double> some;
-  for (std::size_t i = 0; i < values.size(); i += sampled_every) some.push_back(values[i]);
+  std::vector<double> sample;
+  for (std::size_t i = 0; i < values.size(); i += sampled_every) sample.push_back(values[i]);
   const std::size_t above = values.size() - rank;
-  const std::size_t some_above = std::min(some.size(), 2 * above / sampled_every + 4);
-  const auto at = some.end() - static_cast<std::ptrdiff_t>(some_above);
-  std::nth_element(some.begin(), at, some.end());
+  const std::size_t some_above = std::min(sample.size(), 2 * above / sampled_every + 4);
+  const auto at = sample.end() - static_cast<std::ptrdiff_t>(some_above);
+  std::nth_element(sample.begin(), at, sample.end());
   std::vector<double> top;
   std::copy_if(values.begin(), values.end(), std::back_inserter(top), [&](double value) { return value >= *at; });
   std::vector<double>& searched = top.size() >= above ? top : values;
@@ -135,11 +139,11 @@ double RowMemory::relative_speed_m_per_s(std::span<const Triangle> triangles) co
   std::vector<double> squares;
   squares.reserve(triangles.size());
   for (const Triangle& t : triangles) {
-    const Vec3 between = vector_of(scaled_sum(velocities[t[0]], velocities[t[1]], -1.0F));
+    const Vec3 between = to_vec3(scaled_sum(velocities[t[0]], velocities[t[1]], -1.0F));
     squares.push_back(glm::dot(between, between));
   }
-  const auto rank = static_cast<std::size_t>(tuning::counted_part * static_cast<double>(squares.size()));
-  return static_cast<float>(std::sqrt(ranked_near_the_top(squares, rank)));
+  const auto rank = static_cast<std::size_t>(tuning::speed_quantile * static_cast<double>(squares.size()));
+  return static_cast<float>(std::sqrt(upper_quantile(squares, rank)));
 }
 
 void RowMemory::save(std::size_t rows, ByteWriter& memory) const {
@@ -167,12 +171,12 @@ void RowMemory::restore(std::size_t rows, ByteReader& memory) {
 }
 
 void save(const Memory& memory, std::size_t vertex_count, ByteWriter& bytes) {
-  bytes.put(memory.shift);
+  bytes.put(memory.shift_ratio);
   bytes.put(memory.median_work);
   memory.control.save(bytes);
   save(memory.corrections, vertex_count, bytes);
-  bytes.put<std::uint8_t>(memory.blown_m_per_s.empty() ? 0 : 1);
-  if (!memory.blown_m_per_s.empty()) save(memory.blown_m_per_s, vertex_count, bytes);
+  bytes.put<std::uint8_t>(memory.wind_velocity_m_per_s.empty() ? 0 : 1);
+  if (!memory.wind_velocity_m_per_s.empty()) save(memory.wind_velocity_m_per_s, vertex_count, bytes);
   save(memory.elastic, bytes);
   const RowMemory& rows = memory.contact.rows;
   bytes.put<std::uint8_t>(rows.is_empty() ? 0 : 1);
@@ -182,13 +186,13 @@ void save(const Memory& memory, std::size_t vertex_count, ByteWriter& bytes) {
 
 void restore(const Frame& frame, std::size_t row_count, ByteReader& bytes, Memory& memory) {
   const std::size_t vertex_count = frame.garment.mesh.positions.size();
-  memory.shift = bytes.get("the last frame's shift", 0.0, std::numeric_limits<double>::max());
+  memory.shift_ratio = bytes.get("the last frame's shift", 0.0, std::numeric_limits<double>::max());
   memory.median_work = bytes.get("the work of a frame", 0.0, std::numeric_limits<double>::max());
   memory.control.restore(bytes);
   memory.corrections = restored_rows(vertex_count, row_count, "the last frame's correction", bytes);
-  memory.blown_m_per_s.clear();
+  memory.wind_velocity_m_per_s.clear();
   if (bytes.get_bool("whether the wind was updated")) {
-    memory.blown_m_per_s = restored_rows(vertex_count, row_count, "what the wind brings about", bytes);
+    memory.wind_velocity_m_per_s = restored_rows(vertex_count, row_count, "what the wind brings about", bytes);
   }
   restore(frame, bytes, memory.elastic);
   if (bytes.get_bool("whether anything could touch")) {

@@ -4,13 +4,12 @@
 
 namespace taut::sim::bounded {
 
-/// Where the cloth is within a frame: single-precision displacements since the start of the frame, in m.
-/// Absolute positions in single precision would round off the motion of cloth that is almost at rest, so that
-/// it would never come to rest.
+/// Positions within a frame: single-precision displacements since the start of the frame, in m. Absolute positions in
+/// single precision would round off the motion of cloth that is almost at rest, so that it would never come to rest.
 struct Motion {
-  std::vector<Vec3> start_m;  ///< positions at the start of the frame, one per vertex, by row
-  StartRows start;            ///< the same for kernels
-  Float4Array current;        ///< displacements now
+  std::vector<Vec3> start_m;  ///< positions at the start of the frame, by solver index
+  StartRows start;            ///< start positions for kernels
+  Float4Array current;        ///< current displacements
   Float4Array previous;       ///< displacements one time step ago
 };
 

@@ -6,7 +6,7 @@
 
 namespace taut::sim {
 
-/// The names that messages use for settings. A program passes the names that its users know.
+/// Names of settings in messages. A program passes the names that its users know.
 struct PromiseNames {
   const char* bound = "max_stretch";
   const char* gusts = "gusts";
@@ -14,29 +14,28 @@ struct PromiseNames {
   const char* thickness = "thickness";
 };
 
-/// The smallest bound on stretch that is promised.
-inline constexpr double smallest_promised_bound = 1e-4;
+/// Smallest promised bound on stretch.
+inline constexpr double min_promised_bound = 1e-4;
 
-/// A frame ends, kept or refused, within so many times the work of the median frame.
-inline constexpr double most_work = 30.0;
+/// Largest work of a frame, kept or refused, over the work of the median frame.
+inline constexpr double max_work_ratio = 30.0;
 
-/// A frame that fails is halved, and its halves are, into no more parts than this.
-inline constexpr int most_parts = 16;
+/// Largest number of parts into which a failed frame is halved repeatedly.
+inline constexpr int max_frame_parts = 16;
 
-/// Returns why `bounded` does not promise its bound in these surroundings, as a message for the user. Returns
-/// nothing if it does promise it, and if the settings allow exceeding it.
-std::optional<std::string> beyond_promise(const BoundedSettings& settings, const Surroundings& surroundings,
-                                          const PromiseNames& names = {});
+/// Returns a message for the user if `bounded` does not promise its bound in these surroundings. Returns nothing if it
+/// does, or if the settings allow exceeding it.
+std::optional<std::string> unpromised_bound_reason(const BoundedSettings& settings, const Surroundings& surroundings,
+                                                   const PromiseNames& names = {});
 
-/// The thickest cloth that is kept apart, as a part of its mean edge. Neighbours are told apart by half of
-/// their distance at rest at most, and get in each other's way as soon as the thickness is more. T-shirts of
-/// 1028 and 5280 triangles take 2.4 and 1.5 times as long at 0.4 as at 1 mm, in a wind of 10 m/s, and never
-/// end at 0.5.
-inline constexpr double thickest_part_of_edge = 0.42;
+/// Largest thickness for contact, as a fraction of the mean edge. Neighbours keep at most half of their rest distance,
+/// and obstruct each other as soon as the thickness is more. In a wind of 10 m/s, T-shirts of 1028 and 5280 triangles
+/// take 2.4 and 1.5 times as long at 0.4 as at 1 mm, and never end at 0.5.
+inline constexpr double max_thickness_per_edge = 0.42;
 
-/// Returns why `bounded` does not keep layers of this cloth apart, as a message for the user: it is thinner
-/// than least_thickness_m or thicker than its mesh allows. Returns nothing if it does, and without contact.
-std::optional<std::string> beyond_contact(const BoundedSettings& settings, const Garment& garment,
-                                          const PromiseNames& names = {});
+/// Returns a message for the user if `bounded` does not keep layers of this cloth apart: it is thinner than
+/// min_thickness_m or too thick for its mesh. Returns nothing if it does, or without contact.
+std::optional<std::string> missing_contact_reason(const BoundedSettings& settings, const Garment& garment,
+                                                  const PromiseNames& names = {});
 
 }  // namespace taut::sim

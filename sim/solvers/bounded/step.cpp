@@ -14,15 +14,15 @@ void impose_forces(const Garment& garment, const ExternalForces& external, const
   cloth.forces.update(garment, external, cloth.motion, time.time_s, time.time_step_s, time.update_interval_s, kernels);
 }
 
-/// From the start of the frame to the end of the step.
+/// Returns the time from the start of the frame to the end of the step.
 TimeSpan since_frame_began(const TimeStep& time) { return {time.frame_began_s, time.time_s + time.time_step_s}; }
 
 void predict(const Surroundings& surroundings, const TimeStep& time, ParallelKernels& kernels, SteppedCloth& cloth) {
   Prediction prediction;
   prediction.decay = static_cast<float>(1.0 / (1.0 + surroundings.forces.air_drag_per_s * time.time_step_s));
   prediction.dt_squared = static_cast<float>(time.time_step_s * time.time_step_s);
-  prediction.pins_moved = float4_of(pin_displacement(surroundings.pin_motion, since_frame_began(time)));
-  // The kernel takes one motion for all pins.
+  prediction.pins_moved = to_float4(pin_displacement(surroundings.pin_motion, since_frame_began(time)));
+  // The kernel supports only a common motion of all pins.
   const bool is_tethered = !cloth.tethers.lanes.empty() && !has_pins_of_their_own(surroundings);
   const Tether* tethers = is_tethered ? cloth.tethers.lanes.data() : nullptr;
   kernels.predict(prediction, tethers, cloth.forces.accelerations(), cloth.motion.current, cloth.motion.previous);
@@ -31,7 +31,7 @@ void predict(const Surroundings& surroundings, const TimeStep& time, ParallelKer
 
 void move_pins(const Surroundings& surroundings, const TimeStep& time, SteppedCloth& cloth) {
   const std::vector<Vec3> moved_m = pins_moved(surroundings, cloth, since_frame_began(time));
-  std::transform(moved_m.begin(), moved_m.end(), cloth.motion.current.begin(), float4_of);
+  std::transform(moved_m.begin(), moved_m.end(), cloth.motion.current.begin(), to_float4);
 }
 
 void constrain(ParallelKernels& kernels, SteppedCloth& cloth) {
@@ -41,25 +41,25 @@ void constrain(ParallelKernels& kernels, SteppedCloth& cloth) {
   for (const BlockRange& range : surface.sweep) kernels.sweep(surface, range, cloth.elasticity.sums(), rows);
 }
 
-/// A time for regions, and a bound on how far pins and bodies are off their chords in it, in m.
+/// Time span of regions, with a bound in m on the distance of pins and bodies from their chords.
 struct StraightSpan {
   TimeSpan time;
   double off_chord_m;
 };
 
-/// Returns an earlier end where they are further off than planes leave room for, but not before the time step
-/// ends: at both ends of a chord they are on it.
+/// Shortens the span until these distances fit between the planes, down to one time step: at both ends of a chord the
+/// distance is 0.
 StraightSpan straight_span(const Garment& garment, const Surroundings& surroundings, const SteppedCloth& cloth,
                            const TimeStep& time, double end_s) {
   const std::size_t count = cloth.layout.pin_count;
-  const auto pins = std::span(cloth.layout.vertex_of_row).first(count);
+  const auto pins = std::span(cloth.layout.vertex_indices).first(count);
   const auto pins_m = std::span(cloth.motion.start_m).first(count);
   double steps = std::round((end_s - time.time_s) / time.time_step_s);
   while (true) {
     const TimeSpan span = {time.time_s, end_s};
     const double off_chord_m = std::max(pins_off_chord_m(surroundings, pins, pins_m, time.frame_began_s, span),
                                         cloth.contacts.bodies_off_chord_m(span));
-    if (steps <= 1.0 || off_chord_m <= off_chord_part * garment.material.thickness_m) {
+    if (steps <= 1.0 || off_chord_m <= max_off_chord_fraction * garment.material.thickness_m) {
       return {span, off_chord_m};
     }
     steps = std::ceil(0.5 * steps);
@@ -67,8 +67,8 @@ StraightSpan straight_span(const Garment& garment, const Surroundings& surroundi
   }
 }
 
-// Until when they last is known only after it is known how fast the cloth moves. In half the time it moves
-// half as far, into what is in its way.
+// The duration of regions depends on the observed speed. If they do not fit, half the time halves the motion into
+// obstacles.
 void renew_regions(const Frame& frame, const TimeStep& time, ParallelKernels& kernels, SteppedCloth& cloth) {
   const Surroundings& surroundings = frame.surroundings;
   Contacts& contacts = cloth.contacts;
@@ -88,17 +88,19 @@ void renew_regions(const Frame& frame, const TimeStep& time, ParallelKernels& ke
 }  // namespace
 
 Tethers make_tethers(const Garment& garment, const Layout& layout, double slack) {
+  assert(slack >= 0.0);
   Tethers tethers;
   tethers.pin.resize(layout.row_count(), 0);
   tethers.lanes.resize(layout.row_count());
   const double stretched = 1.0 + slack;
-  const std::vector<Vec3>& rest = garment.mesh.positions;
+  const std::vector<Vec3>& rest_positions_m = garment.mesh.positions;
   for (std::size_t row = layout.pin_count; row < layout.vertex_count(); ++row) {
     const double along_m = layout.distance_from_pins_m[row];
     if (!std::isfinite(along_m)) continue;
     const Index pin = layout.nearest_pin_row[row];
-    // The distance along the cloth can come out slightly too short, but the cloth must fit at rest.
-    const double straight_m = glm::length(rest[layout.vertex_of_row[row]] - rest[layout.vertex_of_row[pin]]);
+    // The distance along the cloth can be slightly too short, but the cloth must fit at rest.
+    const double straight_m =
+        glm::length(rest_positions_m[layout.vertex_indices[row]] - rest_positions_m[layout.vertex_indices[pin]]);
     const double length_m = stretched * std::max(along_m, straight_m);
     tethers.pin[row] = pin;
     tethers.lanes[row].squared_length = static_cast<float>(length_m * length_m);
@@ -119,7 +121,7 @@ void start_tethers(const StartRows& start, Tethers& tethers) {
 
 std::vector<Vec3> pins_moved(const Surroundings& surroundings, const SteppedCloth& cloth, const TimeSpan& time) {
   const std::size_t count = cloth.layout.pin_count;
-  return pin_displacements(surroundings, std::span(cloth.layout.vertex_of_row).first(count),
+  return pin_displacements(surroundings, std::span(cloth.layout.vertex_indices).first(count),
                            std::span(cloth.motion.start_m).first(count), time);
 }
 
@@ -128,7 +130,7 @@ void step(const Frame& frame, const TimeStep& time, ParallelKernels& kernels, St
   frame.ask();
   // Step 2: impose the forces on the mass points, a few times in a frame ...
   if (time.updates_forces) impose_forces(frame.garment, surroundings.forces, time, kernels, cloth);
-  // ... find what could touch, as often as the cloth's motion asks for ...
+  // ... find near pairs, as often as the cloth's motion requires ...
   if (cloth.contacts.are_due(time.time_s, time.time_step_s)) renew_regions(frame, time, kernels, cloth);
   // ... and predict where they go, eq. (1): d(t+dt) = d(t) + (d(t) - d(t-dt)) / (1 + c dt) + a dt^2.
   predict(surroundings, time, kernels, cloth);

@@ -5,12 +5,11 @@
 
 namespace taut::sim::bounded {
 
-/// Decides, frame by frame, whether the threads of a pool share the work or the caller works alone. A thread
-/// that loses its processor in the middle of a chunk makes all others wait. So on a busy machine two threads
-/// can take twice as long as one. The choice is made from shared frames: the chunks that others did, compared
-/// with the time the caller waited for them. If sharing lost time, the next frames are done alone, and more
-/// of them after each trial that loses again. So trials cost a few hundredths of the time. The results are
-/// the same either way.
+/// Decides, frame by frame, whether the threads of a pool share the work or the caller works alone. A thread that loses
+/// its processor in the middle of a chunk makes all others wait, so on a busy machine two threads can take twice as
+/// long as one. Shared frames are judged: the chunks of other threads against the time the caller waited for them. If
+/// sharing lost time, the next frames are done alone, and more of them after each further loss, so that trials cost a
+/// few hundredths of the time. Results are the same either way.
 class ThreadChoice {
  public:
   bool is_shared() const { return frames_alone_ == 0; }

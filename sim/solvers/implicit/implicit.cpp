@@ -7,7 +7,7 @@ namespace {
 
 using namespace implicit;
 
-/// Steps that went well before a longer one is tried. More tries less often, in vain or not.
+/// Successful steps before a longer one is tried. Higher values try less often.
 constexpr int successes_to_double = 2;
 
 std::vector<Edge> coupled_pairs(const Garment& garment, std::span<const Hinge> hinges) {
@@ -24,7 +24,7 @@ std::vector<Edge> coupled_pairs(const Garment& garment, std::span<const Hinge> h
 ImplicitSolver::ImplicitSolver(const ImplicitSettings& settings, std::optional<int> substeps, int max_substeps)
     : settings_(settings),
       substeps_(substeps),
-      most_halvings_(std::bit_width(static_cast<unsigned>(max_substeps)) - 1) {}
+      max_halvings_(std::bit_width(static_cast<unsigned>(max_substeps)) - 1) {}
 
 void ImplicitSolver::prepare(const Garment& garment) {
   if (triangles_.empty()) {
@@ -35,6 +35,7 @@ void ImplicitSolver::prepare(const Garment& garment) {
 }
 
 void ImplicitSolver::predict(const Frame& frame, double time_step_s, State& state) {
+  assert(time_step_s > 0.0);
   const double damping_s = settings_.damping_s;
   const auto add_conditions = [&](const State& now, const System& system) {
     for (const WovenTriangle& triangle : triangles_) {
@@ -58,24 +59,24 @@ bool ImplicitSolver::stretch_changes_too_much(const State& state) const {
     for (const auto& weights : {triangle.along_warp, triangle.along_weft}) {
       const double before = glm::length(derivative(triangle, weights, state.current));
       const double after = glm::length(derivative(triangle, weights, state.predicted));
-      if (std::abs(after - before) > settings_.largest_stretch_change) return true;
+      if (std::abs(after - before) > settings_.max_stretch_change) return true;
     }
   }
   return false;
 }
 
-/// Returns how many time steps it took.
+/// Advances one frame with adaptive steps. Returns the number of steps.
 int ImplicitSolver::adapt(const Frame& frame, State& state) {
-  const int parts = 1 << most_halvings_;
+  const int parts = 1 << max_halvings_;
   int steps = 0;
   next_halvings_ = halvings_;
-  int successes = 0;  // of the present length in this frame
+  int successes = 0;  // successful steps of the present length in this frame
   for (int done = 0; done < parts;) {
     frame.ask();
     const int length = parts >> next_halvings_;
     const double time_step_s = frame.duration_s * length / parts;
     predict(frame, time_step_s, state);
-    if (next_halvings_ < most_halvings_ && stretch_changes_too_much(state)) {
+    if (next_halvings_ < max_halvings_ && stretch_changes_too_much(state)) {
       ++next_halvings_;
       successes = 0;
       continue;
@@ -84,7 +85,7 @@ int ImplicitSolver::adapt(const Frame& frame, State& state) {
     done += length;
     ++steps;
     successes = std::min(successes + 1, successes_to_double);
-    // A longer step begins where a frame that is divided so has one.
+    // A longer step begins only at a multiple of its own length.
     if (successes == successes_to_double && next_halvings_ > 0 && done % (2 * length) == 0) {
       --next_halvings_;
       successes = 0;
@@ -113,7 +114,7 @@ FrameReport ImplicitSolver::advance_frame(const Frame& frame, State& state) {
 void ImplicitSolver::save(const Garment&, const Pins&, ByteWriter& memory) const { memory.put(halvings_); }
 
 void ImplicitSolver::restore(const Frame&, ByteReader& memory) {
-  halvings_ = next_halvings_ = memory.get("how often the time step is halved", 0, most_halvings_);
+  halvings_ = next_halvings_ = memory.get("how often the time step is halved", 0, max_halvings_);
 }
 
 }  // namespace taut::sim

@@ -5,11 +5,12 @@
 namespace taut::sim::implicit {
 namespace {
 
-/// The direction of the warp in the plane of a triangle at rest, by its first side and what is left of it.
-Vec2 warp_of(const Garment& garment, std::size_t triangle) {
+/// Returns the warp direction in the plane of a triangle at rest, relative to its first side and the perpendicular on
+/// its left.
+Vec2 triangle_warp(const Garment& garment, std::size_t triangle) {
   const std::size_t quad = triangle / 2;
   if (quad >= garment.mesh.quads.size()) return {1.0, 0.0};
-  const auto [a, b, c] = corners_of(garment.mesh.triangles[triangle], garment.mesh.positions);
+  const auto [a, b, c] = corner_positions(garment.mesh.triangles[triangle], garment.mesh.positions);
   const Quad& cell = garment.mesh.quads[quad];
   const Vec3 down = glm::normalize(garment.mesh.positions[cell[1]] - garment.mesh.positions[cell[0]]);
   const Vec3 side = glm::normalize(b - a);
@@ -17,28 +18,28 @@ Vec2 warp_of(const Garment& garment, std::size_t triangle) {
   return {glm::dot(down, side), glm::dot(down, left)};
 }
 
-Condition condition_of(const WovenTriangle& triangle) {
+Condition make_triangle_condition(const WovenTriangle& triangle) {
   Condition condition;
   condition.count = 3;
   for (std::size_t i = 0; i < 3; ++i) condition.vertices[i] = triangle.corners[i];
   return condition;
 }
 
-/// Twice the areas of a hinge's triangles times their normals.
+/// Doubled area vectors of a hinge's triangles.
 struct HingeNormals {
   Vec3 first, second;
 };
 
-HingeNormals normals_of(const Hinge& hinge, std::span<const Vec3> p) {
+HingeNormals hinge_normals(const Hinge& hinge, std::span<const Vec3> p) {
   const auto [a, b, c, d] = hinge.vertices;
   return {glm::cross(p[a] - p[c], p[b] - p[c]), glm::cross(p[b] - p[d], p[a] - p[d])};
 }
 
-double angle_of(const Hinge& hinge, std::span<const Vec3> p) {
-  const HingeNormals n = normals_of(hinge, p);
+double hinge_angle_rad(const Hinge& hinge, std::span<const Vec3> p) {
+  const HingeNormals n = hinge_normals(hinge, p);
   const Vec3 edge = p[hinge.vertices[1]] - p[hinge.vertices[0]];
   const double sine = glm::dot(glm::cross(n.first, n.second), edge) / glm::length(edge);
-  return 2.0 * std::numbers::pi * turns_of(sine, glm::dot(n.first, n.second));
+  return 2.0 * std::numbers::pi * atan2_turns(sine, glm::dot(n.first, n.second));
 }
 
 Index third_corner(const Triangle& triangle, const Edge& edge) {
@@ -46,12 +47,13 @@ Index third_corner(const Triangle& triangle, const Edge& edge) {
 }
 
 double product(std::span<const Vec3> a, std::span<const Vec3> b) {
+  assert(a.size() == b.size());
   double sum = 0.0;
   for (std::size_t v = 0; v < a.size(); ++v) sum += glm::dot(a[v], b[v]);
   return sum;
 }
 
-/// The inverse diagonal blocks, filtered: 0 at vertices that are not free.
+/// Returns the inverse diagonal blocks; 0 for vertices that are not free.
 std::vector<Mat3> preconditioner(const BlockMatrix& a, std::span<const double> inverse_masses_per_kg) {
   std::vector<Mat3> inverses(inverse_masses_per_kg.size(), Mat3(0.0));
   for (std::size_t v = 0; v < inverses.size(); ++v) {
@@ -61,11 +63,14 @@ std::vector<Mat3> preconditioner(const BlockMatrix& a, std::span<const double> i
 }
 
 void apply(const std::vector<Mat3>& blocks, std::span<const Vec3> vector, std::span<Vec3> result) {
+  assert(blocks.size() == vector.size());
+  assert(vector.size() == result.size());
   for (std::size_t v = 0; v < blocks.size(); ++v) result[v] = blocks[v] * vector[v];
 }
 
 /// y += factor x
 void add(double factor, std::span<const Vec3> x, std::span<Vec3> y) {
+  assert(x.size() == y.size());
   for (std::size_t v = 0; v < x.size(); ++v) y[v] += factor * x[v];
 }
 
@@ -79,7 +84,7 @@ std::vector<WovenTriangle> woven_triangles(const Garment& garment) {
     WovenTriangle triangle;
     triangle.corners = garment.mesh.triangles[t];
     triangle.root_area_m = std::sqrt(0.5 / (rest.along_per_m * rest.across_per_m));
-    const Vec2 warp = warp_of(garment, t);
+    const Vec2 warp = triangle_warp(garment, t);
     const std::array<Vec2, 3> columns = gradients_by_corners(rest);
     for (std::size_t i = 0; i < 3; ++i) {
       triangle.along_warp[i] = warp.x * columns[i].x + warp.y * columns[i].y;
@@ -103,9 +108,9 @@ std::vector<Hinge> hinges(const Garment& garment) {
     Hinge hinge;
     hinge.vertices = {edge[0], edge[1], third_corner(mesh.triangles[sides[0]], edge),
                       third_corner(mesh.triangles[sides[1]], edge)};
-    const HingeNormals n = normals_of(hinge, mesh.positions);
+    const HingeNormals n = hinge_normals(hinge, mesh.positions);
     const Vec3 along = mesh.positions[edge[1]] - mesh.positions[edge[0]];
-    hinge.rest_angle_rad = angle_of(hinge, mesh.positions);
+    hinge.rest_angle_rad = hinge_angle_rad(hinge, mesh.positions);
     hinge.shape = 2.0 * glm::dot(along, along) / (glm::length(n.first) + glm::length(n.second));
     all.push_back(hinge);
   }
@@ -114,7 +119,7 @@ std::vector<Hinge> hinges(const Garment& garment) {
 
 Vec3 derivative(const WovenTriangle& triangle, const std::array<double, 3>& weights,
                 std::span<const Vec3> positions_m) {
-  const auto [a, b, c] = corners_of(triangle.corners, positions_m);
+  const auto [a, b, c] = corner_positions(triangle.corners, positions_m);
   return weights[1] * (b - a) + weights[2] * (c - a);
 }
 
@@ -135,7 +140,7 @@ Condition spring_condition(const Edge& ends, double rest_length_m, std::span<con
 
 Condition stretch_condition(const WovenTriangle& triangle, const std::array<double, 3>& weights,
                             std::span<const Vec3> positions_m) {
-  Condition condition = condition_of(triangle);
+  Condition condition = make_triangle_condition(triangle);
   const Vec3 w = derivative(triangle, weights, positions_m);
   const double length = glm::length(w);
   condition.value = triangle.root_area_m * (length - 1.0);
@@ -150,7 +155,7 @@ Condition stretch_condition(const WovenTriangle& triangle, const std::array<doub
 }
 
 Condition shear_condition(const WovenTriangle& triangle, std::span<const Vec3> positions_m) {
-  Condition condition = condition_of(triangle);
+  Condition condition = make_triangle_condition(triangle);
   const Vec3 warp = derivative(triangle, triangle.along_warp, positions_m);
   const Vec3 weft = derivative(triangle, triangle.along_weft, positions_m);
   condition.value = triangle.root_area_m * glm::dot(warp, weft);
@@ -165,16 +170,16 @@ Condition bend_condition(const Hinge& hinge, std::span<const Vec3> p) {
   condition.count = 4;
   condition.vertices = hinge.vertices;
   const auto [a, b, c, d] = hinge.vertices;
-  const HingeNormals n = normals_of(hinge, p);
+  const HingeNormals n = hinge_normals(hinge, p);
   const Vec3 edge = p[b] - p[a];
   const double length_m = glm::length(edge);
   const double first = glm::dot(n.first, n.first);
   const double second = glm::dot(n.second, n.second);
   if (!(first > 0.0) || !(second > 0.0) || !(length_m > 0.0)) return condition;
-  const double bent_rad = angle_of(hinge, p) - hinge.rest_angle_rad;
+  const double bent_rad = hinge_angle_rad(hinge, p) - hinge.rest_angle_rad;
   constexpr double turn_rad = 2.0 * std::numbers::pi;
   condition.value = bent_rad - turn_rad * std::round(bent_rad / turn_rad);
-  // The derivatives of a dihedral angle, as in Bridson, Marino and Fedkiw (2003), section 4.
+  // Derivatives of a dihedral angle, as in Bridson, Marino and Fedkiw (2003), section 4.
   const Vec3 by_c = -n.first * (length_m / first);
   const Vec3 by_d = -n.second * (length_m / second);
   const double share_c = glm::dot(p[c] - p[a], edge) / (length_m * length_m);
@@ -225,6 +230,8 @@ void BlockMatrix::multiply(std::span<const Vec3> vector, std::span<Vec3> product
 
 void add_inertia(std::span<const double> masses_kg, std::span<const Vec3> forces_n, double air_drag_per_s,
                  const System& system) {
+  assert(masses_kg.size() == forces_n.size());
+  assert(air_drag_per_s >= 0.0);
   const double h = system.time_step_s;
   for (Index v = 0; v < masses_kg.size(); ++v) {
     system.matrix.at(v, v) += Mat3(masses_kg[v] * (1.0 + h * air_drag_per_s));
@@ -236,7 +243,7 @@ void add_condition(const Condition& condition, const Stiffness& stiffness, const
   const double h = system.time_step_s, k = stiffness.k;
   const double d = stiffness.damping_s * k;
   double rate = 0.0;       // dC/dt
-  Vec3 weighted_sum(0.0);  // of velocities
+  Vec3 weighted_sum(0.0);  // weighted sum of velocities
   const auto count = static_cast<std::size_t>(condition.count);
   for (std::size_t i = 0; i < count; ++i) {
     const Vec3& velocity = system.velocities_m_per_s[condition.vertices[i]];
@@ -264,16 +271,16 @@ int solve(const BlockMatrix& a, std::span<const Vec3> b, std::span<const double>
   assert(b.size() == x.size() && inverse_masses_per_kg.size() == x.size());
   const std::vector<Mat3> inverses = preconditioner(a, inverse_masses_per_kg);
   std::vector<Vec3> residual(x.size()), search(x.size()), image(x.size()), preconditioned(x.size());
-  // r = b - A x; the preconditioner filters, so that r itself need not be.
+  // r = b - A x; the preconditioner filters, so r needs no filter.
   a.multiply(x, image);
   residual.assign(b.begin(), b.end());
   add(-1.0, image, residual);
   apply(inverses, residual, search);
   double error = product(residual, search);
-  const double least = tolerance * tolerance * error;
-  const int most = 3 * static_cast<int>(x.size());
+  const double min_error = tolerance * tolerance * error;
+  const int max_iterations = 3 * static_cast<int>(x.size());
   int iteration = 0;
-  for (; iteration < most && error > least; ++iteration) {
+  for (; iteration < max_iterations && error > min_error; ++iteration) {
     a.multiply(search, image);
     const double step = error / product(search, image);
     add(step, search, x);
@@ -290,6 +297,8 @@ int solve(const BlockMatrix& a, std::span<const Vec3> b, std::span<const double>
 
 void predict(const Frame& frame, double time_step_s, double tolerance, const AddConditions& add_conditions,
              BlockMatrix& matrix, State& state) {
+  assert(time_step_s > 0.0);
+  assert(tolerance > 0.0);
   const std::size_t count = state.current.size();
   std::vector<Vec3> velocities(count), forces_n(count), right_side(count), changes(count);
   for (Index v = 0; v < count; ++v) velocities[v] = velocity(state, v);

@@ -13,7 +13,7 @@ namespace {
 
 using nlohmann::json;
 
-/// The file's numbers of a type, as they lie there.
+/// A glTF binary: its JSON, and the numbers of each accessor as the file stores them.
 class Glb {
  public:
   explicit Glb(const std::filesystem::path& file) {

@@ -9,19 +9,19 @@
 
 namespace taut::test {
 
-/// A skinned body as its file has it, metres.
+/// A skinned body in the pose of its file, in metres.
 struct BodyFile {
   sim::Mesh mesh;
-  std::vector<std::array<std::size_t, 4>> joints;  ///< of every vertex
+  std::vector<std::array<std::size_t, 4>> joints;  ///< joints that each vertex follows
   std::vector<std::array<float, 4>> weights;
-  std::vector<std::string> names;  ///< of every joint
-  std::vector<int> parents;        ///< of every joint, -1 for the root
-  std::vector<sim::Vec3> places;   ///< of every joint, in the pose as stored
+  std::vector<std::string> names;  ///< joint names
+  std::vector<int> parents;        ///< parent of each joint, -1 for the root
+  std::vector<sim::Vec3> places;   ///< position of each joint in the stored pose
 
   std::size_t joint(const std::string& name) const;
 };
 
-/// Reads a glTF binary as the mannequins are: one mesh, one skin, nothing turned. Throws std::runtime_error
+/// Reads a glTF binary with one mesh, one skin and no rotated nodes, as the mannequins are. Throws std::runtime_error
 /// for anything else.
 BodyFile read_body(const std::filesystem::path& file);
 

@@ -12,7 +12,7 @@ glm::dmat3 turn(int axis, double degrees) {
   const double angle = degrees * std::numbers::pi / 180.0;
   const int next = (axis + 1) % 3;
   const int last = (axis + 2) % 3;
-  glm::dmat3 result(1.0);  // columns first
+  glm::dmat3 result(1.0);  // indexed by column first
   result[next][next] = result[last][last] = std::cos(angle);
   result[next][last] = std::sin(angle);
   result[last][next] = -std::sin(angle);
@@ -83,7 +83,7 @@ MotionFile read_motion(const std::filesystem::path& file) {
   return motion;
 }
 
-std::vector<sim::Vec3> posed(const BodyFile& body, const MotionFile& motion, std::size_t frame) {
+std::vector<sim::Vec3> pose_body(const BodyFile& body, const MotionFile& motion, std::size_t frame) {
   const MotionFrame& now = motion.frames.at(frame);
   const sim::Vec3 first_m = motion.frames.front().root_m;
   std::vector<glm::dmat3> turns;

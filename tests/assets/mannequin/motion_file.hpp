@@ -10,7 +10,7 @@
 
 namespace taut::test {
 
-/// A frame of a BVH file: the root's position and how each joint is turned.
+/// A frame of a BVH file: the root's position and the rotation of each joint.
 struct MotionFrame {
   sim::Vec3 root_m = sim::Vec3(0.0);
   std::map<std::string, glm::dmat3> turns;
@@ -18,16 +18,16 @@ struct MotionFrame {
 
 struct MotionFile {
   double frame_time_s = 0.0;
-  std::map<std::string, sim::Vec3> offsets_m;  ///< of every joint from its parent
+  std::map<std::string, sim::Vec3> offsets_m;  ///< offset of each joint from its parent
   std::vector<MotionFrame> frames;
 };
 
-/// Reads a BVH file whose channels are, per joint, turns about z, x, y, and of the root the position as well.
-/// Throws std::runtime_error for anything else.
+/// Reads a BVH file in which each joint has rotations about z, x and y, and the root has a position as well. Throws
+/// std::runtime_error for anything else.
 MotionFile read_motion(const std::filesystem::path& file);
 
-/// Returns where the body's vertices are in that frame: linear blend skinning. The root's way since the
-/// first frame is scaled by the height of the hips.
-std::vector<sim::Vec3> posed(const BodyFile& body, const MotionFile& motion, std::size_t frame);
+/// Returns the positions of the body's vertices in that frame, by linear blend skinning. The root's displacement
+/// since the first frame is scaled by the height of the hips.
+std::vector<sim::Vec3> pose_body(const BodyFile& body, const MotionFile& motion, std::size_t frame);
 
 }  // namespace taut::test

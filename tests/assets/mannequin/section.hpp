@@ -11,7 +11,8 @@
 
 namespace taut::test {
 
-/// A plane's curve around a point: the one of its closed curves that is nearest in the mean.
+/// Plane section of a mesh around a point. Among its closed curves it measures the one whose mean position is nearest
+/// to the point.
 class Section {
  public:
   Section(const sim::Mesh& mesh, const sim::Vec3& point, const sim::Vec3& normal) {
@@ -45,7 +46,7 @@ class Section {
     }
   }
 
-  /// The length of the convex hull of the curve nearest to the point, in metres.
+  /// Length of the convex hull of the curve nearest to the point, in metres.
   double tight_tape_m() const {
     const auto distance = [](const std::vector<sim::Vec2>& curve) {
       return glm::length(std::accumulate(curve.begin(), curve.end(), sim::Vec2(0.0))) /
@@ -65,7 +66,8 @@ class Section {
     return v;
   }
 
-  /// Jarvis 1973: goes around the points, from each to the one that leaves none on its right.
+  /// Length of the convex hull by gift wrapping (Jarvis 1973): each step goes to the point that leaves no other on
+  /// its right.
   static double wrapped_m(const std::vector<sim::Vec2>& points) {
     std::size_t at = 0;
     for (std::size_t i = 0; i < points.size(); ++i) {

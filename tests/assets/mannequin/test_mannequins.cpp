@@ -1,4 +1,5 @@
-// The committed mannequins, as files: whatever made them, a tape finds the published girths on them.
+// Checks the files of the committed mannequins, whatever program made them: a tape measures the published girths on
+// them.
 
 #include <gtest/gtest.h>
 #include <toml++/toml.h>
@@ -43,7 +44,7 @@ class Mannequin : public testing::TestWithParam<const char*> {
     expect_girth(name, {x, height, 0.0}, {0.0, 1.0, 0.0});
   }
 
-  /// The highest point of the surface in the plane across x, in metres.
+  /// Height of the highest point of the surface in the plane at this x, in metres.
   double outline_m(double x) const {
     double highest = 0.0;
     for (const Triangle& t : body.mesh.triangles) {
@@ -157,7 +158,7 @@ TEST_P(Mannequin, IsOneClosedSurfaceWithItsOutsideOut) {
   EXPECT_LT(six_volumes / 6.0, 0.13);
 }
 
-/// Where two tips of a surface touch in a vertex, it has two fans.
+/// A vertex has two fans of triangles where two tips of a surface touch in it.
 TEST_P(Mannequin, HasOneFanOfTrianglesAroundEveryVertex) {
   std::map<std::pair<Index, Index>, Index> third;
   std::vector<std::size_t> triangles_at(body.mesh.positions.size(), 0);
@@ -185,20 +186,19 @@ TEST_P(Mannequin, IsMeshedEvenly) {
   double sum_m = 0.0;
   for (const Triangle& t : body.mesh.triangles) {
     const auto& p = body.mesh.positions;
-    double shortest_m = 1.0;
-    double longest_m = 0.0;
+    double min_length_m = 1.0;
+    double max_length_m = 0.0;
     for (std::size_t k = 0; k < 3; ++k) {
       const double length_m = glm::length(p[t[(k + 1) % 3]] - p[t[k]]);
-      shortest_m = std::min(shortest_m, length_m);
-      longest_m = std::max(longest_m, length_m);
+      min_length_m = std::min(min_length_m, length_m);
+      max_length_m = std::max(max_length_m, length_m);
       sum_m += length_m;
     }
-    // Faces are finer.
-    EXPECT_GT(shortest_m, p[t[0]].y > chin_m ? 0.0015 : 0.006);
-    EXPECT_LT(longest_m, 0.05);
-    const double height_m = glm::length(sim::doubled_area_vector(p, t)) / longest_m;
-    EXPECT_GT(height_m / longest_m, 0.1)
-        << "a needle at " << p[t[0]].x << " " << p[t[0]].y << " " << p[t[0]].z;
+    // The mesh is finer on faces.
+    EXPECT_GT(min_length_m, p[t[0]].y > chin_m ? 0.0015 : 0.006);
+    EXPECT_LT(max_length_m, 0.05);
+    const double height_m = glm::length(sim::doubled_area_vector(p, t)) / max_length_m;
+    EXPECT_GT(height_m / max_length_m, 0.1) << "a needle at " << p[t[0]].x << " " << p[t[0]].y << " " << p[t[0]].z;
   }
   const double mean_m = sum_m / static_cast<double>(3 * body.mesh.triangles.size());
   EXPECT_GT(mean_m, 0.018);
@@ -257,7 +257,7 @@ TEST_P(Mannequin, HasWeightsThatAddUpToOne) {
   }
 }
 
-/// A part that hangs on a joint follows it and not another one.
+/// Vertices of a limb follow the limb's joint and no other.
 TEST_P(Mannequin, MovesAllJoints) {
   std::vector<double> sums(body.names.size(), 0.0);
   for (std::size_t v = 0; v < body.weights.size(); ++v) {

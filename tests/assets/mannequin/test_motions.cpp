@@ -1,4 +1,4 @@
-// The committed motions, on every committed mannequin: what it would look like to cloth.
+// Every committed motion on every committed mannequin: checks the moving surface that cloth would meet.
 
 #include <gtest/gtest.h>
 
@@ -19,9 +19,9 @@ const std::filesystem::path assets = TAUT_ASSETS_DIR;
 constexpr std::size_t blend_frames = 15;
 
 struct Crossings {
-  std::size_t worst = 0;  ///< pairs in the worst frame
+  std::size_t worst = 0;  ///< crossing pairs in the worst frame
   std::size_t worst_frame = 0;
-  std::map<std::string, int> places;  ///< of the worst frame
+  std::map<std::string, int> places;  ///< crossing pairs in the worst frame, by the joints of both triangles
 };
 
 class Moving : public testing::TestWithParam<std::tuple<const char*, const char*>> {
@@ -41,7 +41,7 @@ class Moving : public testing::TestWithParam<std::tuple<const char*, const char*
   Crossings count_crossings() const {
     Crossings result;
     for (std::size_t frame = 0; frame < motion.frames.size(); ++frame) {
-      const auto positions = posed(body, motion, frame);
+      const auto positions = pose_body(body, motion, frame);
       const auto pairs = app::crossing_pairs({positions, body.mesh.triangles});
       if (pairs.size() > result.worst) {
         result.worst = pairs.size();
@@ -60,15 +60,15 @@ class Moving : public testing::TestWithParam<std::tuple<const char*, const char*
 };
 
 TEST_P(Moving, BeginsInThePoseAsStored) {
-  const auto first = posed(body, motion, 0);
+  const auto first = pose_body(body, motion, 0);
   for (std::size_t v = 0; v < first.size(); ++v) {
     ASSERT_LT(glm::length(first[v] - body.mesh.positions[v]), 1e-6) << "vertex " << v;
   }
 }
 
 TEST_P(Moving, EndsWhereItsRepetitionBegan) {
-  const auto begin = posed(body, motion, blend_frames);
-  const auto end = posed(body, motion, motion.frames.size() - 1);
+  const auto begin = pose_body(body, motion, blend_frames);
+  const auto end = pose_body(body, motion, motion.frames.size() - 1);
   for (std::size_t v = 0; v < begin.size(); ++v) {
     ASSERT_LT(glm::length(begin[v] - end[v]), 1e-4) << "vertex " << v;
   }
@@ -81,14 +81,14 @@ TEST_P(Moving, TakesTwoToSixSecondsAtThirtyFramesASecond) {
   EXPECT_LE(seconds, 6.0);
 }
 
-/// Parts under a shirt: 1.4 m/s is the fastest that people's are while they raise their arms.
+/// Limits for body parts under a shirt. People move these at 1.4 m/s at most, while they raise their arms.
 TEST_P(Moving, MovesWhatIsUnderAShirtAtHumanSpeed) {
   const std::string name = std::get<0>(GetParam());
   const double most_m_per_s = name == "walk" || name == "stand" ? 1.0 : 1.4;
   double fastest = 0.0;
-  auto before = posed(body, motion, 0);
+  auto before = pose_body(body, motion, 0);
   for (std::size_t frame = 1; frame < motion.frames.size(); ++frame) {
-    const auto now = posed(body, motion, frame);
+    const auto now = pose_body(body, motion, frame);
     for (std::size_t v = 0; v < now.size(); ++v) {
       const std::string& joint = body.names[body.joints[v][0]];
       const bool covered = joint.starts_with("Spine") || joint == "Hips" || joint.ends_with("Shoulder") ||

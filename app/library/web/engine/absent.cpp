@@ -1,13 +1,13 @@
 #include "app/bodies/body_loading.hpp"
-#include "app/fitting/fitted_mesh.hpp"
-#include "app/sewing/sewing.hpp"
+#include "app/garments/fitting/fitted_mesh.hpp"
+#include "app/garments/sewing/sewing.hpp"
 
-// The parts of libtaut that a page does without, as the libraries behind them are not there. Those that are asked for
-// say so; a sewing pattern is a model that is not read.
+// Replaces parts of libtaut whose libraries do not exist for a page. Calling them throws an error; a sewing pattern is
+// a model that cannot be read.
 namespace taut::app {
 
 extern const char* const key_texts;
-const char* const key_texts = "";  // of the help, which nobody can ask for
+const char* const key_texts = "";  // used by help texts, which a page does not show
 
 std::filesystem::path own_file() { return {}; }
 

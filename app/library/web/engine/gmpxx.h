@@ -1,6 +1,6 @@
 #pragma once
 
-// Rational numbers of any length, where GMP is not to be had.
+// Replaces GMP's rational numbers of any length.
 
 #include <boost/multiprecision/cpp_int.hpp>
 

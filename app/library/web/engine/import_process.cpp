@@ -1,9 +1,10 @@
-#include "app/models/import_process.hpp"
+#include "app/models/reading/import_process.hpp"
 
 #include "app/base/errors.hpp"
 #include "app/base/files.hpp"
 
-// Models are files that hold what taut-import answered where the page was built: a page has no processes and no assimp.
+// A page has no processes and no assimp. Its model files contain the answers that taut-import gave when the page was
+// built.
 namespace taut::app {
 
 ModelArrays read_model_in_process(const std::filesystem::path& path, const ImportLimits& /*limits*/,

@@ -1,7 +1,7 @@
 #pragma once
 
-// Parts of the standard library that emscripten's libc++ 13 lacks, with the meaning that the standard gives
-// them. Every source of the engine is compiled with this header in front, so that none differs for it.
+// Parts of the standard library that emscripten's libc++ 13 lacks, as the standard defines them. Every source of the
+// engine is compiled with this header in front, so no source needs to change.
 
 #include <algorithm>
 #include <charconv>
@@ -18,7 +18,7 @@ template <class To, class From> constexpr To bit_cast(const From& from) noexcept
   return __builtin_bit_cast(To, from);
 }
 
-// No more of the grammar than files of models have: strtod would read hexadecimal numbers and names as well.
+// Accepts only the number syntax of model files: strtod would also read hexadecimal numbers and names.
 template <class Real>
 requires is_floating_point_v<Real> from_chars_result from_chars(const char* first, const char* last, Real& value) {
   const char* end = std::find_if(first, last, [](char c) { return std::strchr("+-.0123456789eE", c) == nullptr; });
@@ -33,7 +33,7 @@ requires is_floating_point_v<Real> from_chars_result from_chars(const char* firs
 
 namespace ranges {
 
-/// Compares two items by what the projection makes of them.
+/// Returns a comparison of two items by their projections.
 template <class Compare, class Projection> auto projected_by(Compare compare, Projection projection) {
   return [compare, projection](const auto& a, const auto& b) {
     return std::invoke(compare, std::invoke(projection, a), std::invoke(projection, b));

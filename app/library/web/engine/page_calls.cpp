@@ -1,6 +1,6 @@
 #include "app/library/border.hpp"
 
-// Calls that a page needs beside those of taut.h: where the bodies of a scene are, to draw them.
+// Calls that a page needs in addition to taut.h, to draw the bodies of a scene.
 namespace taut::library {
 namespace {
 
@@ -20,7 +20,7 @@ using namespace taut::library;
 
 extern "C" {
 
-/// Fills in how many corners of triangles and how many vertices the mesh of a body has, and the corners, unless NULL.
+/// Gets the number of triangle corners and of vertices of a body's mesh, and its corners unless `corners` is NULL.
 TAUT_API TautResult taut_page_body(TautCloth cloth, std::size_t body, std::uint32_t* corners, std::size_t* counts) {
   return with(cloth, [&](const Session& session) {
     const sim::BodyMeshData& data = *body_mesh(session, body).data;
@@ -30,7 +30,7 @@ TAUT_API TautResult taut_page_body(TautCloth cloth, std::size_t body, std::uint3
   });
 }
 
-/// Where the body's vertices are when the last frame ends, in m.
+/// Gets the positions of the body's vertices at the end of the last frame, in metres.
 TAUT_API TautResult taut_page_body_positions(TautCloth cloth, std::size_t body, const TautPointsOut* out) {
   return with(cloth, [&](const Session& session) {
     std::vector<sim::Vec3> positions_m(body_mesh(session, body).data->positions_m.size());

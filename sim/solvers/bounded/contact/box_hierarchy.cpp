@@ -1,6 +1,7 @@
 #include "sim/solvers/bounded/contact/box_hierarchy.hpp"
 
 #include "sim/mesh/extent.hpp"
+#include "sim/mesh/preconditions.hpp"
 
 namespace taut::sim::bounded {
 namespace {
@@ -18,8 +19,8 @@ BoxBlock empty_boxes() {
 
 std::size_t blocks_for(std::size_t count) { return (count + block_size - 1) / block_size; }
 
-/// Orders things so that those of a block lie side by side, and so do those of a block of blocks, and so on.
-/// Sorts each block, as std::nth_element leaves an order of its own in every standard library.
+/// Orders primitives so that the primitives of a block are spatial neighbours, and so are the blocks of a larger block,
+/// and so on. Sorts each block, as the order left by std::nth_element depends on the standard library.
 void order_by_place(std::span<const Vec3> centres, std::span<Index> things) {
   if (things.size() <= block_size) {
     std::sort(things.begin(), things.end());
@@ -31,7 +32,7 @@ void order_by_place(std::span<const Vec3> centres, std::span<Index> things) {
   const std::size_t middle = (parts + 1) / 2 * part;
   Extent extent;
   for (const Index thing : things) extent.add(centres[thing]);
-  const int axis = longest_axis(extent);
+  const int axis = long_axis(extent);
   std::nth_element(things.begin(), things.begin() + static_cast<std::ptrdiff_t>(middle), things.end(),
                    [&](Index a, Index b) {
                      return centres[a][axis] < centres[b][axis] || (centres[a][axis] == centres[b][axis] && a < b);
@@ -41,7 +42,8 @@ void order_by_place(std::span<const Vec3> centres, std::span<Index> things) {
 }
 
 template <std::size_t corners>
-std::vector<Index> order_of(std::span<const std::array<Index, corners>> primitives, std::span<const Vec3> positions) {
+std::vector<Index> spatial_order(std::span<const std::array<Index, corners>> primitives,
+                                 std::span<const Vec3> positions) {
   std::vector<Vec3> centres;
   for (const auto& rows : primitives) {
     Vec3 sum(0.0);
@@ -76,9 +78,11 @@ std::size_t BoxHierarchy::height_for(std::size_t count) {
 template <std::size_t corners>
 void BoxHierarchy::build(std::span<const std::array<Index, corners>> primitives, std::span<const Vec3> positions,
                          std::size_t height) {
+  assert(are_below(primitives, positions.size()));
+  assert(height > 0);
   primitives_.corner_count = corners;
   primitives_.count = primitives.size();
-  const std::vector<Index> order = order_of(primitives, positions);
+  const std::vector<Index> order = spatial_order(primitives, positions);
   const std::size_t blocks = blocks_for(primitives.size());
   for (std::size_t k = 0; k < corners; ++k) {
     primitives_.at[k].assign(blocks * block_size, 0);
@@ -97,8 +101,8 @@ void BoxHierarchy::add_levels(std::size_t height) {
   for (const Lanes<BoxBlock>& boxes : levels_) rounded_.emplace_back(boxes.size());
 }
 
-// Neighbours in the whole tree are neighbours in this one.
-BoxHierarchy BoxHierarchy::of_marked(std::span<const std::uint8_t> marks) const {
+// Primitives keep their order, so neighbours stay neighbours.
+BoxHierarchy BoxHierarchy::make_marked_subset(std::span<const std::uint8_t> marks) const {
   BoxHierarchy some;
   some.primitives_.corner_count = primitives_.corner_count;
   for (std::size_t lane = 0; lane < primitives_.count; ++lane) {
@@ -128,14 +132,14 @@ void BoxHierarchy::fit(const MovingRows& rows, ParallelKernels& kernels) {
 }
 
 BoxGrid BoxHierarchy::grid() const {
-  // A few less than 16 bits have, for what lies beyond.
-  constexpr float numbers_across = 65530.0F;
-  constexpr float smallest_size_m = 1e-3F;
+  // Slightly less than 16 bits, so that outliers have numbers too.
+  constexpr float grid_numbers = 65530.0F;
+  constexpr float min_grid_size_m = 1e-3F;
   const BoxBlock& all = levels_.back().front();
   BoxGrid grid;
   for (std::size_t axis = 0; axis < 3 && all.low[axis][0] <= all.high[axis][0]; ++axis) {
     grid.origin[axis] = 0.5F * (all.low[axis][0] + all.high[axis][0]);
-    grid.per_m[axis] = numbers_across / std::max(all.high[axis][0] - all.low[axis][0], smallest_size_m);
+    grid.per_m[axis] = grid_numbers / std::max(all.high[axis][0] - all.low[axis][0], min_grid_size_m);
   }
   return grid;
 }

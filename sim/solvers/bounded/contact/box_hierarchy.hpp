@@ -5,38 +5,37 @@
 
 namespace taut::sim::bounded {
 
-/// A tree of boxes around vertices, edges or triangles, in which every node has the 16 children of one block.
-/// Its shape is decided once, by where the primitives are then; as they move only the boxes are fitted again,
-/// since what lies side by side in cloth stays side by side.
+/// Tree of boxes around vertices, edges or triangles; every node has the 16 children of one block. Its shape is fixed
+/// by the initial positions. Later only the boxes are fitted again, as neighbours in cloth stay neighbours.
 class BoxHierarchy {
  public:
-  /// Primitives of one, two or three corners, by row. `positions` has one entry per row. Trees that are gone
-  /// through side by side need the same height, at least that of the higher one.
+  /// Primitives of one, two or three corners, by solver index. `positions` has one entry per solver index. Trees that
+  /// are traversed together need the same height, at least the height of the higher one.
   BoxHierarchy(std::span<const std::array<Index, 1>> vertices, std::span<const Vec3> positions, std::size_t height);
   BoxHierarchy(std::span<const Edge> edges, std::span<const Vec3> positions, std::size_t height);
   BoxHierarchy(std::span<const Triangle> triangles, std::span<const Vec3> positions, std::size_t height);
 
-  /// Returns a tree of the same height of those primitives of which a row is marked. One mark per row.
-  BoxHierarchy of_marked(std::span<const std::uint8_t> marks) const;
+  /// Returns a tree of the same height of the primitives with a marked corner. One mark per solver index.
+  BoxHierarchy make_marked_subset(std::span<const std::uint8_t> marks) const;
 
-  /// Returns the height that a tree of so many primitives needs.
+  /// Returns the height of a tree with this many primitives.
   static std::size_t height_for(std::size_t count);
 
-  /// Fits the boxes to all that the primitives can reach.
+  /// Fits the boxes to all positions that the primitives can reach.
   void fit(const MovingRows& rows, ParallelKernels& kernels);
-  /// Returns the grid that is finest where the primitives are.
+  /// Returns the finest grid that covers the primitives.
   BoxGrid grid() const;
-  /// Rounds the boxes as they were fitted last, for level().
+  /// Rounds the boxes of the last fit() for level().
   void round(const BoxGrid& grid, ParallelKernels& kernels);
 
   const PrimitiveLanes& primitives() const { return primitives_; }
   bool is_empty() const { return primitives_.count == 0; }
-  /// Of each of its primitives.
+  /// Returns the number of corners of each primitive.
   std::size_t corner_count() const { return primitives_.corner_count; }
-  /// How many levels there are below the box around all.
+  /// Returns the number of levels below the root.
   std::size_t height() const { return levels_.size() - 1; }
-  /// Level 0 has the boxes of the primitives, and each other one those around the blocks of the level below
-  /// it. Requires a level below the height.
+  /// Returns a level. Level 0 has the boxes of the primitives, each other one the boxes around the blocks of the level
+  /// below. Requires a level below the height.
   BoxLevel level(std::size_t level) const {
     return {rounded_[level].data(), rounded_[level + 1].data(), level == 0 ? &primitives_ : nullptr};
   }
@@ -50,7 +49,7 @@ class BoxHierarchy {
   void add_levels(std::size_t height);
 
   PrimitiveLanes primitives_;
-  std::vector<Lanes<BoxBlock>> levels_;  ///< the last one has one box
+  std::vector<Lanes<BoxBlock>> levels_;  ///< the last level has one box
   std::vector<Lanes<RoundedBoxes>> rounded_;
 };
 

@@ -7,7 +7,7 @@ float clamped_ratio(float part, float whole) { return whole > 0.0F ? std::clamp(
 
 }  // namespace
 
-// The regions of Voronoi of corners, edges and face, in turn (Ericson 2005, 5.1.5).
+// Tests the Voronoi regions of corners, edges and face in turn (Ericson 2005, 5.1.5).
 ClosestWeights closest_vertex_triangle(const std::array<glm::vec3, 4>& p) {
   const glm::vec3 ab = p[2] - p[1];
   const glm::vec3 ac = p[3] - p[1];
@@ -44,7 +44,7 @@ ClosestWeights closest_vertex_triangle(const std::array<glm::vec3, 4>& p) {
   return {1.0F, 1.0F - v - w, v, w};
 }
 
-// Of two lines, clamped to the one segment and then to the other (Ericson 2005, 5.1.9).
+// Closest points of two lines, clamped to one segment and then to the other (Ericson 2005, 5.1.9).
 ClosestWeights closest_edges(const std::array<glm::vec3, 4>& p) {
   const glm::vec3 d1 = p[1] - p[0];
   const glm::vec3 d2 = p[3] - p[2];

@@ -8,7 +8,7 @@ template <typename T> void keep_each_once(std::vector<T>& values) {
   values.erase(std::unique(values.begin(), values.end()), values.end());
 }
 
-Primitives primitives_of(std::span<const Triangle> triangles) {
+Primitives make_primitives(std::span<const Triangle> triangles) {
   Primitives p;
   p.triangles.assign(triangles.begin(), triangles.end());
   for (const Triangle& t : triangles) {
@@ -34,7 +34,7 @@ void add_normals(std::span<const Triangle> triangles, const Float4Array& positio
 }
 
 ContactMesh make_contact_mesh(std::span<const Triangle> cloth, std::span<const Triangle> bodies) {
-  return {primitives_of(cloth), primitives_of(bodies)};
+  return {make_primitives(cloth), make_primitives(bodies)};
 }
 
 }  // namespace taut::sim::bounded

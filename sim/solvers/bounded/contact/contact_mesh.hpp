@@ -5,23 +5,23 @@
 
 namespace taut::sim::bounded {
 
-/// The triangles of a surface with their vertices and edges, each once; by row.
+/// Triangles of a surface with their vertices and edges, each once, by solver index.
 struct Primitives {
   std::vector<std::array<Index, 1>> vertices;
   std::vector<Edge> edges;
   std::vector<Triangle> triangles;
 };
 
-/// The vertices, edges and triangles that may touch.
+/// Primitives that may touch.
 struct ContactMesh {
   Primitives cloth;
   Primitives bodies;
 };
 
-/// `cloth` and `bodies` are triangles of rows; no row is of both.
+/// `cloth` and `bodies` are triangles by solver index, with no common indices.
 ContactMesh make_contact_mesh(std::span<const Triangle> cloth, std::span<const Triangle> bodies);
 
-/// Adds to each row the vectors of area of its triangles, doubled.
+/// Adds the doubled area vectors of its triangles to each vertex.
 void add_normals(std::span<const Triangle> triangles, const Float4Array& positions, Float4Array& normals);
 
 }  // namespace taut::sim::bounded

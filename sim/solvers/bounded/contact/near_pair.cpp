@@ -9,7 +9,7 @@ ClosestWeights closest_weights(const NearPair& pair, const std::array<glm::vec3,
   return {w[1], w[2], w[3], w[0]};
 }
 
-// From the first corner on: differences of what is near are exact.
+// Relative to the first corner: differences of near numbers are exact.
 glm::vec3 between_closest(const NearPair& pair, const std::array<glm::vec3, 4>& p, const ClosestWeights& weights) {
   glm::vec3 between(0.0F);
   for (Index k = 0; k < 4; ++k) between += (k < pair.first_count ? weights[k] : -weights[k]) * (p[k] - p[0]);

@@ -5,28 +5,28 @@
 
 namespace taut::sim::bounded {
 
-/// A vertex and a triangle, or two edges, that share no vertex; or a triangle and a point of a body.
+/// Pair of a vertex and a triangle or of two edges, without a common vertex, or of a triangle and a point of a body.
 struct NearPair {
   std::array<Index, 4> rows;
-  /// How many of the rows are of the first thing, the others are of the second: 1 for a vertex and a
-  /// triangle, 2 for two edges, 3 for a triangle and a point.
+  /// Number of `rows` entries of the first primitive; the others are the second's. 1: vertex and triangle; 2: two
+  /// edges; 3: triangle and point.
   Index first_count;
 
   bool operator==(const NearPair&) const = default;
 };
 
-/// Returns where the two things are nearest, for the positions of the rows.
+/// Returns the closest points for these positions of the corners.
 ClosestWeights closest_weights(const NearPair& pair, const std::array<glm::vec3, 4>& positions);
 
-/// Returns the vector from the second thing to the first where they are nearest.
+/// Returns the vector from the second primitive to the first at the closest points.
 glm::vec3 between_closest(const NearPair& pair, const std::array<glm::vec3, 4>& positions,
                           const ClosestWeights& weights);
 
-/// Returns the direction at right angles to the triangle or to both edges, on the side of `between`. It is
-/// what `between` is where the two are nearest at inner points, and certain where that is not.
+/// Returns the unit normal of the triangle or of both edges, on the side of `between`. It has the direction of
+/// `between` if the closest points are inner points, and it is accurate where `between` is not.
 glm::vec3 normal_across(const NearPair& pair, const std::array<glm::vec3, 4>& positions, const glm::vec3& between);
 
-/// Returns the smallest distance of the two things.
+/// Returns the smallest distance of the two primitives.
 float distance_between(const NearPair& pair, const std::array<glm::vec3, 4>& positions);
 
 }  // namespace taut::sim::bounded

@@ -3,24 +3,24 @@
 namespace taut::sim::bounded {
 namespace {
 
-/// So many pairs of blocks are gone through at once. More need more room for what they may give.
-constexpr std::size_t most_at_once = 32;
+/// Number of pairs of blocks compared at once. Higher values need more memory for results.
+constexpr std::size_t max_block_pairs = 32;
 
 bool is_any_marked(std::span<const Index> rows, std::span<const std::uint8_t> marks) {
   return std::any_of(rows.begin(), rows.end(), [&](Index row) { return marks[row] != 0; });
 }
 
 std::size_t height_for(const ContactMesh& mesh) {
-  std::size_t most = 0;
+  std::size_t max_count = 0;
   for (const Primitives* p : {&mesh.cloth, &mesh.bodies}) {
-    most = std::max({most, p->vertices.size(), p->edges.size(), p->triangles.size()});
+    max_count = std::max({max_count, p->vertices.size(), p->edges.size(), p->triangles.size()});
   }
-  return BoxHierarchy::height_for(most);
+  return BoxHierarchy::height_for(max_count);
 }
 
 }  // namespace
 
-Float4 mean_of(const Float4Array& vectors) {
+Float4 mean_position(const Float4Array& vectors) {
   Float4 mean{};
   for (const Float4& vector : vectors) add_scaled(mean, vector, 1.0F / static_cast<float>(vectors.size()));
   return mean;
@@ -35,34 +35,36 @@ void append_near(const MovingRows& rows, Index first_count, std::size_t count, c
   }
 }
 
-NearPairs::Hierarchies NearPairs::hierarchies_of(const Primitives& primitives, std::span<const Vec3> positions,
-                                                 std::size_t height) {
+NearPairs::Hierarchies NearPairs::make_hierarchies(const Primitives& primitives, std::span<const Vec3> positions,
+                                                   std::size_t height) {
   return {BoxHierarchy(primitives.vertices, positions, height), BoxHierarchy(primitives.edges, positions, height),
           BoxHierarchy(primitives.triangles, positions, height)};
 }
 
-NearPairs::Hierarchies NearPairs::of_marked(const Hierarchies& all, std::span<const std::uint8_t> marks) {
-  return {all.vertices.of_marked(marks), all.edges.of_marked(marks), all.triangles.of_marked(marks)};
+NearPairs::Hierarchies NearPairs::make_marked_hierarchies(const Hierarchies& all, std::span<const std::uint8_t> marks) {
+  return {all.vertices.make_marked_subset(marks), all.edges.make_marked_subset(marks),
+          all.triangles.make_marked_subset(marks)};
 }
 
 NearPairs::NearPairs(const ContactMesh& mesh, bool within_cloth, std::span<const Vec3> positions_m)
     : within_cloth_(within_cloth),
-      cloth_(hierarchies_of(mesh.cloth, positions_m, height_for(mesh))),
-      bodies_(hierarchies_of(mesh.bodies, positions_m, height_for(mesh))),
+      cloth_(make_hierarchies(mesh.cloth, positions_m, height_for(mesh))),
+      bodies_(make_hierarchies(mesh.bodies, positions_m, height_for(mesh))),
       vertices_triangles_(shared_rows(cloth_.vertices.primitives(), cloth_.triangles.primitives())),
       edges_edges_(shared_rows(cloth_.edges.primitives(), cloth_.edges.primitives())) {}
 
-/// Calls take(lists, count) with what is found between pairs [begin, end) of blocks of a level, in turn.
+/// Calls take(lists, count) with the overlaps of the block pairs [begin, end) of a level, in turn.
 template <typename Take>
 void NearPairs::for_found(const Trees& trees, std::size_t level, std::size_t begin, std::size_t end,
                           const ContactKernels& kernels, const Take& take) const {
-  constexpr std::size_t size = most_at_once * most_per_block_pair + list_padding;
+  constexpr std::size_t size = max_block_pairs * max_pairs_per_block_pair + list_padding;
   const std::unique_ptr<std::uint32_t[]> room(new std::uint32_t[4 * size]);
-  const PairLists found = {&room[0], &room[size], &room[2 * size], &room[3 * size]};
+  const PairLists found_lists = {&room[0], &room[size], &room[2 * size], &room[3 * size]};
   const BlockLanePairs* shared = level == 0 ? trees.shared : nullptr;
-  for (std::size_t p = begin; p < end; p += most_at_once) {
-    const BlockPairs blocks = {blocks_[0].data() + p, blocks_[1].data() + p, std::min(most_at_once, end - p), shared};
-    take(found, kernels.overlapping(trees.a.level(level), trees.b.level(level), blocks, found));
+  for (std::size_t p = begin; p < end; p += max_block_pairs) {
+    const BlockPairs blocks = {blocks_[0].data() + p, blocks_[1].data() + p, std::min(max_block_pairs, end - p),
+                               shared};
+    take(found_lists, kernels.overlapping(trees.a.level(level), trees.b.level(level), blocks, found_lists));
   }
 }
 
@@ -71,9 +73,9 @@ void NearPairs::find_blocks(const Trees& trees, const ContactKernels& kernels) {
   for (auto& blocks : blocks_) blocks.assign(1, 0);
   for (std::size_t level = trees.a.height() - 1; level > 0; --level) {
     for (auto& blocks : next_blocks_) blocks.clear();
-    for_found(trees, level, 0, blocks_[0].size(), kernels, [&](const PairLists& found, std::size_t count) {
+    for_found(trees, level, 0, blocks_[0].size(), kernels, [&](const PairLists& found_lists, std::size_t count) {
       for (std::size_t k = 0; k < 2; ++k) {
-        next_blocks_[k].insert(next_blocks_[k].end(), found[k], found[k] + count);
+        next_blocks_[k].insert(next_blocks_[k].end(), found_lists[k], found_lists[k] + count);
       }
     });
     std::swap(blocks_, next_blocks_);
@@ -85,12 +87,12 @@ void NearPairs::find_between(const Trees& trees, const MovingRows& rows, Paralle
   find_blocks(trees, kernels.contact());
   const auto first_count = static_cast<Index>(trees.a.corner_count());
   const std::size_t count = blocks_[0].size();
-  parts_.resize(std::max(parts_.size(), count / ParallelKernels::least_pairs + 1));
-  kernels.split(0, count, ParallelKernels::least_pairs, [&](std::size_t begin, std::size_t end) {
-    // No other part begins so near.
-    std::vector<NearPair>& part = parts_[begin / ParallelKernels::least_pairs];
-    for_found(trees, 0, begin, end, kernels.contact(), [&](const PairLists& found, std::size_t candidates) {
-      append_near(rows, first_count, candidates, found, kernels.contact(), part);
+  parts_.resize(std::max(parts_.size(), count / ParallelKernels::min_pairs + 1));
+  kernels.split(0, count, ParallelKernels::min_pairs, [&](std::size_t begin, std::size_t end) {
+    // Ranges of other threads begin at least `min_pairs` away.
+    std::vector<NearPair>& part = parts_[begin / ParallelKernels::min_pairs];
+    for_found(trees, 0, begin, end, kernels.contact(), [&](const PairLists& found_lists, std::size_t candidates) {
+      append_near(rows, first_count, candidates, found_lists, kernels.contact(), part);
     });
   });
   for (std::vector<NearPair>& part : parts_) {
@@ -101,12 +103,14 @@ void NearPairs::find_between(const Trees& trees, const MovingRows& rows, Paralle
 
 MovingRows NearPairs::moving_rows(const Float4Array& positions, const Float4Array& moves,
                                   std::span<const float> radii) {
-  ways_.resize(moves.size());
+  assert(positions.size() == moves.size());
+  assert(radii.size() <= positions.size());
+  motions_.resize(moves.size());
   for (std::size_t row = 0; row < radii.size(); ++row) {
-    ways_[row] = scaled_sum(moves[row], together_, -1.0F);
-    ways_[row].fourth = radii[row];
+    motions_[row] = scaled_sum(moves[row], mean_motion_, -1.0F);
+    motions_[row].fourth = radii[row];
   }
-  return {positions.data(), ways_.data()};
+  return {positions.data(), motions_.data()};
 }
 
 void NearPairs::fit(const MovingRows& rows, ParallelKernels& kernels, Hierarchies& hierarchies) {
@@ -123,7 +127,8 @@ void NearPairs::round(const BoxGrid& grid, ParallelKernels& kernels, Hierarchies
 
 const std::vector<NearPair>& NearPairs::find(const Float4Array& positions, const Float4Array& moves,
                                              std::span<const float> radii, ParallelKernels& kernels) {
-  together_ = mean_of(moves);
+  assert(positions.size() == moves.size());
+  mean_motion_ = mean_position(moves);
   const MovingRows rows = moving_rows(positions, moves, radii);
   fit(rows, kernels, cloth_);
   fit(rows, kernels, bodies_);
@@ -150,14 +155,16 @@ void NearPairs::find_some_between(const Trees& trees, const MovingRows& rows, co
   pairs_.erase(std::remove_if(pairs_.begin() + before, pairs_.end(), is_left_out), pairs_.end());
 }
 
-// Trees of what is marked are fitted, and gone through beside those of all, which are not: what is marked in
-// those is left out, and found by going through the small trees alone.
+// Trees of marked primitives are fitted and compared with the complete trees, which are not fitted: marked primitives
+// of the latter are skipped, and found by comparing the small trees with each other.
 const std::vector<NearPair>& NearPairs::find_anew(std::span<const std::uint8_t> marks, const Float4Array& positions,
                                                   const Float4Array& moves, std::span<const float> radii,
                                                   ParallelKernels& kernels) {
+  assert(positions.size() == moves.size());
+  assert(marks.size() <= positions.size());
   const MovingRows rows = moving_rows(positions, moves, radii);
-  Hierarchies cloth = of_marked(cloth_, marks);
-  Hierarchies bodies = of_marked(bodies_, marks);
+  Hierarchies cloth = make_marked_hierarchies(cloth_, marks);
+  Hierarchies bodies = make_marked_hierarchies(bodies_, marks);
   fit(rows, kernels, cloth);
   fit(rows, kernels, bodies);
   round(grid_, kernels, cloth);

@@ -8,29 +8,27 @@
 
 namespace taut::sim::bounded {
 
-Float4 mean_of(const Float4Array& vectors);
+Float4 mean_position(const Float4Array& vectors);
 
-/// Appends those of the first `count` pairs of the lists that could meet, see ContactKernels. It changes the
-/// lists.
+/// Appends the pairs among the first `count` of the lists that could meet, see ContactKernels. Changes the lists.
 void append_near(const MovingRows& rows, Index first_count, std::size_t count, const PairLists& lists,
                  const ContactKernels& kernels, std::vector<NearPair>& pairs);
 
-/// Finds what is near in a mesh that moves.
+/// Finds near pairs in a moving mesh.
 class NearPairs {
  public:
-  /// `positions` are those of the mesh when it begins to move, one per row.
-  /// Pairs within the cloth are found only if asked for.
+  /// `positions_m` are the initial positions, one per solver index. Pairs within the cloth are found only if
+  /// `within_cloth`.
   NearPairs(const ContactMesh& mesh, bool within_cloth, std::span<const Vec3> positions_m);
 
-  /// Finds all pairs that could meet while every row moves by `moves`, or by up to `radii` more or less:
-  /// those whose boxes, around all that their corners can reach, may overlap on their ways, and that are
-  /// nearer than ContactKernels says. Pairs within the bodies are left out. In m, one entry per row each. The
-  /// order depends on the mesh and on which pairs are found, and on nothing else.
+  /// Finds all pairs that could meet if every vertex moves by `moves`, give or take `radii`: the swept boxes overlap
+  /// and the distance is as ContactKernels says. Pairs within the bodies are left out. Arguments are in m, with one
+  /// entry per solver index. The order depends only on the mesh and on the set of pairs.
   const std::vector<NearPair>& find(const Float4Array& positions, const Float4Array& moves,
                                     std::span<const float> radii, ParallelKernels& kernels);
 
-  /// Finds pairs anew after only marked rows have come to move otherwise or further; all others are as they
-  /// were found. One mark per row, not 0 where it is marked.
+  /// Updates the pairs after a change of the motions or radii of marked vertices only. One mark per solver index, not 0
+  /// if marked.
   const std::vector<NearPair>& find_anew(std::span<const std::uint8_t> marks, const Float4Array& positions,
                                          const Float4Array& moves, std::span<const float> radii,
                                          ParallelKernels& kernels);
@@ -39,16 +37,16 @@ class NearPairs {
   struct Hierarchies {
     BoxHierarchy vertices, edges, triangles;
   };
-  /// Two trees that are gone through side by side. They may be the same.
+  /// Two trees traversed together; they may be the same.
   struct Trees {
     const BoxHierarchy& a;
     const BoxHierarchy& b;
-    const BlockLanePairs* shared = nullptr;  ///< where it is known
+    const BlockLanePairs* shared = nullptr;  ///< primitives with a common vertex, if known
   };
 
-  static Hierarchies hierarchies_of(const Primitives& primitives, std::span<const Vec3> positions,
-                                    std::size_t least_height);
-  static Hierarchies of_marked(const Hierarchies& all, std::span<const std::uint8_t> marks);
+  static Hierarchies make_hierarchies(const Primitives& primitives, std::span<const Vec3> positions,
+                                      std::size_t min_height_ratio);
+  static Hierarchies make_marked_hierarchies(const Hierarchies& all, std::span<const std::uint8_t> marks);
   static void fit(const MovingRows& rows, ParallelKernels& kernels, Hierarchies& hierarchies);
   static void round(const BoxGrid& grid, ParallelKernels& kernels, Hierarchies& hierarchies);
   MovingRows moving_rows(const Float4Array& positions, const Float4Array& moves, std::span<const float> radii);
@@ -63,14 +61,14 @@ class NearPairs {
   bool within_cloth_;
   Hierarchies cloth_;
   Hierarchies bodies_;
-  BlockLanePairs vertices_triangles_;  ///< what shares a row, in the cloth
+  BlockLanePairs vertices_triangles_;  ///< primitives of the cloth with a common vertex
   BlockLanePairs edges_edges_;
-  BoxGrid grid_;      ///< of the cloth when all was gone through
-  Float4 together_;   ///< what all rows move alike, which does not bring them nearer and makes boxes larger
-  Float4Array ways_;  ///< see MovingRows
+  BoxGrid grid_;                                ///< grid of the last search of the whole mesh
+  Float4 mean_motion_;                          ///< mean motion, which brings nothing nearer but makes boxes larger
+  Float4Array motions_;                         ///< see MovingRows
   std::array<Lanes<std::uint32_t>, 2> blocks_;  ///< pairs of blocks of one level
   std::array<Lanes<std::uint32_t>, 2> next_blocks_;
-  std::vector<std::vector<NearPair>> parts_;  ///< of what is found, by where a thread began
+  std::vector<std::vector<NearPair>> parts_;  ///< found pairs by the start of the thread's range
   std::vector<NearPair> pairs_;
 };
 

@@ -7,13 +7,13 @@ namespace {
 
 constexpr float infinity = std::numeric_limits<float>::infinity();
 
-/// Where what the normal tells apart is less than this part of the smallest distance, it is uncertain.
-constexpr float told_apart_part = 0.9F;
+/// Smallest ratio of the distance along the normal to the shortest distance for which the normal is certain.
+constexpr float min_resolved_fraction = 0.9F;
 
-/// Returns the normal of the surfaces of both things of a pair, on the side of the first; nothing where these are not
-/// known, or at right angles to the line between the two.
-std::optional<glm::vec3> normal_of_surfaces(const NearPair& near, const std::array<glm::vec3, 4>& p,
-                                            const glm::vec3& between, const RowMoves& rows) {
+/// Returns the mean surface normal of both primitives of a pair, on the side of the first; nothing if unknown or at
+/// right angles to the line between the two.
+std::optional<glm::vec3> mean_surface_normal(const NearPair& near, const std::array<glm::vec3, 4>& p,
+                                             const glm::vec3& between, const RowMoves& rows) {
   std::array<glm::vec3, 2> sides = {glm::vec3(0.0F), glm::vec3(0.0F)};
   for (Index k = 0; k < 4; ++k) {
     if (near.rows[k] >= rows.normals.size()) return std::nullopt;
@@ -26,13 +26,13 @@ std::optional<glm::vec3> normal_of_surfaces(const NearPair& near, const std::arr
     sum += towards_first / glm::length(side) * side;
   }
   const float length = glm::length(sum);
-  return length > 0.0F ? std::optional(sum / length) : std::nullopt;  // nor where one is not a number
+  return length > 0.0F ? std::optional(sum / length) : std::nullopt;  // also fails for NaN
 }
 
 }  // namespace
 
-// `p` are the corners of the pair.
-PairExtent Regions::extent_of(const NearPair& near, const std::array<glm::vec3, 4>& p) const {
+// `p` are the positions of the pair's corners.
+PairExtent Regions::pair_extent(const NearPair& near, const std::array<glm::vec3, 4>& p) const {
   PairExtent extent = {0.0F, 0.0F, 0.0F, displaced_m_};
   float squared_across = 0.0F;
   for (Index k = 0; k < 4; ++k) {
@@ -46,67 +46,65 @@ PairExtent Regions::extent_of(const NearPair& near, const std::array<glm::vec3, 
   return extent;
 }
 
-Regions::Pair Regions::pair_of(const ContactPair& contact, const RowMoves& rows) const {
+Regions::RegionPair Regions::make_region_pair(const ContactPair& contact, const RowMoves& rows) const {
   const NearPair& near = contact.near;
   std::array<glm::vec3, 4> p{};
   for (Index k = 0; k < 4; ++k) p[k] = vec(rows.positions[near.rows[k]]);
-  Pair pair{};
+  RegionPair pair{};
   pair.contact = contact;
   pair.weights = closest_weights(near, p);
   const glm::vec3 between = between_closest(near, p, pair.weights);
   pair.normal = contact.normal.value_or(between / glm::length(between));
   set_heights(p, pair);
-  // In things far longer than they are apart, rounding turns the line between their nearest points.
-  if (!contact.normal && !(pair.distance > told_apart_part * glm::length(between))) {
-    Pair across = pair;
+  // If primitives are far longer than their distance, rounding turns the line between their closest points.
+  if (!contact.normal && !(pair.distance > min_resolved_fraction * glm::length(between))) {
+    RegionPair across = pair;
     across.normal = normal_across(near, p, between);
     set_heights(p, across);
     pair = across.distance > pair.distance ? across : pair;
   }
-  pair.error = distance_error_m(extent_of(near, p));
+  pair.error = distance_error_m(pair_extent(near, p));
   if (!contact.normal) level(p, rows, pair);
-  // Not so where the distance is not a number, as things touch. A thing that begins within a body that knows its way
-  // out is let out.
-  pair.is_told_apart = contact.normal || pair.distance > pair.error;
-  // Things that touch as near as they may would be left a little nearer, and held fast in the way of what
-  // comes at them: so they are to be parted somewhat.
-  const float least = least_gap_m(contact.thickness_m, pair.error);
-  const float more = pair.distance > 0.0F ? std::clamp(2.0F * least - pair.distance, 0.0F, least) : 0.0F;
-  pair.needed = std::min(pair.distance, least);
-  pair.wanted = std::max(pair.needed, std::min(pair.distance + more, contact.thickness_m));
-  assert(!pair.is_told_apart || contact.normal || pair.needed > pair.error);
+  // False for a NaN distance of touching primitives. A vertex that starts within a body with a known normal is let out.
+  pair.is_resolved = contact.normal || pair.distance > pair.error;
+  // Primitives at the smallest distance would get even nearer and block others, so they are separated slightly.
+  const float gap_m = planned_gap_m(contact.thickness_m, pair.error);
+  const float more = pair.distance > 0.0F ? std::clamp(2.0F * gap_m - pair.distance, 0.0F, gap_m) : 0.0F;
+  pair.min_distance = std::min(pair.distance, gap_m);
+  pair.target_distance = std::max(pair.min_distance, std::min(pair.distance + more, contact.thickness_m));
+  assert(!pair.is_resolved || contact.normal || pair.min_distance > pair.error);
   return pair;
 }
 
-// Layers that slide pass the edges within each other. A plane at right angles to the shortest distance stands in the
-// way of what comes to lie beside such an edge, as if it were a step.
-void Regions::level(const std::array<glm::vec3, 4>& p, const RowMoves& rows, Pair& pair) const {
+// Sliding layers pass over each other's inner edges. A plane at right angles to the shortest distance would block
+// sliding there as if the edge were a step.
+void Regions::level(const std::array<glm::vec3, 4>& p, const RowMoves& rows, RegionPair& pair) const {
   const float apart_at_end = span_at_end(pair).apart();
   if (std::min(pair.distance, apart_at_end) > touched_m(pair.contact.thickness_m)) return;
   const glm::vec3 between = pair.normal;
-  const std::optional<glm::vec3> normal = normal_of_surfaces(pair.contact.near, p, between, rows);
+  const std::optional<glm::vec3> normal = mean_surface_normal(pair.contact.near, p, between, rows);
   if (!normal) return;
-  Pair levelled = pair;
+  RegionPair levelled = pair;
   levelled.normal = *normal;
   set_heights(p, levelled);
-  const auto lacks = [&](const Pair& of) {
+  const auto lacks = [&](const RegionPair& of) {
     return std::min(of.distance, of.contact.thickness_m) - span_at_end(of).apart();
   };
-  const bool is_told_apart = levelled.distance > 2.0F * least_gap_m(pair.contact.thickness_m, pair.error);
-  if (is_told_apart && lacks(levelled) < lacks(pair)) pair = levelled;
+  const bool is_resolved = levelled.distance > 2.0F * planned_gap_m(pair.contact.thickness_m, pair.error);
+  if (is_resolved && lacks(levelled) < lacks(pair)) pair = levelled;
 }
 
-// Pairs of what has not changed are found again in their order.
+// Unchanged pairs are found again in the same order.
 void Regions::find_same(std::span<const ContactPair> pairs, std::size_t rows) {
-  same_.assign(pairs.size(), nullptr);
+  unchanged_pairs_.assign(pairs.size(), nullptr);
   const auto is_kept = [&](const ContactPair& contact) {
     return std::all_of(contact.near.rows.begin(), contact.near.rows.end(),
                        [&](Index row) { return row < rows && extents_[row].moved == earlier_extents_[row].moved; });
   };
   auto earlier = earlier_.begin();
   for (std::size_t i = 0; i < pairs.size(); ++i) {
-    earlier = std::find_if(earlier, earlier_.end(), [&](const Pair& pair) { return is_kept(pair.contact); });
-    if (earlier != earlier_.end() && earlier->contact.near == pairs[i].near) same_[i] = &*earlier++;
+    earlier = std::find_if(earlier, earlier_.end(), [&](const RegionPair& pair) { return is_kept(pair.contact); });
+    if (earlier != earlier_.end() && earlier->contact.near == pairs[i].near) unchanged_pairs_[i] = &*earlier++;
   }
 }
 
@@ -122,41 +120,41 @@ void Regions::make_pairs(std::span<const ContactPair> pairs, const RowMoves& row
   }
   find_same(is_again ? pairs : pairs.first(0), std::min(rows.cloth_count, earlier_extents_.size()));
   pairs_.resize(pairs.size());
-  kernels.split(0, pairs.size(), ParallelKernels::least_pairs, [&](std::size_t begin, std::size_t end) {
+  kernels.split(0, pairs.size(), ParallelKernels::min_pairs, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
-      pairs_[i] = is_again && same_[i] != nullptr ? *same_[i] : pair_of(pairs[i], rows);
+      pairs_[i] = is_again && unchanged_pairs_[i] != nullptr ? *unchanged_pairs_[i] : make_region_pair(pairs[i], rows);
     }
   });
-  std::erase_if(pairs_, [&](const Pair& pair) {
-    if (!pair.is_told_apart) note_blocked(pair.contact.near, 0.0F);
-    return !pair.is_told_apart;
+  std::erase_if(pairs_, [&](const RegionPair& pair) {
+    if (!pair.is_resolved) note_blocked(pair.contact.near, 0.0F);
+    return !pair.is_resolved;
   });
   note_kinematic_gap(rows.inverse_masses_per_kg);
 }
 
-// A vertex that begins within a body has no gap to lose.
+// A vertex that starts within a body has no gap to lose.
 void Regions::note_kinematic_gap(std::span<const float> inverse_masses) {
   kinematic_gap_m_ = infinity;
-  for (const Pair& pair : pairs_) {
+  for (const RegionPair& pair : pairs_) {
     const auto& r = pair.contact.near.rows;
     const auto is_kinematic = [&](Index row) { return !(inverse_masses[row] > 0.0F); };
     if (pair.distance > pair.error && std::any_of(r.begin(), r.end(), is_kinematic)) {
-      kinematic_gap_m_ = std::min(kinematic_gap_m_, pair.needed - pair.error);
+      kinematic_gap_m_ = std::min(kinematic_gap_m_, pair.min_distance - pair.error);
     }
   }
 }
 
-void Regions::set_heights(const std::array<glm::vec3, 4>& p, Pair& pair) {
+void Regions::set_heights(const std::array<glm::vec3, 4>& p, RegionPair& pair) {
   for (Index k = 0; k < 4; ++k) pair.heights[k] = glm::dot(pair.normal, p[k] - p[0]);
-  pair.distance = span_of(pair.contact.near, pair.heights).apart();
+  pair.distance = height_span(pair.contact.near, pair.heights).apart();
 }
 
 void Regions::note_blocked(const NearPair& near, float distance) {
   if (!blocked_) blocked_ = {near, distance};
 }
 
-Regions::Span Regions::span_of(const NearPair& near, const std::array<float, 4>& heights) {
-  Span span = {infinity, -infinity};
+Regions::HeightSpan Regions::height_span(const NearPair& near, const std::array<float, 4>& heights) {
+  HeightSpan span = {infinity, -infinity};
   for (Index k = 0; k < 4; ++k) {
     if (k < near.first_count) {
       span.low = std::min(span.low, heights[k]);
@@ -167,26 +165,25 @@ Regions::Span Regions::span_of(const NearPair& near, const std::array<float, 4>&
   return span;
 }
 
-Regions::Span Regions::span_at_end(const Pair& pair) const {
+Regions::HeightSpan Regions::span_at_end(const RegionPair& pair) const {
   std::array<float, 4> heights = pair.heights;
-  for (Index k = 0; k < 4; ++k) heights[k] += glm::dot(pair.normal, vec(moves_[pair.contact.near.rows[k]]));
-  return span_of(pair.contact.near, heights);
+  for (Index k = 0; k < 4; ++k) heights[k] += glm::dot(pair.normal, vec(planned_motions_[pair.contact.near.rows[k]]));
+  return height_span(pair.contact.near, heights);
 }
 
-// Projects the moves onto those that leave a distance, corner by corner. As masses weigh them, momentum is kept and no
-// energy is gained: a collision without rebound. Where it is urgent a heavy layer gives way as a light one does:
-// it would take hundreds of passes by its mass.
-void Regions::resolve(const Pair& pair, float left, bool is_urgent, std::span<const float> inverse_masses) {
+// Projects motions onto those that keep a distance, corner by corner. Weights by mass keep momentum and gain no energy:
+// a collision without rebound. Urgent pairs ignore mass, as heavy layers would take hundreds of passes.
+void Regions::resolve(const RegionPair& pair, float left, bool is_urgent, std::span<const float> inverse_masses) {
   const NearPair& near = pair.contact.near;
   const auto mobility_of = [&](Index row) {
     const float mobility_per_kg = inverse_masses[row];
     return is_urgent && mobility_per_kg > 0.0F ? 1.0F : mobility_per_kg;
   };
-  const float relaxation = is_urgent ? tuning::over_projected : 1.0F;
+  const float relaxation = is_urgent ? tuning::over_projection_factor : 1.0F;
   for (Index k = 0; k < near.first_count; ++k) {
     for (Index l = near.first_count; l < 4; ++l) {
-      Float4& first = moves_[near.rows[k]];
-      Float4& second = moves_[near.rows[l]];
+      Float4& first = planned_motions_[near.rows[k]];
+      Float4& second = planned_motions_[near.rows[l]];
       const float w_first = mobility_of(near.rows[k]);
       const float w_second = mobility_of(near.rows[l]);
       const float apart = pair.heights[k] - pair.heights[l] + glm::dot(pair.normal, vec(first) - vec(second));
@@ -199,23 +196,23 @@ void Regions::resolve(const Pair& pair, float left, bool is_urgent, std::span<co
   }
 }
 
-// A pass hands a push on by about one layer. Rows that are held in a pile stop what closes in on it, so that passes go
-// on as long as any would be: for no more than what is needed, so that what is squeezed has room to give, and
-// over-relaxed, which hands pushes on sooner.
+// A pass transmits a push by about one layer. Vertices held in a pile would stop whatever closes in on it, so passes
+// continue while any would be held. Those passes keep only the smallest distances, which leaves slack for squeezed
+// layers, and are over-relaxed, which transmits pushes sooner.
 void Regions::resolve_moves(std::span<const float> inverse_masses) {
-  constexpr int most_passes = tuning::most_rounds * tuning::most_rounds;
+  constexpr int max_passes = tuning::max_rounds * tuning::max_rounds;
   bool is_done = false;
   bool would_hold = true;
-  for (int pass = 0; !is_done && (pass < tuning::most_rounds || (would_hold && pass < most_passes)); ++pass) {
+  for (int pass = 0; !is_done && (pass < tuning::max_rounds || (would_hold && pass < max_passes)); ++pass) {
     is_done = true;
     would_hold = false;
-    const bool is_urgent = pass >= tuning::most_rounds;
-    for (const Pair& pair : pairs_) {
-      const float enough = tuning::enough_part * pair.contact.thickness_m;
-      const float left = is_urgent ? std::min(pair.needed + enough, pair.wanted) : pair.wanted;
+    const bool is_urgent = pass >= tuning::max_rounds;
+    for (const RegionPair& pair : pairs_) {
+      const float enough = tuning::motion_tolerance_fraction * pair.contact.thickness_m;
+      const float left = is_urgent ? std::min(pair.min_distance + enough, pair.target_distance) : pair.target_distance;
       const float apart = span_at_end(pair).apart();
       if (apart < left - enough) {
-        would_hold = would_hold || apart < pair.needed;
+        would_hold = would_hold || apart < pair.min_distance;
         resolve(pair, left, is_urgent, inverse_masses);
         is_done = false;
       }
@@ -223,16 +220,15 @@ void Regions::resolve_moves(std::span<const float> inverse_masses) {
   }
 }
 
-// Nothing crosses where all move alike, or nothing moves. Each round holds rows for good, so that the rounds
-// end.
+// Nothing crosses if all vertices move alike or not at all. Each round restricts vertices for good, so the rounds end.
 void Regions::hold_where_needed(const RowMoves& rows) {
-  held_.assign(rows.radii.size(), Held::no);
+  held_.assign(rows.radii.size(), HoldKind::no);
   bool has_changed = true;
   while (has_changed) {
     has_changed = false;
-    for (const Pair& pair : pairs_) {
-      if (span_at_end(pair).apart() >= pair.needed) continue;
-      if (hold(pair.contact.near, Held::carried, rows) || hold(pair.contact.near, Held::still, rows)) {
+    for (const RegionPair& pair : pairs_) {
+      if (span_at_end(pair).apart() >= pair.min_distance) continue;
+      if (hold(pair.contact.near, HoldKind::carried, rows) || hold(pair.contact.near, HoldKind::still, rows)) {
         has_changed = true;
       } else {
         note_blocked(pair.contact.near, pair.distance);
@@ -241,32 +237,32 @@ void Regions::hold_where_needed(const RowMoves& rows) {
   }
 }
 
-// Returns whether any of them was free to be.
-bool Regions::hold(const NearPair& near, Held how, const RowMoves& rows) {
+// Returns whether any vertex changed.
+bool Regions::hold(const NearPair& near, HoldKind how, const RowMoves& rows) {
   bool has_changed = false;
   for (const Index row : near.rows) {
     if (rows.inverse_masses_per_kg[row] > 0.0F && held_[row] < how) {
       held_[row] = how;
-      moves_[row] = how == Held::carried ? rows.carried : Float4{};
+      planned_motions_[row] = how == HoldKind::carried ? rows.kinematic_motion : Float4{};
       has_changed = true;
     }
   }
   return has_changed;
 }
 
-// Rows that contact moves out of their balls go as far as these let them, where that keeps all apart.
+// Vertices that contact moves out of their trust regions are clamped by them if that keeps all pairs apart.
 bool Regions::fit_radii(RowMoves& rows) {
   deviations_.resize(rows.radii.size());
-  is_cut_short_.assign(rows.radii.size(), 0);
+  is_clamped_.assign(rows.radii.size(), 0);
   bool are_all_within = true;
   for (std::size_t row = 0; row < rows.radii.size(); ++row) {
-    const glm::vec3 deviation = vec(moves_[row]) - vec(rows.moves[row]);
+    const glm::vec3 deviation = vec(planned_motions_[row]) - vec(rows.moves[row]);
     const float length = deviations_[row] = glm::length(deviation);
-    const float most = tuning::filled_part_of_ball * rows.radii[row];
-    if (rows.inverse_masses_per_kg[row] > 0.0F && !(length <= most)) {
-      moves_[row] = rows.moves[row];
-      add(moves_[row], most / length * deviation);
-      is_cut_short_[row] = 1;
+    const float max_deviation = tuning::ball_fill_fraction * rows.radii[row];
+    if (rows.inverse_masses_per_kg[row] > 0.0F && !(length <= max_deviation)) {
+      planned_motions_[row] = rows.moves[row];
+      add(planned_motions_[row], max_deviation / length * deviation);
+      is_clamped_[row] = 1;
       are_all_within = false;
     }
   }
@@ -275,13 +271,13 @@ bool Regions::fit_radii(RowMoves& rows) {
 
 bool Regions::needs_larger_balls(RowMoves& rows) const {
   bool needs = false;
-  for (const Pair& pair : pairs_) {
+  for (const RegionPair& pair : pairs_) {
     const auto& r = pair.contact.near.rows;
-    const auto is_within = [&](Index row) { return is_cut_short_[row] == 0; };
-    if (std::all_of(r.begin(), r.end(), is_within) || span_at_end(pair).apart() >= pair.needed) continue;
+    const auto is_within = [&](Index row) { return is_clamped_[row] == 0; };
+    if (std::all_of(r.begin(), r.end(), is_within) || span_at_end(pair).apart() >= pair.min_distance) continue;
     for (const Index row : r) {
       if (!is_within(row)) {
-        rows.radii[row] = std::max(rows.radii[row], tuning::larger * deviations_[row]);
+        rows.radii[row] = std::max(rows.radii[row], tuning::ball_growth_factor * deviations_[row]);
         needs = true;
       }
     }
@@ -291,83 +287,83 @@ bool Regions::needs_larger_balls(RowMoves& rows) const {
 
 void Regions::place_half_spaces() {
   half_space_begin_.assign(radii_.size() + 1, 0);
-  for (const Pair& pair : pairs_) {
+  for (const RegionPair& pair : pairs_) {
     for (const Index row : pair.contact.near.rows) ++half_space_begin_[row + 1];
   }
   std::partial_sum(half_space_begin_.begin(), half_space_begin_.end(), half_space_begin_.begin());
   half_spaces_.resize(half_space_begin_.back());
   std::vector<Index> next(half_space_begin_.begin(), half_space_begin_.end() - 1);
-  for (Pair& pair : pairs_) {
+  for (RegionPair& pair : pairs_) {
     for (Index k = 0; k < 4; ++k) pair.half_spaces[k] = next[pair.contact.near.rows[k]]++;
   }
 }
 
-void Regions::set_half_spaces(const Pair& pair, std::span<const float> inverse_masses) {
+void Regions::set_half_spaces(const RegionPair& pair, std::span<const float> inverse_masses) {
   const NearPair& near = pair.contact.near;
   std::array<float, 2> masses_kg = {0.0F, 0.0F};
   for (Index k = 0; k < 4; ++k) {
     const std::size_t side = k < near.first_count ? 0 : 1;
-    masses_kg[side] += 1.0F / inverse_masses[near.rows[k]];  // infinite for what cannot be moved
+    masses_kg[side] += 1.0F / inverse_masses[near.rows[k]];  // infinite for kinematic vertices
   }
   const bool is_second_fixed = std::isinf(masses_kg[1]);
   const bool is_first_fixed = std::isinf(masses_kg[0]);
-  // The first gets this share of the room between the two.
+  // Fraction of the gap that the first primitive gets.
   const float share = is_first_fixed == is_second_fixed ? 0.5F : (is_first_fixed ? 0.0F : 1.0F);
-  // Where the plane of the one or the other thing is, so that what is needed is left between the two.
-  const auto plane = [&](const Span& span, bool is_first) {
-    const float room = std::max(span.apart() - pair.needed, 0.0F);
+  // Returns the position of the plane of the first or second primitive; both leave the needed distance.
+  const auto plane = [&](const HeightSpan& span, bool is_first) {
+    const float room = std::max(span.apart() - pair.min_distance, 0.0F);
     return is_first ? span.low - share * room : span.high + (1.0F - share) * room;
   };
-  const Span begin = span_of(near, pair.heights);
-  const Span end = span_at_end(pair);
+  const HeightSpan begin = height_span(near, pair.heights);
+  const HeightSpan end = span_at_end(pair);
   for (Index k = 0; k < 4; ++k) {
     const bool is_first = k < near.first_count;
     const float sign = is_first ? 1.0F : -1.0F;
     const float at_begin = sign * (plane(begin, is_first) - pair.heights[k]);
     const float at_end = sign * (plane(end, is_first) - pair.heights[k]);
-    const float moved_up = sign * glm::dot(pair.normal, vec(moves_[near.rows[k]]));
+    const float moved_up = sign * glm::dot(pair.normal, vec(planned_motions_[near.rows[k]]));
     half_spaces_[pair.half_spaces[k]] = {sign * pair.normal, at_begin, at_end - at_begin,
                                          std::min(-at_begin, moved_up - at_end),
                                          is_first ? is_second_fixed : is_first_fixed};
   }
 }
 
-float Regions::room_of(Index row) const {
-  float room = radii_[row] - std::min(deviations_[row], tuning::filled_part_of_ball * radii_[row]);
-  for (const HalfSpace& half_space : half_spaces_of(row)) room = std::min(room, half_space.room);
+float Regions::region_slack_m(Index row) const {
+  float room = radii_[row] - std::min(deviations_[row], tuning::ball_fill_fraction * radii_[row]);
+  for (const HalfSpace& half_space : half_spaces_at(row)) room = std::min(room, half_space.room);
   return room;
 }
 
 void Regions::make_half_spaces(std::span<const float> inverse_masses, ParallelKernels& kernels) {
   place_half_spaces();
-  kernels.split(0, pairs_.size(), ParallelKernels::least_pairs, [&](std::size_t begin, std::size_t end) {
+  kernels.split(0, pairs_.size(), ParallelKernels::min_pairs, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) set_half_spaces(pairs_[i], inverse_masses);
   });
   kernels.for_rows(0, radii_.size(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t row = begin; row < end; ++row) {
-      moves_[row].fourth = inverse_masses[row] > 0.0F ? room_of(static_cast<Index>(row)) : infinity;
+      planned_motions_[row].fourth = inverse_masses[row] > 0.0F ? region_slack_m(static_cast<Index>(row)) : infinity;
     }
   });
 }
 
 void Regions::stand_still(const RowMoves& rows) {
-  moves_ = rows.moves;
-  for (std::size_t row = 0; row < moves_.size(); ++row) {
+  planned_motions_ = rows.moves;
+  for (std::size_t row = 0; row < planned_motions_.size(); ++row) {
     if (rows.inverse_masses_per_kg[row] > 0.0F) {
-      moves_[row] = Float4{};
+      planned_motions_[row] = Float4{};
     } else {
-      moves_[row].fourth = infinity;
+      planned_motions_[row].fourth = infinity;
     }
   }
-  expected_ = moves_;
-  radii_.assign(moves_.size(), 0.0F);
-  half_space_begin_.assign(moves_.size() + 1, 0);
+  expected_ = planned_motions_;
+  radii_.assign(planned_motions_.size(), 0.0F);
+  half_space_begin_.assign(planned_motions_.size() + 1, 0);
   half_spaces_.clear();
   touches_.clear();
 }
 
 bool Regions::make(std::span<const ContactPair> pairs, RowMoves& rows, ParallelKernels& kernels, bool is_again) {
-  moves_ = rows.moves;
+  planned_motions_ = rows.moves;
   make_pairs(pairs, rows, is_again, kernels);
   resolve_moves(rows.inverse_masses_per_kg);
   hold_where_needed(rows);

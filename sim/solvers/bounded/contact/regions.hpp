@@ -6,220 +6,221 @@
 
 namespace taut::sim::bounded {
 
-/// A near pair with what decides how its two things touch.
+/// Near pair with its contact properties.
 struct ContactPair {
   NearPair near;
-  /// The distance kept, in m. Things that are nearer are moved apart little by little.
+  /// Distance kept, in m. Nearer primitives are separated gradually.
   float thickness_m = 0.0F;
   float friction = 0.0F;  ///< Coulomb's coefficient
-  /// How far the second thing's surface slides along itself until the time 1, beyond its moves, in m: a ball
-  /// that turns about its centre does not move and yet drags the cloth along.
-  glm::vec3 surface_slides = glm::vec3(0.0F);
-  /// Of length 1, towards the first thing; where it is not given, along the shortest distance.
+  /// Tangential motion of the second primitive's surface until the time 1, besides its moves, in m: a ball that spins
+  /// about its centre does not move but drags the cloth along.
+  glm::vec3 surface_slide_m = glm::vec3(0.0F);
+  /// Unit normal towards the first primitive; if not set, along the shortest distance.
   std::optional<glm::vec3> normal = {};
 };
 
-/// Rows as contact sees them. One entry per row each, in m.
+/// Vertices with their predicted motion; one entry per vertex, in m.
 struct RowMoves {
-  Float4Array positions;     ///< at the time 0, from an origin
-  Float4Array moves;         ///< until the time 1, as expected
-  std::vector<float> radii;  ///< how much further than its move, in any direction, a row may go
-  /// In 1/kg. Rows of 0 move by exactly their moves.
+  Float4Array positions;     ///< positions at the time 0, relative to an origin
+  Float4Array moves;         ///< predicted motion until the time 1
+  std::vector<float> radii;  ///< radii of the trust regions around the predicted motion
+  /// Inverse masses in 1/kg; 0 for kinematic vertices, which move exactly by `moves`.
   std::vector<float> inverse_masses_per_kg;
-  /// Where rows go whose pairs leave them no way of their own: with what leads the cloth.
-  Float4 carried = {};
-  /// Normals of any length at the rows of the cloth; no entry for rows whose normal is not known.
+  /// Motion of vertices without free motion: the mean motion of the pins.
+  Float4 kinematic_motion = {};
+  /// Normals of any length at the cloth's vertices; empty if unknown.
   Float4Array normals = {};
-  float displaced_m = 0.0F;     ///< how far a row has gone since the frame began, at most
-  std::size_t cloth_count = 0;  ///< rows from here on are of bodies, and have no displacements
+  float displaced_m = 0.0F;     ///< largest displacement since the frame began
+  std::size_t cloth_count = 0;  ///< entries from here on belong to bodies and have no displacements
 };
 
-/// A pair that cannot be kept apart, and the distance of its two things at the time 0, in m.
+/// Pair that cannot be kept apart, and its distance at the time 0, in m.
 struct BlockedPair {
   NearPair near;
   float distance;
 };
 
-/// A row that had gone out of its ball, and how far, in m.
-struct HeldBack {
+/// Vertex clamped by its trust region, and the removed part of its motion, in m.
+struct ClampedRow {
   Index row;
   glm::vec3 out;
 };
 
-/// For every row a convex region that moves from the time 0 to the time 1. Things that stay within their regions
-/// crosses nothing, on straight ways between any two times.
+/// A moving convex region for every vertex, from the time 0 to the time 1. Primitives whose vertices stay within their
+/// regions do not cross, on straight paths between any two times.
 ///
-/// A region is a ball around the row as it moves, for all that was not near, and a half-space for each near
-/// pair: a plane between the two things at right angles to their distance, or along their surfaces where that lets both
-/// go on as they are expected to. It moves along with them. Corners that are on one side keep their triangle on that
-/// side. Where a row is expected to be lies within its region at any time, so that rows can always be brought back,
-/// each by itself. (Planes: "divide and truncate", 2026; balls: Chen and others 2025. That planes move lets layers in
-/// contact move together.)
+/// A region is a trust region (a ball around the predicted motion), which excludes pairs that were not near, and one
+/// half-space per near pair. The half-space ends at a moving plane between the two primitives, at right angles to their
+/// distance, or along their surfaces if that lets both follow their predictions. Corners on one side of a plane keep
+/// their triangle there. The predicted motion is within the region at any time, so each vertex can be projected into
+/// its region by itself. (Planes: "divide and truncate", 2026; balls: Chen and others 2025. Planes move so that layers
+/// in contact can move together.)
 class Regions {
  public:
-  /// Makes the regions for the time 0 to 1. Every pair that could meet has to be among `pairs`. Returns false
-  /// where contact moves rows further from where they are expected than their radii; then `rows` has larger
-  /// radii, for pairs to be found anew, and the regions are those in which nothing moves but what must.
-  /// `is_again` where it was that, and nothing but radii has changed since.
+  /// Makes the regions for the time 0 to 1. `pairs` has to contain every pair that could meet. Returns false if contact
+  /// moves vertices out of their trust regions. Then `rows` has larger radii for a new search, and in the present
+  /// regions only kinematic vertices move. `is_again` says that the last call returned false and only radii have
+  /// changed since.
   bool make(std::span<const ContactPair> pairs, RowMoves& rows, ParallelKernels& kernels, bool is_again = false);
 
-  /// Returns the first pair that cannot be kept apart, as rows that move by exactly their moves close in on
-  /// it or as it touched from the beginning.
+  /// Returns the first pair that cannot be kept apart, because kinematic vertices close in on it or it touched from the
+  /// start.
   const std::optional<BlockedPair>& blocked() const { return blocked_; }
 
-  /// Parts pairs that a time step brought nearer than they should be, at a time from 0 to 1: without rebound,
-  /// with friction, and without a change of momentum. The step took `step` of the whole time. `since` are
-  /// displacements at the time 0, `previous` a time step ago.
+  /// Resolves collisions at a time from 0 to 1: separates pairs that a time step brought too near, without rebound,
+  /// with friction, and without a change of momentum. `step` is the time step as a fraction of the whole time. `since`
+  /// are displacements at the time 0, `previous` those a time step ago.
   void collide(float time, float step, const Float4Array& since, Float4Array& previous, Float4Array& current) const;
 
-  /// Brings rows back into their regions at a time from 0 to 1. `since` are their displacements at the time
-  /// 0, `previous` a time step ago, which are changed so that planes change no velocity. Returns those that had gone
-  /// out of their balls, in their order, until the next call.
-  std::span<const HeldBack> bring_back(float time, const Float4Array& since, Float4Array& previous,
-                                       Float4Array& current, ParallelKernels& kernels);
+  /// Projects vertices into their regions at a time from 0 to 1. `since` are their displacements at the time 0,
+  /// `previous` those a time step ago, which are adjusted so that planes change no velocity. Returns the vertices
+  /// clamped by their trust regions, in ascending order, valid until the next call.
+  std::span<const ClampedRow> project_into_region(float time, const Float4Array& since, Float4Array& previous,
+                                                  Float4Array& current, ParallelKernels& kernels);
 
-  /// The same at the time 1, where no time passes. Returns how many rows had gone out of their balls.
-  std::size_t bring_back(const Float4Array& since, Float4Array& current, ParallelKernels& kernels);
+  /// Projects vertices into their regions at the time 1, without time passing. Returns the number of vertices clamped
+  /// by their trust regions.
+  std::size_t project_into_region(const Float4Array& since, Float4Array& current, ParallelKernels& kernels);
 
-  /// Returns whether a vertex may be moved by so much since the time 0, in m, at a time from 0 to 1.
+  /// Returns whether the region contains a motion since the time 0, in m, at a time from 0 to 1.
   [[nodiscard]] bool contains(Index row, float time, const Vec3& moved_m) const;
 
-  /// Returns the distance in m up to which things collide. Things further apart are left to their planes.
+  /// Returns the largest distance in m at which primitives collide. Planes alone act on more distant ones.
   static float touched_m(float thickness_m);
 
-  /// Returns how far around its expected way a row has to be looked for, in m, so that every pair is found that its
-  /// ball alone does not keep apart by what planes leave, or that is expected to collide.
+  /// Returns the search radius around a vertex's predicted motion, in m, that finds every pair that could collide or
+  /// that its trust region alone does not keep apart by the gap of planes.
   static float reach_m(float radius_m, float thickness_m, float error_m) {
-    return std::max(radius_m + least_gap_m(thickness_m, error_m), 0.5F * touched_m(thickness_m));
+    return std::max(radius_m + planned_gap_m(thickness_m, error_m), 0.5F * touched_m(thickness_m));
   }
 
   std::size_t pair_count() const { return pairs_.size(); }
 
-  /// Returns how far kinematic vertices, together with those of the other thing, may be off their chords at
-  /// any time without a crossing, in m: infinite where none is near.
+  /// Returns the largest total distance from their chords of both primitives of a pair with kinematic vertices, in m,
+  /// that causes no crossing; infinite if none is near.
   float kinematic_gap_m() const { return kinematic_gap_m_; }
 
-  /// Returns the radius of a row's ball, in m.
+  /// Returns the radius of a vertex's trust region, in m.
   float radius(std::size_t row) const { return radii_[row]; }
 
-  /// Returns how far contact would move a row from where it was expected, in m: out of its ball too.
+  /// Returns the deviation by contact from the predicted motion, in m, which may exceed the trust region.
   float deviation(std::size_t row) const { return deviations_[row]; }
 
  private:
-  /// A pair with its geometry at the time 0.
-  struct Pair {
+  /// Pair with its geometry at the time 0.
+  struct RegionPair {
     ContactPair contact;
-    glm::vec3 normal;                  ///< towards the first thing, of length 1
-    std::array<float, 4> heights;      ///< of the corners along it
-    std::array<float, 4> weights;      ///< of the corners, where the two things are nearest
-    float distance;                    ///< of the two things along it, in m
-    float error;                       ///< how far rounding may put the true distance below it
-    float needed;                      ///< the least distance that has to be left
-    float wanted;                      ///< the distance that expected moves leave
-    bool is_told_apart;                ///< it is certain which side each thing is on
-    std::array<Index, 4> half_spaces;  ///< of its corners, among those of all rows
+    glm::vec3 normal;                  ///< unit vector towards the first primitive
+    std::array<float, 4> heights;      ///< heights of the corners along the normal
+    std::array<float, 4> weights;      ///< corner weights of the closest points
+    float distance;                    ///< distance along the normal, in m
+    float error;                       ///< rounding error of the distance
+    float min_distance;                ///< smallest distance that has to remain
+    float target_distance;             ///< distance that predicted motions should keep
+    bool is_resolved;                  ///< resolved above rounding: the side of each primitive is certain
+    std::array<Index, 4> half_spaces;  ///< half-space indices of its corners
   };
   struct HalfSpace {
     glm::vec3 normal;
-    float start;    ///< displacements along the normal are at least so much at the time 0
-    float rate;     ///< and so much more at the time 1
-    float room;     ///< how far the row's expected move stays within it, at both times
-    bool is_fixed;  ///< the other thing cannot be moved
+    float start;    ///< smallest displacement along the normal at the time 0
+    float rate;     ///< increase of that until the time 1
+    float room;     ///< distance of the predicted motion from the plane, the smaller of both ends
+    bool is_fixed;  ///< the other primitive is kinematic
   };
-  enum class Held : std::uint8_t { no, carried, still };
-  /// A pair that may touch until the time 1. Of the corners only those are kept that are rows of the cloth.
+  enum class HoldKind : std::uint8_t { no, carried, still };
+  /// Pair that may touch until the time 1. Only corners on the cloth are stored.
   struct Touch {
     std::array<Index, 4> rows;
-    std::array<float, 4> weights;     ///< where the two things are nearest; those of the second are negative
-    std::array<float, 4> mobilities;  ///< how far a row goes for each m that parts the two
+    std::array<float, 4> weights;     ///< weights of the closest points; negative for the second primitive
+    std::array<float, 4> mobilities;  ///< motion of the vertex per m of separation
     Float4 normal;
-    /// How far bodies move the first thing against the second until the time 1, and along their surfaces
-    /// (ContactPair).
-    Float4 carried;
-    float distance;  ///< at the time 0
-    float wanted;    ///< the least distance at the time 0
-    float rate;      ///< and how far the cloth has to part the two besides until the time 1
+    /// Motion by bodies of the first primitive relative to the second until the time 1, including their surfaces'
+    /// sliding (ContactPair).
+    Float4 kinematic_motion;
+    float distance;  ///< distance at the time 0
+    float target_distance;  ///< smallest allowed distance at the time 0
+    float rate;      ///< separation that the cloth has to add until the time 1
     float friction;
-    std::uint32_t count;  ///< of rows
+    std::uint32_t count;  ///< number of stored corners
   };
-  /// Lowest of the first thing and highest of the second, along a pair's normal.
-  struct Span {
+  /// Lowest corner of the first primitive and highest of the second, along a pair's normal.
+  struct HeightSpan {
     float low;
     float high;
     float apart() const { return low - high; }
   };
 
-  PairExtent extent_of(const NearPair& near, const std::array<glm::vec3, 4>& positions) const;
-  Pair pair_of(const ContactPair& contact, const RowMoves& rows) const;
-  void level(const std::array<glm::vec3, 4>& positions, const RowMoves& rows, Pair& pair) const;
+  PairExtent pair_extent(const NearPair& near, const std::array<glm::vec3, 4>& positions) const;
+  RegionPair make_region_pair(const ContactPair& contact, const RowMoves& rows) const;
+  void level(const std::array<glm::vec3, 4>& positions, const RowMoves& rows, RegionPair& pair) const;
   void make_pairs(std::span<const ContactPair> pairs, const RowMoves& rows, bool is_again, ParallelKernels& kernels);
   void find_same(std::span<const ContactPair> pairs, std::size_t rows);
   void note_blocked(const NearPair& near, float distance);
   void note_kinematic_gap(std::span<const float> inverse_masses);
   void stand_still(const RowMoves& rows);
-  static void set_heights(const std::array<glm::vec3, 4>& positions, Pair& pair);
-  static Span span_of(const NearPair& near, const std::array<float, 4>& heights);
-  Span span_at_end(const Pair& pair) const;
-  void resolve(const Pair& pair, float left, bool is_urgent, std::span<const float> inverse_masses);
+  static void set_heights(const std::array<glm::vec3, 4>& positions, RegionPair& pair);
+  static HeightSpan height_span(const NearPair& near, const std::array<float, 4>& heights);
+  HeightSpan span_at_end(const RegionPair& pair) const;
+  void resolve(const RegionPair& pair, float left, bool is_urgent, std::span<const float> inverse_masses);
   void resolve_moves(std::span<const float> inverse_masses);
   void hold_where_needed(const RowMoves& rows);
-  bool hold(const NearPair& near, Held how, const RowMoves& rows);
+  bool hold(const NearPair& near, HoldKind how, const RowMoves& rows);
   bool fit_radii(RowMoves& rows);
   bool needs_larger_balls(RowMoves& rows) const;
   void place_half_spaces();
   void make_half_spaces(std::span<const float> inverse_masses, ParallelKernels& kernels);
-  void set_half_spaces(const Pair& pair, std::span<const float> inverse_masses);
-  float room_of(Index row) const;
+  void set_half_spaces(const RegionPair& pair, std::span<const float> inverse_masses);
+  float region_slack_m(Index row) const;
   void make_touches(const RowMoves& rows);
-  void add_touch(const Pair& pair, const std::array<float, 4>& weights, const RowMoves& rows);
+  void add_touch(const RegionPair& pair, const std::array<float, 4>& weights, const RowMoves& rows);
   static void collide(const Touch& touch, float time, float step, const Float4* since, Float4* previous,
                       Float4* current);
-  std::span<const HalfSpace> half_spaces_of(Index row) const;
-  glm::vec3 moved_less(Index row, float time, const glm::vec3& aim, const glm::vec3& end) const;
-  glm::vec3 slid(Index row, float time, const glm::vec3& aim, const glm::vec3& end) const;
+  std::span<const HalfSpace> half_spaces_at(Index row) const;
+  glm::vec3 limit_motion(Index row, float time, const glm::vec3& aim, const glm::vec3& end) const;
+  glm::vec3 slide_along_planes(Index row, float time, const glm::vec3& aim, const glm::vec3& end) const;
   static glm::vec3 end_within_ball(const glm::vec3& centre, float radius, const glm::vec3& aim, const glm::vec3& end);
-  glm::vec3 projected(Index row, float time, const glm::vec3& start, glm::vec3& stopped) const;
-  void bring_all_back(float time, const Float4Array& since, Float4Array* previous, Float4Array& current,
-                      ParallelKernels& kernels);
-  /// Where planes let a row go since the time 0, and where its ball does besides.
-  struct BroughtBack {
+  glm::vec3 project_onto_planes(Index row, float time, const glm::vec3& start, glm::vec3& stopped) const;
+  void project_all(float time, const Float4Array& since, Float4Array* previous, Float4Array& current,
+                   ParallelKernels& kernels);
+  /// Motion since the time 0 projected onto planes, and then clamped by the trust region.
+  struct RegionProjection {
     glm::vec3 within_planes;
     glm::vec3 end;
-    glm::vec3 stopped;  ///< what planes of kinematic things took of the way
+    glm::vec3 stopped;  ///< motion removed by planes of kinematic primitives
   };
-  BroughtBack bring_row_back(Index row, float time, const glm::vec3& moved) const;
+  RegionProjection project_row(Index row, float time, const glm::vec3& moved) const;
 
-  /// How far a row is from the origin, and how far it may go, in m.
+  /// Distance of a vertex from the origin, and its largest motion, in m.
   struct RowExtent {
     float from_origin;
     float moved;
   };
   std::vector<RowExtent> extents_;
-  std::vector<Pair> earlier_;  ///< pairs and extents of the regions that did not fit
+  std::vector<RegionPair> earlier_;  ///< pairs of the last regions, which did not fit
   std::vector<RowExtent> earlier_extents_;
-  std::vector<const Pair*> same_;  ///< by pair: the earlier one of the same rows in the same places, if known
+  std::vector<const RegionPair*> unchanged_pairs_;  ///< unchanged earlier pair of each pair, if known
   float displaced_m_ = 0.0F;
-  std::vector<Pair> pairs_;
+  std::vector<RegionPair> pairs_;
   std::optional<BlockedPair> blocked_;
   float kinematic_gap_m_ = 0.0F;
-  Float4Array expected_;  ///< the centres of balls at the time 1
-  /// As contact lets them, within the balls; `fourth` is how far from there a row is certainly within its
-  /// region, and infinite where it moves by exactly its moves.
-  Float4Array moves_;
-  std::vector<Held> held_;
+  Float4Array expected_;  ///< centres of the trust regions at the time 1
+  /// Motions that contact allows, within the trust regions. `fourth` is the distance from them that is certainly within
+  /// the region; infinite for kinematic vertices.
+  Float4Array planned_motions_;
+  std::vector<HoldKind> held_;
   std::vector<float> radii_;
   std::vector<float> deviations_;
-  std::vector<std::uint8_t> is_cut_short_;  ///< which rows contact would move out of their balls
+  std::vector<std::uint8_t> is_clamped_;  ///< marks vertices that contact would move out of their trust regions
   std::vector<Index> half_space_begin_;
-  std::vector<HalfSpace> half_spaces_;  ///< by row
+  std::vector<HalfSpace> half_spaces_;  ///< half-spaces by vertex
   std::vector<Touch> touches_;
-  /// The rows that one thread brings back, from its first block on.
-  struct Part {
+  /// Vertices that one thread projects.
+  struct ThreadPart {
     Lanes<std::uint32_t> rows;
-    std::vector<HeldBack> held_back;
+    std::vector<ClampedRow> held_back;
   };
-  std::vector<Part> parts_;
-  std::vector<HeldBack> held_back_;
+  std::vector<ThreadPart> parts_;
+  std::vector<ClampedRow> clamped_rows_;
 };
 
 }  // namespace taut::sim::bounded

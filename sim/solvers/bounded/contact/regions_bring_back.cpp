@@ -4,29 +4,30 @@
 #include "sim/solvers/bounded/tuning.hpp"
 
 namespace taut::sim::bounded {
-std::span<const Regions::HalfSpace> Regions::half_spaces_of(Index row) const {
+std::span<const Regions::HalfSpace> Regions::half_spaces_at(Index row) const {
   return {half_spaces_.data() + half_space_begin_[row], half_spaces_.data() + half_space_begin_[row + 1]};
 }
 
 bool Regions::contains(Index row, float time, const Vec3& moved_m) const {
+  assert(time >= 0.0F && time <= 1.0F);
   const Vec3 off_m = moved_m - Vec3(time * vec(expected_[row]));
   const double radius_m = radii_[row];
-  const std::span<const HalfSpace> half_spaces = half_spaces_of(row);
+  const std::span<const HalfSpace> half_spaces = half_spaces_at(row);
   return glm::dot(off_m, off_m) <= radius_m * radius_m &&
          std::all_of(half_spaces.begin(), half_spaces.end(), [&](const HalfSpace& half_space) {
            return glm::dot(Vec3(half_space.normal), moved_m) >= half_space.start + time * half_space.rate - tolerance_m;
          });
 }
 
-glm::vec3 Regions::projected(Index row, float time, const glm::vec3& start, glm::vec3& stopped) const {
+glm::vec3 Regions::project_onto_planes(Index row, float time, const glm::vec3& start, glm::vec3& stopped) const {
   glm::vec3 e = start;
   bool is_out = true;
-  for (int projection = 0; projection < tuning::most_rounds && is_out; ++projection) {
+  for (int projection = 0; projection < tuning::max_rounds && is_out; ++projection) {
     is_out = false;
-    for (const HalfSpace& half_space : half_spaces_of(row)) {
+    for (const HalfSpace& half_space : half_spaces_at(row)) {
       const float depth = half_space.start + time * half_space.rate - glm::dot(half_space.normal, e);
       if (depth > (projection == 0 ? 0.0F : tolerance_m)) {
-        e += (projection == 0 ? depth : tuning::over_projected * depth) * half_space.normal;
+        e += (projection == 0 ? depth : tuning::over_projection_factor * depth) * half_space.normal;
         if (projection == 0 && half_space.is_fixed) stopped += depth * half_space.normal;
         is_out = true;
       }
@@ -35,10 +36,10 @@ glm::vec3 Regions::projected(Index row, float time, const glm::vec3& start, glm:
   return e;
 }
 
-// Towards the aim, which is within all half-spaces, as little as will do.
-glm::vec3 Regions::moved_less(Index row, float time, const glm::vec3& aim, const glm::vec3& end) const {
+// Moves `end` towards the aim, which is within all half-spaces, by the smallest sufficient amount.
+glm::vec3 Regions::limit_motion(Index row, float time, const glm::vec3& aim, const glm::vec3& end) const {
   float part = 1.0F;
-  for (const HalfSpace& half_space : half_spaces_of(row)) {
+  for (const HalfSpace& half_space : half_spaces_at(row)) {
     const float limit = half_space.start + time * half_space.rate;
     const float room = glm::dot(half_space.normal, end) - limit;
     if (room < -tolerance_m) {
@@ -49,16 +50,16 @@ glm::vec3 Regions::moved_less(Index row, float time, const glm::vec3& aim, const
   return aim + part * (end - aim);
 }
 
-// Where planes are nearly opposite, projections onto them do not end. From the aim, which is within all
-// half-spaces, straight on up to a plane, then along it, then along it and a second one.
-glm::vec3 Regions::slid(Index row, float time, const glm::vec3& aim, const glm::vec3& end) const {
+// Projections between nearly opposite planes do not end. Instead the motion starts at the aim, which is within all
+// half-spaces, runs straight to a plane, then along it, then along it and a second one.
+glm::vec3 Regions::slide_along_planes(Index row, float time, const glm::vec3& aim, const glm::vec3& end) const {
   glm::vec3 e = aim;
   glm::vec3 left = end - aim;
   glm::vec3 first_normal(0.0F);
   for (int met = 0; met < 3; ++met) {
     float part = 1.0F;
     const HalfSpace* plane = nullptr;
-    for (const HalfSpace& half_space : half_spaces_of(row)) {
+    for (const HalfSpace& half_space : half_spaces_at(row)) {
       const float towards = -glm::dot(half_space.normal, left);
       const float room = std::max(glm::dot(half_space.normal, e) - half_space.start - time * half_space.rate, 0.0F);
       if (towards > room && room < part * towards) {
@@ -81,8 +82,9 @@ glm::vec3 Regions::slid(Index row, float time, const glm::vec3& aim, const glm::
   return e;
 }
 
-// From the aim outwards to where the ball ends: the larger root of |aim - centre + s out| = radius.
+// The ray from the aim ends at the trust region: the larger root of |aim - centre + s out| = radius.
 glm::vec3 Regions::end_within_ball(const glm::vec3& centre, float radius, const glm::vec3& aim, const glm::vec3& end) {
+  assert(radius >= 0.0F);
   const glm::vec3 out = end - aim;
   const glm::vec3 inside = aim - centre;
   const float a = glm::dot(out, out);
@@ -92,52 +94,54 @@ glm::vec3 Regions::end_within_ball(const glm::vec3& centre, float radius, const 
   return aim + std::clamp(s, 0.0F, 1.0F) * out;
 }
 
-Regions::BroughtBack Regions::bring_row_back(Index row, float time, const glm::vec3& moved) const {
-  const glm::vec3 aim = time * vec(moves_[row]);
+Regions::RegionProjection Regions::project_row(Index row, float time, const glm::vec3& moved) const {
+  const glm::vec3 aim = time * vec(planned_motions_[row]);
   glm::vec3 stopped(0.0F);
-  const glm::vec3 end = projected(row, time, moved, stopped);
-  glm::vec3 e = moved_less(row, time, aim, end);
-  if (e != end) e = moved_less(row, time, aim, slid(row, time, aim, end));
+  const glm::vec3 end = project_onto_planes(row, time, moved, stopped);
+  glm::vec3 e = limit_motion(row, time, aim, end);
+  if (e != end) e = limit_motion(row, time, aim, slide_along_planes(row, time, aim, end));
   const glm::vec3 centre = time * vec(expected_[row]);
   if (!(glm::dot(e - centre, e - centre) > radii_[row] * radii_[row])) return {e, e, stopped};
   return {e, end_within_ball(centre, radii_[row], aim, e), stopped};
 }
 
-void Regions::bring_all_back(float time, const Float4Array& since, Float4Array* previous, Float4Array& current,
-                             ParallelKernels& kernels) {
+void Regions::project_all(float time, const Float4Array& since, Float4Array* previous, Float4Array& current,
+                          ParallelKernels& kernels) {
+  assert(time >= 0.0F);
+  assert(since.size() == current.size());
   const std::size_t blocks = current.size() / block_size;
-  parts_.resize(std::max(parts_.size(), blocks / ParallelKernels::least_blocks + 1));
-  kernels.split(0, blocks, ParallelKernels::least_blocks, [&](std::size_t begin, std::size_t end) {
-    // No other part begins so near.
-    Part& part = parts_[begin / ParallelKernels::least_blocks];
+  parts_.resize(std::max(parts_.size(), blocks / ParallelKernels::min_blocks + 1));
+  kernels.split(0, blocks, ParallelKernels::min_blocks, [&](std::size_t begin, std::size_t end) {
+    // Ranges of other threads begin at least `min_blocks` away.
+    ThreadPart& part = parts_[begin / ParallelKernels::min_blocks];
     part.rows.resize((end - begin) * block_size + 1);
-    const std::size_t off = kernels.contact().off_their_ways(since.data(), moves_.data(), time, begin, end,
-                                                             current.data(), part.rows.data());
+    const std::size_t off = kernels.contact().list_off_motion(since.data(), planned_motions_.data(), time, begin, end,
+                                                              current.data(), part.rows.data());
     for (const Index row : std::span(part.rows).first(off)) {
       const glm::vec3 moved = vec(current[row]) - vec(since[row]);
-      const BroughtBack back = bring_row_back(row, time, moved);
-      if (back.end != moved) current[row] = float4_of(Vec3(vec(since[row]) + back.end));
+      const RegionProjection back = project_row(row, time, moved);
+      if (back.end != moved) current[row] = to_float4(Vec3(vec(since[row]) + back.end));
       if (previous != nullptr) add((*previous)[row], back.within_planes - moved - back.stopped);
       if (back.end != back.within_planes) part.held_back.push_back({row, back.within_planes - back.end});
     }
   });
-  held_back_.clear();
-  for (Part& part : parts_) {
-    held_back_.insert(held_back_.end(), part.held_back.begin(), part.held_back.end());
+  clamped_rows_.clear();
+  for (ThreadPart& part : parts_) {
+    clamped_rows_.insert(clamped_rows_.end(), part.held_back.begin(), part.held_back.end());
     part.held_back.clear();
   }
 }
 
-// Only a collision gives what one thing loses to the other: what a plane holds is late, and as fast as it was.
-std::span<const HeldBack> Regions::bring_back(float time, const Float4Array& since, Float4Array& previous,
-                                              Float4Array& current, ParallelKernels& kernels) {
-  bring_all_back(time, since, &previous, current, kernels);
-  return held_back_;
+// Only collisions transfer momentum, so a vertex stopped by a plane keeps its velocity.
+std::span<const ClampedRow> Regions::project_into_region(float time, const Float4Array& since, Float4Array& previous,
+                                                         Float4Array& current, ParallelKernels& kernels) {
+  project_all(time, since, &previous, current, kernels);
+  return clamped_rows_;
 }
 
-std::size_t Regions::bring_back(const Float4Array& since, Float4Array& current, ParallelKernels& kernels) {
-  bring_all_back(1.0F, since, nullptr, current, kernels);
-  return held_back_.size();
+std::size_t Regions::project_into_region(const Float4Array& since, Float4Array& current, ParallelKernels& kernels) {
+  project_all(1.0F, since, nullptr, current, kernels);
+  return clamped_rows_.size();
 }
 
 }  // namespace taut::sim::bounded

@@ -6,7 +6,7 @@
 
 namespace taut::sim::bounded {
 
-void Regions::add_touch(const Pair& pair, const std::array<float, 4>& weights, const RowMoves& rows) {
+void Regions::add_touch(const RegionPair& pair, const std::array<float, 4>& weights, const RowMoves& rows) {
   const ContactPair& contact = pair.contact;
   const auto sign = [&](Index k) { return k < contact.near.first_count ? 1.0F : -1.0F; };
   float mobility = 0.0F;
@@ -27,26 +27,27 @@ void Regions::add_touch(const Pair& pair, const std::array<float, 4>& weights, c
       touch.mobilities[touch.count] = weight * rows.inverse_masses_per_kg[row] / mobility;
       ++touch.count;
     } else {
-      carried += weight * vec(moves_[row]);
+      carried += weight * vec(planned_motions_[row]);
     }
   }
   const float wanted = std::min(contact.thickness_m, std::max(distance, 0.0F));
   const float lacking = contact.thickness_m - wanted;
-  const float parted = std::min(lacking, std::max(tuning::parted_at_once * lacking, least_part * contact.thickness_m));
+  const float separation =
+      std::min(lacking, std::max(tuning::separation_fraction * lacking, min_gap_fraction * contact.thickness_m));
   add(touch.normal, pair.normal);
-  add(touch.carried, carried - contact.surface_slides);
+  add(touch.kinematic_motion, carried - contact.surface_slide_m);
   touch.distance = distance;
-  touch.wanted = wanted;
-  touch.rate = parted - glm::dot(pair.normal, carried);
+  touch.target_distance = wanted;
+  touch.rate = separation - glm::dot(pair.normal, carried);
   touch.friction = contact.friction;
   touches_.push_back(touch);
 }
 
-float Regions::touched_m(float thickness_m) { return (1.0F + tuning::parted_at_once) * thickness_m; }
+float Regions::touched_m(float thickness_m) { return (1.0F + tuning::separation_fraction) * thickness_m; }
 
 void Regions::make_touches(const RowMoves& rows) {
   touches_.clear();
-  for (const Pair& pair : pairs_) {
+  for (const RegionPair& pair : pairs_) {
     if (std::min(pair.distance, span_at_end(pair).apart()) > touched_m(pair.contact.thickness_m)) continue;
     if (pair.contact.near.first_count < 3) {
       add_touch(pair, pair.weights, rows);
@@ -67,19 +68,19 @@ void Regions::collide(const Touch& touch, float time, float step, const Float4* 
     const Index row = touch.rows[k];
     add_scaled(moved, scaled_sum(current[row], since[row], -1.0F), touch.weights[k]);
   }
-  const float lacking = touch.wanted + time * touch.rate - touch.distance - dot(touch.normal, moved);
+  const float lacking = touch.target_distance + time * touch.rate - touch.distance - dot(touch.normal, moved);
   if (!(lacking > 0.0F)) return;
-  const Float4 parted = times(touch.normal, lacking);
-  Float4 slid = scaled_sum(parted, touch.carried, step);
+  const Float4 separation = multiply(touch.normal, lacking);
+  Float4 sliding = scaled_sum(separation, touch.kinematic_motion, step);
   for (std::size_t k = 0; k < touch.count; ++k) {
     const Index row = touch.rows[k];
-    add_scaled(slid, scaled_sum(current[row], previous[row], -1.0F), touch.weights[k]);
+    add_scaled(sliding, scaled_sum(current[row], previous[row], -1.0F), touch.weights[k]);
   }
-  const float away = dot(slid, touch.normal);
-  slid = scaled_sum(slid, touch.normal, -away);
-  const float stopped = stopped_share(touch.friction, lacking, std::sqrt(dot(slid, slid)));
-  const Float4 moves = scaled_sum(parted, slid, -stopped);
-  const Float4 unspent = times(touch.normal, std::clamp(away, 0.0F, lacking));
+  const float away = dot(sliding, touch.normal);
+  sliding = scaled_sum(sliding, touch.normal, -away);
+  const float stopped = stopped_share(touch.friction, lacking, std::sqrt(dot(sliding, sliding)));
+  const Float4 moves = scaled_sum(separation, sliding, -stopped);
+  const Float4 unspent = multiply(touch.normal, std::clamp(away, 0.0F, lacking));
   for (std::size_t k = 0; k < touch.count; ++k) {
     add_scaled(current[touch.rows[k]], moves, touch.mobilities[k]);
     add_scaled(previous[touch.rows[k]], unspent, touch.mobilities[k]);
@@ -88,6 +89,9 @@ void Regions::collide(const Touch& touch, float time, float step, const Float4* 
 
 void Regions::collide(float time, float step, const Float4Array& since, Float4Array& previous,
                       Float4Array& current) const {
+  assert(step >= 0.0F);
+  assert(since.size() == current.size());
+  assert(previous.size() == current.size());
   for (const Touch& touch : touches_) {
     collide(touch, time, step, since.data(), previous.data(), current.data());
   }

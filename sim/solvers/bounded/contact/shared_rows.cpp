@@ -6,7 +6,7 @@ namespace taut::sim::bounded {
 
 BlockLanePairs shared_rows(const PrimitiveLanes& a, const PrimitiveLanes& b) {
   BlockLanePairs all;
-  std::vector<std::vector<std::uint32_t>> lanes_of_row;  // of `b`
+  std::vector<std::vector<std::uint32_t>> lanes_of_row;  // lanes of `b` by vertex
   for (std::size_t k = 0; k < b.corner_count; ++k) {
     for (std::uint32_t lane = 0; lane < b.count; ++lane) {
       const std::size_t row = b.at[k][lane] / 4;

@@ -6,11 +6,11 @@
 
 namespace taut::sim::bounded {
 
-/// Kernels work on blocks of this many springs, triangles or rows of a matrix, whatever the width of the
-/// processor's vectors. Padding, selecting and sharing among threads are done in whole blocks.
+/// Number of springs, triangles or matrix rows in a block, for any width of the processor's vectors. Padding, selection
+/// and division among threads are in whole blocks.
 inline constexpr std::size_t block_size = 16;
 
-/// An allocator that starts arrays on a cache line, so that no vector of theirs crosses two lines.
+/// Allocator that starts arrays on a cache line, so that no vector crosses two lines.
 template <typename T> struct LineAligned {
   using value_type = T;
   static constexpr std::align_val_t line_bytes{64};
@@ -24,7 +24,7 @@ template <typename T> struct LineAligned {
 };
 
 template <typename T>
-/// An array that kernels load vectors from.
+/// Array from which kernels load vectors.
 using Lanes = std::vector<T, LineAligned<T>>;
 
 }  // namespace taut::sim::bounded

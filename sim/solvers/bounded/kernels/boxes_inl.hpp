@@ -1,5 +1,5 @@
-// The kernels that find which boxes overlap, for the target being compiled. The file is included once per
-// target, so its include guard is of another kind.
+// Kernels that find overlapping boxes, for the target being compiled. The file is included once per target, so its
+// include guard is of another kind.
 #if defined(TAUT_BOXES_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef TAUT_BOXES_INL
 #undef TAUT_BOXES_INL
@@ -36,7 +36,7 @@ HWY_INLINE Boxes load_boxes(const BoxBlock& block, std::size_t k) {
   return {load_lanes(block.low, k), load_lanes(block.high, k)};
 }
 
-HWY_INLINE std::uint32_t bits_of(Mask mask) {
+HWY_INLINE std::uint32_t mask_bits(Mask mask) {
   std::uint8_t bytes[8] = {};
   hn::StoreMaskBits(Floats(), mask, bytes);
   const std::uint32_t bits = bytes[0] | std::uint32_t{bytes[1]} << 8;
@@ -49,12 +49,12 @@ HWY_INLINE Triple lesser(const Triple& p, const Triple& q) {
 HWY_INLINE Triple greater(const Triple& p, const Triple& q) {
   return {hn::Max(p.x, q.x), hn::Max(p.y, q.y), hn::Max(p.z, q.z)};
 }
-HWY_INLINE Triple coordinates_of(const Four& m) { return {m.a, m.b, m.c}; }
+HWY_INLINE Triple to_triple(const Four& m) { return {m.a, m.b, m.c}; }
 
-HWY_INLINE Boxes reach_of(const MovingRows& rows, const std::uint32_t* at) {
-  const Triple begin = as_coordinates(load_rows(floats_of(rows.places), at));
-  const Four way = transposed(load_rows(floats_of(rows.ways), at));
-  const Triple end = begin + coordinates_of(way);
+HWY_INLINE Boxes swept_boxes(const MovingRows& rows, const std::uint32_t* at) {
+  const Triple begin = as_coordinates(load_rows(as_floats(rows.positions), at));
+  const Four way = transpose(load_rows(as_floats(rows.motions), at));
+  const Triple end = begin + to_triple(way);
   const Triple radius = {way.d, way.d, way.d};
   return {lesser(begin, end) - radius, greater(begin, end) + radius};
 }
@@ -70,7 +70,7 @@ HWY_INLINE void store_or_empty(Mask is_some, const Triple& v, float otherwise, s
   hn::Store(hn::IfThenElse(is_some, v.z, none), f, &values[2][k]);
 }
 
-/// Returns which of the lanes from `first` on are below `count`.
+/// Returns a mask of the lanes from `first` on that are below `count`.
 HWY_INLINE Mask lanes_below(std::size_t first, std::size_t count) {
   const Integers u;
   return hn::RebindMask(
@@ -86,9 +86,9 @@ HWY_INLINE void store_or_empty(Mask is_some, const Boxes& boxes, std::size_t k, 
 void enclose(const PrimitiveLanes& primitives, std::size_t begin, std::size_t end, const MovingRows& rows,
              BoxBlock* boxes) {
   for (std::size_t lane = begin * block_size; lane < end * block_size; lane += lanes) {
-    Boxes reach = reach_of(rows, &primitives.at[0][lane]);
+    Boxes reach = swept_boxes(rows, &primitives.at[0][lane]);
     for (std::size_t corner = 1; corner < primitives.corner_count; ++corner) {
-      reach = around(reach, reach_of(rows, &primitives.at[corner][lane]));
+      reach = around(reach, swept_boxes(rows, &primitives.at[corner][lane]));
     }
     const Mask is_some = lanes_below(lane, primitives.count);
     store_or_empty(is_some, reach, lane % block_size, boxes[lane / block_size]);
@@ -118,26 +118,26 @@ using Shorts = hn::CappedTag<std::int16_t, block_size>;
 using ShortMask = hn::Mask<Shorts>;
 constexpr std::size_t short_lanes = hn::MaxLanes(Shorts());
 
-HWY_INLINE std::uint32_t bits_of(ShortMask mask) {
+HWY_INLINE std::uint32_t mask_bits(ShortMask mask) {
   std::uint8_t bytes[8] = {};
   hn::StoreMaskBits(Shorts(), mask, bytes);
   const std::uint32_t bits = bytes[0] | std::uint32_t{bytes[1]} << 8;
   return bits & ((1U << short_lanes) - 1U);
 }
 
-/// The coordinate of what is empty is infinite, and above all others.
+/// Rounds the coordinates of a block; the infinite coordinates of empty boxes get the highest number.
 HWY_INLINE void round_lanes(const std::array<float, block_size>& values, float origin, float per_m,
                             std::array<std::int16_t, block_size>& rounded) {
-  constexpr float highest_number = std::numeric_limits<std::int16_t>::max();
+  constexpr float max_grid_number = std::numeric_limits<std::int16_t>::max();
   const Floats f;
   const hn::Rebind<std::int32_t, Floats> whole;
   const hn::Rebind<std::int16_t, Floats> half;
   for (std::size_t k = 0; k < block_size; k += lanes) {
     const V value = hn::Load(f, &values[k]);
     const V scaled = hn::Mul(hn::Sub(value, hn::Set(f, origin)), hn::Set(f, per_m));
-    const V within = hn::Min(hn::Max(scaled, hn::Set(f, -highest_number)), hn::Set(f, highest_number - 1.0F));
+    const V within = hn::Min(hn::Max(scaled, hn::Set(f, -max_grid_number)), hn::Set(f, max_grid_number - 1.0F));
     const Mask is_some = hn::Le(value, hn::Set(f, std::numeric_limits<float>::max()));
-    const auto number = hn::ConvertTo(whole, hn::IfThenElse(is_some, within, hn::Set(f, highest_number)));
+    const auto number = hn::ConvertTo(whole, hn::IfThenElse(is_some, within, hn::Set(f, max_grid_number)));
     hn::Store(hn::DemoteTo(half, number), half, &rounded[k]);
   }
 }
@@ -170,7 +170,7 @@ HWY_INLINE RoundedBox within_both(const RoundedBox& p, const RoundedBox& q) {
   return both;
 }
 
-/// Returns which boxes of a block may overlap a box, as bits.
+/// Returns as bits which boxes of a block may overlap a box.
 HWY_INLINE std::uint32_t overlapping_bits(const RoundedBox& box, const RoundedBoxes& boxes) {
   const Shorts s;
   std::uint32_t bits = 0;
@@ -179,13 +179,13 @@ HWY_INLINE std::uint32_t overlapping_bits(const RoundedBox& box, const RoundedBo
       return hn::Or(hn::Gt(hn::Load(s, &boxes.low[axis][k]), hn::Set(s, box.high[axis])),
                     hn::Gt(hn::Set(s, box.low[axis]), hn::Load(s, &boxes.high[axis][k])));
     };
-    bits |= bits_of(hn::Not(hn::Or(hn::Or(apart(0), apart(1)), apart(2)))) << k;
+    bits |= mask_bits(hn::Not(hn::Or(hn::Or(apart(0), apart(1)), apart(2)))) << k;
   }
   return bits;
 }
 
-/// A pair of lanes of a pair of blocks as one number: stores are what this search waits for.
-struct Code {
+/// A pair of lanes of a pair of blocks as one number, as stores limit the speed of this search.
+struct LanePairCode {
   static HWY_INLINE std::uint32_t of(std::size_t pair, std::size_t lanes_of_pair) {
     return static_cast<std::uint32_t>(pair * block_size * block_size + lanes_of_pair);
   }
@@ -194,20 +194,21 @@ struct Code {
   static HWY_INLINE std::size_t lane_of_second(std::uint32_t code) { return code % block_size; }
 };
 
-/// Sets of lanes of another block for each lane, as the bits of a few numbers.
+/// Sets of lanes of another block for each lane, as bits of a few words.
 struct LaneBits {
   static constexpr std::size_t word_bits = 64;
-  alignas(32) LanePairs of = {};
+  alignas(32) LanePairs lane_sets = {};
 
   HWY_INLINE std::uint64_t word(std::size_t w) const {
     constexpr std::size_t per_word = word_bits / block_size;
     std::uint64_t bits = 0;
-    for (std::size_t k = 0; k < per_word; ++k) bits |= std::uint64_t{of[w * per_word + k]} << (k * block_size);
+    for (std::size_t k = 0; k < per_word; ++k) bits |= std::uint64_t{lane_sets[w * per_word + k]} << (k * block_size);
     return bits;
   }
 };
 
-/// Lists pairs of lanes whose boxes overlap. Two boxes overlap only where those around their blocks do.
+/// Lists the pairs of lanes with overlapping boxes. Boxes overlap only in the intersection of the boxes around their
+/// blocks.
 std::size_t overlapping_codes(const BoxLevel& a, const BoxLevel& b, const BlockPairs& pairs, std::uint32_t* codes) {
   static constexpr LanePairs none = {};
   std::size_t size = 0;
@@ -220,19 +221,19 @@ std::size_t overlapping_codes(const BoxLevel& a, const BoxLevel& b, const BlockP
                                         box_in(b.around[block_b / block_size], block_b % block_size));
     std::uint32_t reaching = overlapping_bits(both, mine);
     if (reaching == 0) continue;
-    const LanePairs& left_out = pairs.left_out == nullptr ? none : pairs.left_out->between(block_a, block_b);
+    const LanePairs& left_out = pairs.excluded == nullptr ? none : pairs.excluded->between(block_a, block_b);
     const bool is_same = &mine == &others;
     LaneBits hits;
     for (; reaching != 0; reaching &= reaching - 1) {
       const auto lane = static_cast<std::uint32_t>(std::countr_zero(reaching));
-      // Lanes before this one of the same block have had it as their other.
+      // Earlier lanes of the same block have been compared with this one.
       const std::uint32_t before = is_same ? (1U << lane) - 1U : 0U;
-      hits.of[lane] = static_cast<std::uint16_t>(overlapping_bits(box_in(mine, lane), others) &
-                                                 ~(before | std::uint32_t{left_out[lane]}));
+      hits.lane_sets[lane] = static_cast<std::uint16_t>(overlapping_bits(box_in(mine, lane), others) &
+                                                        ~(before | std::uint32_t{left_out[lane]}));
     }
     for (std::size_t w = 0; w < block_size * block_size / LaneBits::word_bits; ++w) {
       for (std::uint64_t bits = hits.word(w); bits != 0; bits &= bits - 1) {
-        codes[size++] = Code::of(p, w * LaneBits::word_bits + static_cast<std::size_t>(std::countr_zero(bits)));
+        codes[size++] = LanePairCode::of(p, w * LaneBits::word_bits + static_cast<std::size_t>(std::countr_zero(bits)));
       }
     }
   }
@@ -243,14 +244,14 @@ std::size_t overlapping_lanes(const BoxLevel& a, const BoxLevel& b, const BlockP
   const std::size_t size = overlapping_codes(a, b, pairs, found[0]);
   for (std::size_t n = 0; n < size; ++n) {
     const std::uint32_t code = found[0][n];
-    const std::size_t p = Code::pair_of(code);
-    found[1][n] = static_cast<std::uint32_t>(pairs.second[p] * block_size + Code::lane_of_second(code));
-    found[0][n] = static_cast<std::uint32_t>(pairs.first[p] * block_size + Code::lane_of_first(code));
+    const std::size_t p = LanePairCode::pair_of(code);
+    found[1][n] = static_cast<std::uint32_t>(pairs.second[p] * block_size + LanePairCode::lane_of_second(code));
+    found[0][n] = static_cast<std::uint32_t>(pairs.first[p] * block_size + LanePairCode::lane_of_first(code));
   }
   return size;
 }
 
-/// Lists those that share no row.
+/// Lists the overlapping primitives without a common vertex.
 template <std::size_t corners_a, std::size_t corners_b>
 std::size_t overlapping_primitives(const BoxLevel& a, const BoxLevel& b, const BlockPairs& pairs,
                                    const PairLists& found) {
@@ -260,21 +261,21 @@ std::size_t overlapping_primitives(const BoxLevel& a, const BoxLevel& b, const B
   for (std::size_t d = 0; d < corners_b; ++d) others[d] = b.primitives->at[d].data();
   const PairLists lists = found;
   const std::size_t size = overlapping_codes(a, b, pairs, lists[0]);
-  std::size_t kept = 0;
+  std::size_t kept_count = 0;
   for (std::size_t n = 0; n < size; ++n) {
     const std::uint32_t code = lists[0][n];
-    const std::size_t p = Code::pair_of(code);
-    const std::size_t i = pairs.first[p] * block_size + Code::lane_of_first(code);
-    const std::size_t j = pairs.second[p] * block_size + Code::lane_of_second(code);
+    const std::size_t p = LanePairCode::pair_of(code);
+    const std::size_t i = pairs.first[p] * block_size + LanePairCode::lane_of_first(code);
+    const std::size_t j = pairs.second[p] * block_size + LanePairCode::lane_of_second(code);
     bool shares = false;
     for (std::size_t d = 0; d < corners_b; ++d) {
-      lists[corners_a + d][kept] = others[d][j];
+      lists[corners_a + d][kept_count] = others[d][j];
       for (std::size_t c = 0; c < corners_a; ++c) shares |= mine[c][i] == others[d][j];
     }
-    for (std::size_t c = 0; c < corners_a; ++c) lists[c][kept] = mine[c][i];
-    kept += shares ? 0 : 1;
+    for (std::size_t c = 0; c < corners_a; ++c) lists[c][kept_count] = mine[c][i];
+    kept_count += shares ? 0 : 1;
   }
-  return kept;
+  return kept_count;
 }
 
 std::size_t overlapping(const BoxLevel& a, const BoxLevel& b, const BlockPairs& pairs, const PairLists& found) {

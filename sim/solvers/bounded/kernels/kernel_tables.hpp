@@ -4,13 +4,13 @@
 
 namespace taut::sim::bounded {
 
-/// The wind's kernel uses at least this as twice the area of a triangle, in m^2, when it divides by it.
-inline constexpr float smallest_doubled_area_m2 = 1e-20F;
+/// Smallest doubled area of a triangle by which the wind kernel divides, in m^2.
+inline constexpr float min_doubled_area_m2 = 1e-20F;
 
-/// The kernels in ordinary instructions, which run on any processor.
+/// Returns the kernels in ordinary instructions, for any processor.
 const Kernels& emulated_kernels();
 
-/// Returns null if the compiler or this processor does not support the unit.
+/// Returns the kernels for a unit; null if the compiler or this processor does not support it.
 const Kernels* vector_kernels(VectorUnit unit);
 
 }  // namespace taut::sim::bounded

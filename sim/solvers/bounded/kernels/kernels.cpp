@@ -8,7 +8,7 @@
 
 namespace taut::sim {
 
-const char* name_of(VectorUnit unit) {
+const char* to_name(VectorUnit unit) {
   constexpr std::array names = {"best", "scalar", "sse", "avx2", "avx512"};
   return names[static_cast<std::size_t>(unit)];
 }
@@ -28,7 +28,7 @@ const Kernels& kernels_for(VectorUnit unit) {
   const Kernels* kernels = vector_kernels(unit);
   if (kernels == nullptr && unit == VectorUnit::best) return emulated_kernels();
   if (kernels == nullptr) {
-    throw std::invalid_argument(std::string("this processor has no ") + name_of(unit) +
+    throw std::invalid_argument(std::string("this processor has no ") + to_name(unit) +
                                 "; the solver's vector unit must be best or one it has");
   }
   return *kernels;

@@ -12,35 +12,34 @@
 
 namespace taut::sim::bounded {
 
-/// The input of the wind kernel besides the cloth, in the kernel's single precision.
+/// Input of the wind kernel besides the cloth, in single precision.
 struct AirFlow {
   std::array<float, 3> velocity_m_per_s = {0.0F, 0.0F, 0.0F};
   float half_density_pressure = 0.0F;  ///< 1/2 rho C_n, in kg/m^3
   float half_density_friction = 0.0F;  ///< 1/2 rho C_t, in kg/m^3
-  /// The time the force acts, divided by the areal density of the cloth, in s m^2/kg.
+  /// Duration of the force divided by the areal density of the cloth, in s m^2/kg.
   float time_per_density = 0.0F;
   float per_time_step = 0.0F;  ///< 1 / dt, in 1/s
 };
 
-/// The input of a prediction besides the cloth.
+/// Input of a prediction besides the cloth.
 struct Prediction {
-  float decay = 1.0F;       ///< the factor on all velocities per time step
-  float dt_squared = 0.0F;  ///< the square of the time step, in s^2
-  /// How far pins have moved from the start of the frame to the end of this step, in m.
+  float decay = 1.0F;       ///< factor on all velocities per time step
+  float dt_squared = 0.0F;  ///< squared time step, in s^2
+  /// Displacement of the pins from the start of the frame to the end of this step, in m.
   Float4 pins_moved;
 };
 
-/// The loops in which the solver spends its time. Each does the same operations on every element in the same
-/// order for any width of vectors. So all vector units give the same bits. There is no fused multiply-add, no
-/// approximate reciprocal and no approximate square root. Arrays of Float4 have one entry per row of the
-/// layout unless said otherwise.
+/// Loops in which the solver spends its time. Each does the same operations on every element in the same order for any
+/// width of vectors, so all vector units give the same bits. There is no fused multiply-add, no approximate reciprocal
+/// and no approximate square root. Arrays of Float4 have one entry per solver index unless said otherwise.
 struct Kernels {
-  /// Eq. (1) in displacements d since the start of the frame, in m, for rows [begin, end), which are
+  /// Eq. (1) in displacements d since the start of the frame, in m, for solver indices [begin, end), which are
   /// multiples of the block size:
   ///   previous <- d + (d - previous) decay + a dt^2
-  /// where `current` holds d. The caller then swaps the two arrays. A vertex that is predicted beyond the
-  /// length of its tether is brought back to that length, with the relative error of `sweep`. `tethers` has
-  /// one entry per row, or is null if there are none.
+  /// where `current` holds d. The caller then swaps the two arrays. A vertex predicted beyond the length of its tether
+  /// is moved back to that length, with the relative error of `sweep`. `tethers` has one entry per solver index, or is
+  /// null.
   void (*predict)(std::size_t begin, std::size_t end, const Prediction& prediction, const Tether* tethers,
                   const Float4* accelerations, const Float4* current, Float4* previous);
 
@@ -61,20 +60,19 @@ struct Kernels {
 
   /// Writes the largest |L'|^2 / |L|^2 of the springs of each block in [begin, end) to `squared_ratios`,
   /// which has one entry per block.
-  void (*largest_ratios)(const SpringLanes& springs, std::size_t begin, std::size_t end, const Float4* rows,
-                         float* squared_ratios);
+  void (*find_max_ratios)(const SpringLanes& springs, std::size_t begin, std::size_t end, const Float4* rows,
+                          float* squared_ratios);
 
   /// Sets the deformation gradients at the start of the frame of the triangles in blocks [begin, end).
   void (*start_surface)(const StartRows& start, std::size_t begin, std::size_t end, SurfaceLanes& triangles);
 
-  /// The strong constraint of a triangle, for the blocks of `range`. Where a singular value s of the
-  /// deformation gradient F exceeds 1 along the direction v, the corners move along F v until it is 1; where
-  /// it is below 1 they correct a fraction of the error. The error is (s^2 - 1) / (s^2 + 1), as for springs.
-  /// Both singular values are corrected at once; to the first order they do not disturb each other. Corner k
-  /// moves by
+  /// The strong constraint of a triangle, for the blocks of `range`. If a singular value s of the deformation gradient
+  /// F exceeds 1 along the direction v, the corners move along F v until it is 1; if it is below 1, they correct a
+  /// fraction of the error. The error is (s^2 - 1) / (s^2 + 1), as for springs. Both singular values are corrected at
+  /// once; to first order they do not disturb each other. Corner k moves by
   ///   -error w_k (g_k v) / (sum of w (g v)^2) F v,
-  /// the projection onto the half-space that touches s <= 1 there (Polyak 1969). See SurfaceMobility.
-  /// Adds them to `sums`, by block of the lanes, unless it is null.
+  /// the projection onto the half-space that touches s <= 1 there (Polyak 1969). See SurfaceMobility. Adds the
+  /// corrections to `sums`, by block of the lanes, unless it is null.
   void (*sweep_surface)(const SurfaceLanes& triangles, const BlockRange& range, SurfaceSums* sums, Float4* rows);
 
   /// Shortens the triangles that exceed the bound in either direction, in the listed blocks, which must be of
@@ -84,32 +82,31 @@ struct Kernels {
 
   /// Writes the largest s^2 of the triangles of each block in [begin, end) to `squared_ratios`, which has one
   /// entry per block.
-  void (*largest_surface_ratios)(const SurfaceLanes& triangles, std::size_t begin, std::size_t end, const Float4* rows,
-                                 float* squared_ratios);
+  void (*find_max_surface_ratios)(const SurfaceLanes& triangles, std::size_t begin, std::size_t end, const Float4* rows,
+                                  float* squared_ratios);
 
-  /// Writes the force of the air that each corner of a triangle gets, in N, for triangles [begin, end),
-  /// multiples of the block size. `corner_forces` has one entry per triangle. Positions are `start` +
-  /// `current`, in m; `previous` is one time step earlier. `opposed` is the change of velocity in m/s that all
-  /// other forces are expected to bring about in the time; its fourth number is 1 in rows that can move. The law is
-  /// that of sim/forces.hpp, which knows no other forces.
+  /// Writes the force of the air on each corner of triangles [begin, end), multiples of the block size, in N.
+  /// `corner_forces` has one entry per triangle. Positions are `start` + `current`, in m; `previous` is one time step
+  /// earlier. `opposed` is the velocity change in m/s expected from all other forces in the time; its fourth number is
+  /// 1 for movable vertices. The law equals sim/forces.hpp, which ignores other forces.
   void (*wind)(const TriangleLanes& triangles, const AirFlow& air, std::size_t begin, std::size_t end,
                const Float4* start, const Float4* current, const Float4* previous, const Float4* opposed,
                Float4* corner_forces);
 
-  /// For the rows of slices [begin, end): result += sum over the columns of value (x_column - x_row).
+  /// Adds the matrix rows of slices [begin, end): result += sum over the columns of value (x_column - x_row).
   void (*add_product)(const SlicedMatrix& matrix, std::size_t begin, std::size_t end, const Float4* positions,
                       Float4* result);
 
-  /// The search for what is near.
+  /// Kernels of the search for near pairs.
   ContactKernels contact;
 };
 
-/// Added to the divisor of SurfaceMobility, which is 1/2 on average: a triangle with two corners pinned too
-/// far apart would else throw its third corner any distance. A larger value corrects less at once.
-inline constexpr float least_mobility = 1.0F / 256.0F;
+/// Addition to the divisor of SurfaceMobility, which is 1/2 on average. Without it a triangle with two corners pinned
+/// too far apart would throw its third corner any distance. Higher values correct less at once.
+inline constexpr float min_mobility = 1.0F / 256.0F;
 
-/// Less than any half difference of squared singular values that single precision tells from 0.
-inline constexpr float least_radius = 1e-12F;
+/// Smallest half difference of squared singular values; below the resolution of single precision.
+inline constexpr float min_radius = 1e-12F;
 
 /// Returns the kernels for a unit. Throws std::invalid_argument if this processor does not have it.
 const Kernels& kernels_for(VectorUnit unit);

@@ -1,4 +1,4 @@
-// The kernels again, with vectors of four floats made of ordinary instructions, for processors without
+// The kernels compiled again, with vectors of four floats made of ordinary instructions, for processors without
 // vectors.
 #define HWY_COMPILE_ONLY_EMU128
 // Highway disables its emulation for GCC before 12.3, which miscompiles products of integers. The kernels

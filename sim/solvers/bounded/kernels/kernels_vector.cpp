@@ -1,6 +1,6 @@
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "sim/solvers/bounded/kernels/kernels_vector.cpp"
-// Vectors whose length is known only at run time cannot be split into rows.
+// Vectors with a length known only at run time cannot be split into entries.
 #define HWY_DISABLED_TARGETS (HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV)
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
@@ -17,7 +17,7 @@ namespace {
 
 #if HWY_TARGET != HWY_SCALAR
 
-/// Returns L' of `lanes` springs, from lane k of a block on, between rows that are loaded already.
+/// Returns L' of `lanes` springs from lane k of a block, with ends that are loaded already.
 HWY_INLINE Triple springs_between(const SpringBlock& block, std::size_t k, const Four& i, const Four& j) {
   const Floats f;
   const Triple start = {hn::Load(f, &block.start_x[k]), hn::Load(f, &block.start_y[k]), hn::Load(f, &block.start_z[k])};
@@ -32,21 +32,20 @@ HWY_INLINE void shorten_springs(const SpringBlock& block, std::size_t k, const F
   store_rows(j + (whole - part_i), rows, &block.at_j[k]);
 }
 
-/// Returns, in all four places of each row, the sum of its coordinates as (x + y) + z. The fourth coordinate
-/// must be 0.
+/// Returns, in all four floats of each entry, its sum of coordinates (x + y) + z. The fourth float must be 0.
 HWY_INLINE V sums_of_coordinates(V rows) {
   const V pairs = hn::Add(rows, hn::Shuffle2301(rows));
   return hn::Add(pairs, hn::Shuffle1032(pairs));
 }
 
-/// Keeps the coordinates of rows, and makes what is unused 0.
+/// Sets the fourth float of each entry to 0.
 HWY_INLINE V coordinates_alone(V rows) {
   alignas(16) static constexpr std::uint32_t coordinates[4] = {~0U, ~0U, ~0U, 0U};
   return hn::And(rows, hn::BitCast(Floats(), hn::LoadDup128(hn::RebindToUnsigned<Floats>(), coordinates)));
 }
 
-/// Brings rows that are farther from the pin than their tether is long back to its length.
-HWY_INLINE V tethered(V rows, const Tether* tethers, V pins_moved) {
+/// Moves vertices beyond the length of their tether back to that length.
+HWY_INLINE V apply_tethers(V rows, const Tether* tethers, V pins_moved) {
   const Floats f;
   const V tether = hn::Load(f, &tethers->start_x);
   const V from_pin = coordinates_alone(hn::Add(hn::Sub(rows, pins_moved), tether));
@@ -66,19 +65,19 @@ void predict(std::size_t begin, std::size_t end, const Prediction& prediction, c
   const V dts_squared = hn::Set(f, prediction.dt_squared);
   const V pins_moved = hn::LoadDup128(f, &prediction.pins_moved.x);
   for (std::size_t r = begin; r < end; r += lanes / 4) {
-    const V d = hn::Load(f, floats_of(current + r));
-    const V moved = hn::Mul(hn::Sub(d, hn::Load(f, floats_of(previous + r))), decays);
-    const V driven = hn::Mul(hn::Load(f, floats_of(accelerations + r)), dts_squared);
+    const V d = hn::Load(f, as_floats(current + r));
+    const V moved = hn::Mul(hn::Sub(d, hn::Load(f, as_floats(previous + r))), decays);
+    const V driven = hn::Mul(hn::Load(f, as_floats(accelerations + r)), dts_squared);
     const V predicted = hn::Add(d, hn::Add(moved, driven));
-    hn::Store(tethers == nullptr ? predicted : tethered(predicted, tethers + r, pins_moved), f,
-              floats_of(previous + r));
+    hn::Store(tethers == nullptr ? predicted : apply_tethers(predicted, tethers + r, pins_moved), f,
+              as_floats(previous + r));
   }
 }
 
 void start_springs(const StartRows& start, std::size_t begin, std::size_t end, SpringLanes& springs) {
   const Floats f;
-  const float* high = floats_of(start.high.data());
-  const float* low = floats_of(start.low.data());
+  const float* high = as_floats(start.high.data());
+  const float* low = as_floats(start.low.data());
   for (std::size_t b = begin; b < end; ++b) {
     SpringBlock& block = springs.blocks[b];
     for (std::size_t k = 0; k < block_size; k += lanes) {
@@ -94,7 +93,7 @@ void start_springs(const StartRows& start, std::size_t begin, std::size_t end, S
 
 void sweep(const SpringLanes& springs, std::size_t begin, std::size_t end, Float4* rows) {
   const Floats f;
-  float* first = floats_of(rows);
+  float* first = as_floats(rows);
   const SpringBlock* const last = springs.blocks.data() + end;
   for (const SpringBlock* block = springs.blocks.data() + begin; block != last; ++block) {
     for (std::size_t k = 0; k < block_size; k += lanes) {
@@ -104,25 +103,25 @@ void sweep(const SpringLanes& springs, std::size_t begin, std::size_t end, Float
       const V squared_length = dot(spring, spring);
       const V squared_rest = hn::Load(f, &block->squared_rest[k]);
       const V error = hn::Div(hn::Sub(squared_length, squared_rest), hn::Add(squared_length, squared_rest));
-      // A share is at most 1. So the larger value is the whole error if the spring is too long, and the share
-      // of it otherwise.
+      // The fraction is at most 1. So the larger value is the whole error if the spring is too long, and a fraction of
+      // it otherwise.
       const V fraction = hn::Max(error, hn::Mul(error, hn::Load(f, &block->short_share[k])));
       shorten_springs(*block, k, i, j, spring, fraction, hn::Load(f, &block->share_i[k]), first);
     }
   }
 }
 
-/// Returns where rows k, k + 1, ... begin, counted in floats.
+/// Returns the offsets of the entries k, k + 1, ... in floats.
 HWY_INLINE std::array<std::uint32_t, lanes> rows_from(std::size_t k) {
   std::array<std::uint32_t, lanes> at;
   for (std::uint32_t lane = 0; lane < lanes; ++lane) at[lane] = 4 * (static_cast<std::uint32_t>(k) + lane);
   return at;
 }
 
-void shorten(const SpringLanes& springs, std::span<const std::uint32_t> blocks, float squared_bound, float relaxation,
-             Float4* rows) {
+void shorten_blocks(const SpringLanes& springs, std::span<const std::uint32_t> blocks, float squared_bound,
+                    float relaxation, Float4* rows) {
   const Floats f;
-  float* first = floats_of(rows);
+  float* first = as_floats(rows);
   for (const std::uint32_t b : blocks) {
     const SpringBlock& block = springs.blocks[b];
     for (std::size_t k = 0; k < block_size; k += lanes) {
@@ -142,20 +141,20 @@ void shorten(const SpringLanes& springs, std::span<const std::uint32_t> blocks, 
   }
 }
 
-void largest_ratios(const SpringLanes& springs, std::size_t begin, std::size_t end, const Float4* rows,
-                    float* squared_ratios) {
+void find_max_ratios(const SpringLanes& springs, std::size_t begin, std::size_t end, const Float4* rows,
+                     float* squared_ratios) {
   const Floats f;
-  const float* first = floats_of(rows);
+  const float* first = as_floats(rows);
   for (std::size_t b = begin; b < end; ++b) {
     const SpringBlock& block = springs.blocks[b];
-    V largest = hn::Zero(f);
+    V max_ratio = hn::Zero(f);
     for (std::size_t k = 0; k < block_size; k += lanes) {
       const Four i = load_rows(first, &block.at_i[k]);
       const Four j = load_rows(first, &block.at_j[k]);
       const Triple spring = springs_between(block, k, i, j);
-      largest = hn::Max(largest, hn::Div(dot(spring, spring), hn::Load(f, &block.squared_rest[k])));
+      max_ratio = hn::Max(max_ratio, hn::Div(dot(spring, spring), hn::Load(f, &block.squared_rest[k])));
     }
-    squared_ratios[b] = hn::GetLane(hn::MaxOfLanes(f, largest));
+    squared_ratios[b] = hn::GetLane(hn::MaxOfLanes(f, max_ratio));
   }
 }
 
@@ -167,23 +166,23 @@ struct LoadedCorner {
 
 HWY_INLINE LoadedCorner load_corner(const TriangleLanes& triangles, std::size_t corner, std::size_t k,
                                     const Float4* start, const Float4* current, const Float4* previous,
-                                    const Float4* opposed) {
+                                    const Float4* constraint_velocity) {
   const std::uint32_t* at = &triangles.at[corner][k];
-  const Four now = load_rows(floats_of(current), at);
-  return {as_coordinates(load_rows(floats_of(start), at) + now),
-          as_coordinates(now - load_rows(floats_of(previous), at)), load_rows(floats_of(opposed), at)};
+  const Four now = load_rows(as_floats(current), at);
+  return {as_coordinates(load_rows(as_floats(start), at) + now),
+          as_coordinates(now - load_rows(as_floats(previous), at)), load_rows(as_floats(constraint_velocity), at)};
 }
 
-/// Turns half the air's density times a coefficient times a speed into the drag averaged over the time it acts, where
-/// other forces add to the speed.
+/// Returns the drag averaged over its duration. `drag` is half the air density times a coefficient times a speed;
+/// `drag_with_others` includes the speed that other forces add.
 HWY_INLINE V acting_drag(V drag, V drag_with_others, V twice_per_density) {
   return hn::Div(drag_with_others, hn::Add(hn::Set(Floats(), 1.0F), hn::Mul(twice_per_density, drag)));
 }
 
-/// Returns how far other forces turn a triangle against the air that comes along its normal, in m/s; at least 0.
-HWY_INLINE V against(const Four& opposed, const Triple& normal, V u_n) {
+/// Returns the speed at which other forces move a triangle against the normal air flow, in m/s; at least 0.
+HWY_INLINE V opposing_speed(const Four& constraint_velocity, const Triple& normal, V u_n) {
   const Floats f;
-  const Four sum = transposed(opposed);
+  const Four sum = transpose(constraint_velocity);
   const V along = hn::Div(dot({sum.a, sum.b, sum.c}, normal), hn::Max(sum.d, hn::Set(f, 1.0F)));
   return hn::Max(hn::IfThenElse(hn::Lt(u_n, hn::Zero(f)), along, hn::Neg(along)), hn::Zero(f));
 }
@@ -198,38 +197,40 @@ HWY_INLINE Triple corner_force(const AirFlow& air, const LoadedCorner& a, const 
 
   const Triple doubled_area = cross(b.position - a.position, c.position - a.position);
   const V doubled_size = hn::Sqrt(dot(doubled_area, doubled_area));
-  const V divisor = hn::Max(doubled_size, hn::Set(f, smallest_doubled_area_m2));
+  const V divisor = hn::Max(doubled_size, hn::Set(f, min_doubled_area_m2));
   const Triple normal = doubled_area * hn::Div(hn::Set(f, 1.0F), divisor);
   const V u_n = dot(u, normal);
   const Triple along_normal = normal * u_n;
   const V pressure = hn::Mul(hn::Set(f, air.half_density_pressure), hn::Abs(u_n));
-  const V opposed = against(a.opposed + b.opposed + c.opposed, normal, u_n);
-  const V most = hn::Mul(hn::Mul(hn::Set(f, air.time_per_density), pressure), hn::Abs(u_n));
-  const V held = hn::Mul(hn::Set(f, air.half_density_pressure * 2.0F), hn::Min(opposed, most));
+  const V constraint_velocity = opposing_speed(a.opposed + b.opposed + c.opposed, normal, u_n);
+  const V max_opposing = hn::Mul(hn::Mul(hn::Set(f, air.time_per_density), pressure), hn::Abs(u_n));
+  const V constraint_pressure =
+      hn::Mul(hn::Set(f, air.half_density_pressure * 2.0F), hn::Min(constraint_velocity, max_opposing));
   const V friction = hn::Mul(hn::Set(f, air.half_density_friction), hn::Sqrt(dot(u, u)));
   const V twice_per_density = hn::Set(f, air.time_per_density * 2.0F);
-  const Triple per_area = along_normal * acting_drag(pressure, hn::Add(pressure, held), twice_per_density) +
-                          (u - along_normal) * acting_drag(friction, friction, twice_per_density);
+  const Triple per_area =
+      along_normal * acting_drag(pressure, hn::Add(pressure, constraint_pressure), twice_per_density) +
+      (u - along_normal) * acting_drag(friction, friction, twice_per_density);
   return per_area * hn::Div(doubled_size, hn::Set(f, 6.0F));
 }
 
 void wind(const TriangleLanes& triangles, const AirFlow& air, std::size_t begin, std::size_t end, const Float4* start,
-          const Float4* current, const Float4* previous, const Float4* opposed, Float4* corner_forces) {
+          const Float4* current, const Float4* previous, const Float4* constraint_velocity, Float4* corner_forces) {
   for (std::size_t k = begin; k < end; k += lanes) {
-    const Triple force = corner_force(air, load_corner(triangles, 0, k, start, current, previous, opposed),
-                                      load_corner(triangles, 1, k, start, current, previous, opposed),
-                                      load_corner(triangles, 2, k, start, current, previous, opposed));
-    store_rows(as_rows(force), floats_of(corner_forces), rows_from(k).data());
+    const Triple force = corner_force(air, load_corner(triangles, 0, k, start, current, previous, constraint_velocity),
+                                      load_corner(triangles, 1, k, start, current, previous, constraint_velocity),
+                                      load_corner(triangles, 2, k, start, current, previous, constraint_velocity));
+    store_rows(as_rows(force), as_floats(corner_forces), rows_from(k).data());
   }
 }
 
-/// Entries of a slice are fetched so many before they are multiplied.
+/// Prefetch distance in entries of a slice.
 constexpr std::size_t entries_ahead = 24;
 
 void add_product(const SlicedMatrix& matrix, std::size_t begin, std::size_t end, const Float4* positions,
                  Float4* result) {
   const Floats f;
-  const float* first = floats_of(positions);
+  const float* first = as_floats(positions);
   for (std::size_t lane = begin * block_size; lane < end * block_size; lane += lanes) {
     const std::size_t slice = lane / block_size;
     const std::uint32_t* row_at = &matrix.row_at[lane];
@@ -243,35 +244,35 @@ void add_product(const SlicedMatrix& matrix, std::size_t begin, std::size_t end,
       const Triple to_column = as_coordinates(load_rows(first, &matrix.column_at[e])) - x;
       sum = sum + to_column * hn::Load(f, &matrix.value[e]);
     }
-    store_rows(load_rows(floats_of(result), row_at) + as_rows(sum), floats_of(result), row_at);
+    store_rows(load_rows(as_floats(result), row_at) + as_rows(sum), as_floats(result), row_at);
   }
 }
 
-std::size_t off_their_ways(const Float4* since, const Float4* moves, float time, std::size_t begin, std::size_t end,
-                           const Float4* displacements, std::uint32_t* rows) {
+std::size_t list_off_motion(const Float4* since, const Float4* moves, float time, std::size_t begin, std::size_t end,
+                            const Float4* displacements, std::uint32_t* rows) {
   const Floats f;
   const V times = hn::Set(f, time);
   std::size_t size = 0;
   for (std::size_t r = begin * block_size; r < end * block_size; r += lanes / 4) {
-    const V moved = hn::Sub(hn::Load(f, floats_of(displacements + r)), hn::Load(f, floats_of(since + r)));
-    const V way = hn::Load(f, floats_of(moves + r));
+    const V moved = hn::Sub(hn::Load(f, as_floats(displacements + r)), hn::Load(f, as_floats(since + r)));
+    const V way = hn::Load(f, as_floats(moves + r));
     const V off = coordinates_alone(hn::Sub(moved, hn::Mul(way, times)));
     const V free = hn::Broadcast<3>(way);
     const Mask is_off = hn::Not(hn::Le(sums_of_coordinates(hn::Mul(off, off)), hn::Mul(free, free)));
     for (std::size_t k = 0; k < lanes / 4 && !hn::AllFalse(f, is_off); ++k) {
       rows[size] = static_cast<std::uint32_t>(r + k);
-      size += bits_of(is_off) >> (4 * k) & 1U;
+      size += mask_bits(is_off) >> (4 * k) & 1U;
     }
   }
   return size;
 }
 
 const Kernels* table() {
-  static constexpr ContactKernels contact = {enclose,      enclose_blocks, round_boxes,   overlapping,
-                                             keep_near<1>, keep_near<2>,   off_their_ways};
+  static constexpr ContactKernels contact = {enclose,      enclose_blocks, round_boxes,    overlapping,
+                                             keep_near<1>, keep_near<2>,   list_off_motion};
   static constexpr Kernels kernels = {
-      predict,         start_springs,          sweep, shorten,     largest_ratios, start_surface, sweep_surface,
-      shorten_surface, largest_surface_ratios, wind,  add_product, contact};
+      predict,         start_springs,           sweep, shorten_blocks, find_max_ratios, start_surface, sweep_surface,
+      shorten_surface, find_max_surface_ratios, wind,  add_product,    contact};
   return &kernels;
 }
 

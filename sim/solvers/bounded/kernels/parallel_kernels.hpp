@@ -7,13 +7,13 @@
 
 namespace taut::sim::bounded {
 
-/// The functions of Kernels, each shared among the threads of a pool. They do what is said there.
+/// The functions of Kernels, divided among the threads of a pool.
 class ParallelKernels {
  public:
-  /// A thread takes at least this many blocks, or pairs of things that may touch: a microsecond of work or more.
-  /// Fewer are done sooner than another thread notices them.
-  static constexpr std::size_t least_blocks = 24;
-  static constexpr std::size_t least_pairs = 64;
+  /// Smallest number of blocks, or of pairs that may touch, for one thread: a microsecond of work or more. Less is done
+  /// sooner than another thread notices it.
+  static constexpr std::size_t min_blocks = 24;
+  static constexpr std::size_t min_pairs = 64;
 
   ParallelKernels(const Kernels& kernels, int threads) : kernels_(kernels), pool_(threads) {}
 
@@ -21,7 +21,7 @@ class ParallelKernels {
   void share(bool is_shared) { pool_.share(is_shared); }
   PoolWork take_work() { return pool_.take_work(); }
 
-  /// For all rows. `tethers` may be null.
+  /// Predicts all vertices. `tethers` may be null.
   void predict(const Prediction& prediction, const Tether* tethers, const Float4* accelerations,
                const Float4Array& current, Float4Array& previous);
 
@@ -37,8 +37,8 @@ class ParallelKernels {
   void shorten(const SurfaceLanes& triangles, std::span<const std::uint32_t> blocks, float squared_bound,
                float relaxation, Float4* rows);
 
-  void largest_ratios(const SpringLanes& springs, const Float4* rows, float* squared_ratios);
-  void largest_ratios(const SurfaceLanes& triangles, const Float4* rows, float* squared_ratios);
+  void find_max_ratios(const SpringLanes& springs, const Float4* rows, float* squared_ratios);
+  void find_max_ratios(const SurfaceLanes& triangles, const Float4* rows, float* squared_ratios);
   void wind(const TriangleLanes& triangles, const AirFlow& air, const Float4* start, const Float4* current,
             const Float4* previous, const Float4* opposed, Float4* corner_forces);
   void add_product(const SlicedMatrix& matrix, const Float4* positions, Float4* result);
@@ -53,10 +53,10 @@ class ParallelKernels {
     pool_.split(begin, end, least, part);
   }
 
-  /// Calls part(b, e) for ranges of rows that together cover [begin, end). Its work for one row must not
-  /// depend on other rows.
+  /// Calls part(b, e) for ranges of solver indices that together cover [begin, end). The work for one vertex must not
+  /// depend on others.
   template <typename Part> void for_rows(std::size_t begin, std::size_t end, const Part& part) {
-    pool_.split(begin, end, least_blocks * block_size, part);
+    pool_.split(begin, end, min_blocks * block_size, part);
   }
 
  private:

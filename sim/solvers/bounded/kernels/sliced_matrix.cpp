@@ -5,12 +5,11 @@
 namespace taut::sim::bounded {
 namespace {
 
-/// Rows are sorted by length among this many neighbours in memory. A larger value pads less and reads memory
-/// less in order.
+/// Number of neighbouring rows sorted by length. Larger values pad less and access memory less in order.
 constexpr std::size_t rows_sorted_together = 32 * block_size;
 
-/// Sorts longer rows before shorter ones within each group of `rows_sorted_together`. Rows without entries
-/// are left out.
+/// Returns the rows with longer ones before shorter ones within each group of `rows_sorted_together`. Empty rows are
+/// left out.
 std::vector<Index> order_of_slices(const std::vector<std::vector<MatrixEntry>>& rows) {
   std::vector<Index> order;
   for (Index row = 0; row < rows.size(); ++row) {
@@ -59,6 +58,7 @@ SlicedMatrix make_sliced_matrix(const std::vector<std::vector<MatrixEntry>>& row
 }
 
 void add_product(const SlicedMatrix& matrix, const std::vector<double>& vector, std::vector<double>& result) {
+  assert(vector.size() == result.size());
   for (std::size_t lane = 0; lane < matrix.row_at.size(); ++lane) {
     const std::size_t slice = lane / block_size;
     const std::size_t row = matrix.row_at[lane] / 4;

@@ -1,5 +1,5 @@
-// The kernels that hold the stretch of triangles, for the target being compiled. The file is included once
-// per target, so its include guard is of another kind.
+// Kernels that bound the stretch of triangles, for the target being compiled. The file is included once per target, so
+// its include guard is of another kind.
 #if defined(TAUT_SURFACE_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef TAUT_SURFACE_INL
 #undef TAUT_SURFACE_INL
@@ -16,17 +16,17 @@ namespace {
 
 #if HWY_TARGET != HWY_SCALAR
 
-/// Three corners of `lanes` triangles, as rows.
-struct Corners {
+/// Corners of `lanes` triangles, by vertex.
+struct CornerRows {
   Four a, b, c;
 };
 
-/// A deformation gradient F: its columns.
+/// Columns of a deformation gradient F.
 struct Gradient {
   Triple along, across;
 };
 
-HWY_INLINE Corners load_corners(const SurfaceBlock& block, std::size_t k, const float* rows) {
+HWY_INLINE CornerRows load_corners(const SurfaceBlock& block, std::size_t k, const float* rows) {
   return {load_rows(rows, &block.at[0][k]), load_rows(rows, &block.at[1][k]), load_rows(rows, &block.at[2][k])};
 }
 
@@ -42,30 +42,30 @@ HWY_INLINE void store_triple(const Triple& v, std::size_t k, std::array<SurfaceB
   hn::Store(v.z, f, &values[2][k]);
 }
 
-/// Returns F of edges e1 and e2, or what displacements between corners add to it.
-HWY_INLINE Gradient gradient_of(const SurfaceBlock& block, std::size_t k, const Triple& e1, const Triple& e2) {
+/// Returns F of the edges e1 and e2, or the change of F if these are displacements.
+HWY_INLINE Gradient gradient_from_edges(const SurfaceBlock& block, std::size_t k, const Triple& e1, const Triple& e2) {
   const Floats f;
   return {e1 * hn::Load(f, &block.along_per_m[k]),
           e2 * hn::Load(f, &block.across_per_m[k]) - e1 * hn::Load(f, &block.skew_per_m[k])};
 }
 
-HWY_INLINE Gradient gradient_now(const SurfaceBlock& block, std::size_t k, const Corners& corners) {
+HWY_INLINE Gradient gradient_now(const SurfaceBlock& block, std::size_t k, const CornerRows& corners) {
   const Gradient moved =
-      gradient_of(block, k, as_coordinates(corners.b - corners.a), as_coordinates(corners.c - corners.a));
+      gradient_from_edges(block, k, as_coordinates(corners.b - corners.a), as_coordinates(corners.c - corners.a));
   return {moved.along + load_triple(block.start_along, k), moved.across + load_triple(block.start_across, k)};
 }
 
-/// The squared singular values of F are mean + radius and mean - radius. The cosine and the sine of twice the
-/// angle of the largest's direction are difference / radius and product / radius.
+/// The squared singular values of F are mean + radius and mean - radius. The cosine and sine of twice the angle of the
+/// direction of the largest are difference / radius and product / radius.
 struct Principal {
   V mean, radius;
   V difference, product;
 
-  HWY_INLINE V largest() const { return hn::Add(mean, radius); }
-  HWY_INLINE V smallest() const { return hn::Sub(mean, radius); }
+  HWY_INLINE V max_squared() const { return hn::Add(mean, radius); }
+  HWY_INLINE V min_squared() const { return hn::Sub(mean, radius); }
 };
 
-HWY_INLINE Principal principal_of(const Gradient& gradient) {
+HWY_INLINE Principal find_principal(const Gradient& gradient) {
   const Floats f;
   const V half = hn::Set(f, 0.5F);
   const V a = dot(gradient.along, gradient.along);
@@ -73,7 +73,7 @@ HWY_INLINE Principal principal_of(const Gradient& gradient) {
   const V c = dot(gradient.across, gradient.across);
   const V difference = hn::Mul(hn::Sub(a, c), half);
   const V radius = hn::Sqrt(hn::Add(hn::Mul(difference, difference), hn::Mul(b, b)));
-  return {hn::Mul(hn::Add(a, c), half), hn::Max(radius, hn::Set(f, least_radius)), difference, b};
+  return {hn::Mul(hn::Add(a, c), half), hn::Max(radius, hn::Set(f, min_radius)), difference, b};
 }
 
 struct Mobility {
@@ -88,41 +88,41 @@ HWY_INLINE Mobility load_mobility(const SurfaceMobility& mobility, std::size_t k
           hn::Load(f, &mobility.skew[k])};
 }
 
-/// The sums of w (g v)^2 in both principal directions, times the radius.
+/// Sums of w (g v)^2 in both principal directions, times the radius.
 struct Divisors {
   V first, second;
 };
 
-HWY_INLINE Divisors divisors_of(const Mobility& mobility, const Principal& p) {
-  const V middle = hn::Mul(p.radius, hn::Set(Floats(), 0.5F + least_mobility));
+HWY_INLINE Divisors find_divisors(const Mobility& mobility, const Principal& p) {
+  const V middle = hn::Mul(p.radius, hn::Set(Floats(), 0.5F + min_mobility));
   const V to_first = hn::Add(hn::Mul(mobility.along_less_across, p.difference), hn::Mul(mobility.skew, p.product));
   return {hn::Add(middle, to_first), hn::Sub(middle, to_first)};
 }
 
-/// Some triangles of a block: those of lanes k, k + 1, ...
-struct Place {
+/// Triangles of the lanes k, k + 1, ... of a block.
+struct TriangleGroup {
   const SurfaceBlock* block;
   const SurfaceMobility* mobility;
   std::size_t k;
 };
 
-/// Triangles as loaded, and the errors in the two directions over the divisors.
-struct Found {
-  Corners corners;
+/// Loaded triangles, and their errors in both directions over the divisors.
+struct FoundErrors {
+  CornerRows corners;
   Gradient gradient;
   Principal principal;
   Mobility mobility;
   V first, second;
 };
 
-HWY_INLINE void load_triangles(const Place& at, const float* rows, Found& found) {
+HWY_INLINE void load_triangles(const TriangleGroup& at, const float* rows, FoundErrors& found) {
   found.corners = load_corners(*at.block, at.k, rows);
   found.gradient = gradient_now(*at.block, at.k, found.corners);
-  found.principal = principal_of(found.gradient);
+  found.principal = find_principal(found.gradient);
   found.mobility = load_mobility(*at.mobility, at.k);
 }
 
-/// The symmetric matrix with the values `first` and `second` in the principal directions.
+/// Symmetric matrix with the eigenvalues `first` and `second` in the principal directions.
 struct Symmetric {
   V along, across, mixed;
 };
@@ -135,10 +135,10 @@ HWY_INLINE Symmetric symmetric(const Principal& p, V first, V second) {
   return {hn::Add(mean, cosine), hn::Sub(mean, cosine), hn::Mul(half_difference, p.product)};
 }
 
-HWY_INLINE void move_corners(const Place& at, const Found& found, float* rows) {
+HWY_INLINE void move_corners(const TriangleGroup& at, const FoundErrors& found, float* rows) {
   const Floats f;
   const auto& [block, unused, k] = at;
-  // F times it is the change of F.
+  // The change of F is F times this matrix.
   const auto [s11, s22, s12] = symmetric(found.principal, found.first, found.second);
   const V along = hn::Load(f, &block->along_per_m[k]);
   const V across = hn::Load(f, &block->across_per_m[k]);
@@ -153,27 +153,27 @@ HWY_INLINE void move_corners(const Place& at, const Found& found, float* rows) {
 
 constexpr std::size_t places_per_block = block_size / lanes;
 
-/// Blocks are fetched so many before they are worked on.
+/// Prefetch distance in blocks.
 constexpr std::size_t blocks_ahead = 4;
 
-/// Fetches what place i is the time for, of `count` places.
+/// Prefetches the block that is due at place i of `count`.
 template <typename Work> HWY_INLINE void fetch_ahead(std::size_t i, std::size_t count, const Work& work) {
   const std::size_t ahead = i + blocks_ahead * places_per_block;
   if (i % places_per_block == 0 && ahead < count) work.fetch_block(ahead / places_per_block);
 }
 
-/// Corrects `count` places as `work` says: place(i) is the i-th, find(place, found) what to do there, and
-/// fetch_block(b) gets the b-th block. Two are worked on at a time: one is computed while the other waits for a square
-/// root or a division.
+/// Corrects `count` places by `work`: place(i) is the i-th place, find(place, found) computes its correction, and
+/// fetch_block(b) prefetches the b-th block. Two are processed at a time: one is computed while the other waits for a
+/// square root or a division.
 template <typename Work> HWY_INLINE void correct(std::size_t count, const Work& work, float* rows) {
   std::size_t i = 0;
   for (; i + 1 < count; i += 2) {
     fetch_ahead(i, count, work);
     fetch_ahead(i + 1, count, work);
-    const Place a = work.place(i);
-    const Place b = work.place(i + 1);
-    Found found_a;
-    Found found_b;
+    const TriangleGroup a = work.place(i);
+    const TriangleGroup b = work.place(i + 1);
+    FoundErrors found_a;
+    FoundErrors found_b;
     const bool is_a_long = work.find(a, rows, found_a);
     const bool is_b_long = work.find(b, rows, found_b);
     if (is_a_long) {
@@ -186,8 +186,8 @@ template <typename Work> HWY_INLINE void correct(std::size_t count, const Work& 
     }
   }
   if (i < count) {
-    const Place a = work.place(i);
-    Found found_a;
+    const TriangleGroup a = work.place(i);
+    FoundErrors found_a;
     if (work.find(a, rows, found_a)) {
       work.note(a, found_a);
       move_corners(a, found_a, rows);
@@ -199,11 +199,11 @@ void start_surface(const StartRows& start, std::size_t begin, std::size_t end, S
   for (std::size_t b = begin; b < end; ++b) {
     SurfaceBlock& block = triangles.blocks[b];
     for (std::size_t k = 0; k < block_size; k += lanes) {
-      const Corners high = load_corners(block, k, floats_of(start.high.data()));
-      const Corners low = load_corners(block, k, floats_of(start.low.data()));
+      const CornerRows high = load_corners(block, k, as_floats(start.high.data()));
+      const CornerRows low = load_corners(block, k, as_floats(start.low.data()));
       const Triple e1 = as_coordinates((high.b - high.a) + (low.b - low.a));
       const Triple e2 = as_coordinates((high.c - high.a) + (low.c - low.a));
-      const Gradient gradient = gradient_of(block, k, e1, e2);
+      const Gradient gradient = gradient_from_edges(block, k, e1, e2);
       store_triple(gradient.along, k, block.start_along);
       store_triple(gradient.across, k, block.start_across);
     }
@@ -217,30 +217,30 @@ HWY_INLINE void add_to(V value, std::size_t k, std::array<float, block_size>& su
 
 template <bool sums_up> struct Sweep {
   const SurfaceBlock* blocks;
-  SurfaceSums* sums;  ///< of the same blocks
+  SurfaceSums* sums;  ///< sums of the same blocks
   float relaxation;
-  float short_part;  ///< of the correction of what is too short: 1, or 0 for none
+  float short_part;  ///< factor on corrections of short triangles: 1, or 0 for none
 
-  HWY_INLINE Place place(std::size_t i) const {
+  HWY_INLINE TriangleGroup place(std::size_t i) const {
     const SurfaceBlock* block = blocks + i / places_per_block;
     return {block, &block->mobility, i % places_per_block * lanes};
   }
 
   HWY_INLINE void fetch_block(std::size_t block) const { fetch(blocks[block]); }
 
-  HWY_INLINE bool find(const Place& at, const float* rows, Found& found) const {
+  HWY_INLINE bool find(const TriangleGroup& at, const float* rows, FoundErrors& found) const {
     const Floats f;
     const V one = hn::Set(f, 1.0F);
     load_triangles(at, rows, found);
     const Principal& s = found.principal;
-    const Divisors divisors = divisors_of(found.mobility, s);
-    const V first_divisor = hn::Mul(hn::Add(s.largest(), one), divisors.first);
-    const V second_divisor = hn::Mul(hn::Add(s.smallest(), one), divisors.second);
+    const Divisors divisors = find_divisors(found.mobility, s);
+    const V first_divisor = hn::Mul(hn::Add(s.max_squared(), one), divisors.first);
+    const V second_divisor = hn::Mul(hn::Add(s.min_squared(), one), divisors.second);
     const V per_both = hn::Div(one, hn::Mul(first_divisor, second_divisor));
-    const V first = hn::Mul(hn::Mul(hn::Sub(s.largest(), one), second_divisor), per_both);
-    const V second = hn::Mul(hn::Mul(hn::Sub(s.smallest(), one), first_divisor), per_both);
-    // A share is at most 1, and relaxation at least. So the larger value is that of the error where the triangle is
-    // too long, and the share of it otherwise.
+    const V first = hn::Mul(hn::Mul(hn::Sub(s.max_squared(), one), second_divisor), per_both);
+    const V second = hn::Mul(hn::Mul(hn::Sub(s.min_squared(), one), first_divisor), per_both);
+    // The fraction is at most 1, and relaxation at least 1. So the larger value is relaxation times the error if the
+    // triangle is too long, and a fraction of the error otherwise.
     const V share = hn::Mul(hn::Load(f, &at.block->short_share[at.k]), hn::Set(f, short_part));
     const V whole = hn::Set(f, relaxation);
     found.first = hn::Max(hn::Mul(first, whole), hn::Mul(first, share));
@@ -248,14 +248,14 @@ template <bool sums_up> struct Sweep {
     return true;
   }
 
-  // A force is the tension times how long the triangle is: (s^2 + 1) / 2 is s to the first order.
-  HWY_INLINE void note(const Place& at, const Found& found) const {
+  // A force is tension times the length ratio s: (s^2 + 1) / 2 is s to first order.
+  HWY_INLINE void note(const TriangleGroup& at, const FoundErrors& found) const {
     if constexpr (sums_up) {
       const Floats f;
       const V half = hn::Set(f, 0.5F);
       const Principal& p = found.principal;
-      const V largest = hn::Add(hn::Mul(p.largest(), half), half);
-      const V smallest = hn::Add(hn::Mul(p.smallest(), half), half);
+      const V largest = hn::Add(hn::Mul(p.max_squared(), half), half);
+      const V smallest = hn::Add(hn::Mul(p.min_squared(), half), half);
       const Symmetric change = symmetric(p, hn::Mul(found.first, largest), hn::Mul(found.second, smallest));
       SurfaceSums& block = sums[at.block - blocks];
       add_to(change.along, at.k, block.along);
@@ -269,16 +269,15 @@ void sweep_surface(const SurfaceLanes& triangles, const BlockRange& range, Surfa
   const SurfaceBlock* blocks = triangles.blocks.data() + range.begin;
   const std::size_t places = (range.end - range.begin) * places_per_block;
   const float relaxation = triangles.relaxation;
-  const float short_part = range.again ? 0.0F : 1.0F;
+  const float short_part = range.is_repeat ? 0.0F : 1.0F;
   if (sums == nullptr) {
-    correct(places, Sweep<false>{blocks, nullptr, relaxation, short_part}, floats_of(rows));
+    correct(places, Sweep<false>{blocks, nullptr, relaxation, short_part}, as_floats(rows));
   } else {
-    correct(places, Sweep<true>{blocks, sums + range.begin, relaxation, short_part}, floats_of(rows));
+    correct(places, Sweep<true>{blocks, sums + range.begin, relaxation, short_part}, as_floats(rows));
   }
 }
 
-/// Returns `relaxation` times (s - bound) / s over the divisor for singular values above the bound, 0 for
-/// others.
+/// Returns `relaxation` times (s - bound) / s over the divisor for singular values s above the bound, 0 for others.
 HWY_INLINE V excess_over(V squared, float squared_bound, float relaxation, V divisor) {
   const Floats f;
   const V limit = hn::Set(f, squared_bound);
@@ -293,7 +292,7 @@ struct Shorten {
   float squared_bound;
   float relaxation;
 
-  HWY_INLINE Place place(std::size_t i) const {
+  HWY_INLINE TriangleGroup place(std::size_t i) const {
     const std::uint32_t block = blocks[i / places_per_block];
     return {&triangles.blocks[block], &triangles.projection_mobility[block], i % places_per_block * lanes};
   }
@@ -303,39 +302,39 @@ struct Shorten {
     fetch(triangles.projection_mobility[blocks[block]]);
   }
 
-  HWY_INLINE bool find(const Place& at, const float* rows, Found& found) const {
+  HWY_INLINE bool find(const TriangleGroup& at, const float* rows, FoundErrors& found) const {
     const Floats f;
     const V limit = hn::Set(f, squared_bound);
     load_triangles(at, rows, found);
     const Principal& s = found.principal;
-    if (hn::AllFalse(f, hn::Gt(s.largest(), limit))) return false;
-    const Divisors divisors = divisors_of(found.mobility, s);
-    found.first = excess_over(s.largest(), squared_bound, relaxation, divisors.first);
+    if (hn::AllFalse(f, hn::Gt(s.max_squared(), limit))) return false;
+    const Divisors divisors = find_divisors(found.mobility, s);
+    found.first = excess_over(s.max_squared(), squared_bound, relaxation, divisors.first);
     found.second = hn::Zero(f);
-    if (!hn::AllFalse(f, hn::Gt(s.smallest(), limit))) {
-      found.second = excess_over(s.smallest(), squared_bound, relaxation, divisors.second);
+    if (!hn::AllFalse(f, hn::Gt(s.min_squared(), limit))) {
+      found.second = excess_over(s.min_squared(), squared_bound, relaxation, divisors.second);
     }
     return true;
   }
 
-  HWY_INLINE void note(const Place&, const Found&) const {}
+  HWY_INLINE void note(const TriangleGroup&, const FoundErrors&) const {}
 };
 
 void shorten_surface(const SurfaceLanes& triangles, std::span<const std::uint32_t> blocks, float squared_bound,
                      float relaxation, Float4* rows) {
-  correct(blocks.size() * places_per_block, Shorten{triangles, blocks, squared_bound, relaxation}, floats_of(rows));
+  correct(blocks.size() * places_per_block, Shorten{triangles, blocks, squared_bound, relaxation}, as_floats(rows));
 }
 
-void largest_surface_ratios(const SurfaceLanes& triangles, std::size_t begin, std::size_t end, const Float4* rows,
-                            float* squared_ratios) {
+void find_max_surface_ratios(const SurfaceLanes& triangles, std::size_t begin, std::size_t end, const Float4* rows,
+                             float* squared_ratios) {
   const Floats f;
   for (std::size_t b = begin; b < end; ++b) {
     const SurfaceBlock& block = triangles.blocks[b];
     if (b + blocks_ahead < end) fetch(triangles.blocks[b + blocks_ahead]);
     V largest = hn::Zero(f);
     for (std::size_t k = 0; k < block_size; k += lanes) {
-      const Corners corners = load_corners(block, k, floats_of(rows));
-      largest = hn::Max(largest, principal_of(gradient_now(block, k, corners)).largest());
+      const CornerRows corners = load_corners(block, k, as_floats(rows));
+      largest = hn::Max(largest, find_principal(gradient_now(block, k, corners)).max_squared());
     }
     squared_ratios[b] = hn::GetLane(hn::MaxOfLanes(f, largest));
   }

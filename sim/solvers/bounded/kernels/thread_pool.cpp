@@ -1,23 +1,22 @@
 #include "sim/solvers/bounded/kernels/thread_pool.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <chrono>
 
 namespace taut::sim::bounded {
 namespace {
 
-/// How often a thread looks for another loop before it sleeps, and how often the caller looks for the end of
-/// a chunk before it yields. This is some tens of microseconds, the time between two loops. More looks use a
-/// processor that others could use.
-constexpr int most_looks = 4000;
-/// More chunks balance threads of different speed better and cost more claims.
+/// Polls of a thread for another loop before it sleeps, and of the caller for the end of a chunk before it yields. They
+/// take some tens of microseconds, the time between two loops. Higher values use a processor that others could use.
+constexpr int max_polls = 4000;
+/// Chunks per thread. Higher values balance threads of different speed better but cost more claims.
 constexpr std::size_t chunks_per_thread = 3;
-/// The smallest garment, in triangles, for several threads, and their largest number; see thread_count.
+/// Smallest number of triangles for several threads, and the largest default number of threads; see thread_count.
 constexpr std::size_t triangles_worth_threads = 8000;
-constexpr int most_threads_unasked = 4;
+constexpr int max_default_threads = 4;
 
-/// In claim_, the loop's number is counted in these units; the low bits are the next chunk.
-/// The value `closed` means that no chunk is left.
+/// Unit of the loop's number in claim_; the low bits are the next chunk. In them `closed` means that no chunk is left.
 constexpr std::uint64_t one_loop = std::uint64_t{1} << 32U;
 constexpr std::uint64_t closed = one_loop - 1;
 
@@ -30,6 +29,7 @@ void pause() {
 }  // namespace
 
 ThreadPool::ThreadPool(int threads) {
+  assert(threads > 0);
   for (int member = 1; member < threads; ++member) workers_.emplace_back([this] { work(); });
 }
 
@@ -41,6 +41,8 @@ ThreadPool::~ThreadPool() {
 }
 
 void ThreadPool::run(Call call, const void* context, std::size_t begin, std::size_t end, std::size_t least) {
+  assert(begin <= end);
+  assert(least > 0);
   const std::size_t chunks = std::min((end - begin) / least, chunks_per_thread * (workers_.size() + 1));
   const std::uint64_t loop = claim_.load(std::memory_order_relaxed) / one_loop;
   claim_.store(loop * one_loop + closed, std::memory_order_relaxed);
@@ -62,7 +64,7 @@ void ThreadPool::run(Call call, const void* context, std::size_t begin, std::siz
 void ThreadPool::wait_for(std::size_t chunks) {
   const auto began = std::chrono::steady_clock::now();
   for (int looks = 0; done_.load(std::memory_order_acquire) != chunks; ++looks) {
-    if (looks < most_looks) {
+    if (looks < max_polls) {
       pause();
     } else {
       std::this_thread::yield();
@@ -79,7 +81,7 @@ void ThreadPool::work() {
     if (is_over_.load(std::memory_order_relaxed)) return;
     const auto is_same_loop = [&] { return claim_.load(std::memory_order_acquire) / one_loop == before / one_loop; };
     int looks = 0;
-    while (looks < most_looks && is_same_loop()) {
+    while (looks < max_polls && is_same_loop()) {
       pause();
       ++looks;
     }
@@ -89,7 +91,7 @@ void ThreadPool::work() {
   }
 }
 
-/// Takes one chunk and does it. Returns false if no chunk is left.
+/// Claims and does one chunk. Returns false if no chunk is left.
 bool ThreadPool::do_chunk() {
   std::uint64_t claim = claim_.load(std::memory_order_acquire);
   for (;;) {
@@ -114,7 +116,7 @@ bool ThreadPool::do_chunk() {
 int thread_count(std::optional<int> asked, std::size_t triangles) {
   if (asked) return *asked;
   const int processors = static_cast<int>(std::thread::hardware_concurrency());
-  return triangles < triangles_worth_threads ? 1 : std::clamp(processors, 1, most_threads_unasked);
+  return triangles < triangles_worth_threads ? 1 : std::clamp(processors, 1, max_default_threads);
 }
 
 }  // namespace taut::sim::bounded

@@ -10,22 +10,21 @@
 
 namespace taut::sim::bounded {
 
-/// How the work of the shared loops was divided.
+/// Division of the work of shared loops.
 struct PoolWork {
-  std::size_t own_chunks = 0;  ///< done by the caller
-  /// Done by the other threads.
+  std::size_t own_chunks = 0;  ///< chunks done by the caller
+  /// Chunks done by other threads.
   std::size_t others_chunks = 0;
-  /// How long the caller waited for chunks of other threads to end.
+  /// Time that the caller waited for chunks of other threads.
   double waited_s = 0.0;
 };
 
-/// Threads that share one loop at a time. A loop is cut into chunks, and every free thread takes the next
-/// one. A chunk must not touch what other chunks write. So the number of threads changes nothing but the
-/// time.
+/// Threads that share one loop at a time. A loop is cut into chunks, and every free thread takes the next one. A chunk
+/// must not touch what other chunks write, so the number of threads changes nothing but the time.
 ///
-/// A loop lasts some microseconds and a frame has thousands of them. So the caller never waits for a thread
-/// to begin: if a thread gets no processor, the others do its chunks. The caller does wait for a thread that
-/// loses its processor in the middle of a chunk (see ThreadChoice).
+/// A loop lasts some microseconds and a frame has thousands of them, so the caller never waits for a thread to begin:
+/// if a thread gets no processor, the others do its chunks. The caller does wait for a thread that loses its processor
+/// in the middle of a chunk (see ThreadChoice).
 class ThreadPool {
  public:
   /// Starts `threads` - 1 threads: the caller is one of them.
@@ -59,15 +58,14 @@ class ThreadPool {
   void work();
   bool do_chunk();
 
-  /// The current loop. A late thread may read it while the next loop is being written, but then it fails to
-  /// claim a chunk.
+  /// Current loop. A late thread may read it while the next loop is being written, but then it fails to claim a chunk.
   std::atomic<Call> call_{nullptr};
   std::atomic<const void*> context_{nullptr};
   std::atomic<std::size_t> begin_{0};
   std::atomic<std::size_t> end_{0};
   std::atomic<std::size_t> chunk_count_{0};
 
-  /// The number of the loop; in the low 32 bits the next chunk to take.
+  /// Number of the loop; the low 32 bits are the next chunk to take.
   std::atomic<std::uint64_t> claim_{0};
   std::atomic<std::size_t> done_{0};  ///< chunks that are finished
   std::atomic<bool> is_over_{false};
@@ -77,9 +75,9 @@ class ThreadPool {
   std::vector<std::thread> workers_;
 };
 
-/// Returns the number of threads: `asked`, if given. Otherwise 1 below 8000 triangles, where a thread's
-/// share of a loop is done before another thread wakes up. Above that, as many as the processor has, up to 4:
-/// more would only wait for memory.
+/// Returns the number of threads: `asked` if given. Otherwise 1 below 8000 triangles, where a thread's part of a loop
+/// is done before another thread wakes up, and above that as many as the processor has, up to 4: more would only wait
+/// for memory.
 int thread_count(std::optional<int> asked, std::size_t triangles);
 
 }  // namespace taut::sim::bounded

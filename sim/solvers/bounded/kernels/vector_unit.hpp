@@ -5,9 +5,9 @@
 
 namespace taut::sim {
 
-/// The instructions that the vector kernels use. All give the same bits.
+/// Instructions of the vector kernels. All give the same bits.
 enum class VectorUnit {
-  best,    ///< the widest the processor has
+  best,    ///< widest unit of the processor
   scalar,  ///< ordinary instructions, which every processor has; 4 springs at once
   sse,     ///< SSSE3 or SSE4; 4 springs at once
   avx2,    ///< 8 springs at once
@@ -17,10 +17,10 @@ enum class VectorUnit {
 inline constexpr std::array all_vector_units = {VectorUnit::best, VectorUnit::scalar, VectorUnit::sse, VectorUnit::avx2,
                                                 VectorUnit::avx512};
 
-/// The name used in files and messages.
-const char* name_of(VectorUnit unit);
+/// Returns the name in files and messages.
+const char* to_name(VectorUnit unit);
 
-/// Returns the units that this processor has; `best` and `scalar` are always among them.
+/// Returns the units of this processor; `best` and `scalar` are always among them.
 std::vector<VectorUnit> available_vector_units();
 
 }  // namespace taut::sim

@@ -1,5 +1,5 @@
-// Vectors for the target being compiled: loads rows, transposes them to coordinates and stores them again.
-// The file is included once per target, so its include guard is of another kind.
+// Vectors for the target being compiled: loads entries (four floats each), transposes them to coordinates and stores
+// them again. The file is included once per target, so its include guard is of another kind.
 #if defined(TAUT_VECTORS_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef TAUT_VECTORS_INL
 #undef TAUT_VECTORS_INL
@@ -26,21 +26,20 @@ using V = hn::Vec<Floats>;
 
 constexpr std::size_t lanes = hn::MaxLanes(Floats());
 
-/// Asks for what is needed soon: where the processor does not foresee it, it is waited for in caches that hold all
-/// of it, too.
+/// Prefetches data needed soon. Even cached data is waited for if the processor does not foresee the access.
 template <typename T> HWY_INLINE void fetch(const T& what) {
   constexpr auto line_bytes = static_cast<std::size_t>(LineAligned<T>::line_bytes);
   const char* const bytes = reinterpret_cast<const char*>(&what);
   for (std::size_t at = 0; at < sizeof(T); at += line_bytes) hwy::Prefetch(bytes + at);
 }
 
-/// Four vectors: of rows as loaded, or of one coordinate each.
+/// Four vectors: loaded entries, or one coordinate each.
 struct Four {
   V a, b, c, d;
 };
 
-/// Turns rows into coordinates and back: transposes the 4x4 matrix in every 128 bits.
-HWY_INLINE Four transposed(const Four& m) {
+/// Turns entries into coordinates and back: transposes the 4x4 matrix in every 128 bits.
+HWY_INLINE Four transpose(const Four& m) {
   const Floats f;
   const V ac_low = hn::InterleaveLower(f, m.a, m.c);
   const V bd_low = hn::InterleaveLower(f, m.b, m.d);
@@ -50,7 +49,7 @@ HWY_INLINE Four transposed(const Four& m) {
           hn::InterleaveLower(f, ac_high, bd_high), hn::InterleaveUpper(f, ac_high, bd_high)};
 }
 
-/// Loads the rows that begin at at[0], at[4], ..., counted in floats, side by side.
+/// Loads the entries at the float offsets at[0], at[4], ..., side by side.
 template <std::size_t count> HWY_INLINE auto load_every_fourth(const float* rows, const std::uint32_t* at) {
   if constexpr (count == 4) {
     return hn::Load(FourFloats(), rows + at[0]);
@@ -110,18 +109,18 @@ HWY_INLINE Triple cross(const Triple& p, const Triple& q) {
 }
 
 HWY_INLINE Triple as_coordinates(const Four& rows) {
-  const Four m = transposed(rows);
+  const Four m = transpose(rows);
   return {m.a, m.b, m.c};
 }
 HWY_INLINE Four as_rows(const Triple& coordinates) {
-  return transposed({coordinates.x, coordinates.y, coordinates.z, hn::Zero(Floats())});
+  return transpose({coordinates.x, coordinates.y, coordinates.z, hn::Zero(Floats())});
 }
 
 HWY_INLINE Four operator*(const Four& x, const Four& y) {
   return {hn::Mul(x.a, y.a), hn::Mul(x.b, y.b), hn::Mul(x.c, y.c), hn::Mul(x.d, y.d)};
 }
 
-/// Repeats the number of each row in the places of its coordinates.
+/// Repeats the number of each entry in all of its four floats.
 HWY_INLINE Four for_rows(V numbers) {
   return {hn::Broadcast<0>(numbers), hn::Broadcast<1>(numbers), hn::Broadcast<2>(numbers), hn::Broadcast<3>(numbers)};
 }

@@ -1,0 +1,228 @@
+#include "app/garments/dressing/wearing.hpp"
+
+#include <fmt/core.h>
+
+#include "app/bodies/rig_pose.hpp"
+#include "app/models/hanging/garment_measures.hpp"
+#include "app/models/hanging/hanger.hpp"
+
+namespace taut::app {
+namespace {
+
+/// Largest distance of a garment that is already about a body, in m. Its rotation is then below half a right angle.
+constexpr double max_worn_distance_m = 0.05;
+constexpr double max_worn_drop_m = 0.12;        ///< largest such distance downwards
+constexpr double min_worn_cosine = 0.70710678;  ///< cosine of 45 degrees
+/// Cosine above which a rotation of a garment is ignored.
+constexpr double min_unturned_cosine = 0.98;
+constexpr double below_fork_m = 0.01;
+constexpr double min_limb_distance_m = 0.02;
+/// Largest distance by which a garment is lifted off shoulders that it crosses, and its steps.
+constexpr double max_lift_m = 0.12, lift_step_m = 0.02;
+
+/// Target of a garment on a body when the run begins.
+struct GarmentTarget {
+  sim::Vec3 top_m;  ///< base of the neck, or middle of the waist
+  sim::Vec3 front;
+};
+
+sim::Vec3 facing_direction(const JointPlaces& joints) {
+  const auto left = joints.find("left arm");
+  const auto right = joints.find("right arm");
+  if (left == joints.end() || right == joints.end()) return {0.0, 0.0, 1.0};
+  const sim::Vec3 across = left->second - right->second;
+  const sim::Vec3 front = glm::cross(across, sim::Vec3(0.0, 1.0, 0.0));
+  return glm::length(front) > 0.0 ? glm::normalize(front) : sim::Vec3(0.0, 0.0, 1.0);
+}
+
+/// `measured_m` is the base of the neck or the middle of the waist in the stored pose.
+GarmentTarget find_garment_target(const sim::Body& body, const Wearer& wearer, const JointPlaces& joints,
+                                  const char* joint, const sim::Vec3& measured_m) {
+  GarmentTarget wanted{measured_m, facing_direction(joints)};
+  if (joints.contains(joint)) wanted.top_m += joints.at(joint) - wearer.stored_joints.at(joint);
+  const sim::Pose pose = sim::pose_at(body.motion, 0.0);
+  return GarmentTarget{pose(wanted.top_m), pose.rotation * wanted.front};
+}
+
+/// Returns the point of the garment that is moved to the target.
+sim::Vec3 find_anchor_point(const GarmentMarks& marks) {
+  const sim::Vec3 middle = marks.top->middle();
+  return {middle.x, marks.is_worn_at_waist ? marks.top_height_m : marks.neck_base_m, middle.z};
+}
+
+/// A turn about the vertical through `from_m`, which moves to `to_m`.
+struct Move {
+  sim::Vec3 from_m, to_m;
+  double cosine = 1.0, sine = 0.0;
+
+  sim::Vec3 operator()(const sim::Vec3& p) const {
+    const sim::Vec3 d = p - from_m;
+    return to_m + sim::Vec3(cosine * d.x + sine * d.z, d.y, cosine * d.z - sine * d.x);
+  }
+};
+
+Move move_to(const GarmentMarks& marks, const GarmentTarget& wanted) {
+  Move move{find_anchor_point(marks), wanted.top_m};
+  sim::Vec3 front = marks.front;
+  if (!marks.is_front_known && glm::dot(front, wanted.front) < 0.0) front = -front;
+  const double cosine = glm::dot(front, wanted.front);
+  if (cosine < min_unturned_cosine) {
+    move.cosine = cosine;
+    move.sine = glm::cross(front, wanted.front).y;
+  }
+  return move;
+}
+
+void apply(const Move& move, LoadedGarment& loaded) {
+  sim::Garment garment = *loaded.garment;
+  const auto go = [&](std::vector<sim::Vec3>& positions_m) {
+    std::transform(positions_m.begin(), positions_m.end(), positions_m.begin(), move);
+  };
+  go(garment.mesh.positions);
+  go(garment.untangled_m);
+  if (loaded.start_m) go(*loaded.start_m);
+  loaded.garment = sim::share(std::move(garment));
+  if (loaded.following) {
+    FollowingModel model = *loaded.following;
+    go(model.mesh.positions);
+    loaded.following = std::make_shared<const FollowingModel>(std::move(model));
+  }
+}
+
+/// Returns whether the garment crosses the body at the start of its growth.
+bool crosses(const LoadedGarment& loaded, const sim::Body& body) {
+  const auto& mesh = std::get<sim::BodyMesh>(body.shape);
+  const std::vector<sim::Vec3> thin_m = mesh_positions_m(body, mesh.frames->first_s());
+  return !crossing_pairs(surface_at_start(loaded), {thin_m, mesh.data->triangles}).empty();
+}
+
+/// Adds the bones of both limbs, turned towards the nearest opening. An opening at the start of a limb turns no bone.
+void add_limbs(const Wearer& wearer, const sim::Body& body, const std::array<const char*, 3>& joints,
+               const std::vector<LimbOpening>& openings, std::vector<TurnedBone>& bones) {
+  const sim::Pose pose = sim::pose_at(body.motion, 0.0);
+  for (const char* const side : {"left ", "right "}) {
+    const std::vector<sim::Index> chain = joints_of_limb(*wearer.rig, side, joints);
+    if (openings.empty() || chain.empty()) continue;
+    const sim::Vec3 begin_m = pose(wearer.places.placement(sim::Vec3(wearer.pose.to_model[chain[0]][3])));
+    const sim::Vec3 way_m = find_nearest_opening(openings, begin_m).middle_m - begin_m;
+    const sim::Vec3 direction = in_file_axes(wearer.places.placement, glm::transpose(pose.rotation) * way_m);
+    for (std::size_t k = 1; k < chain.size() && glm::length(way_m) > min_limb_distance_m; ++k) {
+      bones.push_back({chain[k - 1], chain[k], direction});
+    }
+  }
+}
+
+/// Turns the limbs into sleeves and legs if the body crosses the garment. Returns a report for people.
+std::string begin_in_limbs(const Wearer& wearer, const GarmentMarks& marks, const LoadedGarment& loaded,
+                           sim::Body& body) {
+  std::vector<TurnedBone> bones;
+  add_limbs(wearer, body, {"arm", "forearm", "hand"}, marks.cuffs, bones);
+  const std::size_t of_arms = bones.size();
+  add_limbs(wearer, body, {"upleg", "leg", "foot"}, marks.legs, bones);
+  if (bones.empty() || !crosses(loaded, body)) return "";
+  std::get<sim::BodyMesh>(body.shape).frames =
+      make_growing_frames(wearer, make_turning_poses(*wearer.rig, wearer.pose, bones));
+  return of_arms > 0 ? "the arms begin in its sleeves" : "the legs begin in its own";
+}
+
+/// Returns the move of a garment with two legs that puts its fork right below the body's.
+std::optional<Move> move_to_fork(const GarmentMarks& marks, const Surface& garment, const Wearer& wearer,
+                                 const GarmentTarget& at_waist) {
+  const std::optional<GarmentTube> tube = find_tube(garment);
+  const BodyMeasures& measures = wearer.measures;
+  if (marks.legs.empty() || !tube || !tube->fork_m || measures.levels.empty() || measures.fork == 0) {
+    return std::nullopt;
+  }
+  const double fork_m = measures.levels[measures.fork].height_m - below_fork_m;
+  GarmentTarget wanted = at_waist;
+  wanted.top_m.y += fork_m + marks.top_height_m - *tube->fork_m - measures.waist_m->y;
+  return move_to(marks, wanted);
+}
+
+/// Returns whether a garment already lies about the body. It may be worn lower than at the waist or the neck.
+bool lies_about(const Move& move) {
+  const sim::Vec3 way_m = move.to_m - move.from_m;
+  return std::hypot(way_m.x, way_m.z) < max_worn_distance_m && way_m.y > -max_worn_distance_m &&
+         way_m.y < max_worn_drop_m && move.cosine > min_worn_cosine;
+}
+
+}  // namespace
+
+Dressed dressed_body(const Scene& scene) {
+  for (std::size_t b = 0; b < scene.wearers.size(); ++b) {
+    if (scene.wearers[b]) return {scene.wearers[b].get(), b};
+  }
+  return {};
+}
+
+sim::Vec3 front_of_dressed(const Scene& scene) {
+  const Dressed dressed = dressed_body(scene);
+  if (dressed.wearer == nullptr) return {0.0, 0.0, 1.0};
+  return sim::pose_at(scene.surroundings.bodies[dressed.body].motion, 0.0).rotation *
+         facing_direction(dressed.wearer->joints);
+}
+
+std::vector<std::string> put_on(LoadedGarment& loaded, Scene& scene) {
+  const Dressed dressed = dressed_body(scene);
+  if (dressed.wearer == nullptr || scene.garment.has_start()) return {};
+  const Wearer& wearer = *dressed.wearer;
+  const std::size_t b = dressed.body;
+  sim::Body& body = scene.surroundings.bodies[b];
+  const auto marks_now = [&] {
+    return find_garment_marks(*loaded.garment, surface_at_start(loaded).positions_m, loaded.landmarks);
+  };
+  const GarmentMarks marks = marks_now();
+  const bool at_waist = marks.is_worn_at_waist;
+  const std::optional<sim::Vec3>& measured_m = at_waist ? wearer.measures.waist_m : wearer.measures.neck_m;
+  std::get<sim::BodyMesh>(body.shape).frames = wearer.frames;
+  if (!marks.top || !measured_m) {
+    return {fmt::format("it stays where it is: {} was found on {}",
+                        marks.top ? "no neck" : "no neck opening and no waist",
+                        marks.top ? describe_body(scene.surroundings.bodies, b) : "it")};
+  }
+  const Surface garment = surface_at_start(loaded);
+  const auto move_in = [&](const JointPlaces& joints) {
+    const GarmentTarget wanted = find_garment_target(body, wearer, joints, at_waist ? "hips" : "neck", *measured_m);
+    const auto to_fork = at_waist ? move_to_fork(marks, garment, wearer, wanted) : std::nullopt;
+    return to_fork.value_or(move_to(marks, wanted));
+  };
+  auto& frames = std::get<sim::BodyMesh>(body.shape).frames;
+  const Move move = move_in(wearer.joints);
+  if (lies_about(move) && !crosses(loaded, body)) return {};
+  if (wearer.motion && lies_about(move_in(wearer.stored_joints))) {
+    frames = make_growing_frames(wearer, make_poses_from_stored(wearer));
+    if (!crosses(loaded, body)) {
+      return {
+          fmt::format("{} begins as it was stored, where the garment lies about it, and is led to the first "
+                      "frame of its motion",
+                      describe_body(scene.surroundings.bodies, b))};
+    }
+    frames = wearer.frames;
+  }
+  apply(move, loaded);
+  std::vector<std::string> said = {
+      fmt::format("it is moved by {:.3g} m{}, so that its {} is at that of {}", glm::distance(move.from_m, move.to_m),
+                  move.cosine == 1.0 ? "" : " and turned about the vertical", at_waist ? "waist" : "neck",
+                  describe_body(scene.surroundings.bodies, b))};
+  // Garments that were draped on wider shoulders hang lower beside the neck.
+  std::string limbs = begin_in_limbs(wearer, marks_now(), loaded, body);
+  double lifted_m = 0.0;
+  const auto lift = [&](double by_m) {
+    apply({sim::Vec3(0.0), {0.0, by_m, 0.0}}, loaded);
+    lifted_m += by_m;
+    frames = wearer.frames;
+    limbs = begin_in_limbs(wearer, marks_now(), loaded, body);
+  };
+  while (lifted_m < max_lift_m && crosses(loaded, body)) lift(lift_step_m);
+  if (lifted_m > 0.0 && crosses(loaded, body)) lift(-lifted_m);
+  if (lifted_m > 0.0) said.push_back(fmt::format("it begins {:.0f} cm above that", 100.0 * lifted_m));
+  if (!limbs.empty()) said.push_back(limbs);
+  return said;
+}
+
+std::vector<std::string> put_where_it_begins(LoadedGarment& loaded, Scene& scene) {
+  put_on_hanger(loaded, scene);
+  return put_on(loaded, scene);
+}
+
+}  // namespace taut::app

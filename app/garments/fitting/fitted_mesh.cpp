@@ -1,0 +1,442 @@
+#include "app/garments/fitting/fitted_mesh.hpp"
+
+#include <fmt/core.h>
+
+#include "app/base/errors.hpp"
+#include "app/garments/fitting/following.hpp"
+#include "app/garments/fitting/sheets.hpp"
+#include "app/verify/crossing_pairs.hpp"
+#include "sim/mesh/topology.hpp"
+#include "sim/mesh/welding.hpp"
+
+namespace taut::app {
+namespace {
+
+constexpr double min_layer_cosine =
+    0.95;  ///< cosine of the inward directions of two borders above which one lies on the other
+constexpr double max_seam_cosine = -0.3;   ///< largest such cosine of a seam between borders of one sheet
+constexpr double max_gap_cosine = -0.7;    ///< largest such cosine of a part that continues beyond a gap
+constexpr double max_across_cosine = 0.3;  ///< largest cosine between the inward direction and the other border's
+
+constexpr double slit_width_ratio =
+    0.07;  ///< width of a slit over the longest border; a slit's border may be twice as long
+
+/// A border edge in the orientation of its triangle.
+struct SheetBorderEdge {
+  sim::Index from, to, triangle;
+  sim::Vec3 inwards;
+};
+
+std::vector<SheetBorderEdge> border_edges(const sim::Mesh& mesh) {
+  const sim::Adjacency adjacency = sim::make_adjacency(mesh);
+  std::vector<SheetBorderEdge> edges;
+  for (std::size_t e = 0; e < adjacency.edges.size(); ++e) {
+    if (adjacency.edge_triangles[e].size() != 1) continue;
+    const sim::Index t = adjacency.edge_triangles[e][0];
+    auto [from, to] = adjacency.edges[e];
+    if (!sim::runs_along(mesh.triangles[t], adjacency.edges[e])) std::swap(from, to);
+    const sim::Vec3 way = mesh.positions[to] - mesh.positions[from];
+    const sim::Vec3 in = glm::cross(sim::doubled_area_vector(mesh.positions, mesh.triangles[t]), way);
+    edges.push_back({from, to, t, glm::dot(in, in) > 0.0 ? glm::normalize(in) : in});
+  }
+  return edges;
+}
+
+/// A vertex, and the point of an edge that it is welded to.
+struct Weld {
+  std::size_t edge;
+  double way_m;  ///< distance from the start of the edge
+  sim::Index vertex;
+  auto operator<=>(const Weld&) const = default;
+};
+
+class Seams {
+  struct Border {
+    sim::Vec3 inwards = sim::Vec3(0.0);
+    std::set<sim::Index> near;  ///< the vertex and its neighbours along the border
+  };
+
+ public:
+  Seams(double distance_m, sim::Mesh& mesh)
+      : distance_m_(distance_m),
+        mesh_(mesh),
+        edges_(border_edges(mesh)),
+        part_of_(sim::connect_vertices(mesh.positions.size(), mesh.triangles)) {
+    for (const SheetBorderEdge& edge : edges_) {
+      for (const sim::Index v : {edge.from, edge.to}) {
+        Border& border = borders_[v];
+        border.inwards += edge.inwards;
+        border.near.insert({edge.from, edge.to});
+      }
+    }
+  }
+
+  /// Finds welds within a part, and between parts closer than the join distance.
+  std::vector<Weld> find_seams() {
+    return find(distance_m_, [this](sim::Index v, const Border& border, const SheetBorderEdge& edge,
+                                    const TreeSurfacePoint& place) { return may_join(v, border, edge, place); });
+  }
+
+  /// Finds welds to other parts across a gap that runs along most of a border.
+  std::vector<Weld> find_gaps(double gap_m) {
+    std::vector<Weld> welds = find(
+        gap_m, [this](sim::Index v, const Border& border, const SheetBorderEdge& edge, const TreeSurfacePoint& place) {
+          return part_of_.find(v) != part_of_.find(edge.from) && goes_on_beyond(v, border, edge, place, max_gap_cosine);
+        });
+    std::vector<std::size_t> loop_of(mesh_.positions.size());
+    std::vector<std::array<std::size_t, 2>> counts;  ///< per border: its welded vertices, all its vertices
+    for (const std::vector<sim::Index>& loop : border_loops(mesh_)) {
+      for (const sim::Index v : loop) loop_of[v] = counts.size();
+      counts.push_back({0, loop.size()});
+    }
+    for (const Weld& weld : welds) ++counts[loop_of[weld.vertex]][0];
+    const auto is_most = [&](sim::Index v) { return 2 * counts[loop_of[v]][0] > counts[loop_of[v]][1]; };
+    std::erase_if(welds, [&](const Weld& w) { return !is_most(w.vertex) && !is_most(edges_[w.edge].from); });
+    return welds;
+  }
+
+  std::size_t join(std::vector<Weld> welds) {
+    std::ranges::sort(welds);
+    pairs_.clear();
+    for (std::size_t begin = 0; begin < welds.size();) {
+      std::size_t end = begin;
+      while (end < welds.size() && welds[end].edge == welds[begin].edge) ++end;
+      split(edges_[welds[begin].edge], std::span(welds).subspan(begin, end - begin));
+      begin = end;
+    }
+    weld();
+    return welds.size();
+  }
+
+ private:
+  bool may_join(sim::Index v, const Border& border, const SheetBorderEdge& edge, const TreeSurfacePoint& place) {
+    if (part_of_.find(v) != part_of_.find(edge.from)) {
+      return glm::dot(border.inwards, edge.inwards) < min_layer_cosine * glm::length(border.inwards);
+    }
+    return goes_on_beyond(v, border, edge, place, max_seam_cosine);
+  }
+
+  bool goes_on_beyond(sim::Index v, const Border& border, const SheetBorderEdge& edge, const TreeSurfacePoint& place,
+                      double max_cosine) const {
+    const double length = glm::length(border.inwards);
+    return glm::dot(border.inwards, edge.inwards) < max_cosine * length &&
+           glm::dot(place.place_m - mesh_.positions[v], border.inwards) <=
+               max_across_cosine * place.distance_m * length;
+  }
+
+  template <class Accept> std::vector<Weld> find(double reach_m, const Accept& accept) {
+    std::vector<sim::Triangle> segments;
+    for (const SheetBorderEdge& edge : edges_) segments.push_back({edge.from, edge.to, edge.to});
+    const SurfaceTree tree(mesh_.positions, segments);
+    std::vector<Weld> welds;
+    for (const auto& [v, border] : borders_) {
+      const auto found =
+          tree.find_nearest(mesh_.positions[v], reach_m, [&, vertex = v, &own = border](const TreeSurfacePoint& place) {
+            const SheetBorderEdge& edge = edges_[place.triangle];
+            return !own.near.contains(edge.from) && !own.near.contains(edge.to) && accept(vertex, own, edge, place);
+          });
+      if (found) {
+        const sim::Vec3& from = mesh_.positions[edges_[found->triangle].from];
+        welds.push_back({found->triangle, glm::distance(from, found->place_m), v});
+      }
+    }
+    return welds;
+  }
+
+  /// Inserts vertices into an edge where others are welded to it, except near its ends and near each other.
+  void split(const SheetBorderEdge& edge, std::span<const Weld> welds) {
+    const sim::Vec3 from = mesh_.positions[edge.from], to = mesh_.positions[edge.to];
+    const double length = glm::distance(from, to);
+    sim::Index last = edge.from;
+    double last_m = 0.0;
+    for (const Weld& weld : welds) {
+      if (length - weld.way_m < distance_m_) {
+        pairs_.push_back({weld.vertex, weld.way_m - last_m < length - weld.way_m ? last : edge.to});
+        continue;
+      }
+      if (weld.way_m - last_m >= distance_m_) {
+        const auto added = static_cast<sim::Index>(mesh_.positions.size());
+        mesh_.positions.push_back(from + weld.way_m / length * (to - from));
+        cut_side(edge.triangle, last, edge.to, added);
+        last = added;
+        last_m = weld.way_m;
+      }
+      pairs_.push_back({weld.vertex, last});
+    }
+  }
+
+  /// Cuts the triangle or its piece that has this side.
+  void cut_side(sim::Index triangle, sim::Index from, sim::Index to, sim::Index between) {
+    std::vector<sim::Index> pieces = pieces_[triangle];
+    pieces.push_back(triangle);
+    for (const sim::Index t : pieces) {
+      for (int k = 0; k < 3; ++k) {
+        sim::Triangle& corners = mesh_.triangles[t];
+        if (corners[k] == from && corners[(k + 1) % 3] == to) {
+          sim::Triangle rest = corners;
+          rest[k] = between;
+          corners[(k + 1) % 3] = between;
+          pieces_[triangle].push_back(static_cast<sim::Index>(mesh_.triangles.size()));
+          mesh_.triangles.push_back(rest);
+          return;
+        }
+      }
+    }
+  }
+
+  void weld() {
+    sim::Groups groups(mesh_.positions.size());
+    for (const sim::Edge& pair : pairs_) groups.join(pair[0], pair[1]);
+    std::vector<sim::Vec3> sums(mesh_.positions.size(), sim::Vec3(0.0));
+    std::vector<double> counts(mesh_.positions.size(), 0.0);
+    for (sim::Index v = 0; v < sums.size(); ++v) {
+      sums[groups.find(v)] += mesh_.positions[v];
+      counts[groups.find(v)] += 1.0;
+    }
+    for (sim::Index v = 0; v < sums.size(); ++v) {
+      mesh_.positions[v] = sums[groups.find(v)] / counts[groups.find(v)];
+    }
+    std::erase_if(mesh_.triangles, [&](sim::Triangle& t) {
+      for (sim::Index& v : t) v = groups.find(v);
+      return t[0] == t[1] || t[1] == t[2] || t[2] == t[0];
+    });
+  }
+
+  double distance_m_;
+  sim::Mesh& mesh_;
+  std::vector<SheetBorderEdge> edges_;
+  sim::Groups part_of_;
+  std::map<sim::Index, Border> borders_;
+  std::map<sim::Index, std::vector<sim::Index>> pieces_;  ///< per cut triangle, the triangles that were cut off it
+  std::vector<sim::Edge> pairs_;
+};
+
+constexpr double min_sheet_share = 0.02;          ///< smallest area of a simulated sheet, as a fraction of the total
+constexpr double min_share_of_largest = 0.05;     ///< smallest fraction of the largest sheet's area
+constexpr double joined_share = 0.003;            ///< largest distance of joined borders, as a fraction of the size
+constexpr double gap_share = 0.02;                ///< largest gap between joined parts, as a fraction of the size
+constexpr double flat_thickness_fraction = 0.02;  ///< thickness of flat pieces, as a fraction of the size
+constexpr double first_edge_ratio = 1.08;         ///< ratio of the first edges to those of equilateral triangles
+constexpr double max_edge_growth = 1.02;          ///< extra growth factor of edges after too many triangles
+/// Budget of triangle tests for each requested triangle. Thirteen garments of other makers took up to 215 in all their
+/// fits. Flat polygons of 2000 corners that are cut into needles exceed it.
+constexpr std::size_t max_looks_per_triangle = 12000;
+constexpr int max_trials = 4;
+constexpr int max_fits = 4;  ///< each fits the mesh of the one before
+/// Number of crossings up to which another fit must remove more than half of them. Each fit is farther from the model,
+/// and few crossings can be untangled.
+constexpr std::size_t max_untangled_crossings = 70;
+constexpr double min_area_left = 0.8;      ///< smallest area after another fit, as a fraction of the area before
+constexpr double closed_hole_edges = 5.0;  ///< largest border of a closed hole, in edge lengths
+
+std::vector<double> areas_of_sheets(const Sheets& sheets) {
+  std::vector<double> areas(sheets.count, 0.0);
+  for (std::size_t t = 0; t < sheets.sheet_of.size(); ++t) {
+    const sim::Vec3 area = sim::doubled_area_vector(sheets.mesh.positions, sheets.mesh.triangles[t]);
+    areas[sheets.sheet_of[t]] += 0.5 * glm::length(area);
+  }
+  return areas;
+}
+
+/// Returns the mesh without small sheets.
+sim::Mesh large_sheets(const Sheets& sheets) {
+  const std::vector<double> areas = areas_of_sheets(sheets);
+  double all = 0.0, largest = 0.0;
+  for (const double area : areas) {
+    all += area;
+    largest = std::max(largest, area);
+  }
+  const double min_area = std::min(min_sheet_share * all, min_share_of_largest * largest);
+  sim::Mesh large{sheets.mesh.positions, {}, {}};
+  for (std::size_t t = 0; t < sheets.sheet_of.size(); ++t) {
+    if (areas[sheets.sheet_of[t]] >= min_area) large.triangles.push_back(sheets.mesh.triangles[t]);
+  }
+  return large;
+}
+
+double edge_for(double area_m2, std::size_t triangles) {
+  return std::sqrt(4.0 * area_m2 / (std::numbers::sqrt3 * static_cast<double>(triangles)));
+}
+
+/// Fits one mesh to a model. Its crossings are mostly ends of a wall that lie on others.
+FittedMesh fit_once(const sim::Mesh& model_m, const FittingSettings& settings) {
+  FittedMesh fitted;
+  Sheets sheets = cut_into_sheets(model_m);
+  turn_outwards(sheets);
+  const std::vector<char> is_kept_wall = choose_walls(sheets, find_other_walls(sheets));
+  sim::Mesh wall{sheets.mesh.positions, {}, {}};
+  for (std::size_t t = 0; t < is_kept_wall.size(); ++t) {
+    if (is_kept_wall[t] != 0) wall.triangles.push_back(sheets.mesh.triangles[t]);
+  }
+  wall = cut_into_sheets(wall).mesh;
+  const double size_m = glm::length(sim::compute_extent(wall.positions).size());
+  const double distance_m = std::min(settings.join_distance_m, joined_share * size_m);
+  fitted.joined_vertices = join_borders(distance_m, wall);
+  wall = cut_into_sheets(wall).mesh;
+  fitted.joined_vertices += join_parts(gap_between_parts(wall, settings), distance_m, wall);
+  Sheets joined_sheets = cut_into_sheets(wall);
+  turn_outwards(joined_sheets);
+  sim::Mesh surface = large_sheets(joined_sheets);
+  const double area = sim::surface_area(surface);
+  fitted.edge_m = std::max(settings.min_edge_m, first_edge_ratio * edge_for(area, settings.max_triangles));
+  fitted.closed_holes = fill_small_holes(closed_hole_edges * fitted.edge_m, surface);
+  const std::size_t max_looks = max_looks_per_triangle * settings.max_triangles;
+  fitted.mesh = remesh(surface, fitted.edge_m, max_looks);
+  for (int i = 0; i < max_trials && fitted.mesh.triangles.size() > settings.max_triangles; ++i) {
+    const auto found = static_cast<double>(fitted.mesh.triangles.size());
+    fitted.edge_m *= max_edge_growth * std::sqrt(found / static_cast<double>(settings.max_triangles));
+    fitted.mesh = remesh(surface, fitted.edge_m, max_looks);
+  }
+  // Sheets that were joined by a single edge may have come apart.
+  Sheets cut = cut_into_sheets(large_sheets(cut_into_sheets(fitted.mesh)));
+  fitted.mesh = std::move(cut.mesh);
+  fitted.sheets = cut.count;
+  fitted.is_simulated.assign(is_kept_wall.begin(), is_kept_wall.end());
+  fitted.carried_triangles = static_cast<std::size_t>(std::ranges::count(is_kept_wall, 0));
+  fitted.crossings = crossing_pairs({fitted.mesh.positions, fitted.mesh.triangles}, throw_if_interrupted).size();
+  return fitted;
+}
+
+constexpr double max_two_walled_fraction = 0.3;  ///< fraction of the area above which cloth is modelled with two walls
+constexpr std::size_t max_simulated_triangles =
+    16000;                                        ///< largest number of triangles of a model that is simulated itself
+constexpr std::size_t min_fold_triangles = 1000;  ///< smallest number of triangles for the folds of a garment
+constexpr std::size_t min_border_vertices = 8;    ///< smallest number of border vertices along another part
+constexpr double needle_share = 0.003;            ///< largest fraction of needles among the triangles
+constexpr double short_share = 0.002;         ///< largest fraction of edges within the thickness: contact tears them
+constexpr double needle_sine = 0.0871557427;  ///< sine of 5 degrees
+
+std::size_t count_needles(const sim::Mesh& mesh) {
+  return static_cast<std::size_t>(std::ranges::count_if(
+      mesh.triangles, [&](const sim::Triangle& t) { return sine_of_smallest_angle(mesh, t) < needle_sine; }));
+}
+
+}  // namespace
+
+std::size_t join_borders(double distance_m, sim::Mesh& mesh) {
+  Seams seams(distance_m, mesh);
+  return seams.join(seams.find_seams());
+}
+
+std::size_t join_parts(double gap_m, double spacing_m, sim::Mesh& mesh) {
+  Seams seams(spacing_m, mesh);
+  return seams.join(seams.find_gaps(gap_m));
+}
+
+std::vector<std::vector<sim::Index>> border_loops(const sim::Mesh& mesh) {
+  std::map<sim::Index, sim::Index> next;
+  for (const SheetBorderEdge& edge : border_edges(mesh)) {
+    const auto [place, is_first] = next.emplace(edge.from, edge.to);
+    if (!is_first) place->second = sim::no_vertex;
+  }
+  std::vector<std::vector<sim::Index>> loops;
+  while (!next.empty()) {
+    std::vector<sim::Index> loop;
+    sim::Index to = next.begin()->first;
+    for (auto at = next.begin(); at != next.end(); at = next.find(to)) {
+      loop.push_back(at->first);
+      to = at->second;
+      next.erase(at);
+    }
+    if (to == loop.front()) loops.push_back(std::move(loop));
+  }
+  return loops;
+}
+
+std::size_t fill_small_holes(double max_length_m, sim::Mesh& mesh) {
+  std::size_t closed = 0;
+  for (const std::vector<sim::Index>& loop : border_loops(mesh)) {
+    double length = 0.0;
+    sim::Vec3 sum(0.0), doubled_area(0.0);
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+      doubled_area += glm::cross(mesh.positions[loop[i]] - mesh.positions[loop[0]],
+                                 mesh.positions[loop[(i + 1) % loop.size()]] - mesh.positions[loop[0]]);
+      length += glm::distance(mesh.positions[loop[i]], mesh.positions[loop[(i + 1) % loop.size()]]);
+      sum += mesh.positions[loop[i]];
+    }
+    const bool is_slit = glm::length(doubled_area) < slit_width_ratio * max_length_m * length;
+    if (length >= (is_slit ? 2.0 : 1.0) * max_length_m) continue;
+    ++closed;
+    const auto middle = static_cast<sim::Index>(mesh.positions.size());
+    mesh.positions.push_back(sum / static_cast<double>(loop.size()));
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+      mesh.triangles.push_back({loop[(i + 1) % loop.size()], loop[i], middle});
+    }
+  }
+  return closed;
+}
+
+double gap_between_parts(const sim::Mesh& model_m, const FittingSettings& settings) {
+  const sim::Vec3 size = sim::compute_extent(model_m.positions).size();
+  const bool is_flat = std::min({size.x, size.y, size.z}) < flat_thickness_fraction * glm::length(size);
+  return is_flat ? 0.0 : std::min(settings.gap_m, gap_share * glm::length(size));
+}
+
+FittedMesh fit_mesh(const sim::Mesh& model_m, const FittingSettings& settings) {
+  FittedMesh fitted = fit_once(model_m, settings);
+  for (int i = 1; i < max_fits && fitted.crossings > 0; ++i) {
+    FittedMesh again = fit_once(fitted.mesh, settings);
+    const std::size_t most =
+        fitted.crossings > max_untangled_crossings ? fitted.crossings - 1 : (fitted.crossings - 1) / 2;
+    if (again.crossings > most || sim::surface_area(again.mesh) < min_area_left * sim::surface_area(fitted.mesh)) {
+      break;
+    }
+    again.is_simulated = std::move(fitted.is_simulated);
+    again.carried_triangles = fitted.carried_triangles;
+    again.joined_vertices += fitted.joined_vertices;
+    again.closed_holes += fitted.closed_holes;
+    fitted = std::move(again);
+  }
+  return fitted;
+}
+
+double sine_of_smallest_angle(const sim::Mesh& mesh, const sim::Triangle& t) {
+  std::array<double, 3> sides{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    sides[k] = glm::distance(mesh.positions[t[k]], mesh.positions[t[(k + 1) % 3]]);
+  }
+  std::ranges::sort(sides);
+  const double area = glm::length(sim::doubled_area_vector(mesh.positions, t));
+  return sides[1] > 0.0 ? area / (sides[1] * sides[2]) : 0.0;
+}
+
+bool is_coarse(const sim::Mesh& model) {
+  return model.triangles.size() < min_fold_triangles && model.triangles.size() >= min_garment_triangles;
+}
+
+std::optional<std::string> why_not_fit_for_simulation(const sim::Mesh& model_m, std::size_t crossings,
+                                                      double thickness_m) {
+  const std::size_t count = model_m.triangles.size();
+  if (crossings > 0) return fmt::format("it crosses itself in {} places", crossings);
+  if (count > max_simulated_triangles) return fmt::format("it has {} triangles", count);
+  const std::size_t needles = count_needles(model_m);
+  if (static_cast<double>(needles) > needle_share * static_cast<double>(count)) {
+    return fmt::format("{} of its {} triangles are needles", needles, count);
+  }
+  const sim::Adjacency adjacency = sim::make_adjacency(model_m);
+  const auto is_short = [&](const sim::Edge& edge) {
+    return glm::distance(model_m.positions[edge[0]], model_m.positions[edge[1]]) < thickness_m;
+  };
+  const auto too_short = std::ranges::count_if(adjacency.edges, is_short);
+  if (static_cast<double>(too_short) > short_share * static_cast<double>(adjacency.edges.size())) {
+    return fmt::format("{} of its edges are shorter than the cloth is thick", too_short);
+  }
+  const std::size_t fins = sim::measure_topology(model_m, adjacency).non_manifold_edges;
+  if (fins > 0) return fmt::format("more than two triangles meet at {} of its edges", fins);
+  Sheets sheets = cut_into_sheets(model_m);
+  sim::Mesh joined_mesh = sheets.mesh;
+  const std::size_t apart = join_parts(gap_between_parts(joined_mesh), 0.0, joined_mesh);
+  if (apart >= min_border_vertices) {
+    return fmt::format("parts of it lie apart along {} vertices of their borders", apart);
+  }
+  turn_outwards(sheets);
+  const OtherWalls other = find_other_walls(sheets);
+  const double share = share_of_two_walls(sheets, other);
+  if (share > max_two_walled_fraction) return fmt::format("it has two walls over {:.0f} % of its area", 100.0 * share);
+  const std::vector<char> is_kept_wall = choose_walls(sheets, other);
+  const auto carried = std::ranges::count(is_kept_wall, 0);
+  if (carried > 0) return fmt::format("parts of {} triangles lie on others", carried);
+  return std::nullopt;
+}
+
+}  // namespace taut::app

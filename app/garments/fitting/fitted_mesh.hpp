@@ -1,0 +1,74 @@
+#pragma once
+
+#include "sim/mesh/mesh.hpp"
+
+namespace taut::app {
+
+/// Joins borders that run along each other within `distance_m`, unless one lies on the other. Their vertices need not
+/// match: each vertex is welded to the nearest point of the other border. Returns the number of welded vertices. Where
+/// more than two triangles meet afterwards, `cut_into_sheets` chooses. Requires at most two triangles at each edge.
+std::size_t join_borders(double distance_m, sim::Mesh& mesh);
+
+/// Joins parts that lie farther apart where another part continues beyond the gap along most of a border, as trousers
+/// do below their waistband. Welded points are at least `spacing_m` apart. Returns and requires the same as
+/// join_borders().
+std::size_t join_parts(double gap_m, double spacing_m, sim::Mesh& mesh);
+
+/// Closes holes whose border is shorter than `max_length_m`. Returns their number.
+std::size_t fill_small_holes(double max_length_m, sim::Mesh& mesh);
+
+/// Returns the closed borders as vertices in order, with the cloth on the left as seen from outside. Borders that touch
+/// are left out.
+std::vector<std::vector<sim::Index>> border_loops(const sim::Mesh& mesh);
+
+/// Settings of a mesh that is fitted to a model.
+struct FittingSettings {
+  std::size_t max_triangles = 8000;
+  double min_edge_m = 0.0;          ///< lower limit of the edge length; cloth has to be thinner than its edges are long
+  double join_distance_m = 0.0025;  ///< distance below which borders that run along each other are joined
+  double gap_m = 0.02;              ///< widest gap across which parts are joined
+};
+
+/// A mesh that is simulated in place of a model, which follows it.
+struct FittedMesh {
+  /// Mesh in metres: one wall of cloth, at most two triangles at an edge, one fan at a vertex, facing outwards.
+  sim::Mesh mesh;
+  /// Per triangle of the model, whether its surface is part of the mesh. Other triangles follow the simulated wall:
+  /// inner walls, trims, buttons, labels.
+  std::vector<std::uint8_t> is_simulated;
+  double edge_m = 0.0;                ///< target edge length
+  std::size_t sheets = 0;             ///< count of connected components of the mesh
+  std::size_t carried_triangles = 0;  ///< count of triangles of the model that are not simulated
+  std::size_t joined_vertices = 0;    ///< count of welded vertices of borders that nearly met
+  std::size_t closed_holes = 0;       ///< count of holes smaller than a few triangles
+  std::size_t crossings = 0;          ///< count of pairs of triangles of the mesh that cross
+};
+
+/// Returns the gap of these settings for a garment of this size; 0 for flat pattern pieces, which lie beside each other
+/// as cut.
+double gap_between_parts(const sim::Mesh& model_m, const FittingSettings& settings = {});
+
+/// Makes a mesh of near-equilateral triangles of one size from any model. Requires a welded mesh in metres.
+FittedMesh fit_mesh(const sim::Mesh& model_m, const FittingSettings& settings = {});
+
+/// Smallest number of triangles of a garment.
+inline constexpr std::size_t min_garment_triangles = 24;
+
+/// Returns the sine of the smallest angle of a triangle, the angle between its two longest sides.
+double sine_of_smallest_angle(const sim::Mesh& mesh, const sim::Triangle& triangle);
+
+/// Returns whether a garment has too few triangles for its folds.
+bool is_coarse(const sim::Mesh& model);
+
+/// Returns for people why the model itself is not fit for simulation; nothing if it is. `crossings` is the number of
+/// pairs of its triangles that cross at the start, `thickness_m` the thickness of its cloth.
+std::optional<std::string> why_not_fit_for_simulation(const sim::Mesh& model_m, std::size_t crossings,
+                                                      double thickness_m = 0.0);
+
+/// Makes near-equilateral triangles of one size on the same surface (Botsch and Kobbelt 2004, A Remeshing Approach to
+/// Multiresolution Modeling). Borders stay on the borders, and their corners in place. Requires at most two triangles
+/// at every edge, one fan at every vertex and neighbours that face the same side. Throws std::invalid_argument if it
+/// needs more than `max_looks` tests of triangles of the surface.
+sim::Mesh remesh(const sim::Mesh& surface, double edge_m, std::size_t max_looks);
+
+}  // namespace taut::app

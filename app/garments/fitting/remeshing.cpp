@@ -1,0 +1,476 @@
+#include <OpenMesh/Core/Mesh/TriConnectivity.hh>
+
+#include "app/base/errors.hpp"
+#include "app/garments/fitting/fitted_mesh.hpp"
+#include "app/garments/fitting/following.hpp"
+#include "app/garments/fitting/sheets.hpp"
+#include "sim/mesh/groups.hpp"
+#include "sim/mesh/welding.hpp"
+
+namespace taut::app {
+namespace {
+
+using sim::Vec3;
+using Vertex = OpenMesh::VertexHandle;
+using Edge = OpenMesh::EdgeHandle;
+using Halfedge = OpenMesh::HalfedgeHandle;
+
+constexpr int rounds = 8;
+constexpr int max_collapse_sweeps = 6;         ///< sweeps of collapses or flips in a round
+constexpr std::size_t max_vertices = 1000000;  ///< limit of all vertices ever made, for models of needles
+constexpr std::size_t looks_of_split = 50;     ///< cost of a split in triangle tests
+constexpr double max_edge_ratio = 4.0 / 3.0;
+constexpr double min_edge_length_ratio = 4.0 / 5.0;
+constexpr double max_half_ratio = 0.75;     ///< longest half of a split edge, as a fraction of the edge
+constexpr double max_corner_cosine = 0.6;   ///< cosine of a border's turn below which the corner stays
+constexpr double corner_reach_edges = 0.7;  ///< distance to both sides over which the turn is measured, in edge lengths
+constexpr double min_normal_cosine = 0.3;   ///< smallest cosine between normals before and after a change
+constexpr double min_edge_ratio = 0.1;      ///< smallest edge and height of a triangle, in target edge lengths
+constexpr double min_height_ratio = 0.03;
+constexpr double min_area_ratio =
+    0.02;  ///< doubled area over the square of the longest side below which a normal is meaningless
+
+/// A closed border of the model.
+struct BorderLine {
+  BorderLine(const sim::Mesh& mesh, const std::vector<sim::Index>& loop) {
+    for (const sim::Index v : loop) {
+      length_m += places.empty() ? 0.0 : glm::distance(places.back(), mesh.positions[v]);
+      places.push_back(mesh.positions[v]);
+      ways_m.push_back(length_m);
+    }
+    length_m += glm::distance(places.back(), places.front());
+    places.push_back(places.front());
+    ways_m.push_back(length_m);
+  }
+
+  /// Returns the distance along the border from one position forwards to another.
+  double between(double from_m, double to_m) const { return to_m >= from_m ? to_m - from_m : to_m - from_m + length_m; }
+  Vec3 place(double way_m) const {
+    const auto after = std::upper_bound(ways_m.begin() + 1, ways_m.end() - 1, way_m) - ways_m.begin();
+    const auto k = static_cast<std::size_t>(after);
+    const double edge = ways_m[k] - ways_m[k - 1];
+    return places[k - 1] + (edge > 0.0 ? (way_m - ways_m[k - 1]) / edge : 0.0) * (places[k] - places[k - 1]);
+  }
+
+  std::vector<Vec3> places;
+  std::vector<double> ways_m;
+  double length_m = 0.0;
+};
+
+/// Position of a vertex on a border of the model.
+struct OnLine {
+  std::size_t line;
+  double way_m;
+};
+
+/// The surface that the mesh approximates.
+struct Model {
+  explicit Model(const sim::Mesh& mesh)
+      : tree(mesh.positions, mesh.triangles), normals(unit_normals(mesh)), loops(border_loops(mesh)) {
+    sim::Groups parts = sim::connect_vertices(mesh.positions.size(), mesh.triangles);
+    for (sim::Index v = 0; v < mesh.positions.size(); ++v) part_of_vertex.push_back(parts.find(v));
+    for (const sim::Triangle& t : mesh.triangles) part_of.push_back(parts.find(t[0]));
+    for (const auto& loop : loops) lines.emplace_back(mesh, loop);
+  }
+
+  SurfaceTree tree;
+  std::vector<Vec3> normals;
+  std::vector<sim::Index> part_of, part_of_vertex;
+  std::vector<std::vector<sim::Index>> loops;
+  std::vector<BorderLine> lines;
+};
+
+class Remesher {
+ public:
+  Remesher(const sim::Mesh& surface, double edge_m, std::size_t max_looks)
+      : model_(surface),
+        max_looks_(max_looks),
+        length_(edge_m),
+        at_(surface.positions),
+        part_(model_.part_of_vertex),
+        on_line_(surface.positions.size()),
+        is_corner_(surface.positions.size(), 0) {
+    net_.request_vertex_status();
+    net_.request_halfedge_status();
+    net_.request_edge_status();
+    net_.request_face_status();
+    for (std::size_t v = 0; v < at_.size(); ++v) net_.new_vertex();
+    for (const sim::Triangle& t : surface.triangles) net_.add_face(vertex(t[0]), vertex(t[1]), vertex(t[2]));
+    for (std::size_t l = 0; l < model_.loops.size(); ++l) {
+      const std::vector<sim::Index>& loop = model_.loops[l];
+      for (std::size_t i = 0; i < loop.size(); ++i) on_line_[loop[i]] = {l, model_.lines[l].ways_m[i]};
+      mark_corners(loop);
+    }
+  }
+
+  sim::Mesh run() {
+    for (int round = 0; round < rounds; ++round) {
+      split_long();
+      collapse_short();
+      flip([this](Edge e) { return evens_valences(e); });
+      smooth();
+      smooth();
+    }
+    for (int round = 0; round < 3; ++round) {
+      flip([this](Edge e) { return widens_angles(e); });
+      smooth();
+    }
+    flip([this](Edge e) { return widens_angles(e); });
+    return result();
+  }
+
+ private:
+  static Vertex vertex(sim::Index v) { return Vertex(static_cast<int>(v)); }
+  static std::size_t number(Vertex v) { return static_cast<std::size_t>(v.idx()); }
+  const Vec3& at(Vertex v) const { return at_[number(v)]; }
+  Vec3& at(Vertex v) { return at_[number(v)]; }
+  bool is_gone(Edge e) const { return net_.status(e).deleted(); }
+  double length(Edge e) const {
+    const Halfedge h = net_.halfedge_handle(e, 0);
+    return glm::distance(at(net_.from_vertex_handle(h)), at(net_.to_vertex_handle(h)));
+  }
+  static Vec3 doubled_area(const Vec3& a, const Vec3& b, const Vec3& c) { return glm::cross(b - a, c - a); }
+
+  void mark_corners(const std::vector<sim::Index>& loop) {
+    const std::size_t n = loop.size();
+    const auto place_at = [&](std::size_t i, std::size_t step) {
+      Vec3 place = at_[loop[i]];
+      double way = 0.0;
+      for (std::size_t k = 0, j = i; k < n && way < corner_reach_edges * length_; ++k) {
+        j = (j + step) % n;
+        const double edge = glm::distance(place, at_[loop[j]]);
+        const double part = edge > 0.0 ? std::min(1.0, (corner_reach_edges * length_ - way) / edge) : 1.0;
+        place += part * (at_[loop[j]] - place);
+        way += std::max(edge, 1e-12);
+      }
+      return place;
+    };
+    std::vector<double> straight(n);
+    for (std::size_t i = 0; i < n; ++i) {
+      const Vec3 before = at_[loop[i]] - place_at(i, n - 1), after = place_at(i, 1) - at_[loop[i]];
+      const double lengths = glm::length(before) * glm::length(after);
+      straight[i] = lengths > 0.0 ? glm::dot(before, after) / lengths : 1.0;
+    }
+    for (std::size_t i = 0; i < n; ++i) {
+      bool is_sharpest = straight[i] < max_corner_cosine;
+      for (const std::size_t step : {std::size_t{1}, n - 1}) {
+        double way = 0.0;
+        for (std::size_t j = (i + step) % n; j != i && is_sharpest; j = (j + step) % n) {
+          way += glm::distance(at_[loop[j]], at_[loop[(j + n - step) % n]]);
+          if (way > corner_reach_edges * length_) break;
+          is_sharpest = straight[i] < straight[j] || (straight[i] == straight[j] && i < j);
+        }
+      }
+      is_corner_[loop[i]] = static_cast<char>(is_sharpest);
+    }
+  }
+
+  /// Halves long edges, the longest first. Another order would leave fans of slivers in large triangles.
+  void split_long() {
+    for (bool is_split = true; is_split;) {
+      std::vector<std::pair<double, int>> edges;
+      for (std::size_t i = 0; i < net_.n_edges(); ++i) {
+        throw_if_interrupted();
+        const Edge e(static_cast<int>(i));
+        if (!is_gone(e) && length(e) > max_edge_ratio * length_) edges.emplace_back(-length(e), e.idx());
+      }
+      std::ranges::sort(edges);
+      is_split = !edges.empty() && at_.size() < max_vertices;
+      for (const auto& [negative, e] : edges) {
+        throw_if_interrupted();
+        if (at_.size() < max_vertices && 2.0 * negative <= edges.front().first) split(Edge(e));
+      }
+    }
+  }
+
+  void spend(std::size_t more) {
+    looks_ += more;
+    if (looks_ > max_looks_) {
+      throw std::invalid_argument(
+          "it has too many needles across each other for a mesh to be fitted to it (garment.mesh)");
+    }
+  }
+
+  /// Halves an edge. The new vertex moves onto the model if both halves become clearly shorter, so that splitting ends.
+  void split(Edge e) {
+    spend(looks_of_split);
+    const bool is_border = net_.is_boundary(e);
+    const Halfedge h = net_.halfedge_handle(e, is_border && net_.is_boundary(net_.halfedge_handle(e, 0)) ? 1 : 0);
+    const Vertex a = net_.from_vertex_handle(h), b = net_.to_vertex_handle(h);
+    const double most = max_half_ratio * length(e);
+    at_.push_back(0.5 * (at(a) + at(b)));
+    part_.push_back(part_[number(a)]);
+    on_line_.push_back(is_border ? halfway(on_line_[number(a)], on_line_[number(b)]) : OnLine{});
+    is_corner_.push_back(0);
+    const Vertex added = net_.new_vertex();
+    net_.split(e, added);
+    const Vec3 place = is_border ? on_border(added) : on_model(added, at(added));
+    if (is_border || (glm::distance(place, at(a)) < most && glm::distance(place, at(b)) < most)) {
+      at(added) = place;
+    }
+  }
+
+  OnLine halfway(const OnLine& from, const OnLine& to) const {
+    return on(from, 0.5 * model_.lines[from.line].between(from.way_m, to.way_m));
+  }
+  OnLine on(const OnLine& from, double way_m) const {
+    const double length_m = model_.lines[from.line].length_m, way = from.way_m + way_m;
+    return {from.line, way >= length_m ? way - length_m : way};
+  }
+  Vec3 on_border(Vertex v) const {
+    const OnLine& on_line = on_line_[number(v)];
+    return model_.lines[on_line.line].place(on_line.way_m);
+  }
+
+  void collapse_short() {
+    bool changed = true;
+    for (int sweep = 0; changed && sweep < max_collapse_sweeps; ++sweep) {
+      changed = false;
+      for (std::size_t i = 0; i < net_.n_edges(); ++i) {
+        throw_if_interrupted();
+        const Edge e(static_cast<int>(i));
+        if (is_gone(e) || !(length(e) < min_edge_length_ratio * length_)) continue;
+        for (const int side : {0, 1}) {
+          const Halfedge h = net_.halfedge_handle(e, static_cast<unsigned>(side));
+          if (may_collapse(h)) {
+            net_.collapse(h);
+            changed = true;
+            break;
+          }
+        }
+      }
+    }
+  }
+
+  bool may_collapse(Halfedge h) {
+    const Vertex from = net_.from_vertex_handle(h), to = net_.to_vertex_handle(h);
+    spend(net_.valence(from) + net_.valence(to));
+    const bool border = net_.is_boundary(from);
+    if (is_corner_[number(from)] != 0 || (border && !net_.is_boundary(net_.edge_handle(h)))) return false;
+    for (auto out = net_.voh_iter(from); out.is_valid(); ++out) {
+      const Vertex a = net_.to_vertex_handle(*out);
+      if (a != to && glm::distance(at(a), at(to)) > max_edge_ratio * length_) return false;
+      if (net_.is_boundary(*out)) continue;
+      const Vertex b = net_.to_vertex_handle(net_.next_halfedge_handle(*out));
+      if (a != to && b != to && !stays(doubled_area(at(from), at(a), at(b)), at(to), at(a), at(b))) {
+        return false;
+      }
+    }
+    return net_.is_collapse_ok(h);
+  }
+
+  /// Returns whether a triangle still faces the side of its former normal and has an area.
+  bool stays(const Vec3& normal_before, const Vec3& a, const Vec3& b, const Vec3& c) const {
+    const Vec3 now = doubled_area(a, b, c);
+    const double side = std::max({glm::distance(a, b), glm::distance(b, c), glm::distance(c, a)});
+    const double before = glm::length(normal_before), after = glm::length(now);
+    if (before < min_area_ratio * side * side) return true;
+    return after >= min_area_ratio * side * side && glm::dot(now, normal_before) > min_normal_cosine * before * after;
+  }
+
+  struct Diamond {
+    Vertex a, b, left, right;  ///< ends of the edge, and the corners opposite it
+  };
+  Diamond diamond(Edge e) const {
+    const Halfedge h = net_.halfedge_handle(e, 0), o = net_.halfedge_handle(e, 1);
+    return {net_.from_vertex_handle(h), net_.to_vertex_handle(h), net_.to_vertex_handle(net_.next_halfedge_handle(h)),
+            net_.to_vertex_handle(net_.next_halfedge_handle(o))};
+  }
+
+  template <class Wanted> void flip(const Wanted& wanted) {
+    bool changed = true;
+    for (int sweep = 0; changed && sweep < max_collapse_sweeps; ++sweep) {
+      changed = false;
+      for (std::size_t i = 0; i < net_.n_edges(); ++i) {
+        throw_if_interrupted();
+        const Edge e(static_cast<int>(i));
+        if (!is_gone(e) && !net_.is_boundary(e) && net_.is_flip_ok(e) && wanted(e) && may_flip(e)) {
+          net_.flip(e);
+          changed = true;
+        }
+      }
+    }
+  }
+
+  bool may_flip(Edge e) const {
+    const Diamond d = diamond(e);
+    const Vec3 before = doubled_area(at(d.a), at(d.b), at(d.left)) + doubled_area(at(d.b), at(d.a), at(d.right));
+    return stays(before, at(d.left), at(d.right), at(d.b)) && stays(before, at(d.right), at(d.left), at(d.a));
+  }
+
+  int excess(Vertex v, int change) const {
+    const int valence = static_cast<int>(net_.valence(v)) + change;
+    const int off = valence - (net_.is_boundary(v) ? 4 : 6);
+    return off * off;
+  }
+  bool evens_valences(Edge e) const {
+    const Diamond d = diamond(e);
+    const int before = excess(d.a, 0) + excess(d.b, 0) + excess(d.left, 0) + excess(d.right, 0);
+    const int after = excess(d.a, -1) + excess(d.b, -1) + excess(d.left, 1) + excess(d.right, 1);
+    return after < before && narrowest(d, true) < 0.94;
+  }
+  /// Returns the cosine of the smallest angle of the two triangles.
+  double narrowest(const Diamond& d, bool flipped) const {
+    return flipped
+               ? std::max(max_cosine(at(d.left), at(d.right), at(d.b)), max_cosine(at(d.right), at(d.left), at(d.a)))
+               : std::max(max_cosine(at(d.a), at(d.b), at(d.left)), max_cosine(at(d.b), at(d.a), at(d.right)));
+  }
+  bool widens_angles(Edge e) const {
+    const Diamond d = diamond(e);
+    return narrowest(d, true) < narrowest(d, false) - 1e-9;
+  }
+  static double max_cosine(const Vec3& a, const Vec3& b, const Vec3& c) {
+    const double x = glm::dot(b - a, b - a), y = glm::dot(c - b, c - b), z = glm::dot(a - c, a - c);
+    const auto cosine = [](double opposite, double p, double q) {
+      return p * q > 0.0 ? (p + q - opposite) / (2.0 * std::sqrt(p * q)) : 1.0;
+    };
+    return std::max({cosine(x, y, z), cosine(y, z, x), cosine(z, x, y)});
+  }
+
+  Vec3 normal_at(Vertex v) const {
+    Vec3 sum(0.0);
+    for (auto h = net_.cvoh_iter(v); h.is_valid(); ++h) {
+      if (!net_.is_boundary(*h)) {
+        sum += doubled_area(at(v), at(net_.to_vertex_handle(*h)),
+                            at(net_.to_vertex_handle(net_.next_halfedge_handle(*h))));
+      }
+    }
+    return sim::unit_or_zero(sum);
+  }
+
+  /// Returns the nearest point of the model that is in the same part and faces the same way.
+  Vec3 on_model(Vertex v, const Vec3& place) {
+    const sim::Index part = part_[number(v)];
+    const Vec3 normal = normal_at(v);
+    const auto faces_alike = [&](const TreeSurfacePoint& p) {
+      return model_.part_of[p.triangle] == part && glm::dot(model_.normals[p.triangle], normal) > min_normal_cosine;
+    };
+    const auto found = model_.tree.find_nearest(place, length_, faces_alike, &looks_);
+    spend(0);
+    return found ? found->place_m : place;
+  }
+
+  void smooth() {
+    for (std::size_t i = 0; i < net_.n_vertices(); ++i) {
+      throw_if_interrupted();
+      const Vertex v(static_cast<int>(i));
+      if (net_.status(v).deleted() || net_.is_isolated(v) || is_corner_[i] != 0) continue;
+      net_.is_boundary(v) ? smooth_border(v) : smooth_within(v);
+    }
+  }
+
+  void smooth_within(Vertex v) {
+    Vec3 sum(0.0);
+    double count = 0.0;
+    for (auto h = net_.cvoh_iter(v); h.is_valid(); ++h) {
+      sum += at(net_.to_vertex_handle(*h));
+      count += 1.0;
+    }
+    const Vec3 way = sum / count - at(v), normal = normal_at(v);
+    for (double step = 1.0; step > 0.2; step *= 0.5) {
+      const Vec3 place = on_model(v, at(v) + step * (way - glm::dot(way, normal) * normal));
+      if (may_move(v, place)) {
+        at(v) = place;
+        return;
+      }
+    }
+  }
+
+  /// Moves a border vertex to the middle between its neighbours along the border.
+  void smooth_border(Vertex v) {
+    const Halfedge back = net_.halfedge_handle(v);  // the halfedge along the border, with the cloth on its right
+    const OnLine here = on_line_[number(v)], before = on_line_[number(net_.to_vertex_handle(back))],
+                 after = on_line_[number(net_.from_vertex_handle(net_.prev_halfedge_handle(back)))];
+    const BorderLine& line = model_.lines[here.line];
+    const double way_m = line.between(before.way_m, here.way_m) + line.between(here.way_m, after.way_m);
+    on_line_[number(v)] = on(before, 0.5 * way_m);
+    const Vec3 place = on_border(v);
+    if (may_move(v, place)) {
+      at(v) = place;
+    } else {
+      on_line_[number(v)] = here;
+    }
+  }
+
+  bool may_move(Vertex v, const Vec3& place) const {
+    for (auto h = net_.cvoh_iter(v); h.is_valid(); ++h) {
+      if (!net_.is_boundary(*h)) {
+        const Vec3& a = at(net_.to_vertex_handle(*h));
+        const Vec3& b = at(net_.to_vertex_handle(net_.next_halfedge_handle(*h)));
+        if (!stays(doubled_area(at(v), a, b), place, a, b)) return false;
+      }
+    }
+    return true;
+  }
+
+  sim::Mesh result() const {
+    sim::Mesh mesh;
+    std::vector<sim::Index> number(net_.n_vertices(), sim::no_vertex);
+    for (std::size_t f = 0; f < net_.n_faces(); ++f) {
+      const OpenMesh::FaceHandle face(static_cast<int>(f));
+      if (net_.status(face).deleted()) continue;
+      sim::Triangle& t = mesh.triangles.emplace_back();
+      std::size_t k = 0;
+      for (auto v = net_.cfv_iter(face); v.is_valid(); ++v, ++k) {
+        sim::Index& n = number[static_cast<std::size_t>((*v).idx())];
+        if (n == sim::no_vertex) {
+          n = static_cast<sim::Index>(mesh.positions.size());
+          mesh.positions.push_back(at(*v));
+        }
+        t[k] = n;
+      }
+    }
+    return mesh;
+  }
+
+  Model model_;
+  std::size_t max_looks_, looks_ = 0;
+  double length_;
+  OpenMesh::TriConnectivity net_;
+  std::vector<Vec3> at_;          ///< position of each vertex
+  std::vector<sim::Index> part_;  ///< part of the model of each vertex
+  std::vector<OnLine> on_line_;   ///< position of each vertex on a border
+  std::vector<char> is_corner_;   ///< flag of each vertex
+};
+
+/// Welds the ends of edges shorter than `least_m` that no collapse could remove, such as edges between two corners of a
+/// border.
+bool weld_ends(double least_m, sim::Mesh& mesh) {
+  sim::Groups groups(mesh.positions.size());
+  bool is_any = false;
+  for (const sim::Triangle& t : mesh.triangles) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const sim::Index a = t[k], b = t[(k + 1) % 3];
+      if (glm::distance(mesh.positions[a], mesh.positions[b]) < least_m) {
+        groups.join(a, b);
+        is_any = true;
+      }
+    }
+  }
+  std::erase_if(mesh.triangles, [&](sim::Triangle& t) {
+    t = {groups.find(t[0]), groups.find(t[1]), groups.find(t[2])};
+    return t[0] == t[1] || t[1] == t[2] || t[2] == t[0];
+  });
+  return is_any;
+}
+
+/// Drops triangles lower than `least_m` that no flip could remove, mostly at borders.
+bool drop_flat(double least_m, sim::Mesh& mesh) {
+  return std::erase_if(mesh.triangles, [&](const sim::Triangle& t) {
+           const Vec3 &a = mesh.positions[t[0]], &b = mesh.positions[t[1]], &c = mesh.positions[t[2]];
+           const double side = std::max({glm::distance(a, b), glm::distance(b, c), glm::distance(c, a)});
+           return glm::length(glm::cross(b - a, c - a)) < least_m * side;
+         }) > 0;
+}
+
+}  // namespace
+
+sim::Mesh remesh(const sim::Mesh& surface, double edge_m, std::size_t max_looks) {
+  sim::Mesh mesh = Remesher(surface, edge_m, max_looks).run();
+  while (weld_ends(min_edge_ratio * edge_m, mesh) || drop_flat(min_height_ratio * edge_m, mesh)) {
+    mesh = cut_into_sheets(mesh).mesh;
+  }
+  return mesh;
+}
+
+}  // namespace taut::app

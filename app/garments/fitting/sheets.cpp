@@ -1,0 +1,441 @@
+#include "app/garments/fitting/sheets.hpp"
+
+#include <fmt/core.h>
+
+#include "app/base/errors.hpp"
+#include "app/garments/fitting/following.hpp"
+#include "sim/mesh/topology.hpp"
+#include "sim/mesh/welding.hpp"
+
+namespace taut::app {
+namespace {
+
+/// Returns how smoothly the surface continues from one triangle to another: the negative cosine between the directions
+/// from the edge into both.
+double smoothness(const sim::Mesh& mesh, const sim::Edge& edge, const sim::Triangle& a, const sim::Triangle& b) {
+  const sim::Vec3 along = mesh.positions[edge[1]] - mesh.positions[edge[0]];
+  const auto inwards = [&](const sim::Triangle& t) {
+    for (const sim::Index v : t) {
+      if (v != edge[0] && v != edge[1]) {
+        const sim::Vec3 way = mesh.positions[v] - mesh.positions[edge[0]];
+        return way - glm::dot(way, along) / glm::dot(along, along) * along;
+      }
+    }
+    return sim::Vec3(0.0);
+  };
+  const sim::Vec3 x = inwards(a), y = inwards(b);
+  const double lengths = glm::length(x) * glm::length(y);
+  return lengths > 0.0 ? -glm::dot(x, y) / lengths : -2.0;
+}
+
+/// Limit of the triangles whose pairs are compared. Welded layers of cloth have some ten at one edge.
+constexpr std::size_t max_triangles_at_edge = 2000;
+
+/// Returns the pairs of these triangles across which the surface continues most smoothly, the smoothest first. Each
+/// triangle is in one pair at most.
+std::vector<std::array<sim::Index, 2>> smoothest_pairs(const sim::Mesh& mesh, const sim::Edge& edge,
+                                                       std::span<const sim::Index> around) {
+  if (around.size() == 2) return {{around[0], around[1]}};
+  if (around.size() > max_triangles_at_edge) {
+    throw std::invalid_argument(fmt::format("{} triangles meet at one edge, of vertices {} and {}; expected at most {}",
+                                            around.size(), edge[0], edge[1], max_triangles_at_edge));
+  }
+  struct WallPair {
+    double roughness;
+    std::size_t first, second;
+  };
+  std::vector<WallPair> pairs;
+  for (std::size_t i = 0; i < around.size(); ++i) {
+    for (std::size_t k = i + 1; k < around.size(); ++k) {
+      pairs.push_back({-smoothness(mesh, edge, mesh.triangles[around[i]], mesh.triangles[around[k]]), i, k});
+    }
+  }
+  std::ranges::stable_sort(pairs, {}, &WallPair::roughness);
+  std::vector<char> is_taken(around.size(), 0);
+  std::vector<std::array<sim::Index, 2>> smoothest;
+  for (const auto& [roughness, first, second] : pairs) {
+    if (is_taken[first] != 0 || is_taken[second] != 0) continue;
+    is_taken[first] = is_taken[second] = 1;
+    smoothest.push_back({around[first], around[second]});
+  }
+  return smoothest;
+}
+
+/// Returns the pairs of triangles that stay together. At an edge of more than two triangles, these are the two across
+/// which the surface continues most smoothly, and so on with the rest: many layers may have been welded to each other.
+std::vector<sim::Joint> choose_joints(const sim::Mesh& mesh) {
+  const sim::Adjacency adjacency = sim::make_adjacency(mesh);
+  std::vector<sim::Joint> joints;
+  for (std::size_t e = 0; e < adjacency.edges.size(); ++e) {
+    const sim::Edge& edge = adjacency.edges[e];
+    throw_if_interrupted();
+    for (const auto& [a, b] : smoothest_pairs(mesh, edge, adjacency.edge_triangles[e])) {
+      joints.push_back(
+          {edge, a, b, sim::runs_along(mesh.triangles[a], edge) == sim::runs_along(mesh.triangles[b], edge)});
+    }
+  }
+  return joints;
+}
+
+/// Turns triangles so that neighbours face the side that most of their sheet faced. Drops joints where that is
+/// impossible.
+void orient(sim::Mesh& mesh, std::vector<sim::Joint>& joints) {
+  const std::vector<char> turned = sim::turns_to_agree(mesh.triangles.size(), joints);
+  std::erase_if(joints,
+                [&](const sim::Joint& joint) { return (turned[joint.a] != turned[joint.b]) != joint.run_alike; });
+  for (std::size_t t = 0; t < turned.size(); ++t) {
+    if (turned[t] != 0) std::swap(mesh.triangles[t][1], mesh.triangles[t][2]);
+  }
+}
+
+/// Returns the index of the triangle's side along this edge, by the corner where the side begins.
+sim::Index side_at(const std::vector<sim::Triangle>& triangles, sim::Index t, const sim::Edge& edge) {
+  return 3 * t + sim::corner_at(triangles[t], edge[sim::runs_along(triangles[t], edge) ? 0 : 1]);
+}
+
+/// Splits every vertex into one for each fan of triangles that stay together.
+Sheets cut_between(const sim::Mesh& mesh, const std::vector<sim::Joint>& joints) {
+  Sheets sheets{{{}, mesh.triangles, {}}, std::vector<sim::Index>(mesh.triangles.size()), 0, {}};
+  std::vector<sim::Triangle>& triangles = sheets.mesh.triangles;
+  sim::Groups fans(3 * triangles.size()), parts(triangles.size());
+  sheets.beyond.assign(3 * triangles.size(), sim::no_vertex);
+  const auto corner_of = [&](sim::Index t, sim::Index v) { return 3 * t + sim::corner_at(triangles[t], v); };
+  for (const sim::Joint& joint : joints) {
+    parts.join(joint.a, joint.b);
+    sheets.beyond[side_at(triangles, joint.a, joint.edge)] = joint.b;
+    sheets.beyond[side_at(triangles, joint.b, joint.edge)] = joint.a;
+    for (const sim::Index v : joint.edge) fans.join(corner_of(joint.a, v), corner_of(joint.b, v));
+  }
+  std::vector<sim::Index> vertex_of_fan(3 * triangles.size(), sim::no_vertex);
+  std::vector<sim::Index> number(triangles.size(), sim::no_vertex);
+  for (sim::Index c = 0; c < 3 * triangles.size(); ++c) {
+    sim::Index& vertex = vertex_of_fan[fans.find(c)];
+    if (vertex == sim::no_vertex) {
+      vertex = static_cast<sim::Index>(sheets.mesh.positions.size());
+      sheets.mesh.positions.push_back(mesh.positions[mesh.triangles[c / 3][c % 3]]);
+    }
+    triangles[c / 3][c % 3] = vertex;
+    sim::Index& sheet = number[parts.find(c / 3)];
+    sheet = sheet == sim::no_vertex ? sheets.count++ : sheet;
+    sheets.sheet_of[c / 3] = sheet;
+  }
+  return sheets;
+}
+
+/// Marks the triangles to separate at edges of more than two: those without a neighbour across the edge, and all after
+/// the second. Empty if there are none.
+std::vector<char> mark_crowded_edges(const Sheets& sheets) {
+  const sim::Adjacency adjacency = sim::make_adjacency(sheets.mesh);
+  std::vector<char> marked;
+  for (std::size_t e = 0; e < adjacency.edges.size(); ++e) {
+    const auto around = adjacency.edge_triangles[e];
+    for (std::size_t i = 0; i < around.size() && around.size() > 2; ++i) {
+      marked.resize(sheets.mesh.triangles.size());
+      const sim::Index side = side_at(sheets.mesh.triangles, around[i], adjacency.edges[e]);
+      marked[around[i]] |= static_cast<char>(sheets.beyond[side] == sim::no_vertex || i > 1);
+    }
+  }
+  return marked;
+}
+
+constexpr double max_wall_distance_m = 0.012;   ///< largest distance between two walls
+constexpr double usual_size_m = 0.8;            ///< diagonal of a garment below which all lengths here shrink
+constexpr double max_wall_crossing_m = 0.0005;  ///< depth to which two walls may cross each other
+constexpr double max_opposite_cosine = -0.7;    ///< largest cosine between the normals of two walls
+constexpr double min_wall_cosine = 0.7;         ///< smallest cosine between the normals of neighbours in one wall
+constexpr double min_crease_cosine = 0.6;  ///< smallest such cosine at a crease that is not yet a rim between two walls
+constexpr double min_shell_area_fraction = 0.3;  ///< area fraction with another wall above which a sheet is cut
+constexpr double flat_m = 0.04;                  ///< largest thickness of a garment laid flat, which has no two walls
+constexpr double max_lying_distance_m = 0.006;   ///< largest distance of a sheet from the cloth that it lies on
+constexpr double min_lying_area_fraction = 0.8;  ///< smallest fraction of a sheet's area that lies on others
+constexpr double min_over_cosine = 0.7;  ///< smallest cosine between a normal and the direction to cloth above it
+constexpr std::size_t max_triangles_tried = 4000;  ///< tested triangles of a piece that may lie on others
+constexpr sim::Index max_rays = 400;               ///< rays of a piece that test whether it is outside
+
+sim::Vec3 triangle_centroid(const sim::Mesh& mesh, sim::Index t) {
+  const auto& [a, b, c] = mesh.triangles[t];
+  return (mesh.positions[a] + mesh.positions[b] + mesh.positions[c]) / 3.0;
+}
+
+bool share_vertex(const sim::Triangle& a, const sim::Triangle& b) {
+  return std::ranges::any_of(a, [&](sim::Index v) { return v == b[0] || v == b[1] || v == b[2]; });
+}
+
+/// The garment, prepared for rays and areas.
+struct GarmentView {
+  explicit GarmentView(const Sheets& source)
+      : sheets(source), normals(unit_normals(source.mesh)), tree(source.mesh.positions, source.mesh.triangles) {
+    size_m = glm::length(sim::compute_extent(source.mesh.positions).size());
+    unit = std::min(1.0, size_m / usual_size_m);
+    for (const sim::Triangle& t : source.mesh.triangles) {
+      areas.push_back(0.5 * glm::length(sim::doubled_area_vector(source.mesh.positions, t)));
+    }
+  }
+
+  /// Returns the fraction of a piece's area whose rays along its normals times `side` miss the garment.
+  double openness(std::span<const sim::Index> piece, double side) const {
+    const std::size_t stride = piece.size() / max_rays + 1;
+    double open = 0.0, all = 0.0;
+    for (std::size_t i = 0; i < piece.size(); i += stride) {
+      throw_if_interrupted();
+      const sim::Index t = piece[i];
+      const auto seen = tree.first_hit(
+          triangle_centroid(sheets.mesh, t), side * normals[t], 0.0, size_m, [&](const TreeSurfacePoint& p) {
+            return p.distance_m > 1e-5 * size_m &&
+                   !share_vertex(sheets.mesh.triangles[t], sheets.mesh.triangles[p.triangle]);
+          });
+      all += areas[t];
+      open += seen ? 0.0 : areas[t];
+    }
+    return all > 0.0 ? open / all : 0.0;
+  }
+
+  const Sheets& sheets;
+  std::vector<sim::Vec3> normals;
+  std::vector<double> areas;
+  SurfaceTree tree;
+  double size_m;
+  double unit;  ///< scale of lengths; below 1 for a doll's clothes, which are thinner
+};
+
+/// Returns lists of triangles by the number that each has. Triangles with `sim::no_vertex` are left out.
+std::vector<std::vector<sim::Index>> gather_groups(const std::vector<sim::Index>& number_of, sim::Index count) {
+  std::vector<std::vector<sim::Index>> rows(count);
+  for (sim::Index t = 0; t < number_of.size(); ++t) {
+    if (number_of[t] != sim::no_vertex) rows[number_of[t]].push_back(t);
+  }
+  return rows;
+}
+
+bool is_closed(const Sheets& sheets, std::span<const sim::Index> sheet) {
+  return std::ranges::none_of(sheet, [&](sim::Index t) {
+    return std::any_of(&sheets.beyond[3 * t], &sheets.beyond[3 * t] + 3,
+                       [](sim::Index beyond) { return beyond == sim::no_vertex; });
+  });
+}
+
+double volume(const sim::Mesh& mesh, std::span<const sim::Index> sheet) {
+  double sum = 0.0;
+  const sim::Vec3 origin = triangle_centroid(mesh, sheet.front());
+  for (const sim::Index t : sheet) {
+    sum += glm::dot(sim::doubled_area_vector(mesh.positions, mesh.triangles[t]), triangle_centroid(mesh, t) - origin);
+  }
+  return sum;
+}
+
+double total_area(const GarmentView& view, std::span<const sim::Index> piece) {
+  double area = 0.0;
+  for (const sim::Index t : piece) area += view.areas[t];
+  return area;
+}
+
+/// Pieces that are chosen as a whole: sheets, and the walls of sheets that have two.
+class Pieces {
+ public:
+  Pieces(const GarmentView& view, const OtherWalls& other)
+      : view_(view), other_(other), piece_of_(view.areas.size(), sim::no_vertex) {
+    const auto all = gather_groups(view.sheets.sheet_of, view.sheets.count);
+    const sim::Vec3 size = sim::compute_extent(view.sheets.mesh.positions).size();
+    const bool is_flat = std::min({size.x, size.y, size.z}) < view.unit * flat_m;
+    for (const auto& sheet : all) {
+      double doubled = 0.0;
+      for (const sim::Index t : sheet) doubled += other[t] != sim::no_vertex ? view.areas[t] : 0.0;
+      const bool is_shell =
+          doubled > min_shell_area_fraction * total_area(view, sheet) && (!is_flat || is_closed(view.sheets, sheet));
+      if (is_shell) {
+        cut_into_walls(sheet);
+      } else {
+        for (const sim::Index t : sheet) piece_of_[t] = count_;
+        ++count_;
+      }
+    }
+  }
+
+  sim::Index count() const { return count_; }
+  const std::vector<sim::Index>& piece_of() const { return piece_of_; }
+
+ private:
+  void flood(std::vector<sim::Index> front, bool all_kinds, double least_cosine) {
+    for (std::size_t i = 0; i < front.size(); ++i) {
+      const sim::Index t = front[i];
+      for (int side = 0; side < 3; ++side) {
+        const sim::Index next = view_.sheets.beyond[3 * t + side];
+        if (next != sim::no_vertex && glm::dot(view_.normals[t], view_.normals[next]) > least_cosine &&
+            piece_of_[next] == sim::no_vertex && (all_kinds || other_[next] != sim::no_vertex)) {
+          piece_of_[next] = piece_of_[t];
+          front.push_back(next);
+        }
+      }
+    }
+  }
+
+  /// Cuts a sheet into regions with another wall. Small regions and the rest then join the large regions around them.
+  void cut_into_walls(std::span<const sim::Index> sheet) {
+    const sim::Index first = count_;
+    for (const sim::Index t : sheet) {
+      if (piece_of_[t] == sim::no_vertex && other_[t] != sim::no_vertex) {
+        piece_of_[t] = count_++;
+        flood({t}, false, min_wall_cosine);
+      }
+    }
+    std::vector<double> areas(count_ - first, 0.0);
+    for (const sim::Index t : sheet) {
+      if (piece_of_[t] != sim::no_vertex) areas[piece_of_[t] - first] += view_.areas[t];
+    }
+    const double least = min_wall_share * total_area(view_, sheet);
+    std::vector<sim::Index> number(areas.size(), sim::no_vertex), front;
+    count_ = first;
+    for (std::size_t r = 0; r < areas.size(); ++r) number[r] = areas[r] >= least ? count_++ : sim::no_vertex;
+    for (const sim::Index t : sheet) {
+      if (piece_of_[t] != sim::no_vertex) piece_of_[t] = number[piece_of_[t] - first];
+    }
+    for (const double least_cosine : {min_wall_cosine, min_crease_cosine}) {
+      front.clear();
+      std::ranges::copy_if(sheet, std::back_inserter(front),
+                           [&](sim::Index t) { return piece_of_[t] != sim::no_vertex; });
+      flood(front, true, least_cosine);
+    }
+    fill_gaps(sheet);
+  }
+
+  /// Adds each gap to the one piece that surrounds it. Strips between two walls stay out.
+  void fill_gaps(std::span<const sim::Index> sheet) {
+    for (const sim::Index begin : sheet) {
+      if (piece_of_[begin] != sim::no_vertex || seen_[begin] != 0) continue;
+      std::vector<sim::Index> gap{begin}, around;
+      seen_[begin] = 1;
+      for (std::size_t i = 0; i < gap.size(); ++i) {
+        for (int side = 0; side < 3; ++side) {
+          const sim::Index next = view_.sheets.beyond[3 * gap[i] + side];
+          if (next == sim::no_vertex) continue;
+          if (piece_of_[next] != sim::no_vertex) {
+            around.push_back(piece_of_[next]);
+          } else if (seen_[next] == 0) {
+            seen_[next] = 1;
+            gap.push_back(next);
+          }
+        }
+      }
+      std::ranges::sort(around);
+      if (!around.empty() && around.front() == around.back()) {
+        for (const sim::Index t : gap) piece_of_[t] = around.front();
+      }
+    }
+  }
+
+  static constexpr double min_wall_share = 0.02;  ///< smallest area of a wall, as a fraction of its sheet's area
+
+  const GarmentView& view_;
+  const OtherWalls& other_;
+  std::vector<sim::Index> piece_of_;
+  std::vector<char> seen_ = std::vector<char>(piece_of_.size(), 0);
+  sim::Index count_ = 0;
+};
+
+bool is_covered(const GarmentView& view, const OtherWalls& other, const std::vector<char>& kept, sim::Index t) {
+  throw_if_interrupted();
+  if (other[t] != sim::no_vertex && kept[other[t]] != 0) return true;
+  const sim::Vec3 middle = triangle_centroid(view.sheets.mesh, t);
+  return view.tree
+      .find_nearest(middle, view.unit * max_lying_distance_m,
+                    [&](const TreeSurfacePoint& p) {
+                      const double height = std::abs(glm::dot(p.place_m - middle, view.normals[p.triangle]));
+                      return kept[p.triangle] != 0 && height >= min_over_cosine * p.distance_m;
+                    })
+      .has_value();
+}
+
+}  // namespace
+
+Sheets cut_into_sheets(const sim::Mesh& mesh) {
+  sim::Mesh oriented{mesh.positions, mesh.triangles, {}};
+  std::vector<sim::Joint> joints = choose_joints(mesh);
+  orient(oriented, joints);
+  Sheets sheets = cut_between(oriented, joints);
+  // A sheet can come back to an edge on a long detour.
+  for (std::vector<char> apart = mark_crowded_edges(sheets); !apart.empty(); apart = mark_crowded_edges(sheets)) {
+    std::erase_if(joints, [&](const sim::Joint& joint) { return apart[joint.a] != 0 || apart[joint.b] != 0; });
+    sheets = cut_between(oriented, joints);
+  }
+  return sheets;
+}
+
+std::vector<sim::Vec3> unit_normals(const sim::Mesh& mesh) {
+  std::vector<sim::Vec3> normals;
+  for (const sim::Triangle& t : mesh.triangles) {
+    normals.push_back(sim::unit_or_zero(sim::doubled_area_vector(mesh.positions, t)));
+  }
+  return normals;
+}
+
+void turn_outwards(Sheets& sheets) {
+  const GarmentView view(sheets);
+  const auto all = gather_groups(sheets.sheet_of, sheets.count);
+  std::vector<char> turn(sheets.count, 0);
+  for (sim::Index s = 0; s < sheets.count; ++s) {
+    turn[s] =
+        static_cast<char>(is_closed(sheets, all[s]) ? volume(sheets.mesh, all[s]) < 0.0
+                                                    : view.openness(all[s], -1.0) > view.openness(all[s], 1.0) + 0.1);
+  }
+  for (sim::Index t = 0; t < sheets.sheet_of.size(); ++t) {
+    if (turn[sheets.sheet_of[t]] != 0) {
+      std::swap(sheets.mesh.triangles[t][1], sheets.mesh.triangles[t][2]);
+      std::swap(sheets.beyond[3 * t], sheets.beyond[3 * t + 2]);
+    }
+  }
+}
+
+OtherWalls find_other_walls(const Sheets& sheets) {
+  const GarmentView view(sheets);
+  const double reach_m = view.unit * max_wall_distance_m;
+  OtherWalls other(sheets.mesh.triangles.size(), sim::no_vertex);
+  for (sim::Index t = 0; t < other.size(); ++t) {
+    throw_if_interrupted();
+    if (view.normals[t] == sim::Vec3(0.0)) continue;
+    const auto hit =
+        view.tree.first_hit(triangle_centroid(sheets.mesh, t), -view.normals[t], -view.unit * max_wall_crossing_m,
+                            reach_m, [&](const TreeSurfacePoint& p) {
+                              return glm::dot(view.normals[t], view.normals[p.triangle]) < max_opposite_cosine &&
+                                     !share_vertex(sheets.mesh.triangles[t], sheets.mesh.triangles[p.triangle]);
+                            });
+    other[t] = hit ? hit->triangle : sim::no_vertex;
+  }
+  return other;
+}
+
+double share_of_two_walls(const Sheets& sheets, const OtherWalls& other) {
+  double doubled = 0.0, all = 0.0;
+  for (std::size_t t = 0; t < other.size(); ++t) {
+    const double area = glm::length(sim::doubled_area_vector(sheets.mesh.positions, sheets.mesh.triangles[t]));
+    all += area;
+    doubled += other[t] != sim::no_vertex ? area : 0.0;
+  }
+  return all > 0.0 ? doubled / all : 0.0;
+}
+
+std::vector<char> choose_walls(const Sheets& sheets, const OtherWalls& other) {
+  const GarmentView view(sheets);
+  const Pieces pieces(view, other);
+  const auto triangles_of = gather_groups(pieces.piece_of(), pieces.count());
+  std::vector<std::pair<double, sim::Index>> order;
+  for (sim::Index p = 0; p < pieces.count(); ++p) {
+    order.emplace_back(-total_area(view, triangles_of[p]) * (1.0 + view.openness(triangles_of[p], 1.0)), p);
+  }
+  std::ranges::sort(order);
+  std::vector<char> kept(view.areas.size(), 0);
+  for (const auto& [score, p] : order) {
+    double covered = 0.0, all = 0.0;
+    const std::size_t stride = triangles_of[p].size() / max_triangles_tried + 1;
+    for (std::size_t i = 0; i < triangles_of[p].size(); i += stride) {
+      const sim::Index t = triangles_of[p][i];
+      covered += is_covered(view, other, kept, t) ? view.areas[t] : 0.0;
+      all += view.areas[t];
+    }
+    if (covered < min_lying_area_fraction * all) {
+      for (const sim::Index t : triangles_of[p]) kept[t] = 1;
+    }
+  }
+  return kept;
+}
+
+}  // namespace taut::app

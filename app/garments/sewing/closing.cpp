@@ -1,0 +1,481 @@
+#include "app/garments/sewing/closing.hpp"
+
+#include "app/base/errors.hpp"
+#include "app/garments/dressing/wearing.hpp"
+#include "app/garments/fitting/following.hpp"
+#include "app/runs/frame_record.hpp"
+#include "app/verify/stretch.hpp"
+#include "sim/mesh/groups.hpp"
+#include "sim/mesh/welding.hpp"
+
+namespace taut::app {
+namespace {
+
+using sim::Index;
+using sim::Vec2;
+using sim::Vec3;
+
+constexpr double pull_m_per_s2 = 15.0;      ///< pull of all threads of a panel, over its mass
+constexpr double inwards_m_per_s2 = 10.0;   ///< pull of sewn layers towards the body
+constexpr double inwards_from_m = 0.05;     ///< distance from the body within which this pull decreases
+constexpr double slack_m = 0.001;           ///< distance within which threads pull less
+constexpr double strength_growth = 1.4;     ///< growth factor of the pull after a pass that closed less than 5 %
+constexpr double strength_reduction = 0.5;  ///< factor of the pull after a blocked frame
+constexpr int max_blocked_frames = 8;       ///< limit of blocked frames
+constexpr double min_pass_fraction = 0.05;  ///< fraction of the open part that a pass has to close
+constexpr double max_strength = 30.0;
+constexpr double drag_per_s = 10.0;  ///< drag of the air during sewing
+constexpr double thickest_m = 3e-4;  ///< upper limit of the cloth's thickness during sewing, so that borders meet
+constexpr double max_bending_rigidity_n_m = 2e-6;  ///< upper limit of the bending rigidity during sewing
+constexpr double first_reach_fraction = 0.1;       ///< fraction of the edge length within which vertices are joined
+constexpr double reach_growth = 1.3;  ///< growth factor of this distance when the strongest pull joins nothing
+constexpr double max_reach = 0.35;
+constexpr int frames_between_joins = 4;
+constexpr double blocking_distance_m = 0.03;  ///< distance of the body from a gap that stays open
+constexpr int max_frames_between_joins = 16;  ///< limit of the frames after passes that joined nothing
+constexpr int first_join = 12;
+constexpr int max_frames_for_first = 60;
+/// Budget of time steps for a layer, on average. A new simulation costs as much as a few steps.
+constexpr int max_steps = 4000;
+constexpr int steps_to_begin = 20;
+/// Number of frames without progress after which sewing ends, and fraction to which the widest gap has to shrink for
+/// progress. A join is progress too.
+constexpr int max_frames_without_progress = 120;
+constexpr double progress_gap_ratio = 0.9;
+constexpr double lift_fraction = 0.7;  ///< lift of a joined pair, as a fraction of its distance
+constexpr int frames_to_part = 5;
+constexpr std::size_t max_trials = 6;  ///< trials of a join, each without the pairs that crossed in the trial before
+
+std::vector<Index> label_sets(sim::Groups groups, std::size_t count) {
+  std::vector<Index> sets(count);
+  for (Index v = 0; v < count; ++v) sets[v] = groups.find(v);
+  return sets;
+}
+
+/// Returns, per corner of the triangles, u to the right and v up as the pieces are cut, in m.
+std::vector<glm::vec2> upright(const std::vector<std::array<Vec2, 3>>& cut_m) {
+  std::vector<glm::vec2> corners;
+  for (const auto& triangle : cut_m) corners.insert(corners.end(), triangle.begin(), triangle.end());
+  return corners;
+}
+
+/// Returns a position of a vertex at which it is near its neighbours in its own panel alone. Panels lie in different
+/// levels, each a bowl, so that an edge that joins two borders leaves the panel at an angle.
+Vec3 place_apart_m(const CutPieces& pieces, Index v) {
+  constexpr double between_levels_m = 3.0, curvature_per_m = 2.0;
+  const Vec2 flat_m = pieces.flat_m[v];
+  const Vec2 from_m = flat_m - pieces.flat_m[pieces.triangles[pieces.panel_triangles[pieces.panel_of[v]]][0]];
+  return {flat_m.x, flat_m.y, between_levels_m * pieces.panel_of[v] + 0.5 * curvature_per_m * glm::dot(from_m, from_m)};
+}
+
+/// Merges the vertices of each set. `positions_m` are the positions of the vertices of the pieces.
+SewnPieces join_pieces(const CutPieces& pieces, const std::vector<Index>& set_of, const std::vector<Vec3>& positions_m,
+                       const Scene& scene) {
+  SewnPieces sewn;
+  std::vector<Index> number(set_of.size(), sim::no_vertex);
+  sewn.vertex_of.resize(set_of.size());
+  std::vector<double> counts;
+  sim::Mesh mesh;
+  std::vector<Vec3> apart_m;
+  for (Index v = 0; v < set_of.size(); ++v) {
+    Index& n = number[set_of[v]];
+    if (n == sim::no_vertex) {
+      n = static_cast<Index>(counts.size());
+      counts.push_back(0.0);
+      mesh.positions.emplace_back(0.0);
+      apart_m.push_back(place_apart_m(pieces, v));
+    }
+    sewn.vertex_of[v] = n;
+    counts[n] += 1.0;
+    mesh.positions[n] += positions_m[v];
+  }
+  for (std::size_t n = 0; n < counts.size(); ++n) mesh.positions[n] /= counts[n];
+  for (const auto& [a, b, c] : pieces.triangles) {
+    mesh.triangles.push_back({sewn.vertex_of[a], sewn.vertex_of[b], sewn.vertex_of[c]});
+    mesh.cut_m.push_back({pieces.flat_m[a], pieces.flat_m[b], pieces.flat_m[c]});
+  }
+  sewn.garment = sim::make_garment(std::move(mesh), scene.mapping, scene.material);
+  // The smallest distances within the cloth do not depend on its present distances.
+  sewn.garment.untangled_m = std::move(apart_m);
+  sewn.garment.warps = sim::warps_from_coordinates(sewn.garment.mesh, upright(sewn.garment.mesh.cut_m));
+  return sewn;
+}
+
+bool accept_all(const TreeSurfacePoint&) { return true; }
+
+class Closing {
+ public:
+  Closing(const CutPieces& pieces, const Scene& scene, const sim::Body& dressed, double time_s)
+      : pieces_(pieces),
+        scene_(scene),
+        time_s_(time_s),
+        body_tree_(mesh_positions_m(dressed, time_s), std::get<sim::BodyMesh>(dressed.shape).data->triangles),
+        joined_(pieces.flat_m.size()) {
+    scene_.material.thickness_m = std::min(scene_.material.thickness_m, thickest_m);
+    // Stiffness of threads matters only when cloth carries a load.
+    scene_.material.tensile_warp_n_per_m = scene_.material.tensile_weft_n_per_m = scene_.material.shear_n_per_m = 0.0;
+    scene_.material.friction = 0.0;
+    // Ease is pushed together.
+    scene_.material.compression_stiffness_n_per_m = 0.0;
+    scene_.material.bending_rigidity_n_m = std::min(scene_.material.bending_rigidity_n_m, max_bending_rigidity_n_m);
+    sim::ExternalForces& forces = scene_.surroundings.forces;
+    forces.gravity_m_per_s2 = Vec3(0.0);
+    forces.gravity_path.clear();
+    forces.wind = {};
+    forces.wind.speed_m_per_s = 0.0;
+    forces.air_drag_per_s = drag_per_s;
+    for (sim::Body& body : scene_.surroundings.bodies) body.friction = 0.0;
+    begin(join_pieces(pieces, label_sets(joined_, pieces.flat_m.size()), pieces.placed_m, scene_));
+    panel_masses_kg_.assign(pieces.panel_count(), 0.0);
+    for (std::size_t v = 0; v < pieces.flat_m.size(); ++v) {
+      panel_masses_kg_[pieces.panel_of[v]] += sewn_.garment.masses_kg[sewn_.vertex_of[v]];
+    }
+  }
+
+  SewnPieces run(const SewingReport& report) {
+    double max_gap_m = std::numeric_limits<double>::infinity();
+    int since = 0, blocked = 0;
+    const int budget = max_steps * static_cast<int>(pieces_.layer_of.back() + 1);
+    if (report) report(share_joined(), sewn_.garment, now_m());
+    int next_join = first_join, between_joins = frames_between_joins;
+    for (int frame = 1; steps_ <= budget && since < max_frames_without_progress && !is_closed(); ++frame, ++since) {
+      throw_if_interrupted();
+      const std::vector<std::size_t> seams = pulled_seams(frame);
+      pull(seams);
+      if (!advance()) {
+        // Sewing may continue from rest with a weaker pull.
+        if (++blocked > max_blocked_frames) break;
+        strength_ *= strength_reduction;
+        keep_shape();
+        begin(std::move(sewn_));
+        continue;
+      }
+      if (frame >= next_join) {
+        const double before = share_joined();
+        const bool any_joined = join_what_met(seams);
+        since = any_joined ? 0 : since;
+        between_joins = any_joined ? frames_between_joins : std::min(2 * between_joins, max_frames_between_joins);
+        next_join = frame + between_joins;
+        if (share_joined() - before < min_pass_fraction * (1.0 - before)) {
+          // Cloth that a strong pull has crumpled comes loose in a weak one.
+          const bool is_strongest = strength_ * strength_growth > max_strength;
+          strength_ = is_strongest ? 1.0 : strength_growth * strength_;
+          reach_m_ = std::min(max_reach * pieces_.edge_m, (is_strongest ? reach_growth : 1.0) * reach_m_);
+        }
+      }
+      const double gap_m = find_gap();
+      if (gap_m < progress_gap_ratio * max_gap_m) {
+        max_gap_m = gap_m;
+        since = 0;
+      }
+      if (report) report(share_joined(), sewn_.garment, now_m());
+    }
+    if (find_gap() > 0.0 && sewn_.reason.empty()) {
+      const auto nearest = body_tree_.find_nearest(sewn_.gap_place_m, blocking_distance_m, accept_all);
+      const double off_m = nearest ? glm::distance(nearest->place_m, sewn_.gap_place_m) : 0.0;
+      if (nearest) sewn_.reason = fmt::format("the body is in the way, {:.1f} cm from there", 100.0 * off_m);
+    }
+    keep_shape();
+    return std::move(sewn_);
+  }
+
+ private:
+  const std::vector<Vec3>& now_m() const { return simulation_->state().current; }
+  const Vec3& at(Index v) const { return now_m()[sewn_.vertex_of[v]]; }
+
+  void begin(SewnPieces sewn) {
+    sewn_ = std::move(sewn);
+    const std::vector<Vec3> start_m = sewn_.garment.mesh.positions;
+    sim::Surroundings surroundings = scene_.surroundings;
+    surroundings.moving_pins.clear();
+    simulation_.emplace(sim::share(sewn_.garment), std::vector<Index>{}, simulation_settings(scene_.simulation),
+                        std::move(surroundings), start_m);
+    simulation_->set_time(time_s_);
+    steps_ += steps_to_begin;
+  }
+
+  void keep_shape() { sewn_.garment.mesh.positions = now_m(); }
+
+  /// Advances a frame. Returns false if it is blocked.
+  bool advance() {
+    try {
+      simulation_->advance_frame(throw_if_interrupted);
+      steps_ += simulation_->last_report().substeps;
+      sewn_.reason.clear();
+    } catch (const sim::ContactBlocked& error) {
+      sewn_.reason = error.what();
+      return false;
+    }
+    return true;
+  }
+
+  bool is_joined(const std::pair<Index, Index>& pair) { return joined_.find(pair.first) == joined_.find(pair.second); }
+  bool is_closed(const Seam& seam) {
+    return std::ranges::all_of(seam, [&](const auto& pair) { return is_joined(pair); });
+  }
+  bool is_closed() {
+    return std::ranges::all_of(pieces_.seams, [&](const Seam& seam) { return is_closed(seam); });
+  }
+
+  double share_joined() {
+    std::size_t all = 0, joined = 0;
+    for (const Seam& seam : pieces_.seams) {
+      all += seam.size();
+      for (const auto& pair : seam) joined += is_joined(pair) ? 1 : 0;
+    }
+    return static_cast<double>(joined) / static_cast<double>(std::max<std::size_t>(all, 1));
+  }
+
+  double find_gap() {
+    sewn_.gap_m = 0.0;
+    for (std::size_t s = 0; s < pieces_.seams.size(); ++s) {
+      for (const auto& [a, b] : pieces_.seams[s]) {
+        const double gap_m = joined_.find(a) == joined_.find(b) ? 0.0 : glm::distance(at(a), at(b));
+        if (gap_m > sewn_.gap_m) {
+          sewn_.gap_m = gap_m;
+          sewn_.open_stitch = s;
+          sewn_.gap_place_m = 0.5 * (at(a) + at(b));
+        }
+      }
+    }
+    return sewn_.gap_m;
+  }
+
+  std::size_t layer_of(std::size_t seam) const {
+    return pieces_.layer_of[pieces_.panel_of[pieces_.seams[seam][0].first]];
+  }
+
+  /// Returns whether all of these seams that belong to the present layer are closed.
+  bool is_layer_closed(const std::vector<std::size_t>& seams) {
+    return std::ranges::all_of(seams,
+                               [&](std::size_t s) { return layer_of(s) != layer_ || is_closed(pieces_.seams[s]); });
+  }
+
+  /// Returns the seams to pull: seams of the innermost open layer, and at first only those that carry the garment.
+  std::vector<std::size_t> pulled_seams(int frame) {
+    std::vector<std::size_t> all(pieces_.seams.size());
+    std::iota(all.begin(), all.end(), std::size_t{0});
+    while (layer_ < pieces_.layer_of.back() && is_layer_closed(all)) {
+      ++layer_;
+      layer_began_ = frame;
+      strength_ = 1.0;
+    }
+    is_carried_ = frame - layer_began_ >= max_frames_for_first || is_layer_closed(pieces_.first_seams);
+    std::vector<std::size_t> seams = is_carried_ ? all : pieces_.first_seams;
+    std::erase_if(seams, [&](std::size_t s) { return layer_of(s) != layer_; });
+    return seams;
+  }
+
+  /// Pulls vertices that are sewn together towards their middle. The threads of all panels pull with the same force.
+  void pull(const std::vector<std::size_t>& seams) {
+    sim::Groups together(now_m().size());
+    for (const std::size_t s : seams) {
+      for (const auto& [a, b] : pieces_.seams[s]) {
+        const Index v = sewn_.vertex_of[a], w = sewn_.vertex_of[b];
+        together.join(v, w);
+      }
+    }
+    std::vector<Vec3> sums(now_m().size(), Vec3(0.0));
+    std::vector<double> counts(now_m().size(), 0.0), threads(pieces_.panel_count(), 0.0);
+    for (Index v = 0; v < now_m().size(); ++v) {
+      const Index group = together.find(v);
+      sums[group] += now_m()[v];
+      counts[group] += 1.0;
+    }
+    if (!is_carried_) {
+      // Panels tilt as their shoulders are drawn together, which lowers the shoulders beside the body. The target stays
+      // above.
+      std::vector<double> max_height_m(now_m().size(), -std::numeric_limits<double>::infinity());
+      for (std::size_t v = 0; v < pieces_.flat_m.size(); ++v) {
+        double& height_m = max_height_m[together.find(sewn_.vertex_of[v])];
+        height_m = std::max(height_m, pieces_.placed_m[v].y);
+      }
+      for (std::size_t g = 0; g < sums.size(); ++g)
+        sums[g].y = counts[g] > 1.0 ? counts[g] * max_height_m[g] : sums[g].y;
+    }
+    const auto is_pulled = [&](Index v) { return counts[together.find(v)] > 1.0; };
+    for (std::size_t v = 0; v < pieces_.flat_m.size(); ++v) {
+      threads[pieces_.panel_of[v]] += is_pulled(sewn_.vertex_of[v]) ? 1.0 : 0.0;
+    }
+    // Forces within a group add up to nothing, so that threads do not move the cloth as a whole.
+    std::vector<double> pulls_n(now_m().size(), 0.0), reaches_m(now_m().size(), slack_m);
+    for (std::size_t v = 0; v < pieces_.flat_m.size(); ++v) {
+      const Index p = pieces_.panel_of[v], group = together.find(sewn_.vertex_of[v]);
+      pulls_n[group] +=
+          counts[group] > 1.0 ? strength_ * pull_m_per_s2 * panel_masses_kg_[p] / threads[p] / counts[group] : 0.0;
+    }
+    for (Index v = 0; v < now_m().size(); ++v) {
+      const Index group = together.find(v);
+      reaches_m[group] = std::max(reaches_m[group], glm::distance(now_m()[v], sums[group] / counts[group]));
+    }
+    sim::Surroundings surroundings = simulation_->surroundings();
+    surroundings.forces.grabbed_vertices.clear();
+    for (Index v = 0; v < now_m().size(); ++v) {
+      if (is_pulled(v)) {
+        const Index group = together.find(v);
+        surroundings.forces.grabbed_vertices.push_back(
+            {v, sums[group] / counts[group], pulls_n[group] / reaches_m[group], 2.0 * pulls_n[group]});
+      }
+    }
+    draw_in_layers(surroundings.forces.grabbed_vertices);
+    simulation_->set_surroundings(surroundings);
+  }
+
+  /// Draws sewn layers towards the body, out of the way of the layers that are sewn over them.
+  void draw_in_layers(std::vector<sim::GrabbedVertex>& held) const {
+    if (layer_ == 0) return;
+    std::vector<char> is_done(now_m().size(), 0);
+    for (Index v = 0; v < pieces_.flat_m.size(); ++v) {
+      const Index n = sewn_.vertex_of[v];
+      if (pieces_.layer_of[pieces_.panel_of[v]] < layer_ && std::exchange(is_done[n], 1) == 0) {
+        const auto nearest = body_tree_.find_nearest(at(v), std::numeric_limits<double>::infinity(), accept_all);
+        const double pull_n = inwards_m_per_s2 * sewn_.garment.masses_kg[n];
+        held.push_back({n, nearest->place_m, pull_n / inwards_from_m, pull_n});
+      }
+    }
+  }
+
+  /// Returns trial positions per vertex of the pieces. Over an inner layer, pairs to join are also tried away from the
+  /// cloth and beyond its border, because the middle between two sides of a fold of that layer is within it.
+  std::vector<std::vector<Vec3>> places_to_join_m(const std::vector<std::pair<Index, Index>>& met) const {
+    std::vector<Vec3> positions_m, out(pieces_.flat_m.size(), Vec3(0.0)), beyond = out;
+    for (Index v = 0; v < pieces_.flat_m.size(); ++v) positions_m.push_back(at(v));
+    for (const sim::Triangle& t : pieces_.triangles) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        const Vec3 first = at(t[(k + 1) % 3]) - at(t[k]), second = at(t[(k + 2) % 3]) - at(t[k]);
+        out[t[k]] += glm::cross(first, second);
+        beyond[t[k]] -= first + second;
+      }
+    }
+    std::vector<std::vector<Vec3>> places_m = {positions_m};
+    for (const auto& ways : {out, beyond}) {
+      std::vector<Vec3> moved_m = positions_m;
+      for (const auto& [a, b] : met) {
+        const auto unit = [&](const Vec3& d) { return glm::length(d) > 0.0 ? glm::normalize(d) : d; };
+        const Vec3 lift = lift_fraction * glm::distance(at(a), at(b)) * unit(unit(ways[a]) + unit(ways[b]));
+        moved_m[a] = at(a) + lift;
+        moved_m[b] = at(b) + lift;
+      }
+      if (layer_ > 0) places_m.push_back(std::move(moved_m));
+    }
+    return places_m;
+  }
+
+  /// Joins vertices that have met. Returns whether any were joined.
+  bool join_what_met(const std::vector<std::size_t>& seams) {
+    std::vector<std::pair<Index, Index>> met;
+    for (const std::size_t s : seams) {
+      for (const auto& [a, b] : pieces_.seams[s]) {
+        if (joined_.find(a) != joined_.find(b) && glm::distance(at(a), at(b)) < reach_m_) met.emplace_back(a, b);
+      }
+    }
+    const std::vector<std::vector<Vec3>> places_m = places_to_join_m(met);
+    const std::vector<Vec3> before_m = now_m();
+    const SewnPieces before = sewn_;
+    for (std::size_t trial = 0; trial < max_trials * places_m.size() && !met.empty(); ++trial) {
+      sim::Groups joined = joined_;
+      for (const auto& [a, b] : met) joined.join(a, b);
+      begin(join_pieces(pieces_, label_sets(joined, pieces_.flat_m.size()), places_m[trial % places_m.size()], scene_));
+      std::vector<char> is_crossed = crossed_after_frames(seams);
+      const auto touches = [&](const auto& pair) { return is_crossed[sewn_.vertex_of[pair.first]] != 0; };
+      if (std::ranges::find(is_crossed, 1) == is_crossed.end() && is_within_bound()) {
+        joined_ = joined;
+        return true;
+      }
+      if (trial % places_m.size() + 1 < places_m.size()) continue;
+      if (std::ranges::all_of(met, touches) || std::erase_if(met, touches) == 0) leave_out_nearest(is_crossed, met);
+    }
+    sewn_ = before;
+    sewn_.garment.mesh.positions = before_m;
+    begin(sewn_);
+    return false;
+  }
+
+  /// Advances frames until the solver leaves out no triangle, or something crosses. Returns crossed().
+  std::vector<char> crossed_after_frames(const std::vector<std::size_t>& seams) {
+    std::vector<char> is_crossed(now_m().size(), 1);
+    for (int frame = 0; frame < frames_to_part; ++frame) {
+      pull(seams);
+      if (!advance()) break;
+      is_crossed = crossed();
+      if (simulation_->last_report().excluded_triangles.empty()) break;
+    }
+    return is_crossed;
+  }
+
+  /// Leaves out the half of the pairs that is nearest to vertices that cross.
+  void leave_out_nearest(const std::vector<char>& is_crossed, std::vector<std::pair<Index, Index>>& met) const {
+    std::vector<std::pair<double, std::pair<Index, Index>>> by_distance;
+    for (const auto& pair : met) {
+      double min_distance_m = std::numeric_limits<double>::infinity();
+      for (std::size_t v = 0; v < is_crossed.size(); ++v) {
+        min_distance_m =
+            is_crossed[v] != 0 ? std::min(min_distance_m, glm::distance(now_m()[v], at(pair.first))) : min_distance_m;
+      }
+      by_distance.emplace_back(-min_distance_m, pair);
+    }
+    std::ranges::sort(by_distance);
+    met.clear();
+    for (std::size_t k = 0; k < by_distance.size() / 2; ++k) met.push_back(by_distance[k].second);
+  }
+
+  bool is_within_bound() const {
+    return largest_stretch(sewn_.garment.mesh, now_m()).surface <=
+           scene_.simulation.solver.bounded.max_stretch + bound_rounding;
+  }
+
+  /// Returns, per vertex, whether it is near triangles that cross something.
+  std::vector<char> crossed() const {
+    const Surface cloth = {now_m(), sewn_.garment.mesh.triangles};
+    std::vector<char> is_crossed(now_m().size(), 0);
+    const auto mark = [&](Index t) {
+      for (const Index v : cloth.triangles[t]) is_crossed[v] = 1;
+    };
+    bool any = false;
+    for (const SceneCrossings& crossings : scene_crossings(cloth, scene_.surroundings.bodies, time_s_)) {
+      for (const CrossingPair& pair : crossings.pairs) {
+        mark(pair.first);
+        if (!crossings.body) mark(pair.second);
+        any = true;
+      }
+    }
+    // The solver leaves out triangles that are too near to be resolved above rounding.
+    for (const sim::ExcludedTriangle& t : simulation_->last_report().excluded_triangles) {
+      if (!t.body) {
+        mark(t.triangle);
+        any = true;
+      }
+    }
+    for (int ring = 0; ring < 2 && any; ++ring) {
+      const std::vector<char> before = is_crossed;
+      for (Index t = 0; t < cloth.triangles.size(); ++t) {
+        if (std::ranges::any_of(cloth.triangles[t], [&](Index v) { return before[v] != 0; })) mark(t);
+      }
+    }
+    return is_crossed;
+  }
+
+  const CutPieces& pieces_;
+  Scene scene_;
+  double time_s_;
+  SurfaceTree body_tree_;
+  sim::Groups joined_;  ///< sets of joined vertices of the pieces
+  std::vector<double> panel_masses_kg_;
+  double strength_ = 1.0;                                   ///< factor of the pull of all threads
+  double reach_m_ = first_reach_fraction * pieces_.edge_m;  ///< distance within which vertices are joined
+  int steps_ = 0;                                           ///< count of time steps made
+  std::size_t layer_ = 0;                                   ///< layer that is sewn
+  bool is_carried_ = false;                                 ///< true once the seams that carry the layer are closed
+  int layer_began_ = 0;                                     ///< frame in which the layer began
+  SewnPieces sewn_;
+  std::optional<sim::Simulation> simulation_;
+};
+
+}  // namespace
+
+SewnPieces close_seams(const CutPieces& pieces, const Scene& scene, double time_s, const SewingReport& report) {
+  const sim::Body& dressed = scene.surroundings.bodies[dressed_body(scene).body];
+  return Closing(pieces, scene, dressed, time_s).run(report);
+}
+
+}  // namespace taut::app

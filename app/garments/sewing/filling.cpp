@@ -1,0 +1,300 @@
+#include "app/garments/sewing/filling.hpp"
+
+#include "app/base/errors.hpp"
+#include "app/verify/triangle_crossing.hpp"
+#include "sim/mesh/polygons.hpp"
+
+namespace taut::app {
+namespace {
+
+using sim::Index;
+using sim::Triangle;
+using sim::Vec2;
+using sim::Vec3;
+
+constexpr Index none = static_cast<Index>(-1);
+// Fraction of the edge length.
+constexpr double clearance = 0.6;  ///< distance of inner points from the outline
+constexpr int smoothing_rounds = 8;
+/// Flips for each triangle. Only four points on a circle, which flip back and forth, need more.
+constexpr std::size_t max_flips = 100;
+
+bool is_inside(const std::vector<Vec2>& outline, const Vec2& p) {
+  bool inside = false;
+  for (std::size_t i = 0, j = outline.size() - 1; i < outline.size(); j = i++) {
+    const Vec2 &a = outline[i], &b = outline[j];
+    if ((a.y > p.y) != (b.y > p.y) && p.x < a.x + (b.x - a.x) * ((p.y - a.y) / (b.y - a.y))) inside = !inside;
+  }
+  return inside;
+}
+
+double distance_to(const std::vector<Vec2>& outline, const Vec2& p) {
+  double min_distance = glm::distance(outline[0], p);
+  for (std::size_t i = 0, j = outline.size() - 1; i < outline.size(); j = i++) {
+    const Vec2 way = outline[i] - outline[j];
+    const double share = std::clamp(glm::dot(p - outline[j], way) / glm::dot(way, way), 0.0, 1.0);
+    min_distance = std::min(min_distance, glm::distance(p, outline[j] + share * way));
+  }
+  return min_distance;
+}
+
+/// Returns points of a triangular grid within the outline, each moved a little by multiples of the inverse plastic
+/// number, which are spread evenly.
+std::vector<Vec2> points_within(const std::vector<Vec2>& outline, double edge, double jitter) {
+  constexpr double first_step = 0.7548776662466927, second_step = 0.5698402909980532;
+  Vec2 low = outline[0], high = outline[0];
+  for (const Vec2& p : outline) {
+    low = glm::min(low, p);
+    high = glm::max(high, p);
+  }
+  std::vector<Vec2> points;
+  double number = 0.0;
+  const double row_height = edge * std::sqrt(0.75);
+  const auto rows = static_cast<int>((high.y - low.y) / row_height),
+             columns = static_cast<int>((high.x - low.x) / edge);
+  for (int row = 0; row <= rows; ++row) {
+    for (int column = 0; column <= columns; ++column) {
+      number += 1.0;
+      const Vec2 moved = {number * first_step - std::floor(number * first_step) - 0.5,
+                          number * second_step - std::floor(number * second_step) - 0.5};
+      const Vec2 p =
+          low + Vec2((column + (row % 2 == 0 ? 0.25 : 0.75)) * edge, (row + 0.5) * row_height) + jitter * edge * moved;
+      if (is_inside(outline, p) && distance_to(outline, p) > clearance * edge) points.push_back(p);
+    }
+  }
+  return points;
+}
+
+/// A Delaunay triangulation that keeps the edges of the outline (Lawson 1977).
+class Triangulation {
+ public:
+  explicit Triangulation(std::vector<Vec2> outline) : points_(std::move(outline)), outline_(points_.size()) {
+    std::vector<Vec3> corners_m;
+    std::vector<Index> corners;
+    for (const Vec2& p : points_) {
+      corners.push_back(static_cast<Index>(corners_m.size()));
+      corners_m.emplace_back(p, 0.0);
+    }
+    const std::uint32_t count = static_cast<std::uint32_t>(corners.size());
+    triangles_ = sim::cut_into_triangles({corners_m, std::span(&count, 1), corners});
+    require_simple();
+    find_neighbours();
+    for (Index t = 0; t < triangles_.size(); ++t) push(t);
+    flip_all();
+  }
+
+  void insert(const Vec2& p) {
+    throw_if_interrupted();
+    const Index t = triangle_around(p);
+    if (t == none) return;
+    const auto [a, b, c] = triangles_[t];
+    const auto [ab, bc, ca] = beyond_[t];
+    const auto v = static_cast<Index>(points_.size());
+    const auto second = static_cast<Index>(triangles_.size()), third = second + 1;
+    points_.push_back(p);
+    triangles_[t] = {a, b, v};
+    triangles_.push_back({b, c, v});
+    triangles_.push_back({c, a, v});
+    beyond_[t] = {ab, second, third};
+    beyond_.push_back({bc, third, t});
+    beyond_.push_back({ca, t, second});
+    renew(bc, t, second);
+    renew(ca, t, third);
+    for (const Index n : {t, second, third}) push(n);
+    flip_all();
+  }
+
+  /// Adds a point in the middle of the largest triangle.
+  void insert() {
+    const auto t = std::ranges::max_element(triangles_, {}, [&](const Triangle& triangle) { return area(triangle); });
+    insert((points_[(*t)[0]] + points_[(*t)[1]] + points_[(*t)[2]]) / 3.0);
+  }
+
+  /// Moves inner points to the means of their neighbours unless a triangle turns over.
+  void smooth() {
+    std::vector<Vec2> sums(points_.size(), Vec2(0.0));
+    std::vector<double> counts(points_.size(), 0.0);
+    std::vector<std::vector<Index>> around(points_.size());
+    for (Index t = 0; t < triangles_.size(); ++t) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        const Index v = triangles_[t][k];
+        sums[v] += points_[triangles_[t][(k + 1) % 3]];
+        counts[v] += 1.0;
+        around[v].push_back(t);
+      }
+    }
+    for (std::size_t v = outline_; v < points_.size(); ++v) {
+      const Vec2 before = std::exchange(points_[v], sums[v] / counts[v]);
+      const auto is_turned = [&](Index t) {
+        return !(area(triangles_[t]) > 0.1 * before_area(t, static_cast<Index>(v), before));
+      };
+      if (std::ranges::any_of(around[v], is_turned)) points_[v] = before;
+    }
+    for (Index t = 0; t < triangles_.size(); ++t) push(t);
+    flip_all();
+  }
+
+  /// Halves inner edges with both ends on the outline. They could meet others where the outline is sewn.
+  void halve_across() {
+    for (Index t = 0; t < triangles_.size(); ++t) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        if (beyond_[t][k] != none && triangles_[t][k] < outline_ && triangles_[t][(k + 1) % 3] < outline_) halve(t, k);
+      }
+    }
+  }
+
+  void require_areas() const {
+    if (std::ranges::any_of(triangles_, [&](const Triangle& t) { return !(area(t) > 0.0); })) {
+      throw std::invalid_argument("it is too narrow to be filled with triangles");
+    }
+  }
+
+  FilledOutline take() { return {std::move(points_), std::move(triangles_)}; }
+
+ private:
+  double area(const Triangle& t) const { return sim::doubled_area(points_[t[0]], points_[t[1]], points_[t[2]]); }
+  double before_area(Index t, Index moved, const Vec2& before) const {
+    const auto at = [&](std::size_t k) { return triangles_[t][k] == moved ? before : points_[triangles_[t][k]]; };
+    return sim::doubled_area(at(0), at(1), at(2));
+  }
+
+  void require_simple() const {
+    double sum = 0.0, outline = 0.0;
+    for (const Triangle& t : triangles_) sum += std::abs(area(t));
+    for (std::size_t i = 1; i + 1 < outline_; ++i) outline += sim::doubled_area(points_[0], points_[i], points_[i + 1]);
+    // Triangles along straight borders have no area until they are flipped.
+    const bool is_turned = std::ranges::any_of(triangles_, [&](const Triangle& t) { return area(t) < -1e-9 * sum; });
+    if (is_turned || triangles_.size() + 2 != outline_ || std::abs(sum - outline) > 1e-6 * sum) {
+      throw std::invalid_argument("its outline crosses or touches itself");
+    }
+  }
+
+  void find_neighbours() {
+    std::map<std::array<Index, 2>, Index> sides;
+    for (Index t = 0; t < triangles_.size(); ++t) {
+      for (std::size_t k = 0; k < 3; ++k) sides[{triangles_[t][k], triangles_[t][(k + 1) % 3]}] = t;
+    }
+    for (const Triangle& t : triangles_) {
+      auto& beyond = beyond_.emplace_back();
+      for (std::size_t k = 0; k < 3; ++k) {
+        const auto found = sides.find({t[(k + 1) % 3], t[k]});
+        beyond[k] = found == sides.end() ? none : found->second;
+      }
+    }
+  }
+
+  std::size_t side_to(Index t, Index other) const {
+    return static_cast<std::size_t>(std::ranges::find(beyond_[t], other) - beyond_[t].begin());
+  }
+  void renew(Index t, Index before, Index now) {
+    if (t != none) beyond_[t][side_to(t, before)] = now;
+  }
+  void push(Index t) { waiting_.push_back(t); }
+
+  void flip_all() {
+    for (std::size_t flips = 0; !waiting_.empty() && flips < max_flips * triangles_.size();) {
+      const Index t = waiting_.back();
+      waiting_.pop_back();
+      for (std::size_t k = 0; k < 3; ++k) {
+        if (beyond_[t][k] != none && flip(t, k)) {
+          ++flips;
+          break;
+        }
+      }
+    }
+    waiting_.clear();
+  }
+
+  /// Returns whether d is within the circle through the other three, by more than rounding.
+  bool is_within_circle(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) const {
+    // The angles at c and d over the edge from a to b then add up to more than half a turn.
+    const double at_c = glm::dot(a - c, b - c), at_d = glm::dot(a - d, b - d);
+    const double sine_c = sim::doubled_area(c, a, b), sine_d = sim::doubled_area(d, b, a);
+    const double size = (std::abs(at_c) + sine_c) * (std::abs(at_d) + std::abs(sine_d));
+    return at_c * sine_d + at_d * sine_c < -1e-10 * size;
+  }
+
+  bool flip(Index t, std::size_t k) {
+    const Index u = beyond_[t][k];
+    const std::size_t j = side_to(u, t);
+    const Index a = triangles_[t][k], b = triangles_[t][(k + 1) % 3], c = triangles_[t][(k + 2) % 3];
+    const Index d = triangles_[u][(j + 2) % 3];
+    const bool is_convex =
+        orientation(points_[a], points_[d], points_[c]) > 0 && orientation(points_[d], points_[b], points_[c]) > 0;
+    if (!is_convex || !is_within_circle(points_[a], points_[b], points_[c], points_[d])) return false;
+    const Index bc = beyond_[t][(k + 1) % 3], ca = beyond_[t][(k + 2) % 3];
+    const Index ad = beyond_[u][(j + 1) % 3], db = beyond_[u][(j + 2) % 3];
+    triangles_[t] = {a, d, c};
+    beyond_[t] = {ad, u, ca};
+    triangles_[u] = {d, b, c};
+    beyond_[u] = {db, bc, t};
+    renew(ad, u, t);
+    renew(bc, t, u);
+    push(t);
+    push(u);
+    return true;
+  }
+
+  Index triangle_around(const Vec2& p) const {
+    for (Index t = 0; t < triangles_.size(); ++t) {
+      bool is_around = true;
+      for (std::size_t k = 0; k < 3 && is_around; ++k) {
+        is_around = orientation(points_[triangles_[t][k]], points_[triangles_[t][(k + 1) % 3]], p) > 0;
+      }
+      if (is_around) return t;
+    }
+    return none;
+  }
+
+  void halve(Index t, std::size_t k) {
+    const Index u = beyond_[t][k];
+    const std::size_t j = side_to(u, t);
+    const Index a = triangles_[t][k], b = triangles_[t][(k + 1) % 3], c = triangles_[t][(k + 2) % 3];
+    const Index d = triangles_[u][(j + 2) % 3], v = static_cast<Index>(points_.size());
+    points_.push_back(0.5 * (points_[a] + points_[b]));
+    const auto of_t = static_cast<Index>(triangles_.size()), of_u = of_t + 1;
+    const Index bc = beyond_[t][(k + 1) % 3], ca = beyond_[t][(k + 2) % 3];
+    const Index ad = beyond_[u][(j + 1) % 3], db = beyond_[u][(j + 2) % 3];
+    triangles_[t] = {a, v, c};
+    beyond_[t] = {u, of_t, ca};
+    triangles_.push_back({v, b, c});
+    beyond_.push_back({of_u, bc, t});
+    triangles_[u] = {a, d, v};
+    beyond_[u] = {ad, of_u, t};
+    triangles_.push_back({v, d, b});
+    beyond_.push_back({u, db, of_t});
+    renew(bc, t, of_t);
+    renew(db, u, of_u);
+  }
+
+  std::vector<Vec2> points_;
+  std::size_t outline_;
+  std::vector<Triangle> triangles_;
+  std::vector<std::array<Index, 3>> beyond_;  ///< triangle beyond each side
+  std::vector<Index> waiting_;                ///< triangles whose sides may have to be flipped
+};
+
+}  // namespace
+
+double polygon_area(const std::vector<Vec2>& outline) {
+  double area = 0.0;
+  for (std::size_t k = 1; k + 1 < outline.size(); ++k) {
+    area += 0.5 * sim::doubled_area(outline[0], outline[k], outline[k + 1]);
+  }
+  return area;
+}
+
+FilledOutline fill_outline(std::vector<Vec2> outline_m, double edge_m, const Filling& filling) {
+  const double area_m2 = polygon_area(outline_m);
+  if (!(std::abs(area_m2) > 0.0)) throw std::invalid_argument("its outline has no area");
+  if (area_m2 < 0.0) throw std::invalid_argument("its outline goes clockwise");
+  Triangulation triangulation(outline_m);
+  for (const Vec2& p : points_within(outline_m, edge_m, filling.jitter)) triangulation.insert(p);
+  for (std::size_t k = 0; k < filling.more_points; ++k) triangulation.insert();
+  for (int round = 0; round < smoothing_rounds; ++round) triangulation.smooth();
+  triangulation.halve_across();
+  triangulation.require_areas();
+  return triangulation.take();
+}
+
+}  // namespace taut::app

@@ -1,0 +1,142 @@
+#include "app/garments/sewing/placing.hpp"
+
+namespace taut::app {
+namespace {
+
+using sim::Index;
+using sim::Vec3;
+
+constexpr double beside_shoulder = 1.1;   ///< multiple of the shoulder joint's offset; unsewn edges beyond it are cuffs
+constexpr double beside_trunk = 0.6;      ///< smallest offset of a sleeve's panel, as a multiple of the joint's
+constexpr double below_shoulder_m = 0.2;  ///< largest depth of a sleeve's top
+constexpr double over_shoulder_m = 0.12;  ///< largest height of a sleeve panel's middle; a hood's is higher
+constexpr double outermost = 0.85;        ///< smallest offset of a cuff, as a fraction of the outermost
+constexpr double arms_down = 0.2;         ///< slope of the arms
+constexpr std::array arm_joints = {"arm", "forearm", "hand"};
+constexpr std::array leg_joints = {"upleg", "leg", "foot"};
+constexpr double near_hem_m = 0.05;
+constexpr double min_leg_offset_widths = 0.15;  ///< offset of the middle of a panel of one leg, in panel widths
+
+/// Part of a pattern that goes around an arm.
+struct Sleeve {
+  std::set<std::size_t> panels;
+  Vec3 cuff_m = Vec3(0.0);  ///< middle of the cuff
+};
+
+/// Returns the sleeve on one side: panels beside the trunk that are sewn together, one of them near the shoulder, with
+/// an unsewn border far out. Empty if there is none.
+Sleeve find_sleeve(const SewingPattern& pattern, const CutPieces& pieces, const Vec3& shift, const Vec3& shoulder_m,
+                   double side) {
+  const std::vector<sim::Extent> boxes = panel_boxes(pieces);
+  const auto is_beside = [&](std::size_t p) {
+    return boxes[p].middle().y < shoulder_m.y + over_shoulder_m &&
+           (side > 0.0 ? boxes[p].lower.x : -boxes[p].upper.x) > beside_trunk * side * shoulder_m.x;
+  };
+  Sleeve sleeve;
+  for (std::size_t p = 0; p < boxes.size(); ++p) {
+    if (is_beside(p) && boxes[p].upper.y > shoulder_m.y - below_shoulder_m && !sleeve.panels.contains(p)) {
+      sleeve.panels.merge(pattern.sewn_with({p}, is_beside));
+    }
+  }
+  std::vector<Vec3> ends;
+  double max_distance_m = beside_shoulder * side * shoulder_m.x;
+  for (const std::size_t p : sleeve.panels) {
+    const std::vector<char> stitched = pattern.is_stitched(p);
+    const PatternPanel& panel = pattern.panels[p];
+    for (std::size_t e = 0; e < stitched.size(); ++e) {
+      const Vec3 from = panel.placed_m(panel.edges_m[e].front()) + shift,
+                 to = panel.placed_m(panel.edges_m[e].back()) + shift;
+      if (stitched[e] == 0 && std::min(side * from.x, side * to.x) > beside_shoulder * side * shoulder_m.x) {
+        ends.push_back(0.5 * (from + to));
+        max_distance_m = std::max(max_distance_m, side * ends.back().x);
+      }
+    }
+  }
+  std::erase_if(ends, [&](const Vec3& end) { return side * end.x < outermost * max_distance_m; });
+  if (ends.empty()) return {};
+  for (const Vec3& end : ends) sleeve.cuff_m += end / static_cast<double>(ends.size());
+  return sleeve;
+}
+
+/// Turns a sleeve about the shoulder so that it points along the arm.
+void turn(const Sleeve& sleeve, const Vec3& shoulder_m, const Vec3& along, CutPieces& pieces) {
+  const Vec3 way = sleeve.cuff_m - shoulder_m;
+  const Vec3 from = glm::normalize(Vec3(way.x, way.y, 0.0)), to = glm::normalize(along);
+  const double cosine = glm::dot(from, to), sine = from.x * to.y - from.y * to.x;
+  for (std::size_t v = 0; v < pieces.placed_m.size(); ++v) {
+    if (sleeve.panels.contains(pieces.panel_of[v])) {
+      const Vec3 d = pieces.placed_m[v] - shoulder_m;
+      pieces.placed_m[v] = shoulder_m + Vec3(cosine * d.x - sine * d.y, sine * d.x + cosine * d.y, d.z);
+    }
+  }
+}
+
+/// Returns the direction of arms while the body is thin: nearly level.
+Vec3 along_arm(double side) { return {side, -arms_down, 0.0}; }
+
+/// Returns the joints of a limb: at least two, or none.
+std::vector<Index> find_chain(const Wearer& wearer, double side, const std::array<const char*, 3>& joints) {
+  return joints_of_limb(*wearer.rig, side > 0.0 ? "left " : "right ", joints);
+}
+
+Vec3 begin_m(const Wearer& wearer, const std::vector<Index>& chain) {
+  return wearer.places.placement(Vec3(wearer.pose.to_model[chain[0]][3]));
+}
+
+void add_bones(const Wearer& wearer, const std::vector<Index>& chain, const Vec3& way, std::vector<TurnedBone>& bones) {
+  for (std::size_t k = 1; k < chain.size(); ++k) {
+    bones.push_back({chain[k - 1], chain[k], in_file_axes(wearer.places.placement, Vec3(way.x, way.y, 0.0))});
+  }
+}
+
+void add_legs(const Wearer& wearer, const CutPieces& pieces, std::vector<TurnedBone>& bones) {
+  const std::vector<sim::Extent> boxes = panel_boxes(pieces);
+  const double min_height_m = sim::compute_extent(pieces.placed_m).lower.y + near_hem_m;
+  std::vector<TurnedBone> turned;
+  std::set<Index> on_a_side;
+  for (const double side : {1.0, -1.0}) {
+    const std::vector<Index> chain = find_chain(wearer, side, leg_joints);
+    Vec3 sum(0.0);
+    double count = 0.0;
+    for (std::size_t v = 0; v < pieces.placed_m.size() && !chain.empty(); ++v) {
+      const Index p = pieces.panel_of[v];
+      const double width_m = boxes[p].upper.x - boxes[p].lower.x;
+      if (pieces.placed_m[v].y < min_height_m && side * boxes[p].middle().x > min_leg_offset_widths * width_m) {
+        on_a_side.insert(p);
+        sum += pieces.placed_m[v];
+        count += 1.0;
+      }
+    }
+    if (count == 0.0 || begin_m(wearer, chain).y < min_height_m) return;
+    add_bones(wearer, chain, sum / count - begin_m(wearer, chain), turned);
+  }
+  for (Index p = 0; p < boxes.size(); ++p) {
+    if (boxes[p].lower.y < min_height_m && !on_a_side.contains(p)) return;
+  }
+  bones.insert(bones.end(), turned.begin(), turned.end());
+}
+
+}  // namespace
+
+void turn_sleeves(const SewingPattern& pattern, const Vec3& shift, const Wearer& wearer, CutPieces& pieces) {
+  for (const double side : {1.0, -1.0}) {
+    const std::vector<Index> chain = find_chain(wearer, side, arm_joints);
+    if (!chain.empty()) {
+      const Vec3 shoulder_m = begin_m(wearer, chain);
+      const Sleeve sleeve = find_sleeve(pattern, pieces, shift, shoulder_m, side);
+      if (!sleeve.panels.empty()) turn(sleeve, shoulder_m, along_arm(side), pieces);
+    }
+  }
+}
+
+std::vector<TurnedBone> turned_limbs(const Wearer& wearer, const CutPieces& pieces) {
+  std::vector<TurnedBone> bones;
+  for (const double side : {1.0, -1.0}) {
+    const std::vector<Index> chain = find_chain(wearer, side, arm_joints);
+    if (!chain.empty()) add_bones(wearer, chain, along_arm(side), bones);
+  }
+  add_legs(wearer, pieces, bones);
+  return bones;
+}
+
+}  // namespace taut::app

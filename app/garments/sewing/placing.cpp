@@ -1,0 +1,287 @@
+#include "app/garments/sewing/placing.hpp"
+
+#include "app/base/errors.hpp"
+#include "app/bodies/body_loading.hpp"
+#include "app/garments/dressing/wearing.hpp"
+
+namespace taut::app {
+namespace {
+
+using sim::Index;
+using sim::Vec3;
+
+constexpr double step_m = 0.01;
+constexpr double clear_m = 0.03;  ///< distance of pieces that are drawn in
+constexpr double same_way = 0.8;  ///< smallest cosine of directions that count as equal
+constexpr double nearly_same_way = 0.5;
+constexpr double over_m = 0.04;    ///< height of an outer layer over an inner one
+constexpr double min_level = 0.1;  ///< smallest horizontal fraction of the normal of a piece that does not lie flat
+constexpr int max_pushes = 80;
+
+/// Panels that cross another panel, or the body.
+using Crossings = std::set<std::pair<Index, std::optional<Index>>>;
+
+/// Pieces that must not touch each other or the body.
+class Surrounded {
+ public:
+  Surrounded(const sim::Body& body, double time_s, const Vec3& axis_m, CutPieces& pieces)
+      : body_m_(mesh_positions_m(body, time_s)),
+        body_triangles_(std::get<sim::BodyMesh>(body.shape).data->triangles),
+        axis_m_(axis_m),
+        pieces_(pieces) {
+    const std::vector<sim::Extent> boxes = panel_boxes(pieces);
+    for (std::size_t p = 0; p < boxes.size(); ++p) {
+      const auto [a, b, c] = pieces.triangles[pieces.panel_triangles[p]];
+      const auto& at = pieces.placed_m;
+      const Vec3 normal = glm::cross(at[b] - at[a], at[c] - at[a]), middle = boxes[p].middle() - axis_m;
+      const double across = std::hypot(normal.x, normal.z);
+      // A piece that lies flat is above the body.
+      Vec3 way =
+          across > min_level * glm::length(normal) ? Vec3(normal.x, 0.0, normal.z) / across : Vec3(0.0, 1.0, 0.0);
+      way = way.y == 0.0 && glm::dot(way, middle) < 0.0 ? -way : way;
+      ways_.push_back(way);
+      out_m_.push_back(glm::dot(middle, way));
+    }
+    put_over();
+  }
+
+  /// Moves pieces outwards along their normals if they cross the body or a piece further in. Pieces that cross one
+  /// which faces the same way move sideways. Returns how many pieces moved.
+  std::size_t part() {
+    std::set<Index> all;
+    Crossings before;
+    for (int push = 0; push < max_pushes; ++push) {
+      std::set<Index> moved;
+      Crossings found = crossing(pieces_.placed_m);
+      // Pieces that have come apart are pushed once more, so that they do not nearly touch.
+      const Crossings& pushed = found.empty() ? before : found;
+      if (pushed.empty()) break;
+      for (const auto& [a, b] : pushed) {
+        if (b && pieces_.layer_of[a] != pieces_.layer_of[*b]) {
+          moved.insert(pieces_.layer_of[a] > pieces_.layer_of[*b] ? a : *b);
+        } else if (b && glm::dot(ways_[a], ways_[*b]) > same_way) {
+          part_sideways(a, *b);
+          all.insert({a, *b});
+        } else {
+          moved.insert(b && out_m_[*b] >= out_m_[a] ? *b : a);
+        }
+      }
+      move(moved, step_m, pieces_.placed_m);
+      for (const Index p : moved) out_m_[p] += step_m;
+      all.merge(moved);
+      before = std::move(found);
+    }
+    return all.size();
+  }
+
+  /// Moves pieces inwards as far as they keep clear of all others, so that threads have less to draw. Pieces that face
+  /// the same way move together and so do not pass each other.
+  void draw_in() {
+    std::set<Index> moving;
+    const std::vector<sim::Extent> boxes = panel_boxes(pieces_);
+    for (Index p = 0; p < pieces_.panel_count(); ++p) {
+      // Hoods stay wide, or they would close around the thin neck.
+      if (ways_[p].y == 0.0 && boxes[p].middle().y < axis_m_.y) moving.insert(p);
+    }
+    while (!moving.empty()) {
+      std::vector<Vec3> ahead_m = pieces_.placed_m;
+      std::set<Index> stopped;
+      // Small steps are taken because a thin body may lie on the path.
+      for (double ahead = 0.0; ahead < clear_m + 0.5 * step_m; ahead += step_m) {
+        move(moving, -step_m, ahead_m);
+        for (const auto& [a, b] : crossing(ahead_m)) {
+          stopped.insert(a);
+          stopped.insert(b.value_or(a));
+        }
+      }
+      for (const Index p : moving) {
+        if (out_m_[p] < clear_m) stopped.insert(p);
+      }
+      std::erase_if(moving, [&](Index p) {
+        return std::ranges::any_of(stopped, [&](Index other) { return glm::dot(ways_[p], ways_[other]) > same_way; });
+      });
+      move(moving, -step_m, pieces_.placed_m);
+      for (const Index p : moving) out_m_[p] -= step_m;
+    }
+  }
+
+ private:
+  /// Moves pieces of outer layers further out than pieces of inner layers that face nearly the same way.
+  void put_over() {
+    for (Index a = 0; a < ways_.size(); ++a) {
+      double out_m = out_m_[a];
+      for (Index b = 0; b < a; ++b) {
+        if (pieces_.layer_of[b] < pieces_.layer_of[a] && glm::dot(ways_[a], ways_[b]) > nearly_same_way) {
+          out_m = std::max(out_m, out_m_[b] + over_m);
+        }
+      }
+      move({a}, out_m - out_m_[a], pieces_.placed_m);
+      out_m_[a] = out_m;
+    }
+  }
+
+  /// Moves two pieces that face the same way apart, half a step each.
+  void part_sideways(Index a, Index b) {
+    const std::vector<sim::Extent> boxes = panel_boxes(pieces_);
+    Vec3 way = boxes[b].middle() - boxes[a].middle();
+    way -= glm::dot(way, ways_[a]) * ways_[a];
+    way = glm::length(way) > 1e-3 ? glm::normalize(way) : glm::cross(Vec3(0.0, 1.0, 0.0), ways_[a]);
+    for (std::size_t v = 0; v < pieces_.placed_m.size(); ++v) {
+      const Index p = pieces_.panel_of[v];
+      pieces_.placed_m[v] += p == a ? -0.5 * step_m * way : p == b ? 0.5 * step_m * way : Vec3(0.0);
+    }
+  }
+
+  Crossings crossing(const std::vector<Vec3>& positions_m) const {
+    const Surface cloth = {positions_m, pieces_.triangles};
+    const auto panel = [&](Index t) { return pieces_.panel_of[pieces_.triangles[t][0]]; };
+    Crossings found;
+    for (const CrossingPair& pair : crossing_pairs(cloth, {body_m_, body_triangles_})) {
+      found.insert({panel(pair.first), std::nullopt});
+    }
+    for (const CrossingPair& pair : crossing_pairs(cloth)) found.insert({panel(pair.first), panel(pair.second)});
+    return found;
+  }
+
+  void move(const std::set<Index>& panels, double by_m, std::vector<Vec3>& positions_m) const {
+    for (std::size_t v = 0; v < positions_m.size(); ++v) {
+      const Index p = pieces_.panel_of[v];
+      positions_m[v] += panels.contains(p) ? by_m * ways_[p] : Vec3(0.0);
+    }
+  }
+
+  std::vector<Vec3> body_m_;
+  std::span<const sim::Triangle> body_triangles_;
+  Vec3 axis_m_;
+  CutPieces& pieces_;
+  std::vector<Vec3> ways_;     ///< per panel, level and outwards
+  std::vector<double> out_m_;  ///< per panel, the outward position of its middle
+};
+
+constexpr double gathered = 1.05;  ///< smallest ratio of the lengths of a gathered seam's sides
+
+/// Compresses panels that are longer than the panels that they are sewn to, along that seam. The bound allows for
+/// compression, and cloth folds by itself when it is released.
+void push_ease_together(const SewingPattern& pattern, CutPieces& pieces) {
+  const std::vector<Vec3> placed_m = pieces.placed_m;
+  const std::vector<sim::Extent> boxes = panel_boxes(pieces);
+  for (std::size_t p = 0; p < pattern.panels.size(); ++p) {
+    Vec3 along(0.0);
+    double own_m = 0.0, other_m = 0.0;
+    for (std::size_t s = 0; s < pattern.stitches.size(); ++s) {
+      for (const bool is_second : {false, true}) {
+        const auto& [first, second] = pattern.stitches[s];
+        const PanelEdge &own = is_second ? second : first, &other = is_second ? first : second;
+        const double length_m = polyline_length(pattern.line_of(own));
+        if (own.panel != p || other.panel == p || length_m < gathered * polyline_length(pattern.line_of(other)))
+          continue;
+        const auto& [begin, end] = std::pair(pieces.seams[s].front(), pieces.seams[s].back());
+        const Vec3 way =
+            is_second ? placed_m[end.second] - placed_m[begin.second] : placed_m[end.first] - placed_m[begin.first];
+        along += glm::dot(along, way) < 0.0 ? -way : way;
+        own_m += length_m;
+        other_m += polyline_length(pattern.line_of(other));
+      }
+    }
+    if (!(glm::length(along) > 0.0)) continue;
+    along = glm::normalize(along);
+    for (std::size_t v = 0; v < placed_m.size(); ++v) {
+      if (pieces.panel_of[v] == p) {
+        pieces.placed_m[v] -= (1.0 - other_m / own_m) * glm::dot(placed_m[v] - boxes[p].middle(), along) * along;
+      }
+    }
+  }
+}
+
+void require_placed(const SewingPattern& pattern) {
+  const PatternPanel& first = pattern.panels.front();
+  const bool is_any_placed = std::ranges::any_of(pattern.panels, [&](const PatternPanel& panel) {
+    return panel.translation_m != first.translation_m || panel.rotation != first.rotation;
+  });
+  if (pattern.panels.size() > 1 && !is_any_placed) {
+    throw InputError(
+        "found all {} panels of the pattern at {} m, turned alike; expected translations and rotations that place them "
+        "about a body",
+        pattern.panels.size(), describe_point(first.translation_m));
+  }
+}
+
+/// A body that moves evenly from one shape to another.
+class FramesBetween final : public sim::BodyFrames {
+ public:
+  FramesBetween(std::vector<Vec3> from_m, std::vector<Vec3> to_m, double frame_rate_hz)
+      : from_m_(std::move(from_m)), to_m_(std::move(to_m)), rate_hz_(frame_rate_hz) {}
+
+  std::size_t count() const override { return frames_to_own_shape + 1; }
+  double rate_hz() const override { return rate_hz_; }
+  void positions_in(std::size_t frame, std::span<Vec3> positions_m) const override {
+    const double share = static_cast<double>(frame) / frames_to_own_shape;
+    for (std::size_t v = 0; v < positions_m.size(); ++v) {
+      positions_m[v] = share == 1.0 ? to_m_[v] : glm::mix(from_m_[v], to_m_[v], share);
+    }
+  }
+
+ private:
+  std::vector<Vec3> from_m_, to_m_;
+  double rate_hz_;
+};
+
+const Wearer& require_wearer(const Scene& scene) {
+  const Dressed dressed = dressed_body(scene);
+  if (dressed.wearer == nullptr) {
+    throw InputError("found no body that is dressed, expected someone to sew the pattern on");
+  }
+  return *dressed.wearer;
+}
+
+}  // namespace
+
+std::size_t part_and_draw_in(const sim::Body& body, double time_s, const Vec3& axis_m, CutPieces& pieces) {
+  Surrounded surrounded(body, time_s, axis_m, pieces);
+  const std::size_t moved = surrounded.part();
+  Surrounded(body, time_s, axis_m, pieces).draw_in();
+  return moved;
+}
+
+double thin_time_s(const Scene& scene) {
+  const Dressed dressed = dressed_body(scene);
+  return std::get<sim::BodyMesh>(scene.surroundings.bodies[dressed.body].shape).frames->first_s() - 1000.0;
+}
+
+std::vector<std::string> bring_to_body(const SewingPattern& pattern, const Scene& scene, CutPieces& pieces) {
+  const Wearer& wearer = require_wearer(scene);
+  require_placed(pattern);
+  std::vector<std::string> said;
+  const Vec3 shift = move_to_height(pattern, wearer, pieces, said);
+  push_ease_together(pattern, pieces);
+  turn_sleeves(pattern, shift, wearer, pieces);
+  return said;
+}
+
+std::vector<std::string> place_pieces(CutPieces& pieces, Scene& scene) {
+  Wearer wearer = require_wearer(scene);
+  const std::size_t b = dressed_body(scene).body;
+  sim::Body& body = scene.surroundings.bodies[b];
+  const double frame_rate_hz = scene.simulation.frame_rate_hz;
+  // An undressed body has no clearance for cloth.
+  BodySource undressed = scene.body_sources[b];
+  undressed.dress = 0;
+  wearer.motion = std::make_shared<const FramesBetween>(
+      wearer.full_m, read_body(undressed, {1.0, frame_rate_hz}).mesh.data->positions_m, frame_rate_hz);
+  wearer.rate_hz = frame_rate_hz;
+  std::size_t moved = 0;
+  // Pieces that were moved take along the limbs that belong into them.
+  for (std::size_t last = 1; last > 0;) {
+    // Limbs turn while they are thin. Sleeves are cut for hanging arms, and would otherwise pull at the shoulders.
+    std::vector<RigPose> poses = make_turning_poses(*wearer.rig, wearer.pose, turned_limbs(wearer, pieces));
+    poses.insert(poses.end(), poses.size(), wearer.pose);
+    std::get<sim::BodyMesh>(body.shape).frames = make_growing_frames(wearer, poses);
+    last = moved == 0 ? part_and_draw_in(body, thin_time_s(scene), *wearer.measures.neck_m, pieces) : 0;
+    moved += last;
+  }
+  if (moved == 0) return {};
+  return {fmt::format("{} of its {} pieces crossed another or the body where they were placed: moved apart", moved,
+                      pieces.panel_count())};
+}
+
+}  // namespace taut::app

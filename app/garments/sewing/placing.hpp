@@ -1,0 +1,40 @@
+#pragma once
+
+#include "app/garments/dressing/dressing.hpp"
+#include "app/garments/sewing/cutting.hpp"
+
+namespace taut::app {
+
+/// Moves pieces that cross the body at that time, each other or another layer outwards from the body's axis, or
+/// sideways. Then moves all pieces inwards as far as they keep clear, so that threads have less to draw. Returns how
+/// many crossed.
+std::size_t part_and_draw_in(const sim::Body& body, double time_s, const sim::Vec3& axis_m, CutPieces& pieces);
+
+/// Moves the pieces of a pattern to the dressed body of the scene. The pattern places them about a body of similar
+/// size, with its feet or its chest at the origin. All pieces move up or down together, so that shoulder seams lie
+/// above its shoulders, or the upper border where the body is as wide. Sleeves are turned to where arms begin. Requires
+/// loaded bodies (load_bodies()). Returns a report for people. Throws InputError if no body is dressed or its measures
+/// are unknown.
+std::vector<std::string> bring_to_body(const SewingPattern& pattern, const Scene& scene, CutPieces& pieces);
+
+/// Lets the body begin thin, with its arms nearly level and its legs in the legs of trousers. Moves pieces outwards
+/// that cross the body or each other. Requires bring_to_body(). Returns a report for people.
+std::vector<std::string> place_pieces(CutPieces& pieces, Scene& scene);
+
+// Steps of bring_to_body(). move_to_height() moves all pieces up or down, returns how far, and marks the shoulder
+// seams, which are closed first.
+sim::Vec3 move_to_height(const SewingPattern& pattern, const Wearer& wearer, CutPieces& pieces,
+                         std::vector<std::string>& said);
+void turn_sleeves(const SewingPattern& pattern, const sim::Vec3& shift, const Wearer& wearer, CutPieces& pieces);
+
+/// Returns the turned bones of arms and legs for the start of the body's growth.
+std::vector<TurnedBone> turned_limbs(const Wearer& wearer, const CutPieces& pieces);
+
+/// Number of frames after 0 s in which a body takes its own shape, where parts near each other had left clearance for
+/// cloth.
+inline constexpr int frames_to_own_shape = 30;
+
+/// Returns a time at which the dressed body is thin, in s.
+double thin_time_s(const Scene& scene);
+
+}  // namespace taut::app

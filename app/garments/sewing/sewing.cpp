@@ -1,0 +1,370 @@
+#include "app/garments/sewing/sewing.hpp"
+
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "app/base/errors.hpp"
+#include "app/base/files.hpp"
+#include "app/base/words.hpp"
+#include "app/bodies/body_loading.hpp"
+#include "app/garments/dressing/fit.hpp"
+#include "app/garments/dressing/wearing.hpp"
+#include "app/garments/sewing/placing.hpp"
+#include "app/models/inspecting/scene_crossings.hpp"
+#include "app/models/reading/file_mesh.hpp"
+#include "app/runs/run_checkpoint.hpp"
+#include "app/scene/scene_format.hpp"
+#include "app/scene/scene_key.hpp"
+#include "app/verify/stretch.hpp"
+
+namespace taut::app {
+namespace {
+
+using sim::Index;
+using sim::Vec3;
+
+constexpr double cm = 0.01;
+/// Limit of the time steps. More steps help no garment that is too small, which then takes minutes to be refused.
+constexpr int max_substeps = 250;
+// Drag of the air. The rest position does not depend on it, but the time to reach rest does: the drag grows by the
+// factor `thicker` every `frames_to_thicker` frames.
+constexpr double resting_drag_per_s = 6.0;
+constexpr double drag_growth_factor = 1.5;
+constexpr double thickest_per_s = 60.0;
+constexpr int frames_to_thicker = 10;
+/// Largest mean speed at rest. In the thickest air the drag then bears a hundredth of the cloth's weight.
+constexpr double resting_m_per_s = 1.5e-3;
+/// Budget of sweeps until the garment rests. Cloth that is nearly too small takes as many in each frame as other cloth
+/// in all.
+constexpr double max_sweeps = 150e3;
+constexpr double of_one_limb = 0.6;  ///< fraction of a girth below which a level meets one limb alone
+constexpr double of_waist_m = 0.05;  ///< depth below the upper end of a garment that is worn at the waist
+
+[[noreturn]] void refuse_open(SewnGarment garment) {
+  const SewnPieces& sewn = garment.sewn;
+  const std::string message =
+      fmt::format("a seam stays open: {}, by {:.1f} cm at {}{}",
+                  garment.pattern.describe(garment.pattern.stitches[sewn.open_stitch]), sewn.gap_m / cm,
+                  describe_place(sewn.gap_place_m), sewn.reason.empty() ? "" : "; " + sewn.reason);
+  throw SewingFailed(message, std::move(garment));
+}
+
+/// Assigns their own fabrics to outer layers.
+sim::Garment of_fabrics(sim::Garment cloth, const SewnGarment& garment) {
+  if (garment.over_fabrics.empty()) return cloth;
+  std::vector<sim::Material> other_materials;
+  for (const std::string& fabric : garment.over_fabrics)
+    other_materials.push_back(find_fabric_material(fabric, "--over-fabric"));
+  std::vector<std::uint8_t> layer_of(cloth.mesh.positions.size());
+  for (std::size_t v = 0; v < garment.pieces.flat_m.size(); ++v) {
+    layer_of[garment.sewn.vertex_of[v]] =
+        static_cast<std::uint8_t>(garment.pieces.layer_of[garment.pieces.panel_of[v]]);
+  }
+  try {
+    return sim::with_other_materials(std::move(cloth), std::move(layer_of), std::move(other_materials));
+  } catch (const std::invalid_argument& error) {
+    throw InputError("--over-fabric: {}; expected a fabric for all (--fabric)", error.what());
+  }
+}
+
+/// Returns the panel with the largest stretch, the nearest seam, and the girths of garment and body there. `start_m`
+/// are the positions before the body grew.
+std::string describe_tightest(const Scene& scene, const SewnGarment& garment, const std::vector<Vec3>& start_m) {
+  const sim::Mesh& mesh = garment.sewn.garment.mesh;
+  const std::vector<double> stretch = sim::triangle_surface_stretch(garment.sewn.garment, mesh.positions);
+  const auto t = static_cast<std::size_t>(std::ranges::max_element(stretch) - stretch.begin());
+  const Vec3 at_m = mesh.positions[mesh.triangles[t][0]];
+  std::size_t nearest_level = 0;
+  double min_distance_m = std::numeric_limits<double>::infinity();
+  for (std::size_t s = 0; s < garment.pieces.seams.size(); ++s) {
+    for (const auto& [a, b] : garment.pieces.seams[s]) {
+      const double off_m = glm::distance(mesh.positions[garment.sewn.vertex_of[a]], at_m);
+      nearest_level = off_m < min_distance_m ? s : nearest_level;
+      min_distance_m = std::min(min_distance_m, off_m);
+    }
+  }
+  const sim::Index panel = garment.pieces.panel_of[garment.pieces.triangles[t][0]];
+  std::string around;
+  const BodyMeasures& measures = dressed_body(scene).wearer->measures;
+  const Surface start = {start_m, mesh.triangles};
+  const GarmentMarks marks = find_garment_marks(garment.sewn.garment, start_m, {});
+  const auto tube = find_tube(start);
+  const double height_m = start_m[mesh.triangles[t][0]].y;
+  std::optional<double> cloth_m = tube ? girth_at(start, std::min(height_m, tube->max_height_m)) : std::nullopt;
+  if (marks.is_worn_at_waist && height_m > marks.top_height_m - of_waist_m) cloth_m = marks.top_m;
+  if (cloth_m && at_m.y > measures.levels[measures.fork].height_m && at_m.y < measures.levels.back().height_m) {
+    around = fmt::format(", where the body is {:.1f} cm around and the garment {:.1f} cm",
+                         measures.level_at(at_m.y).girth_m / cm, *cloth_m / cm);
+  }
+  return fmt::format("it is tightest in the panel '{}', beside the seam of {}{}", garment.pattern.panels[panel].name,
+                     garment.pattern.describe(garment.pattern.stitches[nearest_level]), around);
+}
+
+/// Lets the body grow into the sewn garment, which then comes to rest.
+void dress_sewn_garment(const Scene& scene, const SewingSettings& settings,
+                        const std::function<void(const std::string&)>& stage, SewnGarment& garment) {
+  SewnPieces& sewn = garment.sewn;
+  sewn.garment = of_fabrics(sim::with_material(std::move(sewn.garment), scene.material), garment);
+  // Smallest distances are then derived from the positions, as for any garment that begins where it lies.
+  sewn.garment.untangled_m.clear();
+  RunSettings run = scene.simulation;
+  run.solver.max_substeps = std::min(run.solver.max_substeps, max_substeps);
+  sim::Surroundings thick_air = scene.surroundings;
+  double& air_per_s = thick_air.forces.air_drag_per_s;
+  air_per_s = std::max(air_per_s, resting_drag_per_s);
+  sim::SimulationSettings run_settings = simulation_settings(run);
+  run_settings.rest_settings.speed_m_per_s = std::max(run_settings.rest_settings.speed_m_per_s, resting_m_per_s);
+  // Thick air slows cloth that comes loose to a speed at which it can be kept apart.
+  sim::Simulation simulation(sim::share(sewn.garment), {}, run_settings, thick_air, sewn.garment.mesh.positions);
+  const auto keep = [&] {
+    sewn.garment.mesh.positions = simulation.state().current;
+    garment.time_s = simulation.state().time_s;
+  };
+  std::vector<FitRow> fit = compute_fit(scene, sewn.garment, sewn.garment.mesh.positions);
+  // A level may meet one limb alone where the body is thin.
+  std::erase_if(fit, [](const FitRow& row) { return row.garment_m < of_one_limb * row.body_m; });
+  const std::vector<Vec3> start_m = sewn.garment.mesh.positions;
+  const auto refuse = [&](const std::exception& error) {
+    keep();
+    const std::string tight = describe_tightness(scene, sewn.garment, sewn.garment.mesh.positions, fit);
+    std::string misfit = describe_misfit(fit);
+    if (!misfit.empty()) misfit = misfit.substr(2) + "; ";
+    const std::string message = "its seams are closed, but it cannot be worn: " + misfit +
+                                describe_tightest(scene, garment, start_m) + (tight.empty() ? "" : "; " + tight) +
+                                "; " + error.what();
+    throw SewingFailed(message, std::move(garment));
+  };
+  try {
+    stage("the body grows into it");
+    dress(scene, simulation);
+    double sweeps = 0.0;
+    for (; garment.frames < settings.frames && !simulation.state().asleep && sweeps < max_sweeps; ++garment.frames) {
+      throw_if_interrupted();
+      stage(fmt::format("worn for {} of {} frames", garment.frames, settings.frames));
+      if (garment.frames % frames_to_thicker == 0) {
+        simulation.set_surroundings(thick_air);
+        air_per_s = std::max(air_per_s, std::min(drag_growth_factor * air_per_s, thickest_per_s));
+      }
+      simulation.advance_frame(throw_if_interrupted);
+      sweeps += simulation.last_report().sweeps;
+    }
+  } catch (const InputError& error) {
+    refuse(error);
+  } catch (const PromiseBroken& error) {
+    refuse(error);
+  } catch (const sim::ContactBlocked& error) {
+    refuse(error);
+  }
+  garment.is_at_rest = simulation.state().asleep;
+  garment.rms_speed_m_per_s = sim::rms_speed(simulation.change());
+  keep();
+}
+
+void verify(const Scene& scene, SewnGarment& garment) {
+  const sim::Mesh& mesh = garment.sewn.garment.mesh;
+  const BodyMeasures& measures = dressed_body(scene).wearer->measures;
+  if (sim::compute_extent(mesh.positions).upper.y < measures.levels[measures.fork].height_m) {
+    throw SewingFailed("its seams are closed, but it does not stay on the body: it falls down", std::move(garment));
+  }
+  const Surface cloth = {mesh.positions, mesh.triangles};
+  for (const SceneCrossings& crossings : scene_crossings(cloth, scene.surroundings.bodies, garment.time_s)) {
+    if (!crossings.pairs.empty()) {
+      const std::string found = describe(crossings, cloth, scene.surroundings.bodies);
+      throw SewingFailed("when it is worn, " + found, std::move(garment));
+    }
+  }
+  garment.max_stretch = largest_stretch(mesh, mesh.positions).surface;
+  garment.bound = scene.simulation.solver.bounded.max_stretch;
+  if (garment.max_stretch > garment.bound + bound_rounding) {
+    throw SewingFailed(
+        fmt::format("its seams are closed, but worn for {} frames it is stretched by {:.3f} %; expected at "
+                    "most solver.max_stretch = {:g}",
+                    garment.frames, 100.0 * garment.max_stretch, garment.bound),
+        std::move(garment));
+  }
+}
+
+CutPieces cut(const std::filesystem::path& file, const SewingPattern& pattern, int triangles, bool is_exact) {
+  try {
+    return cut_pieces(pattern, triangles, is_exact);
+  } catch (const std::invalid_argument& error) {
+    throw InputError("cannot use '{}': {}", file.string(), error.what());
+  }
+}
+
+/// Records the pattern, its placement, and the first moment in which half of the seams are closed.
+void keep_step(double share, const sim::Garment& now, const std::vector<Vec3>& positions_m, SewnGarment& garment) {
+  constexpr double half = 0.5;
+  if (garment.steps.empty()) {
+    std::vector<Vec3> flat_m;
+    for (const sim::Vec2& at : garment.pieces.flat_m) flat_m.emplace_back(at, 0.0);
+    garment.steps = {{"the pattern", now, std::move(flat_m), garment.time_s},
+                     {"placed", now, positions_m, garment.time_s}};
+  } else if (garment.steps.size() == 2 && share >= half) {
+    garment.steps.push_back({"half closed", now, positions_m, garment.time_s});
+  }
+}
+
+/// Returns the scene with the body to sew on, the last one that is read from a file, and no other.
+Scene scene_to_sew(const Scene& scene) {
+  const auto of_file = [](const BodySource& source) { return !source.file.empty(); };
+  const auto found = std::find_if(scene.body_sources.rbegin(), scene.body_sources.rend(), of_file);
+  if (found == scene.body_sources.rend()) {
+    throw InputError("'{}' is a sewing pattern: found no body to sew it on, expected one (--body FILE, body.file)",
+                     scene.garment.file.string());
+  }
+  const auto number = static_cast<std::size_t>(scene.body_sources.rend() - found) - 1;
+  Scene sewn = scene;
+  sewn.body_sources = {*found};
+  sewn.body_sources[0].motion.clear();
+  sewn.body_sources[0].clip = "none";
+  sewn.body_sources[0].dress = usual_dressing_frames;
+  sewn.surroundings = {};
+  sewn.surroundings.bodies = {{.name = scene.surroundings.bodies[number].name, .shape = sim::BodyMesh{}}};
+  return sewn;
+}
+
+/// Returns a hash of all inputs that change the sewn garment.
+std::uint64_t compute_fingerprint(const Scene& scene) {
+  const BodySource& body = scene.body_sources[0];
+  const sim::Material& m = scene.material;
+  sim::ByteWriter bytes;
+  bytes.put_text(program_version());
+  bytes.put_text(read_text_file(scene.garment.file));
+  bytes.put_text(read_text_file(body.file, max_model_bytes));
+  bytes.put(body.scale.value_or(0.0));
+  bytes.put(body.up ? static_cast<std::uint8_t>(*body.up) : std::uint8_t{255});
+  for (const double value : {m.areal_density_kg_per_m2, m.bending_rigidity_n_m, m.compression_stiffness_n_per_m,
+                             m.tensile_warp_n_per_m, m.tensile_weft_n_per_m, m.shear_n_per_m, m.thickness_m, m.friction,
+                             scene.simulation.solver.bounded.max_stretch}) {
+    bytes.put(value);
+  }
+  return sim::fnv1a(sim::fnv1a_of_nothing, bytes.bytes());
+}
+
+/// Returns a folder for sewn garments that only this user can write to, so that nobody else can put a file there that
+/// is taken for one.
+std::filesystem::path own_folder() {
+  const std::filesystem::path temporary = std::filesystem::temp_directory_path();
+  const std::filesystem::path user_folder = temporary / fmt::format("taut-{}", ::getuid());
+  struct stat found = {};
+  const bool is_made = ::mkdir(user_folder.c_str(), S_IRWXU) == 0;
+  if (is_made || (::lstat(user_folder.c_str(), &found) == 0 && S_ISDIR(found.st_mode) && found.st_uid == ::getuid() &&
+                  (found.st_mode & (S_IRWXG | S_IRWXO)) == 0)) {
+    return user_folder;
+  }
+  std::string other = (temporary / "taut-XXXXXX").string();
+  if (::mkdtemp(other.data()) == nullptr) {
+    throw InputError("cannot make a folder in '{}' for what is sewn: {}", temporary.string(), std::strerror(errno));
+  }
+  return other;
+}
+
+}  // namespace
+
+SewnGarment sew(Scene& scene, const SewingSettings& settings, const std::function<void(const std::string&)>& stage) {
+  SewnGarment garment;
+  std::vector<std::filesystem::path> files = {scene.garment.file};
+  files.insert(files.end(), settings.over.begin(), settings.over.end());
+  const std::filesystem::path fabric = scene.fabric;
+  garment.fabric = fabric.has_extension() ? std::filesystem::absolute(fabric).string() : scene.fabric;
+  garment.over_fabrics = settings.over_fabrics;
+  stage("meshing its panels");
+  for (const std::filesystem::path& file : files) {
+    SewingPattern pattern = read_sewing_pattern(file);
+    CutPieces pieces = cut(file, pattern, settings.triangles / static_cast<int>(files.size()), settings.is_exact);
+    for (std::string& remark : bring_to_body(pattern, scene, pieces)) {
+      garment.remarks.push_back((files.size() > 1 ? file.stem().string() + ": " : "") + remark);
+    }
+    if (garment.pattern.panels.empty()) {
+      garment.pattern = std::move(pattern);
+      garment.pieces = std::move(pieces);
+    } else {
+      garment.over_names.push_back(file.stem().string());
+      add_pattern(garment.over_names.back(), std::move(pattern), garment.pattern);
+      add_over(pieces, garment.pieces);
+    }
+  }
+  for (std::string& remark : place_pieces(garment.pieces, scene)) garment.remarks.push_back(std::move(remark));
+  garment.time_s = thin_time_s(scene);
+  garment.sewn =
+      close_seams(garment.pieces, scene, garment.time_s,
+                  [&](double share, const sim::Garment& now, const std::vector<Vec3>& positions_m) {
+                    stage(fmt::format("drawing its seams together, {:.0f} % are closed", std::floor(100.0 * share)));
+                    keep_step(share, now, positions_m, garment);
+                  });
+  if (garment.sewn.gap_m > 0.0) refuse_open(std::move(garment));
+  dress_sewn_garment(scene, settings, stage, garment);
+  verify(scene, garment);
+  return garment;
+}
+
+std::string to_obj(const SewnGarment& garment) {
+  const sim::Mesh& mesh = garment.sewn.garment.mesh;
+  std::vector<glm::vec2> corner_uv;
+  for (const auto& corners : mesh.cut_m) {
+    for (const sim::Vec2& corner : corners) corner_uv.emplace_back(corner / metres_per_uv_of_cut);
+  }
+  FileFaces faces = make_faces(mesh, corner_uv);
+  for (std::size_t p = 0; p < garment.pattern.panels.size(); ++p) {
+    faces.sections.push_back({garment.pieces.panel_triangles[p], "g " + garment.pattern.panels[p].name});
+  }
+  return obj_text(faces, mesh.positions, {});
+}
+
+std::string to_landmarks_text(const SewnGarment& garment) {
+  std::string text = "# As it is cut: lengths at rest are those of the texture coordinates, which are cm.\n" +
+                     fmt::format("metres_per_uv = {}\nis_cut = true\n", metres_per_uv_of_cut);
+  if (!garment.fabric.empty()) text += "fabric = " + toml_text(garment.fabric) + "\n";
+  if (garment.max_stretch > sim::BoundedSettings().max_stretch) {
+    text += fmt::format("# It is worn within this bound.\nmax_stretch = {:g}\n", garment.bound);
+  }
+  if (!garment.over_names.empty()) {
+    text += fmt::format("\n# Garments that are worn over each other.\nlayers = {}\n", garment.over_names.size() + 1);
+  }
+  if (!garment.over_fabrics.empty()) text += "\n# Of groups whose names begin so.\n[fabrics]\n";
+  for (std::size_t k = 0; k < garment.over_fabrics.size(); ++k) {
+    text += toml_text(garment.over_names[k] + ".") + " = " + toml_text(garment.over_fabrics[k]) + "\n";
+  }
+  text += "\n# Vertices along its seams, from 0.\n[seams]\n";
+  for (std::size_t s = 0; s < garment.pieces.seams.size(); ++s) {
+    std::string vertices;
+    for (const auto& [a, b] : garment.pieces.seams[s]) {
+      vertices += (vertices.empty() ? "" : ", ") + std::to_string(garment.sewn.vertex_of[a]);
+    }
+    text += toml_text(garment.pattern.describe(garment.pattern.stitches[s])) + " = [" + vertices + "]\n";
+  }
+  return text;
+}
+
+std::vector<std::string> sew_garment(Scene& scene, const std::function<void(const std::string&)>& stage) {
+  if (!is_sewing_pattern(scene.garment.file)) return {};
+  Scene to_sew = scene_to_sew(scene);
+  scene.garment.sewn =
+      own_folder() / fmt::format("{}-{:016x}.obj", scene.garment.file.stem().string(), compute_fingerprint(to_sew));
+  scene.garment.scale = 1.0;
+  scene.garment.up = ModelAxis::y;
+  if (std::filesystem::exists(scene.garment.sewn)) {
+    return {fmt::format("its pattern was sewn before, to '{}'", scene.garment.sewn.string())};
+  }
+  std::vector<std::string> said = load_bodies(to_sew);
+  const SewnGarment garment = sew(
+      to_sew, {}, stage ? stage : [](const std::string&) {});
+  said.insert(said.end(), garment.remarks.begin(), garment.remarks.end());
+  said.push_back(fmt::format("its pattern was sewn to '{}'", scene.garment.sewn.string()));
+  // A reader that finds the OBJ file also finds the other one.
+  write_text_file(landmarks_path(scene.garment.sewn), to_landmarks_text(garment));
+  write_text_file(scene.garment.sewn, to_obj(garment));
+  return said;
+}
+
+std::vector<std::string> sew_and_load_bodies(Scene& scene, std::span<const Override> overrides,
+                                             const std::function<void(const std::string&)>& stage) {
+  std::vector<std::string> said = sew_garment(scene, stage);
+  if (stage) stage("reading its bodies");
+  const std::vector<std::string> of_bodies = load_bodies(scene, overrides);
+  said.insert(said.end(), of_bodies.begin(), of_bodies.end());
+  return said;
+}
+
+}  // namespace taut::app

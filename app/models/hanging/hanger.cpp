@@ -1,0 +1,291 @@
+#include "app/models/hanging/hanger.hpp"
+
+#include "app/base/errors.hpp"
+#include "app/models/garment_loading.hpp"
+#include "app/verify/crossing_pairs.hpp"
+
+namespace taut::app {
+namespace {
+
+// A hanger for grown-ups. Narrower garments get a smaller one.
+constexpr double half_length_m = 0.2;
+constexpr double max_half_length = 0.45;     ///< largest half length, as a fraction of the garment's width
+constexpr double radius = 0.04;              ///< radius of its bars, in half lengths
+constexpr double clearance = 0.02;           ///< clearance between bars and cloth at the start, in half lengths
+constexpr double max_shoulder_slope = 0.5;   ///< largest slope of shoulders
+constexpr double neck_reach = 0.4;           ///< offset in half lengths below which a neckline may replace the shoulder
+constexpr double shortening = 0.93;          ///< factor by which it is shortened until it fits
+constexpr double min_length_fraction = 0.5;  ///< smallest length, as a fraction of the largest
+constexpr double max_lowering = 0.5;         ///< limit of the lowering below the shoulders, in half lengths
+constexpr double lowering = 0.02;            ///< step of the lowering until it is clear, in half lengths
+constexpr double friction = 0.5;             ///< friction of wood
+
+constexpr const char* right_bar = "hanger, right";
+
+/// Highest point of the garment at a distance from its middle.
+struct RidgePoint {
+  double height_m = -std::numeric_limits<double>::infinity();
+  double depth_m = 0.0;
+};
+
+/// A garment and the size of the hanger in it.
+struct HangerSpace {
+  const sim::Mesh& mesh;
+  const GarmentPart& part;
+  double half_m;     ///< half the hanger's length
+  double ceiling_m;  ///< height above which the garment is a hood and no shoulder
+
+  RidgePoint ridge_at(double beside_m) const {
+    const int axis = part.across();
+    const double at_m = part.centre_m[axis] + beside_m;
+    RidgePoint ridge;
+    for (const sim::Index triangle : part.triangles) {
+      const sim::Triangle& t = mesh.triangles[triangle];
+      for (int k = 0; k < 3; ++k) {
+        const sim::Vec3 &a = mesh.positions[t[k]], &b = mesh.positions[t[(k + 1) % 3]];
+        if ((a[axis] < at_m) != (b[axis] < at_m)) {
+          const sim::Vec3 p = a + (at_m - a[axis]) / (b[axis] - a[axis]) * (b - a);
+          if (p.y > ridge.height_m && p.y <= ceiling_m) ridge = {p.y, p[2 - axis]};
+        }
+      }
+    }
+    return ridge;
+  }
+
+  sim::Vec3 place(double beside_m, double height_m, double depth_m) const {
+    sim::Vec3 place(0.0, height_m, 0.0);
+    place[part.across()] = part.centre_m[part.across()] + beside_m;
+    place[2 - part.across()] = depth_m;
+    return place;
+  }
+
+  bool is_clear(const sim::Capsule& bar) const {
+    const double reach_m = bar.start_radius_m + clearance * half_m;
+    const LimbShape limb{bar.start_m, bar.end_m, reach_m, reach_m};
+    return std::ranges::none_of(part.triangles, [&](sim::Index triangle) {
+      const sim::Triangle& t = mesh.triangles[triangle];
+      return enters_limb({mesh.positions[t[0]], mesh.positions[t[1]], mesh.positions[t[2]]}, limb);
+    });
+  }
+};
+
+/// Line of the hanger's bars on both sides, touching the shoulders.
+struct ShoulderLine {
+  double top_m = 0.0;                           ///< height in the middle
+  double fall = 0.0;                            ///< height lost for each metre to the side
+  std::array<double, 2> depths_m = {0.0, 0.0};  ///< depths of its ends
+};
+
+/// Returns nothing if the garment has no shoulders at this reach, or steeper ones than any hanger.
+std::optional<ShoulderLine> shoulder_line(const HangerSpace& wearer) {
+  constexpr std::array places = {neck_reach, 0.5 * (neck_reach + 1.0), 1.0};
+  ShoulderLine line{std::numeric_limits<double>::infinity(), 0.0, {}};
+  for (std::size_t side = 0; side < 2; ++side) {
+    const double sign = side == 0 ? -1.0 : 1.0;
+    const RidgePoint end = wearer.ridge_at(sign * wearer.half_m);
+    line.depths_m[side] = end.depth_m;
+    for (const double place : places) {
+      const double rise_m = wearer.ridge_at(sign * place * wearer.half_m).height_m - end.height_m;
+      // Shoulders rise towards the neck. Points that are lower there belong to a neckline.
+      if (place < 1.0 && rise_m > 0.0) {
+        line.fall = std::max(line.fall, rise_m / ((1.0 - place) * wearer.half_m));
+      }
+    }
+    line.top_m = std::min(line.top_m, end.height_m);
+  }
+  line.top_m += line.fall * wearer.half_m;
+  return std::isfinite(line.top_m) && line.fall <= max_shoulder_slope ? std::optional(line) : std::nullopt;
+}
+
+std::array<sim::Capsule, 2> bars_along(const ShoulderLine& line, const HangerSpace& wearer, double below_m) {
+  std::array<sim::Capsule, 2> bars;
+  const double top_m = line.top_m - below_m, end_m = top_m - line.fall * wearer.half_m;
+  const sim::Vec3 middle = wearer.place(0.0, top_m, 0.5 * (line.depths_m[0] + line.depths_m[1]));
+  for (std::size_t side = 0; side < 2; ++side) {
+    const double beside_m = side == 0 ? -wearer.half_m : wearer.half_m;
+    bars[side] = {middle, wearer.place(beside_m, end_m, line.depths_m[side]), radius * wearer.half_m,
+                  radius * wearer.half_m};
+  }
+  return bars;
+}
+
+/// Returns the bars in the highest position clear of the cloth; nothing if there is none below the shoulders.
+std::optional<std::array<sim::Capsule, 2>> clear_bars(const HangerSpace& wearer) {
+  const std::optional<ShoulderLine> line = shoulder_line(wearer);
+  for (double below_m = 0.0; line && below_m <= max_lowering * wearer.half_m; below_m += lowering * wearer.half_m) {
+    const std::array<sim::Capsule, 2> bars = bars_along(*line, wearer, below_m);
+    if (wearer.is_clear(bars[0]) && wearer.is_clear(bars[1])) return bars;
+  }
+  return std::nullopt;
+}
+
+constexpr int levels = 50;                  ///< levels at which the width of a part is measured
+constexpr int shoulder_levels = 4;          ///< levels over which shoulders slope
+constexpr double min_widening_ratio = 1.5;  ///< smallest ratio of the widths below and above this slope
+// Fractions of a part's height.
+constexpr double min_hood_height = 0.15;  ///< smallest height of a hood; a collar's is smaller
+constexpr double max_hood_height = 0.5;   ///< largest height of a hood; a bodice's above a skirt is larger
+constexpr double neck_band = 0.03;        ///< height of the band that is held
+/// Smallest height of the opening for the face, as a fraction of the hood's.
+constexpr double min_face_height = 0.5;
+/// Largest extent of a face's border from front to back, as a fraction of the hood's at its height.
+constexpr double max_face_depth_fraction = 0.6;
+
+struct OpeningSpan {
+  double lower_m = std::numeric_limits<double>::infinity();
+  double upper_m = -std::numeric_limits<double>::infinity();
+
+  double width_m() const { return std::max(0.0, upper_m - lower_m); }
+};
+
+/// Returns the extent of the part at each level, from its top down.
+std::vector<OpeningSpan> find_spans(const sim::Mesh& mesh, const GarmentPart& part, int across) {
+  const double step_m = part.range.size().y / levels;
+  std::vector<OpeningSpan> spans(levels);
+  const auto add_edge = [&](const sim::Vec3& high, const sim::Vec3& low) {
+    const auto first = static_cast<int>(std::ceil((part.range.upper.y - high.y) / step_m - 0.5));
+    for (int k = std::max(0, first); k < levels; ++k) {
+      const double level_m = part.range.upper.y - (k + 0.5) * step_m;
+      if (level_m < low.y || high.y <= low.y) break;
+      const double at_m = low[across] + (high[across] - low[across]) * (level_m - low.y) / (high.y - low.y);
+      spans[k].lower_m = std::min(spans[k].lower_m, at_m);
+      spans[k].upper_m = std::max(spans[k].upper_m, at_m);
+    }
+  };
+  for (const sim::Index triangle : part.triangles) {
+    const sim::Triangle& t = mesh.triangles[triangle];
+    for (int k = 0; k < 3; ++k) {
+      const sim::Vec3 &a = mesh.positions[t[k]], &b = mesh.positions[t[(k + 1) % 3]];
+      a.y > b.y ? add_edge(a, b) : add_edge(b, a);
+    }
+  }
+  return spans;
+}
+
+bool widens_below(const std::vector<OpeningSpan>& spans, int level) {
+  return level + shoulder_levels < levels && spans[level].width_m() > 0.0 &&
+         spans[level + shoulder_levels].width_m() >= min_widening_ratio * spans[level].width_m();
+}
+
+/// Returns the last level, from the top, above which the part widens as at shoulders; `levels` if there is none.
+int neck_level(const std::vector<OpeningSpan>& spans) {
+  auto level = static_cast<int>(std::ceil(min_hood_height * levels));
+  while (level < levels && !widens_below(spans, level)) ++level;
+  while (widens_below(spans, level + 1)) ++level;
+  return level;
+}
+
+/// Returns whether the opening is on one side at this height, like a face, and not around the part, like the top of a
+/// bodice with straps.
+bool is_on_one_side(const sim::Mesh& mesh, const GarmentPart& part, const Opening& opening, double height_m,
+                    double band_m) {
+  const int depth = 2 - part.across();
+  const auto span_of = [&](const std::vector<sim::Index>& vertices) {
+    OpeningSpan span;
+    for (const sim::Index v : vertices) {
+      if (std::abs(mesh.positions[v].y - height_m) <= band_m) {
+        span.lower_m = std::min(span.lower_m, mesh.positions[v][depth]);
+        span.upper_m = std::max(span.upper_m, mesh.positions[v][depth]);
+      }
+    }
+    return span.width_m();
+  };
+  return span_of(opening.vertices) <= max_face_depth_fraction * span_of(part.vertices);
+}
+
+/// Returns whether the only wide opening above the neck is a face's.
+bool has_face(const sim::Mesh& mesh, const GarmentPart& part, double neck_m) {
+  const double hood_m = part.range.upper.y - neck_m;
+  const Opening* face = nullptr;
+  for (const Opening& opening : part.openings) {
+    if (opening.mean_height_m > neck_m && opening.length_m >= hood_m) {
+      if (face != nullptr) return false;
+      face = &opening;
+    }
+  }
+  const double above_m = face == nullptr ? 0.0 : face->range.upper.y - std::max(neck_m, face->range.lower.y);
+  return above_m >= min_face_height * hood_m && is_on_one_side(mesh, part, *face, neck_m + 0.5 * hood_m, 0.2 * hood_m);
+}
+
+/// Returns whether the band around the neck carries the part on both sides and has more than a vertex or two.
+bool holds(const GarmentPart& part, const std::vector<sim::Index>& neck, const sim::Mesh& mesh) {
+  constexpr std::size_t fewest = 6;
+  return neck.size() >= fewest && carries(part, sim::compute_extent(mesh.positions, neck));
+}
+
+}  // namespace
+
+std::vector<sim::Body> hanger_for(const sim::Mesh& mesh, const GarmentPart& part) {
+  const std::vector<sim::Index> neck = neck_below_hood(mesh, part, part.across());
+  const double max_height_m = neck.empty() ? part.range.upper.y : sim::compute_extent(mesh.positions, neck).upper.y;
+  const double max_length_m = std::min(half_length_m, max_half_length * part.width_m());
+  for (double half_m = max_length_m; half_m >= min_length_fraction * max_length_m; half_m *= shortening) {
+    if (const auto bars = clear_bars({mesh, part, half_m, max_height_m})) {
+      return {{.name = hanger_left, .shape = (*bars)[0], .friction = friction},
+              {.name = right_bar, .shape = (*bars)[1], .friction = friction}};
+    }
+  }
+  return {};
+}
+
+std::vector<sim::Body> make_hanger(const sim::Mesh& mesh) {
+  const std::vector<GarmentPart> parts = find_garment_parts(mesh, sim::make_adjacency(mesh));
+  std::vector<sim::Body> hanger = hanger_for(mesh, *std::ranges::max_element(parts, {}, &GarmentPart::area_m2));
+  if (hanger.empty()) {
+    throw InputError(
+        "pins.at: found no room for a hanger below the garment's shoulders; expected a garment that is "
+        "modelled as it is worn");
+  }
+  return hanger;
+}
+
+std::string describe(const std::vector<sim::Body>& hanger) {
+  const sim::Vec3 left_m = std::get<sim::Capsule>(hanger.front().shape).end_m;
+  const sim::Vec3 right_m = std::get<sim::Capsule>(hanger.back().shape).end_m;
+  return fmt::format("it hangs on a hanger that is {:.2g} cm wide", 100.0 * glm::distance(left_m, right_m));
+}
+
+bool asks_for_hanger(const Scene& scene) {
+  const auto* name = scene.pins && scene.pins->size() == 1 ? std::get_if<std::string>(&scene.pins->front()) : nullptr;
+  return name != nullptr && *name == "hanger";
+}
+
+void put_on_hanger(const LoadedGarment& loaded, Scene& scene) {
+  if (loaded.hanger.empty()) return;
+  scene.pins.emplace();
+  for (const sim::Index pin : loaded.hanging ? loaded.hanging->pins : std::vector<sim::Index>{}) {
+    if (const auto number = loaded.file_vertices.number_of(pin)) {
+      scene.pins->emplace_back(static_cast<sim::Index>(*number));
+    }
+  }
+  std::vector<sim::Body>& bodies = scene.surroundings.bodies;
+  bodies.insert(bodies.end(), loaded.hanger.begin(), loaded.hanger.end());
+  scene.body_sources.resize(bodies.size());
+}
+
+void take_off_hanger(Scene& scene) {
+  std::vector<sim::Body>& bodies = scene.surroundings.bodies;
+  scene.body_sources.resize(bodies.size());
+  for (std::size_t k = bodies.size(); k-- > 0;) {
+    if (bodies[k].name == hanger_left || bodies[k].name == right_bar) {
+      bodies.erase(bodies.begin() + static_cast<std::ptrdiff_t>(k));
+      scene.body_sources.erase(scene.body_sources.begin() + static_cast<std::ptrdiff_t>(k));
+      scene.pins.reset();
+    }
+  }
+}
+
+std::vector<sim::Index> neck_below_hood(const sim::Mesh& mesh, const GarmentPart& part, int across) {
+  const int level = neck_level(find_spans(mesh, part, across));
+  const double height_m = part.range.size().y;
+  const double neck_m = part.range.upper.y - (level + 0.5) * height_m / levels;
+  std::vector<sim::Index> neck;
+  if (level > max_hood_height * levels || !has_face(mesh, part, neck_m)) return neck;
+  for (const sim::Index v : part.vertices) {
+    const double above_m = mesh.positions[v].y - neck_m;
+    if (above_m >= 0.0 && above_m <= neck_band * height_m) neck.push_back(v);
+  }
+  return holds(part, neck, mesh) ? neck : std::vector<sim::Index>();
+}
+
+}  // namespace taut::app

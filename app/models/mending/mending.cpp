@@ -1,0 +1,220 @@
+#include "app/models/mending/mending.hpp"
+
+#include "app/base/words.hpp"
+#include "app/garments/fitting/following.hpp"
+#include "sim/mesh/welding.hpp"
+
+namespace taut::app {
+namespace {
+
+// Largest fraction of the area that may lie beyond the bulk on each side of each axis.
+constexpr double outlying_area = 0.005;
+// Smallest distance of strays from the bulk, as a multiple of its size.
+constexpr double stray_distance = 0.25;
+
+struct Patch {
+  sim::Vec3 middle;
+  double area;
+};
+
+std::vector<Patch> find_patches(const sim::Mesh& mesh) {
+  std::vector<Patch> patches;
+  for (const auto& [a, b, c] : mesh.triangles) {
+    const sim::Vec3 &p = mesh.positions[a], &q = mesh.positions[b], &r = mesh.positions[c];
+    patches.push_back({(p + q + r) / 3.0, 0.5 * glm::length(glm::cross(q - p, r - p))});
+  }
+  return patches;
+}
+
+/// Returns the interval along an axis that contains nearly all of the area.
+std::pair<double, double> bulk_along(int axis, const std::vector<Patch>& patches, double area) {
+  std::vector<std::pair<double, double>> places;
+  for (const Patch& patch : patches) places.emplace_back(patch.middle[axis], patch.area);
+  std::ranges::sort(places);
+  const auto beyond = [&](auto first, auto last) {
+    double sum = 0.0;
+    for (auto place = first; place != last; ++place) {
+      sum += place->second;
+      if (sum > outlying_area * area) return place->first;
+    }
+    return first->first;
+  };
+  return {beyond(places.begin(), places.end()), beyond(places.rbegin(), places.rend())};
+}
+
+// Limit of the sum of an open surface's normals along the directions from its middle, as a fraction of that sum if all
+// pointed away. Collars and cuffs that are turned down point inwards, so that the limit is far from -1.
+constexpr double faces_inwards = -0.5;
+
+/// Groups triangles that are connected across edges with two triangles. At other edges no sides correspond.
+sim::Groups find_surfaces(const sim::Mesh& mesh, const sim::Adjacency& adjacency) {
+  sim::Groups surfaces(mesh.triangles.size());
+  for (std::size_t e = 0; e < adjacency.edges.size(); ++e) {
+    const auto pair = adjacency.edge_triangles[e];
+    if (pair.size() == 2) surfaces.join(pair[0], pair[1]);
+  }
+  return surfaces;
+}
+
+struct SurfaceFacing {
+  double outwards = 0.0;  ///< sum over the triangles, 6 times the volume of a closed surface
+  double all = 0.0;       ///< sum of the absolute values
+};
+
+constexpr double max_trim_share = 0.1;  ///< largest area of a trim, as a fraction of the area of all parts
+constexpr double farthest_m = 0.02;     ///< largest distance of a trim from the cloth that carries it
+constexpr std::size_t min_stitches = 3;
+/// Area for each further stitch, as a fraction of the area of all parts: a belt needs more stitches than a button.
+constexpr double area_of_stitch = 0.005;
+
+/// A vertex of a trim, and the triangle of cloth below it.
+struct StitchPlace {
+  sim::Index vertex;
+  sim::Index triangle;
+  double distance;
+};
+
+/// Returns places far from each other: the nearest to the cloth, then each time the farthest from the places before.
+std::vector<StitchPlace> find_stitches(const std::vector<StitchPlace>& places, std::size_t max_stitches,
+                                       const sim::Mesh& mesh) {
+  std::vector<StitchPlace> stitches;
+  const auto nearer = [](const StitchPlace& a, const StitchPlace& b) { return a.distance < b.distance; };
+  stitches.push_back(*std::ranges::min_element(places, nearer));
+  while (stitches.size() < max_stitches) {
+    const StitchPlace* farthest = nullptr;
+    double farthest_distance = 0.0;
+    for (const StitchPlace& place : places) {
+      double distance = glm::distance(mesh.positions[place.vertex], mesh.positions[stitches[0].vertex]);
+      for (const StitchPlace& stitch : stitches) {
+        distance = std::min(distance, glm::distance(mesh.positions[place.vertex], mesh.positions[stitch.vertex]));
+      }
+      if (distance > farthest_distance) {
+        farthest = &place;
+        farthest_distance = distance;
+      }
+    }
+    if (farthest == nullptr) break;
+    stitches.push_back(*farthest);
+  }
+  return stitches;
+}
+
+/// Returns the largest triangle from the vertex to two corners of the cloth below, facing the side of the cloth.
+sim::Triangle stitch_at(const StitchPlace& place, const sim::Mesh& mesh) {
+  const sim::Triangle& below = mesh.triangles[place.triangle];
+  sim::Triangle largest_triangle{};
+  double max_area = -1.0;
+  for (int k = 0; k < 3; ++k) {
+    const sim::Triangle stitch = {place.vertex, below[k], below[(k + 1) % 3]};
+    const double area = glm::length(sim::doubled_area_vector(mesh.positions, stitch));
+    if (area > max_area) {
+      largest_triangle = stitch;
+      max_area = area;
+    }
+  }
+  return largest_triangle;
+}
+
+}  // namespace
+
+Strays remove_strays(sim::Mesh& mesh) {
+  const std::vector<Patch> patches = find_patches(mesh);
+  double area = 0.0;
+  bool are_finite = true;
+  for (const Patch& patch : patches) {
+    area += patch.area;
+    are_finite = are_finite && std::isfinite(patch.middle.x + patch.middle.y + patch.middle.z);
+  }
+  Strays strays;
+  if (!are_finite || !std::isfinite(area) || !(area > 0.0)) return strays;
+  sim::Extent bulk;
+  for (int axis = 0; axis < 3; ++axis) {
+    std::tie(bulk.lower[axis], bulk.upper[axis]) = bulk_along(axis, patches, area);
+  }
+  const sim::Vec3 size = bulk.size();
+  const double reach = stray_distance * std::max({size.x, size.y, size.z});
+  const sim::Extent near{bulk.lower - reach, bulk.upper + reach};
+  std::vector<char> is_near(mesh.positions.size(), 0);
+  sim::Groups pieces = sim::find_pieces(mesh);
+  for (std::size_t t = 0; t < patches.size(); ++t) {
+    if (sim::overlap({patches[t].middle, patches[t].middle}, near)) {
+      is_near[pieces.find(mesh.triangles[t][0])] = 1;
+    }
+  }
+  const auto is_stray = [&](const sim::Triangle& t) { return is_near[pieces.find(t[0])] == 0; };
+  for (std::size_t t = 0; t < patches.size(); ++t) {
+    if (!is_stray(mesh.triangles[t])) continue;
+    strays.area_share += patches[t].area / area;
+    strays.distance = std::max(strays.distance, glm::distance(patches[t].middle, bulk.middle()));
+  }
+  strays.triangles = std::erase_if(mesh.triangles, is_stray);
+  return strays;
+}
+
+std::string describe(const Strays& strays, double metres_per_unit) {
+  return fmt::format("{} with {:.2g} % of its area {} {:.3g} m away and {} left out",
+                     count_text(strays.triangles, "triangle"), 100.0 * strays.area_share,
+                     strays.triangles == 1 ? "lies" : "lie", strays.distance * metres_per_unit,
+                     strays.triangles == 1 ? "is" : "are");
+}
+
+std::size_t turn_outside_out(std::span<const GarmentPart> parts, const sim::Adjacency& adjacency, sim::Mesh& mesh) {
+  sim::Groups surfaces = find_surfaces(mesh, adjacency);
+  std::size_t turned = 0;
+  for (const GarmentPart& part : parts) {
+    if (part.openings.size() == 1) continue;
+    std::map<sim::Index, SurfaceFacing> facings;
+    for (const sim::Index t : part.triangles) {
+      const sim::Vec3 out = mesh.positions[mesh.triangles[t][0]] - part.centre_m;
+      const double outwards = glm::dot(sim::doubled_area_vector(mesh.positions, mesh.triangles[t]), out);
+      SurfaceFacing& facing = facings[surfaces.find(t)];
+      facing.outwards += outwards;
+      facing.all += std::abs(outwards);
+    }
+    const double limit = part.openings.empty() && facings.size() == 1 ? 0.0 : faces_inwards;
+    for (const sim::Index t : part.triangles) {
+      const SurfaceFacing& facing = facings[surfaces.find(t)];
+      if (facing.outwards < limit * facing.all) {
+        std::swap(mesh.triangles[t][1], mesh.triangles[t][2]);
+        ++turned;
+      }
+    }
+  }
+  return turned;
+}
+
+std::size_t sew_on_trims(std::span<const GarmentPart> parts, double metres_per_unit, sim::Mesh& mesh) {
+  double area = 0.0;
+  for (const GarmentPart& part : parts) area += part.area_m2;
+  const auto is_trim = [&](const GarmentPart& part) { return part.area_m2 <= max_trim_share * area; };
+  if (std::ranges::none_of(parts, is_trim) || std::ranges::all_of(parts, is_trim)) return 0;
+  const double farthest = farthest_m / metres_per_unit;
+  std::vector<sim::Index> cloth;
+  for (const GarmentPart& part : parts) {
+    if (!is_trim(part)) cloth.insert(cloth.end(), part.triangles.begin(), part.triangles.end());
+  }
+  std::ranges::sort(cloth);
+  std::vector<sim::Triangle> triangles;
+  for (const sim::Index t : cloth) triangles.push_back(mesh.triangles[t]);
+  const SurfaceTree tree(mesh.positions, triangles);
+  std::vector<sim::Triangle> stitches;
+  std::size_t sewn_on = 0;
+  for (const GarmentPart& part : parts) {
+    std::vector<StitchPlace> places;
+    for (const sim::Index v : is_trim(part) ? part.vertices : std::vector<sim::Index>{}) {
+      const auto below = tree.find_nearest(mesh.positions[v], farthest, [](const TreeSurfacePoint&) { return true; });
+      if (below) places.push_back({v, cloth[below->triangle], below->distance_m});
+    }
+    if (!places.empty()) {
+      ++sewn_on;
+      const auto more = static_cast<std::size_t>(part.area_m2 / (area_of_stitch * area));
+      for (const StitchPlace& place : find_stitches(places, min_stitches + more, mesh)) {
+        stitches.push_back(stitch_at(place, mesh));
+      }
+    }
+  }
+  mesh.triangles.insert(mesh.triangles.end(), stitches.begin(), stitches.end());
+  return sewn_on;
+}
+
+}  // namespace taut::app

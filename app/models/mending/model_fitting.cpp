@@ -1,0 +1,210 @@
+#include "app/models/mending/model_fitting.hpp"
+
+#include "app/base/errors.hpp"
+#include "app/base/words.hpp"
+#include "sim/mesh/welding.hpp"
+
+namespace taut::app {
+namespace {
+
+/// Largest offset as a fraction of the mean edge. Two larger ones meet across one triangle of flat cloth, 0.87 edges
+/// high.
+constexpr double max_reach = 0.4;
+/// Smallest share at rest. Below it layers nearly touch or cross as modelled, and followers cannot keep to the share.
+constexpr float min_share_at_rest = 0.5F;
+
+double mean_edge_m(const sim::Mesh& mesh) {
+  double sum_m = 0.0;
+  for (const sim::Triangle& t : mesh.triangles) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      sum_m += glm::distance(mesh.positions[t[k]], mesh.positions[t[(k + 1) % 3]]);
+    }
+  }
+  return sum_m / (3.0 * static_cast<double>(mesh.triangles.size()));
+}
+
+std::vector<float> compute_reaches(std::span<const Bond> bonds, const sim::Mesh& simulated) {
+  const auto max_distance_m = static_cast<float>(max_reach * mean_edge_m(simulated));
+  std::vector<float> reach_m(simulated.positions.size(), 0.0F);
+  for (const Bond& bond : bonds) {
+    const float offset_m = std::min(static_cast<float>(glm::length(bond.offset_m)), max_distance_m);
+    for (const sim::Index v : simulated.triangles[bond.triangle]) reach_m[v] = std::max(reach_m[v], offset_m);
+  }
+  return reach_m;
+}
+
+using sim::Index;
+using sim::Vec2;
+using sim::Vec3;
+
+/// Edge length over thickness. The solver refuses cloth thicker than 0.42 of its edges
+/// (sim/solvers/bounded/promise.cpp).
+constexpr double edges_by_thickness = 3.0;
+/// Largest size of a model that is simulated itself, as a multiple of the triangles of a fitted mesh.
+constexpr std::size_t max_model_size_ratio = 2;
+/// Percentage of its triangles above which a mesh that crosses itself is in shreds.
+constexpr std::size_t max_crossing_percent = 10;
+
+/// Axes in which a triangle is laid flat (sim::TriangleAtRest): along its first edge, and across.
+struct FlatAxes {
+  Vec3 along, across;
+
+  explicit FlatAxes(const std::array<Vec3, 3>& corners) {
+    const Vec3 normal = glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
+    along = glm::normalize(corners[1] - corners[0]);
+    across = glm::cross(glm::normalize(normal), along);
+  }
+};
+
+}  // namespace
+
+OffsetLimits::OffsetLimits(std::span<const Bond> bonds, const sim::Mesh& simulated)
+    : reach_m_(compute_reaches(bonds, simulated)), clearances_(simulated.triangles, {}, true, simulated.positions) {
+  const std::span<const float> shares = clearances_.find_ratios(simulated.positions, reach_m_);
+  at_rest_.assign(shares.begin(), shares.end());
+  std::replace_if(
+      at_rest_.begin(), at_rest_.end(), [](float share) { return share < min_share_at_rest; }, 1.0F);
+}
+
+std::vector<float> OffsetLimits::shares(std::span<const Bond> bonds, std::span<const sim::Vec3> positions_m,
+                                        std::span<const sim::Triangle> triangles) const {
+  const std::lock_guard lock(mutex_);
+  const std::span<const float> clearance_shares = clearances_.find_ratios(positions_m, reach_m_);
+  const auto at_vertex = [&](sim::Index v) { return std::min(clearance_shares[v] / at_rest_[v], 1.0F); };
+  std::vector<float> shares;
+  shares.reserve(bonds.size());
+  for (const Bond& bond : bonds) {
+    const auto& [a, b, c] = triangles[bond.triangle];
+    const auto& [u, v, w] = bond.weights;
+    shares.push_back(static_cast<float>(u * at_vertex(a) + v * at_vertex(b) + w * at_vertex(c)));
+  }
+  return shares;
+}
+
+std::optional<FittedModel> fitted_model(const GarmentSource& source, double thickness_m, const sim::Mesh& model_m) {
+  const bool may_choose = source.mesh == MeshChoice::automatic && source.subdivisions == 0;
+  if (source.mesh == MeshChoice::fitted && source.subdivisions > 0) {
+    throw std::invalid_argument(
+        "garment.subdivisions is of the model itself; garment.triangles says how fine a fitted mesh is");
+  }
+  std::string why = source.mesh == MeshChoice::fitted ? "garment.mesh asks for it" : "";
+  std::size_t crossings = 0;
+  if (may_choose) {
+    crossings = crossing_pairs({model_m.positions, model_m.triangles}, throw_if_interrupted).size();
+    why = why_not_fit_for_simulation(model_m, crossings, thickness_m).value_or("");
+  }
+  if (may_choose && why.empty() && !source.given && is_coarse(model_m)) {
+    why = fmt::format("it has {} triangles, which are too few for folds", model_m.triangles.size());
+  }
+  if (why.empty()) return std::nullopt;
+  FittingSettings settings;
+  settings.max_triangles = static_cast<std::size_t>(source.max_triangles);
+  settings.min_edge_m = edges_by_thickness * thickness_m;
+  FittedModel fitted{fit_mesh(model_m, settings), std::move(why), crossings};
+  if (!fitted.mesh.triangles.empty()) return fitted;
+  if (source.mesh == MeshChoice::fitted) {
+    throw std::invalid_argument("no mesh can be fitted to it (garment.mesh), as all of it is too narrow");
+  }
+  return std::nullopt;
+}
+
+bool crosses_more_than_model(const FittedModel& fitted, const sim::Mesh& model) {
+  const bool is_affordable = model.triangles.size() <= max_model_size_ratio * FittingSettings().max_triangles;
+  return is_affordable && fitted.model_crossings > 0 && fitted.crossings > fitted.model_crossings &&
+         fitted.crossings > max_crossing_percent * fitted.mesh.triangles.size() / 100;
+}
+
+std::vector<Vec3> FollowingModel::shown_m(std::span<const Vec3> positions_m,
+                                          std::span<const sim::Triangle> simulated) const {
+  const std::vector<float> shares = limits->shares(bonds, positions_m, simulated);
+  std::vector<Vec3> model_m = follow(bonds, positions_m, simulated, shares);
+  carry(carried_vertices, shares, model_m);
+  return model_m;
+}
+
+FollowingModel follow_fitted(sim::Mesh model_m, const FittedModel& fitted) {
+  FollowingModel following;
+  following.bonds = bonds_of_model(model_m, fitted.is_simulated, fitted.mesh);
+  following.limits = std::make_shared<const OffsetLimits>(following.bonds, fitted.mesh);
+  following.carried_vertices = carried_vertices(model_m, fitted.is_simulated);
+  following.unfit_reason = fitted.why;
+  following.carried_triangles = fitted.carried_triangles;
+  following.mesh = std::move(model_m);
+  return following;
+}
+
+std::vector<Vec2> warps_below(const sim::Mesh& simulated, const sim::Mesh& model,
+                              std::span<const glm::vec2> corner_uv) {
+  std::vector<Vec3> middles_m;
+  std::vector<Vec3> normals;
+  for (const sim::Triangle& t : simulated.triangles) {
+    const auto [a, b, c] = sim::corner_positions(t, simulated.positions);
+    middles_m.push_back((a + b + c) / 3.0);
+    normals.push_back(glm::normalize(glm::cross(b - a, c - a)));
+  }
+  const std::vector<Bond> bonds = bonds_to(middles_m, model, normals);
+  const std::vector<Vec2> of_model = sim::warps_from_coordinates(model, corner_uv);
+  std::vector<Vec2> warps;
+  for (std::size_t t = 0; t < bonds.size(); ++t) {
+    const Index below = bonds[t].triangle;
+    const FlatAxes from(sim::corner_positions(model.triangles[below], model.positions));
+    const FlatAxes to(sim::corner_positions(simulated.triangles[t], simulated.positions));
+    const Vec3 warp = of_model[below].x * from.along + of_model[below].y * from.across;
+    const Vec2 laid(glm::dot(warp, to.along), glm::dot(warp, to.across));
+    warps.push_back(glm::length(laid) > 0.5
+                        ? glm::normalize(laid)
+                        : sim::upright_direction(sim::corner_positions(simulated.triangles[t], simulated.positions)));
+  }
+  return warps;
+}
+
+std::vector<Vec3> simulated_m(const FollowingModel& following, const sim::Mesh& simulated,
+                              std::span<const Vec3> file_m) {
+  std::vector<Vec3> model_m = following.mesh.positions;
+  const std::vector<Index>& of_file = following.file_vertices.mesh_vertex;
+  for (std::size_t v = of_file.size(); v-- > 0;) {
+    if (of_file[v] != sim::no_vertex) model_m[of_file[v]] = file_m[v];
+  }
+  const std::vector<Vec3> normals = vertex_normals(simulated.positions, simulated.triangles);
+  return follow(bonds_to(simulated.positions, following.mesh, normals), model_m, following.mesh.triangles);
+}
+
+std::string describe(const FollowingModel& following, const sim::Mesh& simulated) {
+  const std::size_t all = following.mesh.triangles.size();
+  return fmt::format(
+      "a fitted mesh of {} is simulated, and the model follows it{}: {} (garment.mesh)",
+      count_text(simulated.triangles.size(), "triangle"),
+      following.carried_triangles > 0
+          ? fmt::format(", {:.0f} % of it carried",
+                        100.0 * static_cast<double>(following.carried_triangles) / static_cast<double>(all))
+          : "",
+      following.unfit_reason);
+}
+
+LoadedGarment as_modelled(const LoadedGarment& loaded, const sim::MappingSettings& mapping) {
+  LoadedGarment modelled = loaded;
+  modelled.garment = sim::share(sim::make_garment(loaded.following->mesh, mapping, loaded.garment->material));
+  modelled.file_vertices = loaded.following->file_vertices;
+  modelled.following = nullptr;
+  modelled.pins.clear();
+  modelled.moving_pins.clear();
+  modelled.hanger.clear();
+  modelled.start_m.reset();
+  modelled.untangling.reset();
+  modelled.hanging.reset();
+  return modelled;
+}
+
+std::string describe_following(const GarmentInScene& loaded, std::span<const Vec3> positions_m) {
+  if (!loaded.following) return "";
+  const std::vector<Vec3> shown_m = loaded.shown_m(positions_m);
+  const sim::Garment model = sim::make_garment(loaded.following->mesh, {.flexural_rule = sim::FlexuralRule::none});
+  const std::size_t crossings = crossing_pairs({shown_m, model.mesh.triangles}).size();
+  const sim::SurfaceStretch stretch = sim::measure_surface_stretch(model, shown_m);
+  return fmt::format(
+      "the promises are those of the fitted mesh; the model that follows it is stretched by up to {:.1f} % "
+      "(99th percentile {:.1f} %), and {} of its triangles cross",
+      100.0 * stretch.max, 100.0 * stretch.p99, count_text(crossings, "pair"));
+}
+
+}  // namespace taut::app

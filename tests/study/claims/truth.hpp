@@ -1,0 +1,81 @@
+#pragma once
+
+#include <cmath>
+
+#include "app/drawing/plots/plot.hpp"
+#include "app/figures/figures.hpp"
+
+namespace taut::app {
+
+/// A measured number beside the number of theory or a publication.
+struct TruthPoint {
+  std::string experiment;  ///< name of a TruthExperiment
+  std::string curve;       ///< points of one line: a load case, a fabric, a coefficient
+  std::string mesh;        ///< "9 x 33": vertices across and along
+  double x = 0.0;
+  double measured = 0.0;
+  double published = 0.0;     ///< NaN: nothing is published
+  double published_to = NAN;  ///< upper end of a published range
+};
+
+/// Measure of a deviation: fraction of the published number, difference in units of y, or only the excess above it.
+enum class Measure { part, difference, excess };
+
+/// An experiment that others published, or that has a closed form.
+struct TruthExperiment {
+  std::string name;
+  std::string title;   ///< title of its panel
+  std::string source;  ///< author and year, or equation
+  std::string x_label, y_label;
+  bool is_x_logarithmic = false, is_y_logarithmic = false;
+  LegendCorner legend = LegendCorner::none;
+  Measure measure = Measure::part;
+  double tolerance = 0.0;  ///< largest deviation that passes
+  double known = 0.0;      ///< worst deviation with its sign if the experiment does not pass: a flaw to mend; 0: it
+                           ///< passes
+  /// Runs the experiment with `physics` times the right law, friction, force or gravity in the program.
+  std::vector<TruthPoint> (*run)(const TruthExperiment& experiment, double physics, const ProgressCallback& report);
+  /// Mean of all measured numbers, for published ranges that are wider than the effect of a tenth of the physics; 0:
+  /// not used.
+  double mean = 0.0;
+};
+
+/// Returns all experiments, in the order of the panels.
+std::vector<TruthExperiment> truth_experiments();
+
+/// Largest and root mean square deviation of an experiment's points.
+struct Deviation {
+  std::size_t points = 0;
+  double worst = 0.0;  ///< the largest, with its sign
+  double rms = 0.0;
+
+  double largest() const { return std::abs(worst); }
+};
+Deviation compute_deviation(const TruthExperiment& experiment, std::span<const TruthPoint> points);
+
+/// Returns drop over reach of the end of a clamped strip that droops by its own weight, for weight * length^3 /
+/// rigidity: the heavy elastica, B a'' = -w (L - s) cos a, clamped level at s = 0 and free at s = L (Bickley 1934).
+double droop_of_elastica(double weight_over_rigidity);
+
+/// Returns weight times length^3 over rigidity at which a strip that is clamped upright on its edge buckles sideways,
+/// for its ratio of width to length. A narrow strip has 12.85 sqrt(bending x torsion) (Timoshenko and Gere 1961), a
+/// wider one more. Computed by the method of Ritz for a plate with a lateral contraction of 1/3, which bending springs
+/// in all directions give.
+double weight_that_buckles(double width);
+
+/// Returns the smallest friction that holds the lower end of a weightless strip, whose clamp has come down by this
+/// fraction of its length: horizontal over vertical force of a clamped and hinged elastica (Sano, Yamaguchi and Wada
+/// 2017).
+double friction_that_sticks(double strain);
+
+/// Returns jobs that fill `points`, in the form of experiments().
+std::vector<Job> truth_jobs(std::vector<TruthPoint>& points);
+/// Returns the figure "truth" with a panel for each experiment.
+Figure truth_figure(std::vector<TruthPoint>& points);
+/// Reads the points from truth.csv in the folder. Throws InputError that names the file and the line.
+void read_truth(std::vector<TruthPoint>& points, const std::filesystem::path& folder);
+
+/// Returns the report's table of deviations as HTML.
+std::string truth_html(std::span<const TruthPoint> points);
+
+}  // namespace taut::app

@@ -1,0 +1,184 @@
+#include <cmath>
+
+#include "app/drawing/plots/plot.hpp"
+#include "tests/study/claims/csv_file.hpp"
+#include "tests/study/claims/truth.hpp"
+
+namespace taut::app {
+namespace {
+
+const std::vector<std::string> truth_columns = {"experiment", "curve",     "mesh",        "x",
+                                                "measured",   "published", "published_to"};
+
+std::vector<TruthPoint> select_points(const TruthExperiment& experiment, std::span<const TruthPoint> points) {
+  std::vector<TruthPoint> some;
+  std::ranges::copy_if(points, std::back_inserter(some),
+                       [&](const TruthPoint& point) { return point.experiment == experiment.name; });
+  return some;
+}
+
+/// Returns the names in order, without repeats.
+template <class Member> std::vector<std::string> names_in(std::span<const TruthPoint> points, Member member) {
+  std::vector<std::string> names;
+  for (const TruthPoint& point : points) {
+    if (std::ranges::find(names, point.*member) == names.end()) names.push_back(point.*member);
+  }
+  return names;
+}
+
+const renderer::Colour& curve_colour(std::size_t curve) {
+  static const std::array colours = {palette::blue,   palette::vermilion, palette::green,
+                                     palette::purple, palette::orange,    palette::sky};
+  return colours[curve % colours.size()];
+}
+
+/// One marker for each of the three meshes, the coarsest first.
+constexpr std::array markers = {Marker::ring, Marker::square, Marker::disc};
+
+/// Returns the published numbers of a curve as a line.
+Curve make_line(const std::string& name, std::size_t number, std::span<const TruthPoint> points) {
+  Curve curve = {name, {}, {curve_colour(number), 3.5F, {}}};
+  for (const TruthPoint& point : points) {
+    for (const double published : {point.published, point.published_to}) {
+      if (point.curve == name && std::isfinite(published)) curve.points.push_back({point.x, published});
+    }
+  }
+  std::ranges::sort(curve.points);
+  return curve;
+}
+
+Axis axis_around(const std::string& label, bool is_logarithmic, const std::vector<double>& values,
+                 bool is_legend_below = false) {
+  const auto [lowest, highest] = std::ranges::minmax(values);
+  if (is_logarithmic) return {label, (is_legend_below ? 0.15 : 0.7) * lowest, 1.5 * highest, true};
+  const double room = 0.06 * std::max(highest - lowest, 1e-9);
+  return {label, lowest < 0.0 ? lowest - room : 0.0, highest + room};
+}
+
+std::string number_text(const TruthExperiment& experiment, double deviation) {
+  return experiment.measure == Measure::part ? fmt::format("{:.1f} %", 100.0 * deviation)
+                                             : fmt::format("{:.2g}", deviation);
+}
+
+PlotPanel make_panel(const TruthExperiment& experiment, char letter, std::span<const TruthPoint> all) {
+  const std::vector<TruthPoint> points = select_points(experiment, all);
+  Plot plot;
+  std::vector<double> xs, ys;
+  const std::vector<std::string> curves = names_in(points, &TruthPoint::curve);
+  const std::vector<std::string> meshes = names_in(points, &TruthPoint::mesh);
+  for (std::size_t c = 0; c < curves.size(); ++c) {
+    plot.curves.push_back(make_line(curves[c], c, points));
+    for (std::size_t m = 0; m < meshes.size(); ++m) {
+      Curve measured = {"", {}, {curve_colour(c), 0.0F, {}}, markers[m % markers.size()]};
+      for (const TruthPoint& point : points) {
+        if (point.curve != curves[c] || point.mesh != meshes[m]) continue;
+        measured.points.push_back({point.x, point.measured});
+        xs.push_back(point.x);
+        ys.push_back(point.measured);
+        for (const double published : {point.published, point.published_to}) {
+          if (std::isfinite(published)) ys.push_back(published);
+        }
+      }
+      plot.curves.push_back(std::move(measured));
+    }
+  }
+  plot.x = axis_around(experiment.x_label, experiment.is_x_logarithmic, xs);
+  plot.y =
+      axis_around(experiment.y_label, experiment.is_y_logarithmic, ys, experiment.legend == LegendCorner::lower_right);
+  plot.legend = experiment.legend;
+  const Deviation deviation = compute_deviation(experiment, points);
+  return {std::move(plot),
+          {letter, experiment.title,
+           fmt::format("{}; off by at most {}", experiment.source, number_text(experiment, deviation.largest()))}};
+}
+
+Drawing draw_truth(const std::vector<TruthPoint>& points, LazyOffscreenRenderer&) {
+  PlotSheet sheet;
+  sheet.plot = {.text_px = 34.0F, .marker_px = 9.0F};
+  sheet.row_gap_px = 30.0F;
+  sheet.caption.measured_px = 30.0F;
+  std::vector<PlotPanel> panels;
+  for (const TruthExperiment& experiment : truth_experiments()) {
+    panels.push_back(make_panel(experiment, static_cast<char>('a' + panels.size()), points));
+  }
+  return draw_plot_sheet(std::move(panels), sheet);
+}
+
+std::string truth_csv(const std::vector<TruthPoint>& points) {
+  CsvTable table(truth_columns);
+  for (const TruthPoint& p : points) {
+    table.add({cell(p.experiment), cell(p.curve), cell(p.mesh), cell(p.x), cell(p.measured), cell(p.published),
+               cell(p.published_to)});
+  }
+  return table.text();
+}
+
+}  // namespace
+
+void read_truth(std::vector<TruthPoint>& points, const std::filesystem::path& folder) {
+  const CsvFile table(folder / "truth.csv", truth_columns);
+  for (std::size_t row = 0; row < table.rows(); ++row) {
+    const auto published = [&](std::size_t column) {
+      return table.text(row, column).empty() ? NAN : table.number(row, column);
+    };
+    points.push_back({table.text(row, 0), table.text(row, 1), table.text(row, 2), table.number(row, 3),
+                      table.number(row, 4), published(5), published(6)});
+  }
+}
+
+Deviation compute_deviation(const TruthExperiment& experiment, std::span<const TruthPoint> points) {
+  Deviation deviation;
+  double squares = 0.0;
+  for (const TruthPoint& point : points) {
+    if (point.experiment != experiment.name || !std::isfinite(point.published)) continue;
+    double off = point.measured - point.published;
+    if (std::isfinite(point.published_to)) off -= std::clamp(off, 0.0, point.published_to - point.published);
+    if (experiment.measure == Measure::part) off /= point.published;
+    if (experiment.measure == Measure::excess) off = std::max(off, 0.0);
+    if (!std::isfinite(off)) off = INFINITY;
+    if (std::abs(off) > deviation.largest()) deviation.worst = off;
+    squares += off * off;
+    ++deviation.points;
+  }
+  deviation.rms = std::sqrt(squares / static_cast<double>(std::max<std::size_t>(deviation.points, 1)));
+  return deviation;
+}
+
+std::vector<Job> truth_jobs(std::vector<TruthPoint>& points) {
+  return {{"truth", 25.0, [&points](const ProgressCallback& report) {
+             const std::vector<TruthExperiment> experiments = truth_experiments();
+             for (std::size_t i = 0; i < experiments.size(); ++i) {
+               const auto part = [&](double fraction) {
+                 report((static_cast<double>(i) + fraction) / static_cast<double>(experiments.size()));
+               };
+               std::ranges::move(experiments[i].run(experiments[i], 1.0, part), std::back_inserter(points));
+             }
+           }}};
+}
+
+Figure truth_figure(std::vector<TruthPoint>& points) {
+  const auto of = [&points](auto function) { return std::bind_front(function, std::ref(points)); };
+  return {"truth",
+          "Experiments that others published, and closed forms, each on three meshes",
+          {"truth"},
+          of(draw_truth),
+          of(truth_csv)};
+}
+
+std::string truth_html(std::span<const TruthPoint> points) {
+  std::string html =
+      "<table>\n<tr><th>experiment</th><th>published</th><th>numbers</th><th>largest deviation</th><th>root mean "
+      "square</th><th>passes up to</th></tr>\n";
+  for (const TruthExperiment& experiment : truth_experiments()) {
+    const Deviation deviation = compute_deviation(experiment, points);
+    html += fmt::format(
+        "<tr class=\"{}\"><td>{}</td><td>{}</td><td class=\"number\">{}</td><td class=\"number\">{}</td><td "
+        "class=\"number\">{}</td><td class=\"number\">{}</td></tr>\n",
+        deviation.largest() <= experiment.tolerance ? "holds" : "fails", experiment.title, experiment.source,
+        deviation.points, number_text(experiment, deviation.largest()), number_text(experiment, deviation.rms),
+        number_text(experiment, experiment.tolerance));
+  }
+  return html + "</table>\n";
+}
+
+}  // namespace taut::app

@@ -188,7 +188,7 @@ void SmoothSurface::raise(std::span<const glm::vec3> coarse_positions, std::span
 void SmoothSurface::place(std::span<const glm::vec3> coarse_positions, std::span<const float> clearances,
                           std::span<const float> heights) {
   const std::size_t count = mesh_.coarse_vertex_count();
-  assert(coarse_positions.size() == count && (rooms.empty() || rooms.size() == count));
+  assert(coarse_positions.size() == count && (clearances.empty() || clearances.size() == count));
   if (clearances.empty()) {
     std::fill_n(clearances_.begin(), count, freedom_.max_fairing + freedom_.max_bulge);
   } else {

@@ -8,7 +8,7 @@ namespace {
 constexpr double rounding = 2e-6;
 
 float compute_squared_aim(double max_stretch) {
-  assert(max_stretch > 0.0);
+  assert(max_stretch >= 0.0);
   const double length = (1.0 + aimed_stretch(max_stretch)) * (1.0 - 2.0 * rounding);
   return static_cast<float>(length * length);
 }
@@ -49,7 +49,7 @@ bool shorten_long_blocks(const AnyLanes& lanes, float squared_bound, ParallelKer
 }  // namespace
 
 void shorten_roughly(const Layout& layout, double max_stretch, ParallelKernels& kernels, Float4Array& rows) {
-  assert(max_stretch > 0.0);
+  assert(max_stretch >= 0.0);
   const auto squared_bound = static_cast<float>((1.0 + max_stretch) * (1.0 + max_stretch));
   bool are_any_long = true;
   for (int sweep = 0; sweep < tuning::max_rounds / 4 && are_any_long; ++sweep) {
@@ -128,7 +128,7 @@ void BoundProjection::end(const Float4Array& raw, ProjectionResult& result, Floa
 ProjectionResult BoundProjection::project(const Layout& layout, const Float4Array& raw, double max_stretch,
                                           const ProjectionLimits& limits, Confinement* confinement,
                                           ParallelKernels& kernels, Float4Array& corrections) {
-  assert(max_stretch > 0.0);
+  assert(max_stretch >= 0.0);
   assert(raw.size() == corrections.size());
   const double allowed = (1.0 + max_stretch) * (1.0 - rounding);
   const double squared_bound = allowed * allowed;

@@ -115,7 +115,7 @@ double allowed_shift_m(const Layout& layout) { return tuning::shift_per_reach * 
 int first_substeps(const Garment& garment, const Layout& layout, const Surroundings& surroundings, double frame_time_s,
                    double max_stretch) {
   assert(frame_time_s > 0.0);
-  assert(max_stretch > 0.0);
+  assert(max_stretch >= 0.0);
   double joined_kg = 0.0;
   double length_m = 0.0;
   int count = 0;

@@ -16,7 +16,7 @@ constexpr double min_resolved_m = 1e-6;
 /// Returns the largest excess length of a spring, in metres; 0 if none exceeds the bound.
 double max_spring_excess_m(const Springs& springs, std::span<const Vec3> positions, double max_stretch) {
   assert(are_below(springs.ends, positions.size()));
-  assert(max_stretch > 0.0);
+  assert(max_stretch >= 0.0);
   double max_m = 0.0;
   for (std::size_t s = 0; s < springs.begin_index(SpringKind::flexural); ++s) {
     const double length_m = glm::distance(positions[springs.ends[s][0]], positions[springs.ends[s][1]]);
@@ -30,7 +30,7 @@ double max_spring_excess_m(const Springs& springs, std::span<const Vec3> positio
 /// Returns the largest excess of a triangle along its smallest height, in metres; 0 if none exceeds the bound.
 double max_surface_excess_m(const Garment& garment, std::span<const Vec3> positions, double max_stretch) {
   assert(positions.size() == garment.mesh.positions.size());
-  assert(max_stretch > 0.0);
+  assert(max_stretch >= 0.0);
   double max_m = 0.0;
   for (std::size_t t = 0; t < garment.mesh.triangles.size(); ++t) {
     const TriangleAtRest& rest = garment.triangles_at_rest[t];

@@ -60,7 +60,6 @@ void add_artificial_forces(std::span<const PointForce> artificial, std::span<Vec
 
 Vec3 hand_force(const GrabbedVertex& held, double mass_kg, const Vec3& position_m, const Vec3& velocity_m_per_s,
                 double time_step_s) {
-  assert(mass_kg > 0.0);
   assert(time_step_s > 0.0);
   const double k = held.stiffness_n_per_m;
   const double c = 2.0 * std::sqrt(k * mass_kg);

@@ -511,7 +511,6 @@ void take_sides_of_walls(std::span<Piercing> piercings) {
 std::vector<Gap> find_gaps(const Garment& garment, double width_m, double joined_width_m,
                            std::span<const Vec3> positions_m) {
   assert(positions_m.size() == garment.mesh.positions.size());
-  assert(width_m > 0.0);
   assert(joined_width_m >= 0.0);
   const Extent extent = compute_extent(positions_m);
   const Vec3 middle = extent.middle();

@@ -61,7 +61,6 @@ double mean_mobility_per_kg(const Layout& layout) {
 /// Returns the largest stiffness that time steps of this length can express, in N/m: stiffer springs correct almost all
 /// of their error and push no harder. Infinite if nothing can move.
 double followed_compression(double mobility_per_kg, double time_step_s) {
-  assert(mobility_per_kg > 0.0);
   assert(time_step_s > 0.0);
   return max_short_fraction / (1.0 - max_short_fraction) / (time_step_s * time_step_s * mobility_per_kg);
 }

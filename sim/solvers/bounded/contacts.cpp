@@ -536,7 +536,6 @@ void Contacts::release_clamped(std::span<const ClampedRow> held_back, Motion& mo
 }
 
 bool Contacts::allow(Index row, const Vec3& displacement_m) const {
-  assert(is_finite(displacement_m));
   return !is_on_ || regions_.contains(row, kept_time_, displacement_m - to_vec3(start_displacements_[row]));
 }
 

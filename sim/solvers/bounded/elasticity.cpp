@@ -151,7 +151,6 @@ Elasticity::Elasticity(const Garment& garment, const Layout& layout) : materials
 }
 
 ElasticMemory Elasticity::at_start(const Layout& layout, double most) const {
-  assert(most > 0.0);
   ElasticMemory memory{std::vector<SurfaceSums>(lanes_.block_count()), std::vector<SurfaceSums>(lanes_.block_count())};
   const std::vector<Law> laws = make_laws(materials_, most);
   const Float4Array unmoved(areas_at_rows_m2_.size());
@@ -172,7 +171,6 @@ ElasticMemory Elasticity::at_start(const Layout& layout, double most) const {
 
 void Elasticity::begin_attempt(const Layout& layout, const StartRows& start, const ElasticMemory& memory, double most,
                                double time_step_s, ParallelKernels& kernels) {
-  assert(most > 0.0);
   assert(time_step_s > 0.0);
   std::fill(sums_.begin(), sums_.end(), SurfaceSums{});
   steps_ = 0;

@@ -97,7 +97,6 @@ void RowMemory::resize(std::size_t rows) {
 
 void RowMemory::observe(std::size_t rows, const Float4Array& before, const Float4Array& after, double observed_s,
                         float max_acceleration_m_per_s2) {
-  assert(observed_s > 0.0);
   assert(rows <= before.size() && before.size() == after.size());
   const auto per_s = static_cast<float>(1.0 / observed_s);
   for (std::size_t row = 0; row < rows; ++row) {

@@ -53,7 +53,6 @@ std::array<Load, 3> list_loads(const Surroundings& surroundings, const PromiseLi
 }
 
 double max_load(const Load& load, const PromiseLimits& limits, double bound) {
-  assert(bound > 0.0);
   const double times = std::min(bound, limits.max_bound) / measured_bound;
   return load.measured_amount * std::pow(times, times > 1.0 ? load.power : 2.0);
 }

@@ -66,7 +66,6 @@ void shorten_springs(const Garment& garment, const Pins& pins, double max_stretc
 void shorten_triangle(const TriangleAtRest& rest, const Triangle& t, const Pins& pins, double aim,
                       std::span<Vec3> positions) {
   assert(are_below(std::span(&t, 1), positions.size()));
-  assert(aim > 0.0);
   const DeformationGradient gradient = deformation_gradient(rest, corner_positions(t, positions));
   const Vec2 v = principal_direction(gradient);
   const Vec3 stretched = v.x * gradient.along + v.y * gradient.across;

@@ -33,7 +33,6 @@ void LastingPairs::sort_by_kind(std::span<const NearPair> pairs) {
 }
 
 void LastingPairs::make_list(const ExpectedRows& rows, double until_s, float edge_m, ParallelKernels& kernels) {
-  assert(edge_m > 0.0F);
   const double lasts_s = rows.time.to_s - rows.time.from_s;
   const auto longer = static_cast<float>(lasts_s > 0.0 ? (until_s - rows.time.from_s) / lasts_s : 0.0);
   const float slow_m = tuning::slow_motion_per_edge * edge_m;
@@ -114,7 +113,6 @@ void LastingPairs::keep_near(const MovingRows& rows, Index first_count, const Co
 
 std::span<const NearPair> LastingPairs::find(const ExpectedRows& rows, double until_s, float edge_m,
                                              ParallelKernels& kernels) {
-  assert(edge_m > 0.0F);
   bool is_new = true;
   if (!is_list_for(rows)) {
     make_list(rows, until_s, edge_m, kernels);

@@ -36,7 +36,6 @@ void ParallelKernels::sweep(const SurfaceLanes& triangles, const BlockRange& ran
 
 void ParallelKernels::shorten(const SpringLanes& springs, std::span<const std::uint32_t> blocks, float squared_bound,
                               float relaxation, Float4* rows) {
-  assert(squared_bound > 0.0F);
   pool_.split(0, blocks.size(), min_blocks, [&](std::size_t b, std::size_t e) {
     kernels_.shorten(springs, blocks.subspan(b, e - b), squared_bound, relaxation, rows);
   });
@@ -44,7 +43,6 @@ void ParallelKernels::shorten(const SpringLanes& springs, std::span<const std::u
 
 void ParallelKernels::shorten(const SurfaceLanes& triangles, std::span<const std::uint32_t> blocks, float squared_bound,
                               float relaxation, Float4* rows) {
-  assert(squared_bound > 0.0F);
   pool_.split(0, blocks.size(), min_blocks, [&](std::size_t b, std::size_t e) {
     kernels_.shorten_surface(triangles, blocks.subspan(b, e - b), squared_bound, relaxation, rows);
   });

@@ -80,6 +80,20 @@ bool is_on_disk(const fs::path& path, int flags) {
   return opened.number() >= 0 && (::fsync(opened.number()) == 0 || errno == EINVAL || errno == ENOTSUP);
 }
 
+bool is_taken(const fs::path& stem, const std::string& ending) {
+  std::error_code error;
+  return fs::exists(fs::path(stem) += ending, error);
+}
+
+/// Returns the first of STEM-1, STEM-2, ... with which no file with one of the endings exists.
+fs::path free_stem(const fs::path& stem, const std::vector<std::string>& endings) {
+  for (int n = 1;; ++n) {
+    fs::path free = stem;
+    free += '-' + std::to_string(n);
+    if (std::ranges::none_of(endings, [&](const std::string& ending) { return is_taken(free, ending); })) return free;
+  }
+}
+
 }  // namespace
 
 fs::path temporary_name(const fs::path& path) {
@@ -202,20 +216,15 @@ void require_distinct_files(std::span<const fs::path> outputs, std::span<const f
 }
 
 fs::path free_name(const fs::path& folder, const std::string& stem, const std::string& extension) {
-  std::error_code error;
-  for (int n = 1;; ++n) {
-    fs::path path = folder / (stem + '-' + std::to_string(n) + extension);
-    if (!fs::exists(path, error)) return path;
-  }
+  return free_stem(folder / stem, {extension}) += extension;
 }
 
-fs::path choose_free_name(const fs::path& name, bool own, std::span<const fs::path> files) {
-  std::error_code error;
-  const auto exists = [&](const fs::path& file) { return fs::exists(file, error); };
-  if (own || std::ranges::none_of(files, exists)) return name;
-  fs::path other = free_name(name.parent_path(), name.stem().string(), name.extension().string());
-  fmt::print(stderr, "taut: warning: '{}' is there and was not made by this program; writing '{}'\n",
-             std::ranges::find_if(files, exists)->string(), other.string());
+fs::path choose_free_stem(const fs::path& stem, bool own, const std::vector<std::string>& endings) {
+  const auto taken = std::ranges::find_if(endings, [&](const std::string& ending) { return is_taken(stem, ending); });
+  if (own || taken == endings.end()) return stem;
+  fs::path other = free_stem(stem, endings);
+  fmt::print(stderr, "taut: warning: '{}{}' is there and was not made by this program; writing '{}{}'\n", stem.string(),
+             *taken, other.string(), endings.front());
   return other;
 }
 

@@ -58,10 +58,11 @@ std::filesystem::path temporary_name(const std::filesystem::path& path);
 /// system's reason.
 Descriptor create_file(const std::filesystem::path& temporary, const std::filesystem::path& path);
 
-/// Returns `name`, a default that the user did not choose. If one of `files` exists and is not this program's (`own`),
-/// returns the next free name instead and prints a warning with it.
-std::filesystem::path choose_free_name(const std::filesystem::path& name, bool own,
-                                       std::span<const std::filesystem::path> files);
+/// Returns `stem`, a default that the user did not choose, for files with these endings, such as ".png". If one of them
+/// exists and is not this program's (`own`), returns instead the first of STEM-1, STEM-2, ... of which none exists, and
+/// prints a warning with it.
+std::filesystem::path choose_free_stem(const std::filesystem::path& stem, bool own,
+                                       const std::vector<std::string>& endings);
 
 /// Writes all bytes to a file or a pipe. Returns false if that fails, with the reason in errno.
 bool write_bytes(int descriptor, std::span<const std::uint8_t> bytes);

@@ -39,9 +39,8 @@ DrawnScene make_scene(const SewOptions& options) {
 
 /// Returns the default name of the garment. It never names an existing model that was not sewn.
 std::filesystem::path choose_garment_name(const std::string& stem) {
-  const std::filesystem::path default_name = stem + ".obj";
-  const bool is_sewn = read_landmarks_file(default_name)["is_cut"].value_or(false);
-  return choose_free_name(default_name, is_sewn, std::array{default_name, landmarks_path(default_name)});
+  const bool is_sewn = read_landmarks_file(stem + ".obj")["is_cut"].value_or(false);
+  return choose_free_stem(stem, is_sewn, {".obj", ".landmarks.toml"}) += ".obj";
 }
 
 void write_picture(const std::filesystem::path& file, const DrawnScene& scene, const SewnGarment& sewn,

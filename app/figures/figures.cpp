@@ -148,10 +148,9 @@ class FigureWriter {
   /// Returns a file name without extension. Existing files of a figure may be replaced if its picture was made by this
   /// program.
   std::string choose_stem(const std::string& name) const {
-    const std::filesystem::path picture = options_.output / (name + ".png");
-    const std::array files = {picture, options_.output / (name + ".pdf"), options_.output / (name + ".csv"),
-                              options_.output / (name + "_shapes.csv")};
-    return choose_free_name(picture, is_own_picture(picture), files).stem().string();
+    const std::filesystem::path stem = options_.output / name;
+    const bool own = is_own_picture(options_.output / (name + ".png"));
+    return choose_free_stem(stem, own, {".png", ".pdf", ".csv", "_shapes.csv"}).filename().string();
   }
 
   std::filesystem::path add_written(const std::string& name) {

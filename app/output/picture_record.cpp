@@ -138,7 +138,8 @@ bool is_own_picture(const std::filesystem::path& file) {
 }
 
 std::filesystem::path choose_name(const std::filesystem::path& name) {
-  return choose_free_name(name, is_own_picture(name), std::array{name});
+  const std::string ending = name.extension().string();
+  return choose_free_stem(std::filesystem::path(name).replace_extension(), is_own_picture(name), {ending}) += ending;
 }
 
 bool is_picture(const std::filesystem::path& file) { return file.extension() == ".png"; }

@@ -8,19 +8,15 @@ import subprocess
 import sys
 import time
 
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / 'support'))
+import expecting
+from expecting import expect
+
 program = sys.argv[1]
 folder = pathlib.Path(sys.argv[2])
-failures = 0
 FRAMES = 240
 SCENE = ['pinned-9x9-5', '--set', 'solver.kind="bounded"', '--set', 'solver.substeps=0', '--set', 'solver.max_stretch=0.002', '--set', 'wind.speed=5',
          '--set', 'wind.gust_amplitude=0.5', '--frames', ':%d' % FRAMES]
-
-
-def expect(is_so, otherwise):
-    global failures
-    if not is_so:
-        failures += 1
-        print(otherwise)
 
 
 def simulate(name, *arguments, scene=SCENE):
@@ -142,4 +138,4 @@ for check in (terminated, stopped_before_its_first_frame, killed, refused):
         check()
     except Exception as error:  # the other checks are made all the same
         expect(False, '%s: %r' % (check.__name__, error))
-sys.exit(1 if failures else 0)
+expecting.end()

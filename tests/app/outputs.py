@@ -9,15 +9,11 @@ import sys
 import time
 import zlib
 
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / 'support'))
+import expecting
+from expecting import expect
+
 program, folder = os.path.abspath(sys.argv[1]), pathlib.Path(sys.argv[2])
-failures = 0
-
-
-def expect(condition, what):
-    global failures
-    if not condition:
-        failures += 1
-        print(what)
 
 
 def run(*arguments):
@@ -148,12 +144,15 @@ def chooses_free_names():
         done = run('render', 'plain.obj', '--frames', '1', '--resolution', '64,64')
         expect('wrote plain.png' in done.stdout and done.stderr == '', 'its own picture is not replaced: ' + done.stderr)
     (folder / 'own').mkdir()
-    (folder / 'own/fig1.pdf').write_text('of another')
-    for only, expected in (('fig1', 'own/fig1-1.png'), ('fig1', 'own/fig1-2.png')):
-        done = run('figures', '--only', only, '-o', 'own')
+    others = [folder / 'own/fig1.pdf', folder / 'own/fig1-1.pdf']
+    for file in others:
+        file.write_text('of another')
+    for expected in ('own/fig1-2.png', 'own/fig1-3.png'):
+        done = run('figures', '--only', 'fig1', '-o', 'own')
         expect(f'wrote {expected}' in done.stdout, 'figures: %s%s' % (done.stdout, done.stderr))
-    expect((folder / 'own/fig1.pdf').read_text() == 'of another', "another's fig1.pdf has changed")
-    (folder / 'own/fig1.pdf').unlink()
+    for file in others:
+        expect(file.read_bytes() == b'of another', f"another's {file.name} has changed")
+        file.unlink()
     for attempt in range(2):
         done = run('figures', '--only', 'fig1', '-o', 'own')
         expect('wrote own/fig1.png' in done.stdout and done.stderr == '', 'its own figure: ' + done.stderr)
@@ -194,11 +193,11 @@ folder.mkdir(parents=True)
 write_inputs()
 for check in (refuses_every_input, refuses_inputs_of_other_commands, chooses_free_names,
               opens_nothing_outside_of_a_pictures_folder, keeps_a_second_program_away):
-    before = failures
+    before = expecting.failures
     try:
         check()
     except Exception as error:  # the other checks are made all the same
         expect(False, repr(error))
-    if failures > before:
+    if expecting.failures > before:
         print('^ %s' % check.__name__)
-sys.exit(failures > 0)
+expecting.end()

@@ -12,18 +12,14 @@ import subprocess
 import sys
 import time
 
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / 'support'))
+import expecting
+from expecting import expect
+
 program, folder = os.path.abspath(sys.argv[1]), pathlib.Path(sys.argv[2])
-failures = 0
 
 # Falls asleep within a few frames, for want of anything that moves it.
 RESTING = ['pinned-9x9-5', '--set', 'gravity.acceleration=[0, 0, 0]', '--set', 'wind.speed=0']
-
-
-def expect(condition, what):
-    global failures
-    if not condition:
-        failures += 1
-        print(what)
 
 
 def run(*arguments):
@@ -211,11 +207,11 @@ folder.mkdir(parents=True)
 for check in (says_sleep_once, prints_as_it_goes, keeps_quiet, says_both_stretches, speaks_json, exports,
               measures_processor_time, ends_where_a_frame_crosses,
               names_what_crosses_at_the_start, names_the_scene_of_a_missing_garment, helps):
-    before = failures
+    before = expecting.failures
     try:
         check()
     except Exception as error:  # the other checks are made all the same
         expect(False, repr(error))
-    if failures > before:
+    if expecting.failures > before:
         print('^ %s' % check.__name__)
-sys.exit(1 if failures else 0)
+expecting.end()

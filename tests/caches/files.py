@@ -12,6 +12,10 @@ import sys
 import time
 import zlib
 
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / 'support'))
+import expecting
+from expecting import expect
+
 program, folder = pathlib.Path(sys.argv[1]).absolute(), pathlib.Path(sys.argv[2])
 FRAMES = 40
 # A strip of quads whose print has a seam, where vertices are doubled.
@@ -23,14 +27,6 @@ MODEL += ''.join('f %s\n' % ' '.join('%d/%d' % (4 * (y + row) + x + 1, x + 1) fo
 CHUNKS = ((b'IHDR', struct.pack('>IIBBBBB', 2, 2, 8, 2, 0, 0, 0)), (b'IDAT', zlib.compress(b'\0\xff\0\0\0\xff\0' * 2)), (b'IEND', b''))
 PRINT = b'\x89PNG\r\n\x1a\n' + b''.join(struct.pack('>I', len(data)) + kind + data + struct.pack('>I', zlib.crc32(kind + data))
                                       for kind, data in CHUNKS)
-failures = 0
-
-
-def expect(is_so, otherwise):
-    global failures
-    if not is_so:
-        failures += 1
-        print(otherwise)
 
 
 def command(*arguments):
@@ -176,4 +172,4 @@ expect_render_exports()
 expect_same_after_a_stop('clip.pc2', frames_in('clip.pc2', 32, 48 * ROWS), 'clip.obj')
 expect('cannot be gone on with' in run('--export', 'clip.glb', '--checkpoint', 'run.checkpoint', code=2), 'a .glb that shall be resumed')
 expect('cannot be gone on with' in run('--export', 'clip.usda', '--checkpoint', 'run.checkpoint', code=2), 'a .usda that shall be resumed')
-sys.exit(1 if failures else 0)
+expecting.end()

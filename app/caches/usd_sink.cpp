@@ -3,6 +3,7 @@
 #include "app/base/files.hpp"
 #include "app/base/words.hpp"
 #include "app/caches/frame_sink.hpp"
+#include "app/drawing/framing.hpp"
 
 namespace taut::app {
 namespace {

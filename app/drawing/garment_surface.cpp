@@ -5,6 +5,7 @@
 #include "app/models/hanging/garment_measures.hpp"
 #include "app/models/hanging/garment_parts.hpp"
 #include "app/models/hanging/landmarks.hpp"
+#include "app/scene/scene_format.hpp"
 #include "sim/mesh/groups.hpp"
 
 namespace taut::app {

@@ -55,8 +55,7 @@ void apply_fabric(const SceneFormat<S>& format, const toml::node& value, const S
 /// Sets the keys of command-line options, starting with a fabric's keys, and checks the scene. Throws UsageError.
 template <class S> void apply_overrides(const SceneFormat<S>& format, std::span<const Override> overrides, S& scene) {
   for (const auto& [key, text, option] : overrides) {
-    const toml::table parsed = read_toml_value(text);
-    if (key == "cloth.fabric") apply_fabric(format, *parsed.get("value"), {option, true}, scene);
+    if (key == "cloth.fabric") apply_fabric(format, *read_toml_value(text).get("value"), {option, true}, scene);
   }
   for (const auto& [key, text, option] : overrides) {
     const toml::table parsed = read_toml_value(text);

@@ -1,5 +1,7 @@
 #include "app/garments/sewing/cutting.hpp"
 
+#include <fmt/core.h>
+
 #include "app/garments/sewing/filling.hpp"
 #include "sim/mesh/topology.hpp"
 

@@ -2,6 +2,7 @@
 
 #include "app/base/errors.hpp"
 #include "app/garments/sewing/closing.hpp"
+#include "app/scene/scene_file.hpp"
 #include "app/scene/scene_key.hpp"
 
 namespace taut::app {

@@ -166,8 +166,8 @@ OutputClaim::OutputClaim(const fs::path& path) {
   if (is_special_file(path) || ::stat(parent_folder(path).c_str(), &folder) != 0) return;
   socket_ = Descriptor(::socket(AF_UNIX, SOCK_DGRAM | SOCK_CLOEXEC, 0));
   // A name that begins with a zero byte is in no folder (abstract socket); the system frees it when the program ends.
-  const std::string name = std::string(1, '\0') + fmt::format("taut-output-{}-{}-{:016x}", folder.st_dev, folder.st_ino,
-                                                              std::hash<std::string>()(path.filename().string()));
+  const std::string name = fmt::format("{}taut-output-{}-{}-{:016x}", '\0', folder.st_dev, folder.st_ino,
+                                       std::hash<std::string>()(path.filename().string()));
   sockaddr_un address{.sun_family = AF_UNIX, .sun_path = {}};
   std::memcpy(address.sun_path, name.data(), name.size());
   const auto length = static_cast<socklen_t>(offsetof(sockaddr_un, sun_path) + name.size());

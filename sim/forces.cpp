@@ -48,6 +48,20 @@ void add_air_drag(const Garment& garment, const State& state, double air_drag_pe
   }
 }
 
+/// k |u| of add_wind_forces, and the derivative of k |u| |u_n| by |u_n|; both in m/s.
+struct NormalDrag {
+  double drag = 0.0;
+  double slope = 0.0;
+};
+
+/// `sine`, from 0 to 1, is that of the angle of incidence.
+NormalDrag find_normal_drag(double speed_m_per_s, double sine) {
+  constexpr double pi = 3.141592653589793;
+  const double divisor = 4.0 + pi * sine;
+  const double drag = speed_m_per_s * (4.0 + pi) / divisor;
+  return {drag, drag * (4.0 + sine * sine * (4.0 + 2.0 * pi * sine)) / divisor};
+}
+
 /// Requires that every vertex exists (require_possible checks it).
 void add_artificial_forces(std::span<const PointForce> artificial, std::span<Vec3> forces_n) {
   for (const PointForce& f : artificial) {
@@ -104,6 +118,7 @@ void add_wind_forces(const Garment& garment, const State& state, const Wind& win
   assert(forces_n.size() == state.current.size());
   const Vec3 air_velocity = wind_velocity(wind, state.time_s);
   const double half_rho = 0.5 * air_density_kg_per_m3;
+  const double half_rho_c_n = half_rho * wind.pressure_coefficient;
   for (const Triangle& t : garment.mesh.triangles) {
     const Vec3 doubled_area = doubled_area_vector(state.current, t);
     const double doubled_size = glm::length(doubled_area);
@@ -111,12 +126,14 @@ void add_wind_forces(const Garment& garment, const State& state, const Wind& win
     const Vec3 normal = doubled_area / doubled_size;
     const Vec3 cloth_velocity = (velocity(state, t[0]) + velocity(state, t[1]) + velocity(state, t[2])) / 3.0;
     const Vec3 u = air_velocity - cloth_velocity;
+    const double speed = glm::length(u);
+    if (!(speed > 0.0)) continue;
     const Vec3 u_n = normal * glm::dot(u, normal);
-    const double normal_drag = half_rho * wind.pressure_coefficient * glm::length(u_n);
-    const double tangential_drag = half_rho * wind.friction_coefficient * glm::length(u);
+    const NormalDrag normal_drag = find_normal_drag(speed, glm::length(u_n) / speed);
+    const double tangential_drag = half_rho * wind.friction_coefficient * speed;
     // F' / m of the linearised drag, per area so that it holds for every triangle.
     const double per_density = time_step_s / garment.material.areal_density_kg_per_m2;
-    const Vec3 pressure = u_n * (normal_drag / (1.0 + 2.0 * per_density * normal_drag)) +
+    const Vec3 pressure = u_n * (half_rho_c_n * normal_drag.drag / (1.0 + per_density * half_rho_c_n * normal_drag.slope)) +
                           (u - u_n) * (tangential_drag / (1.0 + 2.0 * per_density * tangential_drag));
     const Vec3 share = pressure * (doubled_size / 6.0);
     for (const Index v : t) forces_n[v] += share;

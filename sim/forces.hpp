@@ -43,7 +43,8 @@ struct Wind {
   double gust_turn = 0.0;
   /// Seed of the gusts; the same seed gives the same gusts.
   std::uint64_t gust_seed = 1;
-  /// Coefficient C_n of the pressure on a face at right angles to the flow; about 1.2 for a flat plate.
+  /// Coefficient C_n of the normal force on a face at right angles to the flow; about 1.2 for a flat plate. At small
+  /// angles of incidence the coefficient rises by 1.79 C_n for each radian (separated plate: 1.6; thin aerofoil: 6.3).
   double pressure_coefficient = 1.2;
   /// Coefficient C_t of the friction of air that flows along a face.
   double friction_coefficient = 0.05;
@@ -60,10 +61,13 @@ Vec3 wind_velocity(const Wind& wind, double time_s);
 /// Adds the force of the air on every triangle to `forces_n`, in newtons, one entry per vertex of the garment. Each
 /// corner gets one third. Still air brakes the cloth. With the air velocity u relative to the triangle, its normal part
 /// u_n and its tangential part u_t:
-///   F = 1/2 rho A (C_n |u_n| u_n + C_t |u| u_t)
-/// (quadratic drag as in Keckeisen, Kimmerle, Thomaszewski and Wacker 2004). In one explicit step a light triangle
-/// would gain more than the air's velocity. The factor 1 / (1 + dt F' / m) prevents that. It is exact for cloth moved
-/// by air alone; longer steps underestimate the pressure on pinned cloth (SlowForces does not).
+///   F = 1/2 rho A |u| (C_n k u_n + C_t u_t),   k = (4 + pi) / (4 + pi s),   s = |u_n| / |u|
+/// C_n k s is the normal force of a flat plate at the angle of incidence asin s (Rayleigh 1876, after Kirchhoff 1869),
+/// scaled to C_n at a right angle. In one explicit step a light triangle would gain more than the air's velocity. The
+/// factors 1 / (1 + dt F' / m) prevent that, F' being the derivative of the normal force by |u_n|,
+///   F' = 1/2 rho A |u| C_n k (4 + 4 s^2 + 2 pi s^3) / (4 + pi s),
+/// or 2 C_t |u| of the friction. They are those of one linearised implicit step for cloth that air alone moves; longer
+/// steps underestimate the pressure on pinned cloth (SlowForces does not).
 void add_wind_forces(const Garment& garment, const State& state, const Wind& wind, double time_step_s,
                      std::span<Vec3> forces_n);
 

@@ -6,12 +6,12 @@ import sys
 MOST = 48
 
 # Numbers beside their code: laws, geometry, rounding, what a machine takes at once, reports.
-LAWS = {"rest_distance_fraction", "flag_drag", "gravity_m_per_s2", "cylinder_factor", "grid_factor", "rings"}
+LAWS = {"rest_distance_fraction", "flag_drag", "gravity_m_per_s2", "cylinder_factor", "grid_factor", "rings", "pi"}
 GEOMETRY = {"max_cluster_vertices", "max_flatness_error", "max_aspect", "min_squared_sine", "distance_weight", "max_alternations", "max_shortening"}
 ROUNDING = {"rounding", "rounding_s", "min_resolved_fraction", "min_resolved_m",
             "min_rest_distance_m", "min_initial_strain", "max_findable_m", "size_margin_factor", "power_iterations",
             "max_updates_per_frame", "min_mobility", "min_radius", "min_divisor",
-            "min_doubled_area_m2", "unreachable_squared_m2", "grid_numbers", "min_grid_size_m", "max_grid_number"}
+            "min_doubled_area_m2", "min_air_speed_m_per_s", "unreachable_squared_m2", "grid_numbers", "min_grid_size_m", "max_grid_number"}
 MACHINE = {"min_blocks", "min_pairs", "max_block_pairs", "max_polls", "chunks_per_thread", "one_loop", "closed",
            "triangles_worth_threads", "max_default_threads", "min_trial_gap_frames", "max_trial_gap_frames",
            "block_size", "blocks_ahead", "entries_ahead", "rows_sorted_together", "sweep_overhead", "sampled_every",

@@ -127,7 +127,7 @@ TEST_F(Sewing, ItsFileIsAGarmentThatIsAtRestAsItWasCut) {
 }
 
 TEST_F(Sewing, SaysThatWhatWasSewnIsTooSmall) {
-  Scene scene = scene_with(folder.write("skirt.json", skirt(30.0, 35.0)));
+  Scene scene = scene_with(folder.write("skirt.json", skirt(30.0, 38.0)));
   scene.simulation.solver.max_substeps = 30;  // more would try harder, and longer
   const std::string message = test::error_message<SewingFailed>([&] { sewn(scene, 200); });
   EXPECT_NE(message.find("its seams are closed, but it cannot be worn: it does not fit: "), std::string::npos)

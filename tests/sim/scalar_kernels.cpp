@@ -331,18 +331,22 @@ void wind(const TriangleLanes& triangles, const AirFlow& air, std::size_t begin,
     const float doubled_size = std::sqrt(dot(doubled_area, doubled_area));
     const Triple normal = doubled_area * (1.0F / std::max(doubled_size, min_doubled_area_m2));
     const float u_n = dot(u, normal);
-    const Triple along_normal = normal * u_n;
-    const float pressure = air.half_density_pressure * std::abs(u_n);
-    const float friction = air.half_density_friction * std::sqrt(dot(u, u));
-    const float twice_per_density = air.time_per_density * 2.0F;
+    const float speed = std::sqrt(dot(u, u));
+    constexpr float pi = 3.14159265F;
+    const float sine = std::abs(u_n) / std::max(speed, min_air_speed_m_per_s);
+    const float per_divisor = 1.0F / (4.0F + pi * sine);
+    const float drag = (air.half_density_pressure * (4.0F + pi)) * (speed * per_divisor);
+    const float slope = drag * ((4.0F + (sine * sine) * (4.0F + (2.0F * pi) * sine)) * per_divisor);
+    const float pressure = drag * std::abs(u_n);
+    const float friction = air.half_density_friction * speed;
     const Triple others = sum(opposed[a], opposed[b]) + sum(opposed[c], {});
     const float movable = std::max((opposed[a].fourth + opposed[b].fourth) + opposed[c].fourth, 1.0F);
     const float along = dot(others, normal) / movable;
     const float against = std::min(std::max(u_n < 0.0F ? along : -along, 0.0F),
-                                   (air.time_per_density * pressure) * std::abs(u_n));
-    const float held = (air.half_density_pressure * 2.0F) * against;
-    const Triple per_area = along_normal * ((pressure + held) / (1.0F + twice_per_density * pressure)) +
-                            (u - along_normal) * (friction / (1.0F + twice_per_density * friction));
+                                   air.time_per_density * pressure);
+    const float held = (pressure + slope * against) / (1.0F + air.time_per_density * slope);
+    const Triple per_area = normal * std::copysign(held, u_n) +
+                            (u - normal * u_n) * (friction / (1.0F + air.time_per_density * (friction + friction)));
     const Triple share = per_area * (doubled_size / 6.0F);
     corner_forces[t] = {share.x, share.y, share.z, 0.0F};
   }

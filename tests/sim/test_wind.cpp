@@ -37,6 +37,50 @@ TEST(Wind, PressesHeadOnByHalfRhoAreaSpeedSquared) {
   }
 }
 
+double square(double x) { return x * x; }
+
+/// Air that meets the grid, whose normal is z, at this angle of incidence.
+Wind slanting_wind(double speed_m_per_s, double angle) {
+  Wind wind;
+  wind.speed_m_per_s = speed_m_per_s;
+  wind.direction = {std::cos(angle), 0.0, -std::sin(angle)};
+  wind.friction_coefficient = 0.0;
+  return wind;
+}
+
+// The coefficients of Rayleigh (1876), 2 pi sin a / (4 + pi sin a), at angles of his table.
+TEST(Wind, PressesAsOnAFlatPlateAtAnyAngle) {
+  const Garment garment = make_garment(make_grid({}));
+  const State state = make_state(garment);
+  constexpr double degree = 3.141592653589793 / 180.0;
+  const double at_right_angle = 2.0 * 3.141592653589793 / (4.0 + 3.141592653589793);
+  for (const auto& [degrees, coefficient] : {std::pair(90.0, 0.8798), {30.0, 0.5640}, {20.0, 0.4235}, {10.0, 0.2400}}) {
+    const Vec3 force = total_wind_force(garment, state, slanting_wind(7.0, degrees * degree));
+    EXPECT_NEAR(-force.z, 0.5 * 1.2 * square(7.0) * Wind{}.pressure_coefficient * coefficient / at_right_angle,
+                2e-3 * 0.6 * square(7.0)) << degrees;
+    EXPECT_NEAR(force.x, 0.0, 1e-9) << "along the normal alone";
+  }
+}
+
+TEST(Wind, ItsForceInALongStepIsThatOfTheLawsDerivative) {
+  const Garment garment = make_garment(make_grid({}));
+  const State still = make_state(garment);
+  for (const double angle : {0.02, 0.3, 0.8, 1.4}) {
+    const Wind wind = slanting_wind(6.0, angle);
+    const auto pressure_at = [&](double retreat_m_per_s) {
+      State state = still;
+      state.time_step_s = 0.01;
+      for (Vec3& p : state.previous) p.z += 0.01 * retreat_m_per_s;
+      return -total_wind_force(garment, state, wind, 1e-12).z;
+    };
+    const double slope = (pressure_at(-1e-4) - pressure_at(1e-4)) / 2e-4;
+    const double time_step_s = 0.05;
+    const double density_kg_per_m2 = garment.material.areal_density_kg_per_m2;
+    const double expected = pressure_at(0.0) / (1.0 + time_step_s * slope / density_kg_per_m2);
+    EXPECT_NEAR(-total_wind_force(garment, still, wind, time_step_s).z, expected, 1e-5 * expected) << angle;
+  }
+}
+
 TEST(Wind, OnlyRubsAClothItBlowsAlong) {
   const Garment garment = make_garment(make_grid({}));
   Wind wind;

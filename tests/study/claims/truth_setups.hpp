@@ -82,5 +82,7 @@ using Runs = std::vector<TruthPoint>(const TruthExperiment& experiment, double p
 Runs run_cantilever, run_buckling, run_slip;
 // Experiment of truth_rest.cpp.
 Runs run_rest;
+// Experiments of truth_wind.cpp.
+Runs run_hanging, run_flag;
 
 }  // namespace taut::app::truth

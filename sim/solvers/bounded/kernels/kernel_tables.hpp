@@ -7,6 +7,9 @@ namespace taut::sim::bounded {
 /// Smallest doubled area of a triangle by which the wind kernel divides, in m^2.
 inline constexpr float min_doubled_area_m2 = 1e-20F;
 
+/// Smallest divisor of the sine of the angle of incidence. Slower air presses as if along the cloth.
+inline constexpr float min_air_speed_m_per_s = 1e-15F;
+
 /// Returns the kernels in ordinary instructions, for any processor.
 const Kernels& emulated_kernels();
 

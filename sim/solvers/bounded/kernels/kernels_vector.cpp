@@ -173,10 +173,27 @@ HWY_INLINE LoadedCorner load_corner(const TriangleLanes& triangles, std::size_t 
           as_coordinates(now - load_rows(as_floats(previous), at)), load_rows(as_floats(constraint_velocity), at)};
 }
 
-/// Returns the drag averaged over its duration. `drag` is half the air density times a coefficient times a speed;
-/// `drag_with_others` includes the speed that other forces add.
-HWY_INLINE V acting_drag(V drag, V drag_with_others, V twice_per_density) {
-  return hn::Div(drag_with_others, hn::Add(hn::Set(Floats(), 1.0F), hn::Mul(twice_per_density, drag)));
+/// Returns a force per area at the end of one linearised implicit step. `slope` is its derivative by a speed.
+HWY_INLINE V force_after(V force, V slope, V time_per_density) {
+  return hn::Div(force, hn::Add(hn::Set(Floats(), 1.0F), hn::Mul(time_per_density, slope)));
+}
+
+/// Normal force of the air per area, at least 0, and its derivative by the normal speed.
+struct NormalForce {
+  V force;
+  V slope;
+};
+
+/// Returns the law of add_wind_forces.
+HWY_INLINE NormalForce normal_force(V half_density_pressure, V speed, V normal_speed) {
+  const Floats f;
+  constexpr float pi = 3.14159265F;
+  const V four = hn::Set(f, 4.0F);
+  const V sine = hn::Div(normal_speed, hn::Max(speed, hn::Set(f, min_air_speed_m_per_s)));
+  const V per_divisor = hn::Div(hn::Set(f, 1.0F), hn::Add(four, hn::Mul(hn::Set(f, pi), sine)));
+  const V drag = hn::Mul(hn::Mul(half_density_pressure, hn::Set(f, 4.0F + pi)), hn::Mul(speed, per_divisor));
+  const V rise = hn::Mul(hn::Mul(sine, sine), hn::Add(four, hn::Mul(hn::Set(f, 2.0F * pi), sine)));
+  return {hn::Mul(drag, normal_speed), hn::Mul(drag, hn::Mul(hn::Add(four, rise), per_divisor))};
 }
 
 /// Returns the speed at which other forces move a triangle against the normal air flow, in m/s; at least 0.
@@ -200,17 +217,16 @@ HWY_INLINE Triple corner_force(const AirFlow& air, const LoadedCorner& a, const 
   const V divisor = hn::Max(doubled_size, hn::Set(f, min_doubled_area_m2));
   const Triple normal = doubled_area * hn::Div(hn::Set(f, 1.0F), divisor);
   const V u_n = dot(u, normal);
-  const Triple along_normal = normal * u_n;
-  const V pressure = hn::Mul(hn::Set(f, air.half_density_pressure), hn::Abs(u_n));
+  const V speed = hn::Sqrt(dot(u, u));
+  const V time_per_density = hn::Set(f, air.time_per_density);
+  const NormalForce pressure = normal_force(hn::Set(f, air.half_density_pressure), speed, hn::Abs(u_n));
   const V constraint_velocity = opposing_speed(a.opposed + b.opposed + c.opposed, normal, u_n);
-  const V max_opposing = hn::Mul(hn::Mul(hn::Set(f, air.time_per_density), pressure), hn::Abs(u_n));
-  const V constraint_pressure =
-      hn::Mul(hn::Set(f, air.half_density_pressure * 2.0F), hn::Min(constraint_velocity, max_opposing));
-  const V friction = hn::Mul(hn::Set(f, air.half_density_friction), hn::Sqrt(dot(u, u)));
-  const V twice_per_density = hn::Set(f, air.time_per_density * 2.0F);
-  const Triple per_area =
-      along_normal * acting_drag(pressure, hn::Add(pressure, constraint_pressure), twice_per_density) +
-      (u - along_normal) * acting_drag(friction, friction, twice_per_density);
+  const V max_opposing = hn::Mul(time_per_density, pressure.force);
+  const V kept_up = hn::Mul(pressure.slope, hn::Min(constraint_velocity, max_opposing));
+  const V normal_pressure = force_after(hn::Add(pressure.force, kept_up), pressure.slope, time_per_density);
+  const V friction = hn::Mul(hn::Set(f, air.half_density_friction), speed);
+  const Triple per_area = normal * hn::CopySign(normal_pressure, u_n) +
+                          (u - normal * u_n) * force_after(friction, hn::Add(friction, friction), time_per_density);
   return per_area * hn::Div(doubled_size, hn::Set(f, 6.0F));
 }
 

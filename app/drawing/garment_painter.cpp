@@ -78,7 +78,7 @@ sim::Garment part_measured(const sim::Garment& garment, const PictureStyle& styl
   sim::Garment part;
   if (style.surface != SurfaceLook::stretch) return part;
   if (style.stretch_of == StretchOf::surface) {
-    part.mesh.triangles = garment.mesh.triangles;
+    part.mesh = garment.mesh;
     part.triangles_at_rest = garment.triangles_at_rest;
   } else {
     part.springs = garment.springs;

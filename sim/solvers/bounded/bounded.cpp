@@ -506,8 +506,7 @@ BoundedSolver::FrameAttempt BoundedSolver::attempt(const Frame& frame, const Sta
   memory.contact = cloth.contacts.memory();
   if (cloth.elasticity.has_law()) {
     memory.elastic = cloth.elasticity.memory();
-    memory.control.need_at_least(
-        static_cast<int>(std::ceil(cloth.elasticity.steps_needed_per_s() * cloth.frame_time_s)));
+    memory.control.need_at_least(cloth.elasticity.steps_needed_per_s() * cloth.frame_time_s);
   }
   attempt.memory = std::move(memory);
   return attempt;

@@ -132,7 +132,7 @@ void Contacts::begin_attempt(const Frame& frame, const Layout& layout, const Mot
                              const ContactMemory& memory, const TimeSpan& time, int earlier_attempts, double max_work) {
   assert(time.from_s < time.to_s);
   assert(earlier_attempts >= 0);
-  assert(max_work >= 0.0);
+  assert(!std::isnan(max_work));
   const std::vector<Body>& bodies = frame.surroundings.bodies;
   is_on_ = within_cloth_ || !bodies.empty();
   blocked_.reset();

@@ -26,7 +26,7 @@ class Contacts {
 
   /// Begins an attempt at a frame or a part of it. `memory` belongs to the last kept one. Pairs that cross at the start
   /// of the first frame are left out until they are apart. Every earlier attempt at the frame makes this one more
-  /// cautious. Its work should not exceed `max_work`, see work().
+  /// cautious. Its work should not exceed `max_work`, see work(); a negative one is spent.
   void begin_attempt(const Frame& frame, const Layout& layout, const Motion& motion, const ContactMemory& memory,
                      const TimeSpan& time, int earlier_attempts, double max_work);
   /// Returns the memory for the next frame.

@@ -66,8 +66,9 @@ void SubstepControl::need_more() {
   }
 }
 
-void SubstepControl::need_at_least(int substeps) {
-  needed_substeps_ = std::clamp(substeps, min_substeps_, max_substeps_);
+void SubstepControl::need_at_least(double substeps) {
+  needed_substeps_ = substeps <= max_substeps_ ? std::max(static_cast<int>(std::ceil(substeps)), min_substeps_)
+                                               : max_substeps_;
   if (needed_substeps_ > substeps_) {
     substeps_ = needed_substeps_;
     need_more();

@@ -24,8 +24,9 @@ class SubstepControl {
   /// halves them, down to the usual number.
   void frame_kept(double projection_cost, double shift);
 
-  /// Sets the smallest number, within the budget, for later frames until the next call.
-  void need_at_least(int substeps);
+  /// Sets the smallest number, within the budget, for later frames until the next call. NaN, which lost cloth gives,
+  /// counts as infinity.
+  void need_at_least(double substeps);
 
   /// Increases the number to repeat a frame that broke its bound; its steps stretched to `raw` times the bound. Returns
   /// false if the budget is spent.

@@ -5,32 +5,6 @@
 namespace taut::sim {
 namespace {
 
-/// Returns a pseudo-random value in [-1, 1] for a whole number (the finaliser of MurmurHash3 by Appleby).
-double lattice_value(std::int64_t cell, std::uint64_t seed) {
-  std::uint64_t h = static_cast<std::uint64_t>(cell) * 0x9E3779B97F4A7C15ULL + seed;
-  h = (h ^ (h >> 33)) * 0xFF51AFD7ED558CCDULL;
-  h = (h ^ (h >> 33)) * 0xC4CEB9FE1A85EC53ULL;
-  h ^= h >> 33;
-  return static_cast<double>(h >> 11) * 0x1.0p-52 - 1.0;
-}
-
-/// Returns value noise that is twice continuously differentiable (Perlin 2002's quintic).
-double smooth_noise(double x, std::uint64_t seed) {
-  const double cell = std::floor(x);
-  const double t = x - cell;
-  const double blend = t * t * t * (t * (t * 6.0 - 15.0) + 10.0);
-  const auto i = static_cast<std::int64_t>(cell);
-  const double left = lattice_value(i, seed);
-  return left + (lattice_value(i + 1, seed) - left) * blend;
-}
-
-/// Sets two directions at right angles to `direction` and to each other.
-void make_perpendicular(const Vec3& direction, Vec3& sideways, Vec3& upwards) {
-  const Vec3 helper = std::abs(direction.y) < 0.9 ? Vec3(0.0, 1.0, 0.0) : Vec3(1.0, 0.0, 0.0);
-  sideways = glm::normalize(glm::cross(direction, helper));
-  upwards = glm::cross(sideways, direction);
-}
-
 /// Adds to `forces_n`, in newtons, one entry per vertex of the garment, like the two functions below.
 void add_gravity(const Garment& garment, const Vec3& gravity_m_per_s2, std::span<Vec3> forces_n) {
   assert(is_finite(gravity_m_per_s2));
@@ -96,36 +70,24 @@ void add_hand_forces(const Garment& garment, const State& state, std::span<const
   }
 }
 
-Vec3 wind_velocity(const Wind& wind, double time_s) {
-  assert(std::isfinite(time_s));
-  const double length = glm::length(wind.direction);
-  if (!(wind.speed_m_per_s != 0.0) || !(length > 0.0)) return Vec3(0.0);
-  const Vec3 direction = wind.direction / length;
-  // Neighbouring lattice values are independent, so one rise and fall takes about two cells.
-  const double phase = 2.0 * time_s / wind.gust_period_s;
-  const double strength = 1.0 + wind.gust_amplitude * smooth_noise(phase, wind.gust_seed);
-  Vec3 sideways, upwards;
-  make_perpendicular(direction, sideways, upwards);
-  const Vec3 turn =
-      sideways * smooth_noise(phase, wind.gust_seed + 1) + upwards * smooth_noise(phase, wind.gust_seed + 2);
-  return wind.speed_m_per_s * strength * (direction + wind.gust_turn * turn);
-}
-
-void add_wind_forces(const Garment& garment, const State& state, const Wind& wind, double time_step_s,
-                     std::span<Vec3> forces_n) {
+void add_wind_forces(const Garment& garment, const State& state, const Wind& wind, std::span<const float> fractions,
+                     double time_step_s, std::span<Vec3> forces_n) {
   assert(time_step_s > 0.0);
+  assert(fractions.empty() || fractions.size() == garment.mesh.triangles.size());
   assert(state.current.size() == garment.mesh.positions.size());
   assert(forces_n.size() == state.current.size());
-  const Vec3 air_velocity = wind_velocity(wind, state.time_s);
+  const Vec3 air_velocity =
+      fractions.empty() ? wind_velocity(wind, state.time_s) : turned_wind_velocity(wind, state.time_s);
   const double half_rho = 0.5 * air_density_kg_per_m3;
   const double half_rho_c_n = half_rho * wind.pressure_coefficient;
-  for (const Triangle& t : garment.mesh.triangles) {
+  for (std::size_t k = 0; k < garment.mesh.triangles.size(); ++k) {
+    const Triangle& t = garment.mesh.triangles[k];
     const Vec3 doubled_area = doubled_area_vector(state.current, t);
     const double doubled_size = glm::length(doubled_area);
     if (!(doubled_size > 0.0)) continue;
     const Vec3 normal = doubled_area / doubled_size;
     const Vec3 cloth_velocity = (velocity(state, t[0]) + velocity(state, t[1]) + velocity(state, t[2])) / 3.0;
-    const Vec3 u = air_velocity - cloth_velocity;
+    const Vec3 u = (fractions.empty() ? 1.0 : static_cast<double>(fractions[k])) * air_velocity - cloth_velocity;
     const double speed = glm::length(u);
     if (!(speed > 0.0)) continue;
     const Vec3 u_n = normal * glm::dot(u, normal);
@@ -133,8 +95,9 @@ void add_wind_forces(const Garment& garment, const State& state, const Wind& win
     const double tangential_drag = half_rho * wind.friction_coefficient * speed;
     // F' / m of the linearised drag, per area so that it holds for every triangle.
     const double per_density = time_step_s / garment.material.areal_density_kg_per_m2;
-    const Vec3 pressure = u_n * (half_rho_c_n * normal_drag.drag / (1.0 + per_density * half_rho_c_n * normal_drag.slope)) +
-                          (u - u_n) * (tangential_drag / (1.0 + 2.0 * per_density * tangential_drag));
+    const Vec3 pressure =
+        u_n * (half_rho_c_n * normal_drag.drag / (1.0 + per_density * half_rho_c_n * normal_drag.slope)) +
+        (u - u_n) * (tangential_drag / (1.0 + 2.0 * per_density * tangential_drag));
     const Vec3 share = pressure * (doubled_size / 6.0);
     for (const Index v : t) forces_n[v] += share;
   }
@@ -152,12 +115,12 @@ double max_gravity_m_per_s2(const ExternalForces& external) {
   return max_m_per_s2;
 }
 
-void add_external_forces(const Garment& garment, const State& state, const ExternalForces& external, double time_step_s,
-                         std::span<Vec3> forces_n) {
+void add_external_forces(const Garment& garment, const State& state, const ExternalForces& external,
+                         std::span<const float> wind_fractions, double time_step_s, std::span<Vec3> forces_n) {
   assert(time_step_s > 0.0);
   assert(state.current.size() == garment.mesh.positions.size());
   add_gravity(garment, gravity_at(external, state.time_s), forces_n);
-  add_wind_forces(garment, state, external.wind, time_step_s, forces_n);
+  add_wind_forces(garment, state, external.wind, wind_fractions, time_step_s, forces_n);
   add_air_drag(garment, state, external.air_drag_per_s, forces_n);
   add_artificial_forces(external.artificial_forces, forces_n);
   add_hand_forces(garment, state, external.grabbed_vertices, time_step_s, forces_n);

@@ -2,6 +2,7 @@
 
 #include "sim/rigid_motion.hpp"
 #include "sim/state.hpp"
+#include "sim/wind.hpp"
 
 namespace taut::sim {
 
@@ -32,31 +33,8 @@ Vec3 hand_force(const GrabbedVertex& held, double mass_kg, const Vec3& position_
 void add_hand_forces(const Garment& garment, const State& state, std::span<const GrabbedVertex> held,
                      double time_step_s, std::span<Vec3> forces_n);
 
-/// The wind. The paper's "wind value" is the speed in m/s.
-struct Wind {
-  double speed_m_per_s = 0.0;
-  Vec3 direction = {0.0, 0.0, -1.0};  ///< downwind direction; any length
-  /// Relative change of the speed by gusts. At 0 the speed is steady.
-  double gust_amplitude = 0.0;
-  double gust_period_s = 1.0;  ///< mean time from one gust to the next; above 0
-  /// Tangent of the angle by which gusts turn the wind sideways.
-  double gust_turn = 0.0;
-  /// Seed of the gusts; the same seed gives the same gusts.
-  std::uint64_t gust_seed = 1;
-  /// Coefficient C_n of the normal force on a face at right angles to the flow; about 1.2 for a flat plate. At small
-  /// angles of incidence the coefficient rises by 1.79 C_n for each radian (separated plate: 1.6; thin aerofoil: 6.3).
-  double pressure_coefficient = 1.2;
-  /// Coefficient C_t of the friction of air that flows along a face.
-  double friction_coefficient = 0.05;
-
-  bool operator==(const Wind&) const = default;
-};
-
 /// Density rho of the air in add_wind_forces.
 inline constexpr double air_density_kg_per_m3 = 1.2;
-
-/// Returns the air velocity with gusts, in m/s.
-Vec3 wind_velocity(const Wind& wind, double time_s);
 
 /// Adds the force of the air on every triangle to `forces_n`, in newtons, one entry per vertex of the garment. Each
 /// corner gets one third. Still air brakes the cloth. With the air velocity u relative to the triangle, its normal part
@@ -67,9 +45,10 @@ Vec3 wind_velocity(const Wind& wind, double time_s);
 /// factors 1 / (1 + dt F' / m) prevent that, F' being the derivative of the normal force by |u_n|,
 ///   F' = 1/2 rho A |u| C_n k (4 + 4 s^2 + 2 pi s^3) / (4 + pi s),
 /// or 2 C_t |u| of the friction. They are those of one linearised implicit step for cloth that air alone moves; longer
-/// steps underestimate the pressure on pinned cloth (SlowForces does not).
-void add_wind_forces(const Garment& garment, const State& state, const Wind& wind, double time_step_s,
-                     std::span<Vec3> forces_n);
+/// steps underestimate the pressure on pinned cloth (SlowForces does not). `fractions` are those of
+/// find_wind_fractions; where they are empty, the wind is that at the origin everywhere.
+void add_wind_forces(const Garment& garment, const State& state, const Wind& wind, std::span<const float> fractions,
+                     double time_step_s, std::span<Vec3> forces_n);
 
 /// The paper's artificial force on one vertex, in newtons.
 struct PointForce {
@@ -100,8 +79,8 @@ double max_gravity_m_per_s2(const ExternalForces& external);
 
 /// Adds all external forces: gravity, wind, air drag, artificial forces and the forces of hands. `time_step_s` is the
 /// duration for which the forces will act; wind and hands need it to stay stable. Requires that the vertices of forces
-/// and hands exist (require_possible checks it).
-void add_external_forces(const Garment& garment, const State& state, const ExternalForces& external, double time_step_s,
-                         std::span<Vec3> forces_n);
+/// and hands exist (require_possible checks it). `wind_fractions` are those of find_wind_fractions.
+void add_external_forces(const Garment& garment, const State& state, const ExternalForces& external,
+                         std::span<const float> wind_fractions, double time_step_s, std::span<Vec3> forces_n);
 
 }  // namespace taut::sim

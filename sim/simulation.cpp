@@ -1,5 +1,7 @@
 #include "sim/simulation.hpp"
 
+#include "sim/local_wind.hpp"
+
 namespace taut::sim {
 namespace {
 
@@ -174,7 +176,11 @@ void Simulation::advance_frame(const std::function<void()>& poll) {
     return;
   }
   State next = state_;
-  const FrameReport report = solver_->advance_frame(frame(poll), next);
+  const std::vector<float> wind_fractions =
+      find_wind_fractions(*garment_, state_.current, surroundings_, state_.time_s);
+  Frame next_frame = frame(poll);
+  next_frame.wind_fractions = wind_fractions;
+  const FrameReport report = solver_->advance_frame(next_frame, next);
   const std::size_t lost = first_lost(next.current);
   if (lost < next.current.size()) throw Diverged(static_cast<Index>(lost), next.time_s);
   solver_->keep_frame();

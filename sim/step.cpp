@@ -22,9 +22,9 @@ void predict_positions(std::span<const Vec3> previous, std::span<const Vec3> cur
 
 namespace {
 
-void impose_forces(const Garment& garment, const ExternalForces& external, const SpringResponse& springs,
-                   double time_step_s, const State& state, std::span<Vec3> forces_n) {
-  add_external_forces(garment, state, external, time_step_s, forces_n);
+void impose_forces(const Garment& garment, const ExternalForces& external, std::span<const float> wind_fractions,
+                   const SpringResponse& springs, double time_step_s, const State& state, std::span<Vec3> forces_n) {
+  add_external_forces(garment, state, external, wind_fractions, time_step_s, forces_n);
   springs.add_spring_forces(garment, state, forces_n);
 }
 
@@ -62,14 +62,15 @@ void finish_step(const Garment& garment, const Pins& pins, const Surroundings& s
   ++state.step_count;
 }
 
-void step(const Garment& garment, const Pins& pins, const Surroundings& surroundings, const SpringResponse& springs,
-          double time_step_s, State& state, std::span<Vec3> forces_n) {
+void step(const Garment& garment, const Pins& pins, const Surroundings& surroundings,
+          std::span<const float> wind_fractions, const SpringResponse& springs, double time_step_s, State& state,
+          std::span<Vec3> forces_n) {
   assert(time_step_s > 0.0);
   assert(forces_n.size() == state.current.size());
   set_time_step(state, time_step_s);
 
   // Step 2: impose the forces on the mass points ...
-  impose_forces(garment, surroundings.forces, springs, time_step_s, state, forces_n);
+  impose_forces(garment, surroundings.forces, wind_fractions, springs, time_step_s, state, forces_n);
   // ... and predict where they go, eq. (1): p(t+dt) = 2 p(t) - p(t-dt) + a dt^2.
   predict(pins, forces_n, time_step_s, state);
   move_pins(pins, surroundings, time_step_s, state);

@@ -19,6 +19,8 @@ TautFrame to_frame(const app::FrameRecord& record) {
   frame.is_asleep = record.asleep ? 1 : 0;
   frame.measured_crossings = record.contact.crossing_pairs;
   frame.left_out_share = record.contact.excluded_area_fraction;
+  frame.wind_force_n = glm::length(record.wind.force_n);
+  frame.wind_power_w = record.wind.power_w;
   return frame;
 }
 

@@ -154,6 +154,8 @@ typedef struct TautFrame {
   uint64_t measured_crossings;  /* all crossing pairs of triangles at the end of the frame; always measured */
   double left_out_share;        /* fraction of the cloth's area without self-contact: parts around crossings of the
                                  * start, and parts nearer than 2 um at rest */
+  double wind_force_n;          /* force of the wind on the whole cloth at the end of the frame; 0 without wind */
+  double wind_power_w;          /* its power; below 0 where air brakes the cloth */
 } TautFrame;
 
 /* Size and settings of a cloth. */

@@ -37,6 +37,8 @@ const FrameColumn frame_columns[] = {
     {"rms_speed", VALUE(r.rms_speed_m_per_s)},
     {"kinetic_energy", VALUE(r.energy.kinetic_j)},
     {"potential_energy", VALUE(r.energy.potential_j)},
+    {"wind_force", VALUE(glm::length(r.wind.force_n))},
+    {"wind_power", VALUE(r.wind.power_w)},
     {"convergence", VALUE(r.convergence_m)},
     {"sim_ms", VALUE(r.sim_ms)},
     {"draw_ms", VALUE(r.draw_ms)},

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/scene/scene.hpp"
+#include "sim/local_wind.hpp"
 
 namespace taut::app {
 
@@ -18,6 +19,7 @@ struct FrameRecord {
   sim::ContactReport contact = {};
   double rms_speed_m_per_s = 0.0;
   sim::Energy energy;
+  sim::WindLoad wind;
   double convergence_m = 0.0;  ///< largest |p(t) - p(t - dt)| of any vertex between two frames
   std::uint64_t state_hash = 0;
   bool asleep = false;

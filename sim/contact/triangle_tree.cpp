@@ -6,7 +6,8 @@
 namespace taut::sim {
 namespace {
 
-constexpr float no_bound = std::numeric_limits<float>::infinity();
+/// Bound of a missing triangle: its box overlaps none, not even an infinite one.
+constexpr float no_bound = std::numeric_limits<float>::quiet_NaN();
 /// Largest error of rounding to single precision, as a fraction of the largest coordinate.
 constexpr double rounding = 1e-6;
 
@@ -62,7 +63,7 @@ void TriangleTree::fit_leaf(std::size_t leaf, std::span<const std::array<float, 
     if (place >= triangles_.size()) {
       for (int k = 0; k < 3; ++k) {
         boxes.lower[k][lane] = no_bound;
-        boxes.upper[k][lane] = -no_bound;
+        boxes.upper[k][lane] = no_bound;
       }
       continue;
     }
@@ -94,6 +95,7 @@ std::array<int, TriangleTree::lanes> TriangleTree::find_overlaps(const Leaf& lea
 TriangleTree::TreeBox TriangleTree::fit(const TreeNode& node) {
   TreeBox box;
   if (node.size() == 1) {
+    // The first lane is never missing, and no other number is less or greater than NaN.
     const Leaf& leaf = leaves_[node.begin];
     for (std::size_t k = 0; k < 3; ++k) {
       box.lower[k] = *std::min_element(leaf.lower[k], leaf.lower[k] + lanes);

@@ -28,7 +28,7 @@ class TriangleTree {
   struct TreeBox {
     std::array<float, 3> lower, upper;
   };
-  /// Boxes of `lanes` triangles side by side; missing ones are empty.
+  /// Boxes of `lanes` triangles side by side; missing ones are NaN.
   struct Leaf {
     float lower[3][lanes];
     float upper[3][lanes];

@@ -40,7 +40,7 @@ class SteppedSolver : public Solver {
     report.substeps = std::max(equal_substeps(settings_), min_substeps(settings_, frame));
     for (int substep = 0; substep < report.substeps; ++substep) {
       frame.ask();
-      step(frame.garment, frame.pins, frame.surroundings, *springs_, frame.duration_s / report.substeps, state,
+      step(frame.garment, frame.pins, frame.surroundings, frame.wind_fractions, *springs_, frame.duration_s / report.substeps, state,
            forces_n_);
     }
     return report;

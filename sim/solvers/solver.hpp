@@ -11,7 +11,7 @@ namespace taut::sim {
 struct ContactReport {
   int detections = 0;          ///< number of searches of the whole cloth and all bodies
   int partial_detections = 0;  ///< number of searches around single vertices
-  int max_pairs = 0;          ///< largest number of near pairs kept apart at a time
+  int max_pairs = 0;           ///< largest number of near pairs kept apart at a time
   /// Smallest distance in the final shape of the frame, in m, as ContactMeasure measures it for any solver: 0 if
   /// something crosses, below 0 in a plane, sphere or capsule, infinite if nothing is near.
   double min_distance_m = std::numeric_limits<double>::infinity();
@@ -71,6 +71,7 @@ struct Frame {
   /// Called at least once in every time step and search. An exception that it throws ends the frame; cloth and solver
   /// are then unchanged.
   const std::function<void()>& poll;
+  std::span<const float> wind_fractions = {};  ///< find_wind_fractions() at the beginning of the frame
 
   void ask() const {
     if (poll) poll();

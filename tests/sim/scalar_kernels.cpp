@@ -325,7 +325,7 @@ void wind(const TriangleLanes& triangles, const AirFlow& air, std::size_t begin,
                          difference(current[c], previous[c]);
     const float third_per_step = air.per_time_step / 3.0F;
     const Triple flow = {air.velocity_m_per_s[0], air.velocity_m_per_s[1], air.velocity_m_per_s[2]};
-    const Triple u = flow - moved * third_per_step;
+    const Triple u = flow * air.fractions[t] - moved * third_per_step;
 
     const Triple doubled_area = cross(edge_b, edge_c);
     const float doubled_size = std::sqrt(dot(doubled_area, doubled_area));

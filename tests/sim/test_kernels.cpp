@@ -79,12 +79,14 @@ struct Inputs {
   StartRows start_rows = {start, random_rows()};
   Lanes<Tether> tethers;
   Prediction prediction = {0.99F, 1e-6F, {0.01F, 0.02F, -0.01F, 0.0F}};
-  AirFlow air = {{3.0F, -1.0F, 2.0F}, 0.7F, 0.03F, 0.02F, 1000.0F};
+  Lanes<float> wind_fractions = Lanes<float>(layout.triangles.lane_count());
+  AirFlow air = {{3.0F, -1.0F, 2.0F}, wind_fractions.data(), 0.7F, 0.03F, 0.02F, 1000.0F};
   SlicedMatrix matrix = make_sliced_matrix(some_entries(layout.vertex_count(), random));
   Float4Array opposed;
 };
 
 Inputs::Inputs() {
+  std::generate(wind_fractions.begin(), wind_fractions.end(), [&] { return 0.7F + 10.0F * metres(random); });
   for (SpringBlock& block : layout.springs.blocks) {
     block.short_share.fill(0.1F);
     block.start_y.fill(0.05F);
@@ -276,8 +278,12 @@ TEST(Kernels, TheWindAgreesWithTheOtherSolvers) {
   Wind wind;
   wind.speed_m_per_s = 8.0;
   wind.direction = {0.5, 0.1, 1.0};
+  std::vector<float> fractions;
+  for (std::size_t t = 0; t < garment.mesh.triangles.size(); ++t) {
+    fractions.push_back(0.5F + 0.25F * static_cast<float>(t % 4));
+  }
   std::vector<Vec3> expected(state.current.size(), Vec3(0.0));
-  add_wind_forces(garment, state, wind, 2e-3, expected);
+  add_wind_forces(garment, state, wind, fractions, 2e-3, expected);
 
   SlowForces forces(garment, no_pins, layout, 0.0);
   Motion motion;
@@ -295,7 +301,7 @@ TEST(Kernels, TheWindAgreesWithTheOtherSolvers) {
   external.wind = wind;
   for (const VectorUnit unit : available_vector_units()) {
     ParallelKernels kernels(kernels_for(unit), 1);
-    forces.begin_attempt({});
+    forces.begin_attempt({}, fractions);
     forces.update_wind(garment, external.wind, motion, 0.0, 1e-3, 2e-3, kernels);
     forces.update(garment, external, motion, 0.0, 1e-3, 1e-3, kernels);
     for (std::size_t row = 0; row < layout.vertex_count(); ++row) {

@@ -12,7 +12,7 @@ namespace {
 Vec3 total_wind_force(const Garment& garment, const State& state, const Wind& wind,
                       double time_step_s = 1e-9) {
   std::vector<Vec3> forces(state.current.size(), Vec3(0.0));
-  add_wind_forces(garment, state, wind, time_step_s, forces);
+  add_wind_forces(garment, state, wind, {}, time_step_s, forces);
   Vec3 total(0.0);
   for (const Vec3& f : forces) {
     total += f;
@@ -172,7 +172,7 @@ TEST(ExternalForces, AddUp) {
   ExternalForces external;
   external.gravity_m_per_s2 = {0, -10, 0};
   external.artificial_forces = {{5, {1, 2, 3}}, {5, {1, 0, 0}}};
-  add_external_forces(garment, make_state(garment), external, 0.01, forces);
+  add_external_forces(garment, make_state(garment), external, {}, 0.01, forces);
   const double weight = garment.masses_kg[5] * 10;
   EXPECT_NEAR(forces[5].x, 2.0, 1e-15);
   EXPECT_NEAR(forces[5].y, 2.0 - weight, 1e-15);
@@ -187,7 +187,7 @@ TEST(Wind, PressesWhatIsHeldAsMuchAsWhatFalls) {
   surroundings.forces.air_drag_per_s = 0.0;
   surroundings.forces.wind.speed_m_per_s = 10.0;
   std::vector<Vec3> pressed(garment.mesh.positions.size(), Vec3(0.0));
-  add_wind_forces(garment, make_state(garment), surroundings.forces.wind, 1e-12, pressed);
+  add_wind_forces(garment, make_state(garment), surroundings.forces.wind, {}, 1e-12, pressed);
   for (Index v = 0; v < pressed.size(); ++v) {
     surroundings.forces.artificial_forces.push_back({v, -pressed[v]});
   }

@@ -377,16 +377,5 @@ TEST(KeptScene, NumbersItsPinsAsTheGarmentsFile) {
   EXPECT_THROW(kept_scene(state, area), InputError) << "a vertex that subdivision made";
 }
 
-TEST(Garments, HaveACoarserOneOfTheirKind) {
-  const std::vector<Choice> garments = {{"tshirt_1028", "", ""}, {"tshirt_10600", "", ""}, {"dress_900", "", ""},
-                                        {"tshirt_5280", "", ""}, {"tshirt", "", ""},       {"_12", "", ""}};
-  EXPECT_EQ(coarser_than("tshirt_10600", garments), &garments[3]);
-  EXPECT_EQ(coarser_than("tshirt_5280", garments), &garments[0]);
-  EXPECT_EQ(coarser_than("tshirt_1028", garments), nullptr);
-  EXPECT_EQ(coarser_than("tshirt", garments), nullptr);
-  EXPECT_EQ(coarser_than("5280", garments), nullptr);
-  EXPECT_EQ(coarser_than("", garments), nullptr);
-}
-
 }  // namespace
 }  // namespace taut::app

@@ -15,7 +15,8 @@ import threading
 import time
 
 TAUT, FOLDER = pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2])
-SCENES = {'hang': 'tshirt-gravity', 'walk': 'tshirt-walk'}
+SCENES = {'hang': 'tshirt-gravity', 'walk': 'tshirt-walk', 'flag': 'flag', 'line': 'washing-line'}
+SHIRT_WIND = ['wind.direction=[0.3, 0.0, 1.0]', 'wind.gust_amplitude=0.5', 'wind.gust_period=2', 'wind.gust_turn=0.2']
 
 
 def skip(reason):
@@ -111,9 +112,10 @@ class Page:
 def program_hashes(scene, size, wind, frames):
     with tempfile.TemporaryDirectory() as folder:
         stats = pathlib.Path(folder) / 'stats.jsonl'
-        subprocess.run([TAUT, 'simulate', SCENES[scene], '--set', f'garment.file=tshirt_{size}', '--set',
-                        f'wind.speed={wind}', '--set', 'wind.direction=[0.3, 0.0, 1.0]', '--frames', str(frames),
-                        '--stats', stats], check=True, stdout=subprocess.DEVNULL)
+        settings = [f'garment.file=tshirt_{size}', *SHIRT_WIND] if size else []
+        sets = [part for setting in [*settings, f'wind.speed={wind}'] for part in ('--set', setting)]
+        subprocess.run([TAUT, 'simulate', SCENES[scene], *sets, '--frames', str(frames), '--stats', stats], check=True,
+                       stdout=subprocess.DEVNULL)
         rows = [json.loads(line) for line in stats.read_text().splitlines()]
         return {str(row['frame']): row['state_hash'] for row in rows if 'frame' in row}
 
@@ -186,6 +188,14 @@ def main():
         page.press('scene', 'walk')
         test_bits(page, 'walk', 1028, 0, [1, 60, 600])
         page.picture('walk')
+        for scene, wind in (('flag', 6), ('line', 3)):
+            page.press('scene', scene)
+            page.wait('its first frame', lambda: 'frame' in page.data())
+            page.start_over()
+            found = page.run_to(60)
+            assert found['60'] == program_hashes(scene, 0, wind, 60)['60'], scene
+            assert page.text('wind-value') == f'{wind:.1f} m/s' and page.text('crossings') == '0'
+            page.picture(scene)
         errors = [line for line in browser.get_log('browser') if line['level'] == 'SEVERE']
         assert not errors, errors
     finally:

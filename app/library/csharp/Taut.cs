@@ -27,7 +27,7 @@ public struct Frame {
   [MarshalAs(UnmanagedType.Bool)] public bool IsContactKept;
   [MarshalAs(UnmanagedType.Bool)] public bool IsAsleep;
   public ulong MeasuredCrossings;
-  public double LeftOutShare;
+  public double LeftOutShare, WindForceN, WindPowerW;
 }
 
 /// TautInfo of taut.h.

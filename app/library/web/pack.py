@@ -12,8 +12,9 @@ import sys
 import tomllib
 
 MODELS = ['garments/tshirt_1028.obj', 'garments/tshirt_5280.obj', 'garments/tshirt_10600.obj',
-          'bodies/mannequin_male_40.glb']
-AS_THEY_ARE = ['scenes/tshirt*.toml', 'garments/tshirt_[0-9]*.landmarks.toml', 'fabrics/*.toml', 'motions/walk.bvh']
+          'garments/contact/washing.obj', 'bodies/mannequin_male_40.glb', 'bodies/pole.obj', 'bodies/washing_line.obj']
+AS_THEY_ARE = ['scenes/tshirt*.toml', 'scenes/flag.toml', 'scenes/washing-line.toml', 'garments/tshirt_[0-9]*.landmarks.toml',
+               'garments/contact/washing.landmarks.toml', 'fabrics/*.toml', 'motions/walk.bvh']
 
 
 def imported(importer, model):

@@ -171,19 +171,6 @@ std::string speed_text(const ViewerState& state) {
   return fmt::format("{:.2f} x real time{}", speed->first, reason_text(speed->second, *state.newest));
 }
 
-/// If the simulation is too slow, draws a button that loads a garment of fewer triangles. The button is at the end of
-/// the last line, so that no item below moves away from the pointer.
-void offer_coarser(ViewerState& state) {
-  const auto speed = simulation_speed(state);
-  const Choice* const coarser = coarser_than(state.newest->loaded->scene.garment.file.stem().string(), state.garments);
-  if (stands_still(state) || !speed || speed->second != SlowedBy::simulation || coarser == nullptr) return;
-  const std::string label = "Take " + coarser->name;
-  const ImGuiStyle& style = ImGui::GetStyle();
-  ImGui::SameLine(ImGui::GetContentRegionMax().x - ImGui::CalcTextSize(label.c_str()).x - 2.0F * style.FramePadding.x);
-  if (ImGui::SmallButton(label.c_str())) state.garment_asked = coarser->file;
-  note_place(state, "measured.coarser");
-}
-
 constexpr float background = 0.88F;
 
 constexpr std::array<std::pair<const char*, double>, 4> speeds = {
@@ -283,7 +270,6 @@ void lay_out_measurements(ViewerState& state, float scale) {
   plot_convergence(state, scale);
   plot_times(state, scale);
   reading_line(state, "measured.pictures", pictures_text(state));
-  offer_coarser(state);
   reading_line(state, "measured.size", size_text(*state.newest->loaded->garment));
   reading_line(state, "measured.speed", speed_text(state));
 }

@@ -288,19 +288,6 @@ SlowedBy find_slowdown(double factor, double asked, double simulate_ms, double f
   return busy_share >= max_share ? SlowedBy::drawing : SlowedBy::other_programs;
 }
 
-const Choice* coarser_than(const std::string& name, std::span<const Choice> garments) {
-  const auto [kind, triangles] = kind_and_number(name);
-  const Choice* best = nullptr;
-  int best_triangles = 0;
-  for (const Choice& choice : garments) {
-    const auto [other, count] = kind_and_number(choice.name);
-    if (other != kind || count >= triangles || count <= best_triangles) continue;
-    best = &choice;
-    best_triangles = count;
-  }
-  return best;
-}
-
 std::string short_number(double value, int decimals) {
   return std::abs(value) < 1e5 ? fmt::format("{:.{}f}", value, decimals) : fmt::format("{:.1e}", value);
 }

@@ -285,10 +285,6 @@ std::vector<Choice> files_in(const std::string& folder, const std::string& endin
 /// Returns the built-in garments.
 inline std::vector<Choice> garment_choices() { return files_in("garments", ".obj"); }
 
-/// Returns the finest garment that is coarser than this one: tshirt_5280 for tshirt_10600. The numbers in the names are
-/// triangle counts. Null if there is none.
-const Choice* coarser_than(const std::string& name, std::span<const Choice> garments);
-
 /// Returns motions for the scene's first body with joints: the built-in ones that fit it, then its own animations.
 /// Empty if there is no such body or it cannot be read. Returns `known` if it belongs to that body's file.
 MotionChoices motion_choices(const DrawnScene& scene, const MotionChoices& known);

@@ -10,6 +10,9 @@ from bodies import funnel, needle_bed, plate
 from cloths import cloth_on_needles, stack, table_cloth, tube
 from knot import reef_knot, ribbons
 from mesh import numbered_as_used, write_mesh
+from washing import line, pole, washing
+
+ASSETS = pathlib.Path(__file__).resolve().parents[2]
 
 # By name: how it is made, and what the file says it is.
 GARMENTS = {
@@ -19,11 +22,14 @@ GARMENTS = {
     "funnel_sheets": (lambda: stack(3, 50, 1.0, 0.02, 0.02, 17.0), "Three sheets above funnel.obj"),
     "layers": (lambda: stack(5, 45, 1.0, 0.27, 0.02, 6.0), "Five sheets, turned against each other"),
     "table_cloth": (table_cloth, "A cloth and two stacks of three napkins on table.obj"),
+    "washing": (lambda: washing(ASSETS), "Two T-shirts and a towel on washing_line.obj"),
     "needle_cloth": (cloth_on_needles, "A sheet on the tips of needles.obj"),
 }
 BODIES = {
     "funnel": (funnel, "A funnel"),
     "needles": (lambda: needle_bed().turned(4.0), "A bed of 10 x 10 needles, tips at y = 0"),
+    "pole": (pole, "The pole of a flag"),
+    "washing_line": (line, "A washing line with pegs, between two posts"),
     "table": (lambda: plate((0.4, 0.02, 0.4), 0.015, top_m=0.0), "A table's plate, top at y = 0"),
 }
 
@@ -32,7 +38,7 @@ def main(arguments):
     if len(arguments) > 1 or arguments[:1] in (["--help"], ["-h"]):
         print(__doc__, file=sys.stdout if len(arguments) == 1 else sys.stderr)
         return 0 if len(arguments) == 1 else 2
-    assets = pathlib.Path(arguments[0]) if arguments else pathlib.Path(__file__).resolve().parents[2]
+    assets = pathlib.Path(arguments[0]) if arguments else ASSETS
     for folder, meshes in (("garments/contact", GARMENTS), ("bodies", BODIES)):
         (assets / folder).mkdir(parents=True, exist_ok=True)
         for name, (make, title) in meshes.items():

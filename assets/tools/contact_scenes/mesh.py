@@ -2,6 +2,7 @@
 
 import math
 import os
+import tomllib
 from dataclasses import dataclass, field
 
 
@@ -19,6 +20,10 @@ class Mesh:
 
     def moved(self, x, y, z):
         return self.mapped(lambda p: (p[0] + x, p[1] + y, p[2] + z))
+
+    def named(self, name):
+        """The same with its landmark `pegs` alone, by this name."""
+        return Mesh(self.points, self.triangles, {name: self.landmarks["pegs"]})
 
     def turned(self, degrees):
         """About the y axis, from z to x."""
@@ -56,6 +61,19 @@ def numbered_as_used(mesh):
     return Mesh([mesh.points[v] for v in order],
                 [tuple(number[v] for v in triangle) for triangle in mesh.triangles],
                 {name: [number[v] for v in vertices] for name, vertices in mesh.landmarks.items()})
+
+
+def read_mesh(path):
+    """A mesh of triangles that another of these tools wrote, with its landmarks."""
+    points, triangles = [], []
+    for line in path.read_text(encoding="utf-8").splitlines():
+        kind, *values = line.split()
+        if kind == "v":
+            points.append(tuple(map(float, values)))
+        elif kind == "f":
+            triangles.append(tuple(int(value.split("/")[0]) - 1 for value in values))
+    landmarks = tomllib.loads(path.with_suffix(".landmarks.toml").read_text(encoding="utf-8"))
+    return Mesh(points, triangles, landmarks)
 
 
 def write_text(path, text):

@@ -1,7 +1,7 @@
 #!/bin/sh
 # pages.sh TAUT FOLDER
 # Draws pictures of the pages about drawing, models, sewing, bodies and the solver into FOLDER: printed.png, fitted.png,
-# fit.png, sewing_steps.png, outfits.png and springs_and_surface.png. Takes some minutes; needs ffmpeg and python3.
+# fit.png, sewing_steps.png, outfits.png, springs_and_surface.png and wind.png. Takes some minutes; needs ffmpeg and python3.
 set -eu
 [ $# -eq 2 ] || { sed -n '2,4s/^# //p' "$0" >&2; exit 2; }
 taut=$1 pictures=$2
@@ -16,6 +16,11 @@ join() {
   # shellcheck disable=SC2086
   ffmpeg -nostdin -y -loglevel error $inputs -filter_complex "$2" -frames:v 1 -pix_fmt rgb24 -pred mixed "$pictures/$1.png"
 }
+
+"$taut" render flag --frames 200 --resolution 560x400 --set 'camera.box=[[-0.05, 1.6, -0.1], [1.0, 2.52, 0.1]]' \
+  --output "$folder/1.png"
+"$taut" render washing-line --frames 150 --resolution 870x400 --output "$folder/2.png"
+join wind hstack=2 2
 
 print=$assets/textures/print.png
 "$taut" render tshirt-wind-1 --frames 45 --view front --texture "$print" --background "#ffffff" --resolution 391x440 \

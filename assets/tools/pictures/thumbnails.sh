@@ -66,6 +66,9 @@ tshirt_5280 20
 tshirt_10600 20
 tshirt_female_34 20
 tshirt_female_42 20
+flag 120 [[-0.05, 1.6, -0.1], [1.0, 2.52, 0.1]]
+washing-line 150 [[-1.4, 1.25, -0.2], [1.4, 2.05, 0.4]]
+tshirt-gusts 60
 END
 ffmpeg -loglevel error -y -start_number 1 -i "$folder/%d.png" -frames:v 1 -pix_fmt rgb24 -pred mixed \
   -vf tile=8x5 "$sheet.png"

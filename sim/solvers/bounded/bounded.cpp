@@ -469,7 +469,7 @@ BoundedSolver::FrameAttempt BoundedSolver::attempt(const Frame& frame, const Sta
     cloth.elasticity.begin_attempt(cloth.layout, cloth.motion.start, memory.elastic, most, frame.duration_s / substeps,
                                    *kernels_);
   }
-  cloth.forces.begin_attempt(memory.wind_velocity_m_per_s);
+  cloth.forces.begin_attempt(memory.wind_velocity_m_per_s, frame.wind_fractions);
   cloth.contacts.begin_attempt(frame, cloth.layout, cloth.motion, memory.contact, {state.time_s, end_s},
                                how.retry_level, how.allowed_work - substeps);
   if (!run_substeps(frame, state.time_s, substeps, how.is_last)) {
@@ -583,8 +583,8 @@ BoundedSolver::FrameAttempt BoundedSolver::advance(const Frame& frame, const Sta
   progress.state = begin;
   progress.memory = std::move(memory);
   while (part.done < max_frame_parts) {
-    const Frame this_part = {frame.garment, frame.pins, frame.surroundings,
-                             frame.duration_s * part.length / max_frame_parts, frame.poll};
+    const double part_s = frame.duration_s * part.length / max_frame_parts;
+    const Frame this_part = {frame.garment, frame.pins, frame.surroundings, part_s, frame.poll, frame.wind_fractions};
     const AttemptLimits how = next_try(part, progress.memory.control, effort);
     FrameAttempt tried = attempt(this_part, progress.state, progress.memory, how);
     effort.add(tried, cloth_->contacts);

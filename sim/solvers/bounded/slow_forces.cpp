@@ -37,11 +37,13 @@ Float4 velocity_m_per_s(const Motion& motion, std::size_t row, float per_step) {
   return multiply(scaled_sum(motion.current[row], motion.previous[row], -1.0F), per_step);
 }
 
-AirFlow air_flow(const Garment& garment, const Wind& wind, double time_s, double time_step_s, double interval_s) {
+AirFlow air_flow(const Garment& garment, const Wind& wind, const Lanes<float>& fractions, double time_s,
+                 double time_step_s, double interval_s) {
   assert(time_step_s > 0.0);
   assert(interval_s > 0.0);
-  const Vec3 velocity = wind_velocity(wind, time_s);
+  const Vec3 velocity = turned_wind_velocity(wind, time_s);
   AirFlow air;
+  air.fractions = fractions.data();
   air.velocity_m_per_s = {static_cast<float>(velocity.x), static_cast<float>(velocity.y),
                           static_cast<float>(velocity.z)};
   const double half_density = 0.5 * air_density_kg_per_m3;
@@ -60,6 +62,7 @@ SlowForces::SlowForces(const Garment& garment, const Pins& pins, const Layout& l
       accelerations_(layout.row_count()),
       corner_forces_n_(layout.triangles.lane_count()),
       wind_accelerations_(layout.row_count()),
+      wind_fractions_(layout.triangles.lane_count(), 1.0F),
       constraint_velocity_m_per_s_(layout.row_count()),
       positions_(layout.row_count()) {}
 
@@ -72,6 +75,13 @@ int SlowForces::updates_per_frame(double frame_time_s) const {
   assert(frame_time_s > 0.0);
   const double for_bending = bending_.max_rate_per_s() * frame_time_s / tuning::max_rate_times_interval;
   return std::max(wind_updates_per_frame(frame_time_s), whole_updates(for_bending));
+}
+
+void SlowForces::begin_attempt(const Float4Array& wind_velocity_m_per_s, std::span<const float> wind_fractions) {
+  assert(wind_fractions.size() <= wind_fractions_.size());
+  wind_velocity_m_per_s_ = wind_velocity_m_per_s;
+  std::fill(wind_fractions_.begin(), wind_fractions_.end(), 1.0F);
+  std::copy(wind_fractions.begin(), wind_fractions.end(), wind_fractions_.begin());
 }
 
 void SlowForces::add_gravity_and_artificial(const ExternalForces& external, double time_s) {
@@ -123,9 +133,9 @@ void SlowForces::update_wind(const Garment& garment, const Wind& wind, const Mot
   assert(interval_s > 0.0);
   const TriangleLanes& triangles = layout_.triangles;
   find_constraint_velocity(motion, time_step_s);
-  kernels.wind(triangles, air_flow(garment, wind, time_s, time_step_s, interval_s), motion.start.high.data(),
-               motion.current.data(), motion.previous.data(), constraint_velocity_m_per_s_.data(),
-               corner_forces_n_.data());
+  kernels.wind(triangles, air_flow(garment, wind, wind_fractions_, time_s, time_step_s, interval_s),
+               motion.start.high.data(), motion.current.data(), motion.previous.data(),
+               constraint_velocity_m_per_s_.data(), corner_forces_n_.data());
   wind_velocity_m_per_s_.resize(layout_.row_count());
   const auto per_step = static_cast<float>(1.0 / time_step_s);
   const auto interval = static_cast<float>(interval_s);

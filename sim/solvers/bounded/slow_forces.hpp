@@ -21,9 +21,9 @@ class SlowForces {
   /// Returns the evaluations per frame of the wind alone, which turns with the cloth and need not follow bending waves.
   static int wind_updates_per_frame(double frame_time_s);
 
-  /// Begins an attempt from the state of the last wind update: the velocities in m/s that the wind alone would have
-  /// caused until now, by solver index. Empty if unknown.
-  void begin_attempt(const Float4Array& wind_velocity_m_per_s) { wind_velocity_m_per_s_ = wind_velocity_m_per_s; }
+  /// Begins an attempt at a frame from the state of the last wind update: the velocities in m/s that the wind alone
+  /// would have caused until now, by solver index. Empty if unknown.
+  void begin_attempt(const Float4Array& wind_velocity_m_per_s, std::span<const float> wind_fractions);
   const Float4Array& wind_velocity_m_per_s() const { return wind_velocity_m_per_s_; }
 
   /// Evaluates the wind at the current motion, for the updates of the next `interval_s`. `time_step_s` is the time
@@ -55,6 +55,7 @@ class SlowForces {
   Float4Array corner_forces_n_;
   Float4Array wind_accelerations_;  ///< accelerations of the last wind update by solver index, in m/s^2
   Float4Array wind_velocity_m_per_s_;
+  Lanes<float> wind_fractions_;              ///< those of Frame, one per lane; 1 without wind and in padding
   Float4Array constraint_velocity_m_per_s_;  ///< velocity changes by solver index, see Kernels::wind
   Float4Array positions_;
 };

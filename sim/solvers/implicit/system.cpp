@@ -305,7 +305,7 @@ void predict(const Frame& frame, double time_step_s, double tolerance, const Add
   matrix.clear();
   const System system = {time_step_s, velocities, matrix, right_side};
   const ExternalForces& external = frame.surroundings.forces;
-  add_external_forces(frame.garment, state, external, time_step_s, forces_n);
+  add_external_forces(frame.garment, state, external, frame.wind_fractions, time_step_s, forces_n);
   add_inertia(frame.garment.masses_kg, forces_n, external.air_drag_per_s, system);
   add_conditions(state, system);
 

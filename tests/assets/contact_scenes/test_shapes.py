@@ -24,9 +24,11 @@ GARMENTS = {
     "funnel_sheets": (7500, 14406, 3, 15.6, 35.1),
     "layers": (10125, 19360, 5, 17.4, 39.4),
     "table_cloth": (7827, 14892, 7, 8.1, 26.0),
+    "washing": (2026, 3804, 3, 9.3, 68.7),
     "needle_cloth": (5184, 10082, 1, 10.9, 24.0),
 }
-BODIES = {"funnel": (2688, 5376), "needles": (1322, 2640), "table": (1178, 2352)}
+BODIES = {"funnel": (2688, 5376), "needles": (1322, 2640), "pole": (32, 60), "table": (1178, 2352),
+          "washing_line": (192, 324)}
 
 
 def garment(name):
@@ -89,7 +91,7 @@ class Garments(unittest.TestCase):
                 self.assertEqual(crossing_pairs(cloth.points, cloth.triangles), [])
 
     def test_landmarks_are_borders(self):
-        for name in ("tube", "ribbons", "table_cloth", "needle_cloth"):
+        for name in ("tube", "ribbons", "table_cloth", "washing", "needle_cloth"):
             with self.subTest(name):
                 edges = garment(name).edges()
                 border = {v for a, b in edges if (b, a) not in edges for v in (a, b)}

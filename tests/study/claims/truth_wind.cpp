@@ -90,7 +90,7 @@ TruthPoint fly_flag(const TruthExperiment& experiment, const Size& size, const F
   for (int frame = 0; frame < averaged_frames; ++frame) {
     simulation.advance_frame();
     std::vector<Vec3> forces_n(garment->masses_kg.size(), Vec3(0.0));
-    sim::add_wind_forces(*garment, simulation.state(), wind, 1e-9, forces_n);
+    sim::add_wind_forces(*garment, simulation.state(), wind, {}, 1e-9, forces_n);
     for (const Vec3& force : forces_n) force_n += force / double{averaged_frames};
   }
   const double area_m2 = flag.length_m * flag.height_m;

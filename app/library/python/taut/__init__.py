@@ -57,6 +57,8 @@ class Frame(NamedTuple):
     is_asleep: bool
     measured_crossings: int
     left_out_share: float
+    wind_force_n: float
+    wind_power_w: float
 
 
 def _struct(**fields):
@@ -76,7 +78,8 @@ _Options = _struct(struct_size=c_uint32, threads=c_int32, scene=c_char_p, scene_
 _Frame = _struct(struct_size=c_uint32, frame=c_int32, time_s=c_double, max_edge_stretch=c_double,
                  max_surface_stretch=c_double, smallest_distance_m=c_double, crossing_pairs=c_int64,
                  state_hash=c_uint64, substeps=c_int32, is_bound_kept=c_int32, is_contact_kept=c_int32,
-                 is_asleep=c_int32, measured_crossings=c_uint64, left_out_share=c_double)
+                 is_asleep=c_int32, measured_crossings=c_uint64, left_out_share=c_double,
+                 wind_force_n=c_double, wind_power_w=c_double)
 _Info = _struct(struct_size=c_uint32, frame=c_int32, time_s=c_double, frame_rate_hz=c_double, max_stretch=c_double,
                 vertex_count=c_size_t, triangle_count=c_size_t, edge_count=c_size_t, pin_count=c_size_t,
                 body_count=c_size_t, crossings_at_start=c_size_t)

@@ -52,6 +52,10 @@ export interface Frame {
   is_asleep: boolean;
   measured_crossings: number;
   left_out_share: number;
+  /** Of the wind on the whole cloth; 0 without wind. */
+  wind_force_n: number;
+  /** Below 0 where air brakes the cloth. */
+  wind_power_w: number;
 }
 
 export interface Info {

@@ -157,7 +157,7 @@ export class Cloth {
 
   step() {
     return lent(this.#module, (memory) => {
-      const at = memory.struct(88);
+      const at = memory.struct(104);
       this.#call('step', at);
       const { view } = memory;
       const real = (place) => view.getFloat64(at + place, true);
@@ -165,7 +165,8 @@ export class Cloth {
       return { frame: whole(4), time_s: real(8), max_edge_stretch: real(16), max_surface_stretch: real(24),
         smallest_distance_m: real(32), state_hash: hex(view.getBigUint64(at + 48, true)), substeps: whole(56),
         is_bound_kept: whole(60) === 1, is_contact_kept: whole(64) === 1, is_asleep: whole(68) === 1,
-        measured_crossings: Number(view.getBigUint64(at + 72, true)), left_out_share: real(80) };
+        measured_crossings: Number(view.getBigUint64(at + 72, true)), left_out_share: real(80),
+        wind_force_n: real(88), wind_power_w: real(96) };
     });
   }
 

@@ -9,6 +9,11 @@ window.addEventListener('error', ({ message }) => notice(message));
 const stage = new Stage(byId('stage'));
 const promises = new Promises();
 const chosen = { scene: 'hang', size: 5280 };
+// By scene: the usual wind in m/s, the degrees it comes from, and that direction as the program's scene has it, to the
+// last bit; and whether it is of a T-shirt of any size.
+const USUAL = { hang: { wind: 1, from: 17, direction: [0.3, 0, 1], isSized: true },
+  walk: { wind: 1, from: 17, direction: [0.3, 0, 1], isSized: true },
+  flag: { wind: 6, from: 101, direction: [1, 0, -0.2] }, line: { wind: 3, from: 14, direction: [0.25, 0, 1] } };
 let worker, run = 0, latest, isSteered = false, isReady = false, asked = 0, times = [];
 
 window.addEventListener('load', () => {
@@ -19,10 +24,11 @@ window.addEventListener('load', () => {
   start();
 });
 
+const isFromUsual = () => Number(byId('direction').value) === USUAL[chosen.scene].from;
+
 function air() {
   const speed = Number(byId('wind').value), from = Number(byId('direction').value) * Math.PI / 180;
-  // At 17 degrees it is the direction of the program's scenes, to the last bit.
-  const direction = byId('direction').value === '17' ? [0.3, 0.0, 1.0] : [Math.sin(from), 0, Math.cos(from)];
+  const direction = isFromUsual() ? USUAL[chosen.scene].direction : [Math.sin(from), 0, Math.cos(from)];
   return { speed, direction };
 }
 
@@ -32,11 +38,12 @@ function start() {
   latest = undefined;
   const fabric = byId('fabric').value, bound = byId('bound').value, wind = air();
   const settings = { 'solver.max_stretch': bound, ...(fabric ? { 'cloth.fabric': fabric } : {}) };
-  const isUsual = fabric === '' && bound === '0.01' && byId('direction').value === '17';
-  promises.begin(Number(bound), isUsual ? natives[`${chosen.scene}-${chosen.size}-${wind.speed}`] : undefined);
+  const isUsual = fabric === '' && bound === '0.01' && isFromUsual();
+  const size = USUAL[chosen.scene].isSized ? chosen.size : 0;
+  promises.begin(Number(bound), isUsual ? natives[`${chosen.scene}-${size}-${wind.speed}`] : undefined);
   notice(chosen.scene === 'walk' ? 'Dressing the mannequin …' : 'Making the cloth …');
   stage.view(chosen.scene);
-  worker.postMessage({ do: 'start', run: ++run, scene: chosen.scene, size: chosen.size, wind, settings });
+  worker.postMessage({ do: 'start', run: ++run, scene: chosen.scene, size, wind, settings });
 }
 
 const answers = {
@@ -132,6 +139,13 @@ for (const key of ['scene', 'size']) {
     if (!target.value) return;
     for (const button of byId(key).children) button.classList.toggle('chosen', button === target);
     chosen[key] = key === 'size' ? Number(target.value) : target.value;
+    if (key === 'scene') {
+      const { wind, from, isSized } = USUAL[chosen.scene];
+      Object.assign(byId('wind'), { value: wind });
+      Object.assign(byId('direction'), { value: from });
+      byId('size').hidden = !isSized;
+      showWind();
+    }
     start();
   });
 }

@@ -2,7 +2,9 @@
 import * as THREE from 'three';
 
 const VIEWS = { hang: { target: [0, 1.31, 0], distance: 2.95, azimuth: 0.62, elevation: 0.2, ground: 0.72 },
-  walk: { target: [0, 0.93, 0], distance: 4.75, azimuth: 0.5, elevation: 0.12, ground: 0 } };
+  walk: { target: [0, 0.93, 0], distance: 4.75, azimuth: 0.5, elevation: 0.12, ground: 0 },
+  flag: { target: [0.48, 2.0, 0], distance: 3.2, azimuth: 0.35, elevation: 0.04, ground: 0 },
+  line: { target: [0, 1.5, 0], distance: 6.4, azimuth: 0.4, elevation: 0.08, ground: 0 } };
 // Shadows are looked up a little off the cloth, on the side of the light: it would shade itself in stripes.
 const OFF_CLOTH_M = 0.007;
 // The inside is seen where both the triangle and the smooth normal face away: by one of them it is jagged at folds.

@@ -6,12 +6,16 @@ import { addNormals } from './normals.js';
 const loading = load();
 let taut, run, cloth, hand, wind, body, before;
 
-// Only shapes of these settings are computed by the program too, for the page to compare.
+const SCENES = { hang: 'tshirt-gravity', walk: 'tshirt-walk', flag: 'flag', line: 'washing-line' };
+const GUSTS = { 'wind.gust_amplitude': 0.5, 'wind.gust_period': 2, 'wind.gust_turn': 0.2 };
+
+// Only shapes of these settings are computed by the program too, for the page to compare. Scenes without a size have their
+// own garment and gusts.
 function start({ scene, size, wind: air, settings }) {
   cloth?.close();
   cloth = undefined;
-  cloth = taut.cloth({ scene: scene === 'walk' ? 'tshirt-walk' : 'tshirt-gravity',
-    settings: { 'garment.file': `tshirt_${size}`, 'wind.speed': air.speed, 'wind.direction': air.direction, ...settings } });
+  cloth = taut.cloth({ scene: SCENES[scene], settings: { ...(size ? { 'garment.file': `tshirt_${size}`, ...GUSTS } : {}),
+    'wind.speed': air.speed, 'wind.direction': air.direction, ...settings } });
   const triangles = cloth.triangles();
   before = cloth.positions();
   hand = new Hand(before, triangles);

@@ -15,6 +15,7 @@ namespace taut::sim::bounded {
 /// Input of the wind kernel besides the cloth, in single precision.
 struct AirFlow {
   std::array<float, 3> velocity_m_per_s = {0.0F, 0.0F, 0.0F};
+  const float* fractions = nullptr;    ///< fraction of the velocity that each triangle meets, one per lane
   float half_density_pressure = 0.0F;  ///< 1/2 rho C_n, in kg/m^3
   float half_density_friction = 0.0F;  ///< 1/2 rho C_t, in kg/m^3
   /// Duration of the force divided by the areal density of the cloth, in s m^2/kg.

@@ -204,13 +204,14 @@ HWY_INLINE V opposing_speed(const Four& constraint_velocity, const Triple& norma
   return hn::Max(hn::IfThenElse(hn::Lt(u_n, hn::Zero(f)), along, hn::Neg(along)), hn::Zero(f));
 }
 
-HWY_INLINE Triple corner_force(const AirFlow& air, const LoadedCorner& a, const LoadedCorner& b,
+/// `fraction` is that of the air's velocity.
+HWY_INLINE Triple corner_force(const AirFlow& air, V fraction, const LoadedCorner& a, const LoadedCorner& b,
                                const LoadedCorner& c) {
   const Floats f;
   const Triple moved = (a.moved + b.moved) + c.moved;
   const Triple flow = {hn::Set(f, air.velocity_m_per_s[0]), hn::Set(f, air.velocity_m_per_s[1]),
                        hn::Set(f, air.velocity_m_per_s[2])};
-  const Triple u = flow - moved * hn::Set(f, air.per_time_step / 3.0F);
+  const Triple u = flow * fraction - moved * hn::Set(f, air.per_time_step / 3.0F);
 
   const Triple doubled_area = cross(b.position - a.position, c.position - a.position);
   const V doubled_size = hn::Sqrt(dot(doubled_area, doubled_area));
@@ -233,7 +234,8 @@ HWY_INLINE Triple corner_force(const AirFlow& air, const LoadedCorner& a, const 
 void wind(const TriangleLanes& triangles, const AirFlow& air, std::size_t begin, std::size_t end, const Float4* start,
           const Float4* current, const Float4* previous, const Float4* constraint_velocity, Float4* corner_forces) {
   for (std::size_t k = begin; k < end; k += lanes) {
-    const Triple force = corner_force(air, load_corner(triangles, 0, k, start, current, previous, constraint_velocity),
+    const Triple force = corner_force(air, hn::Load(Floats(), air.fractions + k),
+                                      load_corner(triangles, 0, k, start, current, previous, constraint_velocity),
                                       load_corner(triangles, 1, k, start, current, previous, constraint_velocity),
                                       load_corner(triangles, 2, k, start, current, previous, constraint_velocity));
     store_rows(as_rows(force), as_floats(corner_forces), rows_from(k).data());

@@ -169,7 +169,7 @@ TEST(Library, WindGravityForcesAndSettingsAct) {
   const TautFrame blown = cloth.step(2);
   EXPECT_GT(cloth.positions()[40][1], 0.0);
   // A plate of 1 m2 across 5 m/s takes 18 N; this one gives way.
-  EXPECT_GT(blown.wind_force_n, 1.0);
+  EXPECT_GT(blown.wind_force_n, 0.5);
   EXPECT_LT(blown.wind_force_n, 18.0);
   EXPECT_GT(blown.wind_power_w, 0.0);
   ASSERT_EQ(taut_set_wind(cloth, 0, 0, 0), TAUT_OK);

@@ -289,7 +289,7 @@ Json describe_crossings(const sim::BodyMesh& body) {
     const std::size_t frame = k * (frames - 1) / std::max<std::size_t>(looked_at - 1, 1);
     if (body.frames) body.frames->positions_in(frame, positions_m);
     const Surface surface = {positions_m, body.data->triangles};
-    const std::vector<CrossingPair> pairs = crossing_pairs(surface);
+    const std::vector<CrossingPair> pairs = crossing_pairs(surface, throw_if_interrupted);
     if (!pairs.empty()) json["frames"].push_back({{"frame", frame}, {"pairs", describe(surface, pairs)}});
   }
   return json;

@@ -393,7 +393,7 @@ void untangle(const Scene& scene, LoadedGarment& loaded, const StageReport& begi
     if (!loaded.untangling || (may_cut && cut_as_parted(scene, start_m, loaded))) return;
     if (!is_cut_anew) break;
   }
-  if (!loaded.start_m || !crossing_pairs({rest_mesh.positions, rest_mesh.triangles}).empty()) {
+  if (!loaded.start_m || !crossing_pairs({rest_mesh.positions, rest_mesh.triangles}, throw_if_interrupted).empty()) {
     sim::Garment garment = *loaded.garment;
     garment.untangled_m = start_m;
     loaded.garment = sim::share(std::move(garment));

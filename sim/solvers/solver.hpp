@@ -93,6 +93,9 @@ class Solver {
   /// Returns whether the solver does not prevent cloth from crossing itself.
   virtual bool ignores_contact() const { return false; }
 
+  /// Does what the first frame would do once, and changes no result.
+  virtual void prepare(const Frame&) {}
+
   /// Advances `state` by one frame. The solver itself is unchanged until keep_frame(). Throws ContactBlocked if it
   /// cannot prevent a crossing; `state` is then undefined.
   [[nodiscard]] virtual FrameReport advance_frame(const Frame& frame, State& state) = 0;

@@ -461,6 +461,7 @@ std::optional<ClearanceResult> leave_clearance(const Rig& rig, std::span<const R
     const Growth growth = {placed_m(places, compute_thin_shape(rig, pose)), placed_m(places, posed_vertices(rig, pose)),
                            triangles, ends, first_garment_clearance_m + (garments - 1) * further_garment_clearance_m};
     for (int step = 1; step <= steps; ++step) {
+      throw_if_interrupted();
       const auto share_at = [](int s) {
         return min_kept_growth_fraction + (1.0 - min_kept_growth_fraction) * s / steps;
       };

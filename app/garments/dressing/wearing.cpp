@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include "app/base/errors.hpp"
 #include "app/bodies/rig_pose.hpp"
 #include "app/models/hanging/garment_measures.hpp"
 #include "app/models/hanging/hanger.hpp"
@@ -93,7 +94,7 @@ void apply(const Move& move, LoadedGarment& loaded) {
 bool crosses(const LoadedGarment& loaded, const sim::Body& body) {
   const auto& mesh = std::get<sim::BodyMesh>(body.shape);
   const std::vector<sim::Vec3> thin_m = mesh_positions_m(body, mesh.frames->first_s());
-  return !crossing_pairs(surface_at_start(loaded), {thin_m, mesh.data->triangles}).empty();
+  return !crossing_pairs(surface_at_start(loaded), {thin_m, mesh.data->triangles}, throw_if_interrupted).empty();
 }
 
 /// Adds the bones of both limbs, turned towards the nearest opening. An opening at the start of a limb turns no bone.

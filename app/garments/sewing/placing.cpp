@@ -136,10 +136,11 @@ class Surrounded {
     const Surface cloth = {positions_m, pieces_.triangles};
     const auto panel = [&](Index t) { return pieces_.panel_of[pieces_.triangles[t][0]]; };
     Crossings found;
-    for (const CrossingPair& pair : crossing_pairs(cloth, {body_m_, body_triangles_})) {
+    for (const CrossingPair& pair : crossing_pairs(cloth, {body_m_, body_triangles_}, throw_if_interrupted)) {
       found.insert({panel(pair.first), std::nullopt});
     }
-    for (const CrossingPair& pair : crossing_pairs(cloth)) found.insert({panel(pair.first), panel(pair.second)});
+    for (const CrossingPair& pair : crossing_pairs(cloth, throw_if_interrupted))
+      found.insert({panel(pair.first), panel(pair.second)});
     return found;
   }
 

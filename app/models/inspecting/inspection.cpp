@@ -1,5 +1,6 @@
 #include "app/models/inspecting/inspection.hpp"
 
+#include "app/base/errors.hpp"
 #include "app/base/words.hpp"
 #include "app/models/hanging/hanger.hpp"
 #include "app/models/mending/model_fitting.hpp"
@@ -221,7 +222,7 @@ std::string remark_on_shape(std::span<const sim::Body> bodies, std::size_t body,
   if (mesh == nullptr) return "";
   const std::vector<sim::Vec3> positions_m = mesh_positions_m(bodies[body], std::max(time_s, 0.0));
   const Surface surface = {positions_m, mesh->data->triangles};
-  const std::vector<CrossingPair> pairs = crossing_pairs(surface);
+  const std::vector<CrossingPair> pairs = crossing_pairs(surface, throw_if_interrupted);
   return pairs.empty() ? "" : describe_body(bodies, body) + " crosses itself: " + describe(surface, pairs);
 }
 
@@ -246,7 +247,7 @@ Inspection inspect_garment(const Scene& scene, const LoadedGarment& loaded) {
   const sim::Garment& garment = *loaded.garment;
   const sim::Extent extent = sim::compute_extent(garment.mesh.positions);
   const Surface start = surface_at_start(loaded);
-  Inspection result = {{}, crossing_pairs(start)};
+  Inspection result = {{}, crossing_pairs(start, throw_if_interrupted)};
   Json& facts = result.facts;
   facts = {{"file", scene.garment.file.string()},
            {"import", import_json(*loaded.model)},
@@ -350,7 +351,7 @@ StartRemarks remarks_on_start(const Scene& scene, const GarmentInScene& loaded) 
   const std::vector<sim::Body>& bodies = scene.surroundings.bodies;
   StartRemarks all;
   if (loaded.untangling) all.lines.push_back(describe(*loaded.untangling));
-  const std::vector<CrossingPair> own_pairs = crossing_pairs(start);
+  const std::vector<CrossingPair> own_pairs = crossing_pairs(start, throw_if_interrupted);
   all.crossings = own_pairs.size();
   if (!own_pairs.empty()) {
     all.lines.push_back("at the start " + describe(start, own_pairs) +

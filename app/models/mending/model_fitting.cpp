@@ -199,7 +199,7 @@ std::string describe_following(const GarmentInScene& loaded, std::span<const Vec
   if (!loaded.following) return "";
   const std::vector<Vec3> shown_m = loaded.shown_m(positions_m);
   const sim::Garment model = sim::make_garment(loaded.following->mesh, {.flexural_rule = sim::FlexuralRule::none});
-  const std::size_t crossings = crossing_pairs({shown_m, model.mesh.triangles}).size();
+  const std::size_t crossings = crossing_pairs({shown_m, model.mesh.triangles}, throw_if_interrupted).size();
   const sim::SurfaceStretch stretch = sim::measure_surface_stretch(model, shown_m);
   return fmt::format(
       "the promises are those of the fitted mesh; the model that follows it is stretched by up to {:.1f} % "

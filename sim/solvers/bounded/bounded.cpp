@@ -262,6 +262,11 @@ void BoundedSolver::lay_out(const Frame& frame) {
   cloth_ = std::make_unique<Cloth>(frame.garment, frame.pins, settings_, frame.duration_s);
 }
 
+void BoundedSolver::prepare(const Frame& frame) {
+  lay_out(frame);
+  cloth_->contacts.prepare(frame.garment, cloth_->layout, frame.surroundings.bodies);
+}
+
 int BoundedSolver::substeps_for_load(const Frame& frame) const {
   return first_substeps(frame.garment, cloth_->layout, frame.surroundings, frame.duration_s, settings_.max_stretch);
 }

@@ -145,9 +145,8 @@ void Contacts::begin_attempt(const Frame& frame, const Layout& layout, const Mot
   from_s_ = until_s_ = time.from_s;
   frame_ends_s_ = time.to_s;
   start_displacements_.clear();
+  prepare(frame.garment, layout, bodies);
   if (!is_on_) return;
-  const bool is_known = near_ && bodies_.has_same_bodies(bodies);
-  if (!is_known) lay_out(frame.garment, layout, bodies);
   max_gravity_m_per_s2_ = static_cast<float>(max_gravity_m_per_s2(frame.surroundings.forces));
   memory_ = memory.rows;
   memory_.resize(layout.row_count());
@@ -200,6 +199,12 @@ double Contacts::excluded_area_fraction() const {
     left_out += excluded_.groups()[t] > 0 || (!touch_at_rest.empty() && touch_at_rest[t]) ? areas_[t] : 0.0;
   }
   return all > 0.0 ? left_out / all : 0.0;
+}
+
+void Contacts::prepare(const Garment& garment, const Layout& layout, const std::vector<Body>& bodies) {
+  const bool is_needed = within_cloth_ || !bodies.empty();
+  const bool is_known = near_ && bodies_.has_same_bodies(bodies);
+  if (is_needed && !is_known) lay_out(garment, layout, bodies);
 }
 
 // A triangle without a surface cannot be crossed and has no normal.

@@ -24,6 +24,9 @@ class Contacts {
   /// Returns whether anything could touch in this frame.
   bool is_on() const { return is_on_; }
 
+  /// Prepares the search for what is near, unless it is prepared for these bodies. It takes as long as several frames.
+  void prepare(const Garment& garment, const Layout& layout, const std::vector<Body>& bodies);
+
   /// Begins an attempt at a frame or a part of it. `memory` belongs to the last kept one. Pairs that cross at the start
   /// of the first frame are left out until they are apart. Every earlier attempt at the frame makes this one more
   /// cautious. Its work should not exceed `max_work`, see work(); a negative one is spent.

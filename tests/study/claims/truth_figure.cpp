@@ -1,4 +1,6 @@
 #include <cmath>
+#include <map>
+#include <ranges>
 
 #include "app/drawing/plots/plot.hpp"
 #include "tests/study/claims/csv_file.hpp"
@@ -35,15 +37,23 @@ const renderer::Colour& curve_colour(std::size_t curve) {
 /// One marker for each of the three meshes, the coarsest first.
 constexpr std::array markers = {Marker::ring, Marker::square, Marker::disc};
 
-/// Returns the published numbers of a curve as a line.
+/// Returns the published numbers of a curve as a line, or as the outline of its ranges.
 Curve make_line(const std::string& name, std::size_t number, std::span<const TruthPoint> points) {
   Curve curve = {name, {}, {curve_colour(number), 3.5F, {}}};
+  std::map<double, std::array<double, 2>> ranges;
+  bool is_range = false;
   for (const TruthPoint& point : points) {
-    for (const double published : {point.published, point.published_to}) {
-      if (point.curve == name && std::isfinite(published)) curve.points.push_back({point.x, published});
-    }
+    if (point.curve != name || !std::isfinite(point.published)) continue;
+    const double upper = std::isfinite(point.published_to) ? point.published_to : point.published;
+    auto& [lowest, highest] = ranges.try_emplace(point.x, std::array{point.published, upper}).first->second;
+    lowest = std::min(lowest, point.published);
+    highest = std::max(highest, upper);
+    is_range = is_range || upper > point.published;
   }
-  std::ranges::sort(curve.points);
+  for (const auto& [x, range] : ranges) curve.points.push_back({x, range[0]});
+  if (!is_range) return curve;
+  for (const auto& [x, range] : ranges | std::views::reverse) curve.points.push_back({x, range[1]});
+  curve.points.push_back(curve.points.front());
   return curve;
 }
 

@@ -15,6 +15,7 @@ void draw_from_tables(FiguresOptions options, const std::filesystem::path& folde
   std::vector<Figure> figures = all_figures(results);
   figures.push_back(make_figure8(results));
   figures.push_back(truth_figure(results.truth));
+  figures.push_back(make_figure9(results.truth));
   for (Figure& figure : figures) {
     const bool is_asked_for = options.selected_names.empty() ||
                               std::ranges::find(options.selected_names, figure.name) != options.selected_names.end();
@@ -31,6 +32,7 @@ void draw_and_judge(const FiguresOptions& options) {
   std::vector<Figure> figures = all_figures(results);
   figures.push_back(make_figure8(results));
   figures.push_back(truth_figure(results.truth));
+  figures.push_back(make_figure9(results.truth));
   figures.push_back(rest_figure(results.rests));
   std::vector<Job> jobs = experiments(results, Checking::promises);
   std::ranges::move(claim_experiments(results), std::back_inserter(jobs));
@@ -54,6 +56,7 @@ int main(int argument_count, char** arguments) {
   std::filesystem::path data;
   std::vector<std::string> names = figure_names();
   names.emplace_back("fig8");
+  names.emplace_back("fig9");
   names.emplace_back("truth");
   names.emplace_back("rest_shapes");
   app.add_option("--only", options.selected_names, "some of the figures; no report")
@@ -63,6 +66,11 @@ int main(int argument_count, char** arguments) {
   app.add_option("-o,--output", options.output, "folder for the pictures")->capture_default_str();
   app.add_option("--scale", options.scale, "pictures this many times as wide and high")->check(CLI::Range(0.1, 4.0));
   CLI11_PARSE(app, argument_count, arguments);
+  // Figure 9 is the second page of "truth".
+  std::vector<std::string>& selected = options.selected_names;
+  if (std::ranges::count(selected, "truth") > 0 && std::ranges::count(selected, "fig9") == 0) {
+    selected.emplace_back("fig9");
+  }
   try {
     watch_for_interruption();
     data.empty() ? draw_and_judge(options) : draw_from_tables(options, data);

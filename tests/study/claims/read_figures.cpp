@@ -167,7 +167,7 @@ void read_figure(const std::string& name, const std::filesystem::path& folder, C
   if (name == "fig6") read_figure6(results, folder);
   if (name == "fig7") read_figure7(results, folder);
   if (name == "fig8") read_figure8(results, folder);
-  if (name == "truth") read_truth(results.truth, folder);
+  if (name == "truth" || name == "fig9") read_truth(results.truth, folder / (name + ".csv"));
 }
 
 }  // namespace taut::app

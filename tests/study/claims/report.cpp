@@ -285,7 +285,8 @@ Report make_report(const ClaimResults& results, const DrawnFigures& drawn) {
   const std::vector<Claim> claims = judge_claims(results);
   const std::vector<PromiseResult> promises = promise_results(results);
   const Machine machine = this_machine(drawn.gl_renderer);
-  return {report_html(claims, promises, drawn.figures, machine, methods_html(results), truth_html(results.truth),
+  return {report_html(claims, promises, drawn.figures, machine, methods_html(results),
+                      truth_html(calm_experiments(), results.truth), truth_html(wind_experiments(), results.truth),
                       rest_html(results.rests)),
           claims_json(claims, promises, machine)};
 }
@@ -338,7 +339,7 @@ std::string claims_json(const std::vector<Claim>& claims, const std::vector<Prom
 
 std::string report_html(std::span<const Claim> claims, const std::vector<PromiseResult>& promises,
                         std::span<const DrawnFigure> figures, const Machine& machine, const std::string& methods,
-                        const std::string& truth, const std::string& rests) {
+                        const std::string& truth, const std::string& wind, const std::string& rests) {
   std::string html = report_page;
   const auto put = [&html](const std::string& place, const std::string& text) {
     html.replace(html.find(place), place.size(), text);
@@ -355,6 +356,7 @@ std::string report_html(std::span<const Claim> claims, const std::vector<Promise
   put("<!--figures-->\n", figures_html);
   put("<!--methods-->\n", methods);
   put("<!--truth-->\n", truth);
+  put("<!--wind-->\n", wind);
   put("<!--rests-->\n", rests);
   return html;
 }

@@ -38,9 +38,13 @@ struct TruthExperiment {
   /// Mean of all measured numbers, for published ranges that are wider than the effect of a tenth of the physics; 0:
   /// not used.
   double mean = 0.0;
+  /// Factor of wrong physics with which the experiment must not pass; nor with its inverse.
+  double wrong = 1.1;
 };
 
-/// Returns all experiments, in the order of the panels.
+/// Return experiments in the order of the panels: those without wind, those in wind (figure 9), and all.
+std::vector<TruthExperiment> calm_experiments();
+std::vector<TruthExperiment> wind_experiments();
 std::vector<TruthExperiment> truth_experiments();
 
 /// Largest and root mean square deviation of an experiment's points.
@@ -68,14 +72,25 @@ double weight_that_buckles(double width);
 /// 2017).
 double friction_that_sticks(double strain);
 
+/// Onset of the flutter of a sheet in a wind along it, by linear theory with p = 1/2 rho U^2 c (w' + w_t / U): panel
+/// flutter by piston theory (Hedgepeth 1957; Dowell 1975).
+struct FlutterOnset {
+  double load;       ///< 1/2 rho U^2 c length^3 / rigidity
+  double frequency;  ///< times length^2 sqrt(density / rigidity)
+};
+/// The sheet is hinged at its edge to windward, and at the other unless that is free. `air_ratio` is 1/2 rho c length /
+/// density.
+FlutterOnset flutter_onset(double air_ratio, bool is_free);
+
 /// Returns jobs that fill `points`, in the form of experiments().
 std::vector<Job> truth_jobs(std::vector<TruthPoint>& points);
-/// Returns the figure "truth" with a panel for each experiment.
+/// Return the figure "truth" of the calm experiments and figure 9 of those in wind, with a panel for each.
 Figure truth_figure(std::vector<TruthPoint>& points);
-/// Reads the points from truth.csv in the folder. Throws InputError that names the file and the line.
-void read_truth(std::vector<TruthPoint>& points, const std::filesystem::path& folder);
+Figure make_figure9(std::vector<TruthPoint>& points);
+/// Adds the points of a table. Throws InputError that names the file and the line.
+void read_truth(std::vector<TruthPoint>& points, const std::filesystem::path& file);
 
 /// Returns the report's table of deviations as HTML.
-std::string truth_html(std::span<const TruthPoint> points);
+std::string truth_html(std::span<const TruthExperiment> experiments, std::span<const TruthPoint> points);
 
 }  // namespace taut::app

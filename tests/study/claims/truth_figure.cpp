@@ -1,4 +1,6 @@
 #include <cmath>
+#include <map>
+#include <ranges>
 
 #include "app/drawing/plots/plot.hpp"
 #include "tests/study/claims/csv_file.hpp"
@@ -35,15 +37,23 @@ const renderer::Colour& curve_colour(std::size_t curve) {
 /// One marker for each of the three meshes, the coarsest first.
 constexpr std::array markers = {Marker::ring, Marker::square, Marker::disc};
 
-/// Returns the published numbers of a curve as a line.
+/// Returns the published numbers of a curve as a line, or as the outline of its ranges.
 Curve make_line(const std::string& name, std::size_t number, std::span<const TruthPoint> points) {
   Curve curve = {name, {}, {curve_colour(number), 3.5F, {}}};
+  std::map<double, std::array<double, 2>> ranges;
+  bool is_range = false;
   for (const TruthPoint& point : points) {
-    for (const double published : {point.published, point.published_to}) {
-      if (point.curve == name && std::isfinite(published)) curve.points.push_back({point.x, published});
-    }
+    if (point.curve != name || !std::isfinite(point.published)) continue;
+    const double upper = std::isfinite(point.published_to) ? point.published_to : point.published;
+    auto& [lowest, highest] = ranges.try_emplace(point.x, std::array{point.published, upper}).first->second;
+    lowest = std::min(lowest, point.published);
+    highest = std::max(highest, upper);
+    is_range = is_range || upper > point.published;
   }
-  std::ranges::sort(curve.points);
+  for (const auto& [x, range] : ranges) curve.points.push_back({x, range[0]});
+  if (!is_range) return curve;
+  for (const auto& [x, range] : ranges | std::views::reverse) curve.points.push_back({x, range[1]});
+  curve.points.push_back(curve.points.front());
   return curve;
 }
 
@@ -92,31 +102,55 @@ PlotPanel make_panel(const TruthExperiment& experiment, char letter, std::span<c
            fmt::format("{}; off by at most {}", experiment.source, number_text(experiment, deviation.largest()))}};
 }
 
-Drawing draw_truth(const std::vector<TruthPoint>& points, LazyOffscreenRenderer&) {
+Drawing draw_experiments(std::span<const TruthExperiment> experiments, const std::vector<TruthPoint>& points) {
   PlotSheet sheet;
   sheet.plot = {.text_px = 34.0F, .marker_px = 9.0F};
   sheet.row_gap_px = 30.0F;
   sheet.caption.measured_px = 30.0F;
   std::vector<PlotPanel> panels;
-  for (const TruthExperiment& experiment : truth_experiments()) {
+  for (const TruthExperiment& experiment : experiments) {
     panels.push_back(make_panel(experiment, static_cast<char>('a' + panels.size()), points));
   }
   return draw_plot_sheet(std::move(panels), sheet);
 }
 
-std::string truth_csv(const std::vector<TruthPoint>& points) {
+std::string experiments_csv(std::span<const TruthExperiment> experiments, std::span<const TruthPoint> points) {
   CsvTable table(truth_columns);
-  for (const TruthPoint& p : points) {
-    table.add({cell(p.experiment), cell(p.curve), cell(p.mesh), cell(p.x), cell(p.measured), cell(p.published),
-               cell(p.published_to)});
+  for (const TruthExperiment& experiment : experiments) {
+    for (const TruthPoint& p : select_points(experiment, points)) {
+      table.add({cell(p.experiment), cell(p.curve), cell(p.mesh), cell(p.x), cell(p.measured), cell(p.published),
+                 cell(p.published_to)});
+    }
   }
   return table.text();
 }
 
+Job make_job(std::string name, double seconds, std::vector<TruthExperiment> experiments,
+             std::vector<TruthPoint>& points) {
+  const auto run = [experiments = std::move(experiments), &points](const ProgressCallback& report) {
+    for (std::size_t i = 0; i < experiments.size(); ++i) {
+      const auto part = [&](double fraction) {
+        report((static_cast<double>(i) + fraction) / static_cast<double>(experiments.size()));
+      };
+      std::ranges::move(experiments[i].run(experiments[i], 1.0, part), std::back_inserter(points));
+    }
+  };
+  return {std::move(name), seconds, run};
+}
+
+Figure make_figure(std::string name, std::string title, std::string job, std::vector<TruthExperiment> experiments,
+                   std::vector<TruthPoint>& points) {
+  return {std::move(name),
+          std::move(title),
+          {std::move(job)},
+          [experiments, &points](LazyOffscreenRenderer&) { return draw_experiments(experiments, points); },
+          [experiments, &points] { return experiments_csv(experiments, points); }};
+}
+
 }  // namespace
 
-void read_truth(std::vector<TruthPoint>& points, const std::filesystem::path& folder) {
-  const CsvFile table(folder / "truth.csv", truth_columns);
+void read_truth(std::vector<TruthPoint>& points, const std::filesystem::path& file) {
+  const CsvFile table(file, truth_columns);
   for (std::size_t row = 0; row < table.rows(); ++row) {
     const auto published = [&](std::size_t column) {
       return table.text(row, column).empty() ? NAN : table.number(row, column);
@@ -145,31 +179,24 @@ Deviation compute_deviation(const TruthExperiment& experiment, std::span<const T
 }
 
 std::vector<Job> truth_jobs(std::vector<TruthPoint>& points) {
-  return {{"truth", 25.0, [&points](const ProgressCallback& report) {
-             const std::vector<TruthExperiment> experiments = truth_experiments();
-             for (std::size_t i = 0; i < experiments.size(); ++i) {
-               const auto part = [&](double fraction) {
-                 report((static_cast<double>(i) + fraction) / static_cast<double>(experiments.size()));
-               };
-               std::ranges::move(experiments[i].run(experiments[i], 1.0, part), std::back_inserter(points));
-             }
-           }}};
+  return {make_job("truth", 25.0, calm_experiments(), points), make_job("wind", 110.0, wind_experiments(), points)};
 }
 
 Figure truth_figure(std::vector<TruthPoint>& points) {
-  const auto of = [&points](auto function) { return std::bind_front(function, std::ref(points)); };
-  return {"truth",
-          "Experiments that others published, and closed forms, each on three meshes",
-          {"truth"},
-          of(draw_truth),
-          of(truth_csv)};
+  return make_figure("truth", "Experiments that others published, and closed forms, each on three meshes", "truth",
+                     calm_experiments(), points);
 }
 
-std::string truth_html(std::span<const TruthPoint> points) {
+Figure make_figure9(std::vector<TruthPoint>& points) {
+  return make_figure("fig9", "Cloth in wind, published and simulated, each experiment on three meshes", "wind",
+                     wind_experiments(), points);
+}
+
+std::string truth_html(std::span<const TruthExperiment> experiments, std::span<const TruthPoint> points) {
   std::string html =
       "<table>\n<tr><th>experiment</th><th>published</th><th>numbers</th><th>largest deviation</th><th>root mean "
       "square</th><th>passes up to</th></tr>\n";
-  for (const TruthExperiment& experiment : truth_experiments()) {
+  for (const TruthExperiment& experiment : experiments) {
     const Deviation deviation = compute_deviation(experiment, points);
     html += fmt::format(
         "<tr class=\"{}\"><td>{}</td><td>{}</td><td class=\"number\">{}</td><td class=\"number\">{}</td><td "

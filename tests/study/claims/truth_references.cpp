@@ -1,3 +1,4 @@
+#include <Eigen/Eigenvalues>
 #include <cmath>
 
 #include "tests/study/claims/truth.hpp"
@@ -133,6 +134,49 @@ double droop_of_elastica(double weight_over_rigidity) {
   }
   const End end = integrated(0.5 * (low + high));
   return end.drop / end.reach;
+}
+
+namespace {
+
+/// Returns the eigenvalues of w'''' + load w' for a strip of length 1 that is hinged at its edge to windward, and at
+/// the other unless that is free.
+Eigen::VectorXcd find_strip_modes(double load, bool is_free) {
+  constexpr int parts = 40;
+  constexpr double h = 1.0 / parts;
+  Eigen::MatrixXd forces = Eigen::MatrixXd::Zero(parts + 1, parts + 1);
+  const Eigen::Vector3d bend(1.0, -2.0, 1.0);
+  for (int i = 1; i < parts; ++i) forces.block<3, 3>(i - 1, i - 1) += bend * bend.transpose() / (h * h * h);
+  for (int i = 0; i < parts; ++i) {
+    forces.block<2, 1>(i, i).array() -= 0.5 * load;
+    forces.block<2, 1>(i, i + 1).array() += 0.5 * load;
+  }
+  forces /= h;
+  forces.row(parts) *= 2.0;  // half of a part moves with the edge
+  const int moving = is_free ? parts : parts - 1;
+  return forces.block(1, 1, moving, moving).eigenvalues();
+}
+
+/// Returns the rate at which the fastest mode grows and turns.
+std::complex<double> find_fastest_rate(double load, double air_ratio, bool is_free) {
+  const double drag = std::sqrt(air_ratio * load);
+  std::complex<double> fastest = -drag;
+  for (const std::complex<double>& mode : find_strip_modes(load, is_free)) {
+    const std::complex<double> root = std::sqrt(drag * drag - 4.0 * mode);
+    const std::complex<double> rate = 0.5 * (root.real() > 0.0 ? root - drag : -root - drag);
+    if (rate.real() > fastest.real()) fastest = rate;
+  }
+  return fastest;
+}
+
+}  // namespace
+
+FlutterOnset flutter_onset(double air_ratio, bool is_free) {
+  double low = 1.0, high = 4000.0;
+  for (int step = 0; step < 30; ++step) {
+    const double middle = 0.5 * (low + high);
+    (find_fastest_rate(middle, air_ratio, is_free).real() > 1e-5 ? high : low) = middle;
+  }
+  return {high, std::abs(find_fastest_rate(high, air_ratio, is_free).imag()) / (2.0 * std::acos(-1.0))};
 }
 
 }  // namespace taut::app

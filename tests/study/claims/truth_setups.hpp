@@ -82,7 +82,7 @@ using Runs = std::vector<TruthPoint>(const TruthExperiment& experiment, double p
 Runs run_cantilever, run_buckling, run_slip;
 // Experiment of truth_rest.cpp.
 Runs run_rest;
-// Experiments of truth_wind.cpp.
-Runs run_hanging, run_flag;
+// Experiments of truth_wind.cpp and truth_flutter.cpp.
+Runs run_hanging, run_flag, run_flutter, run_onset, run_line, run_plate;
 
 }  // namespace taut::app::truth

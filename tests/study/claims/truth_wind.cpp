@@ -1,13 +1,13 @@
-// Experiments in wind: a hanging sheet's angle, and the drag of a flag.
+// Experiments in wind: the list of all, a hanging sheet's angle, and the drag of a flag.
+
+#include "tests/study/claims/truth_wind.hpp"
 
 #include <glm/geometric.hpp>
 
-#include "tests/study/claims/truth_setups.hpp"
+#include "sim/local_wind.hpp"
 
 namespace taut::app::truth {
 namespace {
-
-constexpr double pi = 3.141592653589793;
 
 /// Returns the angle to the vertical at which a sheet hangs straight in a level wind: its weight across it is the force
 /// of the air, g w sin(angle) = 1/2 rho U^2 C_N(90 degrees - angle), where C_N(a) is that of add_wind_forces.
@@ -55,12 +55,6 @@ std::vector<Vec3> uneven_flag(const std::vector<Vec3>& flat_m, double length_m) 
   return positions_m;
 }
 
-struct Flag {
-  double length_m;
-  double height_m;
-  double density_kg_per_m2;
-};
-
 /// Returns the drag coefficient of a free flag, whose dynamic part grows with its mass (AS/NZS 1170.2, appendix F).
 double flag_drag(const Flag& flag) {
   const double aspect = flag.length_m / flag.height_m;
@@ -71,6 +65,23 @@ double flag_drag(const Flag& flag) {
 /// Measures the mean force of the wind on a flag on its pole, over pressure of the wind and area.
 TruthPoint fly_flag(const TruthExperiment& experiment, const Size& size, const Flag& flag, double speed_m_per_s,
                     double physics) {
+  sim::Simulation simulation = hoist_flag(size, flag, speed_m_per_s, physics);
+  advance(simulation, flag_settling_frames);
+  Vec3 force_n(0.0);
+  for (int frame = 0; frame < flag_watched_frames; ++frame) {
+    simulation.advance_frame();
+    const sim::WindLoad load = sim::measure_wind(simulation.garment(), simulation.state(), simulation.surroundings());
+    force_n += load.force_n / double{flag_watched_frames};
+  }
+  const double area_m2 = flag.length_m * flag.height_m;
+  const double pressure = 0.5 * sim::air_density_kg_per_m3 * speed_m_per_s * speed_m_per_s;
+  return {experiment.name, fmt::format("{:g} g/m2", 1e3 * flag.density_kg_per_m2), to_name(size), speed_m_per_s,
+          force_n.x / (pressure * area_m2), flag_drag(flag)};
+}
+
+}  // namespace
+
+sim::Simulation hoist_flag(const Size& size, const Flag& flag, double speed_m_per_s, double physics) {
   Material material;
   material.areal_density_kg_per_m2 = flag.density_kg_per_m2;
   sim::Mesh mesh = rectangle(size, flag.length_m, flag.height_m, sim::GridPlane::vertical);
@@ -80,26 +91,10 @@ TruthPoint fly_flag(const TruthExperiment& experiment, const Size& size, const F
   windy.forces.wind.direction = {1.0, 0.0, 0.0};
   windy.forces.wind.speed_m_per_s = speed_m_per_s;
   windy.forces.wind.pressure_coefficient *= physics;
-  const sim::Wind wind = windy.forces.wind;
   std::vector<Vec3> start_m = uneven_flag(mesh.positions, flag.length_m);
-  const auto garment = sim::share(sim::make_garment(std::move(mesh), {}, material));
-  sim::Simulation simulation = begin(garment, std::move(pins), std::move(windy), 0.01, false, std::move(start_m));
-  advance(simulation, 60 * 3);
-  Vec3 force_n(0.0);
-  constexpr int averaged_frames = 60 * 5;
-  for (int frame = 0; frame < averaged_frames; ++frame) {
-    simulation.advance_frame();
-    std::vector<Vec3> forces_n(garment->masses_kg.size(), Vec3(0.0));
-    sim::add_wind_forces(*garment, simulation.state(), wind, {}, 1e-9, forces_n);
-    for (const Vec3& force : forces_n) force_n += force / double{averaged_frames};
-  }
-  const double area_m2 = flag.length_m * flag.height_m;
-  const double pressure = 0.5 * sim::air_density_kg_per_m3 * speed_m_per_s * speed_m_per_s;
-  return {experiment.name, fmt::format("{:g} g/m2", 1e3 * flag.density_kg_per_m2), to_name(size), speed_m_per_s,
-          force_n.x / (pressure * area_m2), flag_drag(flag)};
+  return begin(sim::share(sim::make_garment(std::move(mesh), {}, material)), std::move(pins), std::move(windy), 0.01,
+               false, std::move(start_m));
 }
-
-}  // namespace
 
 std::vector<TruthPoint> run_hanging(const TruthExperiment& experiment, double physics, const ProgressCallback& report) {
   return run_all(std::array{0.5, 1.0, 1.5, 2.0, 3.0}, report, [&](double speed_m_per_s) {
@@ -124,3 +119,25 @@ std::vector<TruthPoint> run_flag(const TruthExperiment& experiment, double physi
 }
 
 }  // namespace taut::app::truth
+
+namespace taut::app {
+
+std::vector<TruthExperiment> wind_experiments() {
+  using namespace truth;
+  using enum Measure;
+  using enum LegendCorner;
+  return {{"flutter", "a flag flutters", "frequency with wind, amplitude stays (Alben 2021)", "wind in m/s",
+           "frequency in Hz, amplitude in mm", false, false, lower_right, part, 0.2, 0.0, run_flutter, 0.0, 2.0},
+          {"flag", "flags fly from a pole", "free flags (AS/NZS 1170.2, appendix F)", "wind in m/s", "drag coefficient",
+           false, false, lower_right, part, 0.27, 0.0, run_flag, 0.1165},
+          {"onset", "a flag begins to flutter, and ends", "piston theory (Dowell 1975)", "rigidity in mN m",
+           "wind's pressure in Pa, frequency in Hz", true, true, upper_left, part, 0.05, 0.0, run_onset},
+          {"line", "a sheet held at both ends begins to flutter", "piston theory (Hedgepeth 1957)", "rigidity in mN m",
+           "wind's pressure in Pa, frequency in Hz", true, true, upper_left, part, 0.05, 0.0, run_line},
+          {"plate", "a square plate across the wind", "1.1 to 1.2 (Hoerner 1965)", "wind in m/s", "drag coefficient",
+           false, false, none, difference, 0.005, 0.0, run_plate},
+          {"hanging", "a sheet hangs in a level wind", "g w sin a = 1/2 rho U^2 C_N (Rayleigh 1876)", "wind in m/s",
+           "angle to the vertical in degrees", false, false, none, part, 0.03, 0.0, run_hanging}};
+}
+
+}  // namespace taut::app

@@ -86,4 +86,12 @@ std::string compiler_version() {
 #endif
 }
 
+std::string describe_place(const glm::dvec3& place_m) {
+  return fmt::format("[{:.5f}, {:.5f}, {:.5f}] m", place_m.x, place_m.y, place_m.z);
+}
+
+std::string describe_point(const glm::dvec3& point) {
+  return fmt::format("[{:.6g}, {:.6g}, {:.6g}]", point.x, point.y, point.z);
+}
+
 }  // namespace taut::app

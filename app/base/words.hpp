@@ -42,6 +42,12 @@ std::string join(std::span<const std::string> names, std::string_view separator 
 /// Returns "; did you mean 'NAME'?" for the nearest name, or an empty text if no name is near.
 std::string did_you_mean(std::string_view name, std::span<const std::string> names);
 
+/// Returns "[0.10000, 0.20000, 0.30000] m".
+std::string describe_place(const glm::dvec3& place_m);
+
+/// Returns "[0.1, 0.2, 0.3]", to six digits, for places in the unit of a file.
+std::string describe_point(const glm::dvec3& point);
+
 /// Version of the program, such as "0.1.0".
 std::string program_version();
 /// Name and version of the compiler that built the program.

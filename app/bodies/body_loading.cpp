@@ -3,6 +3,7 @@
 #include "app/base/errors.hpp"
 #include "app/base/words.hpp"
 #include "app/bodies/body_mesh.hpp"
+#include "sim/contact/crossing_pairs.hpp"
 #include "sim/mesh/topology.hpp"
 
 namespace taut::app {
@@ -288,8 +289,8 @@ Json describe_crossings(const sim::BodyMesh& body) {
     throw_if_interrupted();
     const std::size_t frame = k * (frames - 1) / std::max<std::size_t>(looked_at - 1, 1);
     if (body.frames) body.frames->positions_in(frame, positions_m);
-    const Surface surface = {positions_m, body.data->triangles};
-    const std::vector<CrossingPair> pairs = crossing_pairs(surface, throw_if_interrupted);
+    const sim::Surface surface = {positions_m, body.data->triangles};
+    const std::vector<sim::CrossingPair> pairs = sim::find_crossing_pairs(surface);
     if (!pairs.empty()) json["frames"].push_back({{"frame", frame}, {"pairs", describe(surface, pairs)}});
   }
   return json;

@@ -3,7 +3,6 @@
 #include "app/base/errors.hpp"
 #include "app/base/words.hpp"
 #include "app/garments/fitting/fitted_mesh.hpp"
-#include "app/verify/crossing_pairs.hpp"
 #include "sim/mesh/extent.hpp"
 #include "sim/mesh/topology.hpp"
 #include "sim/mesh/welding.hpp"
@@ -13,7 +12,7 @@ namespace {
 
 struct ClosedHole {
   double border_length = 0.0;  ///< length of its border, in the unit of the mesh
-  sim::Index vertex = 0;  ///< index of a vertex of its border
+  sim::Index vertex = 0;       ///< index of a vertex of its border
 };
 
 using Loop = std::vector<sim::Index>;
@@ -92,7 +91,7 @@ std::vector<ClosedHole> close_small_holes(double longest, sim::Mesh& mesh) {
 
 struct FlatFaces {
   std::size_t drop_degenerate = 0;  ///< triangles with two or three corners at one position, which are left out
-  std::size_t turned = 0;    ///< triangles with their corners in a line, whose long edge was flipped
+  std::size_t turned = 0;           ///< triangles with their corners in a line, whose long edge was flipped
 };
 
 using Places = std::vector<sim::Index>;

@@ -4,7 +4,6 @@
 
 #include "app/base/errors.hpp"
 #include "app/base/words.hpp"
-#include "app/verify/crossing_pairs.hpp"
 
 namespace taut::app {
 namespace {

@@ -84,12 +84,12 @@ InspectionMarks joined_vertices(const LoadedGarment& loaded, float diameter_px) 
   return marks;
 }
 
-InspectionMarks crossing_triangles(const LoadedGarment& loaded, std::span<const CrossingPair> crossings) {
+InspectionMarks crossing_triangles(const LoadedGarment& loaded, std::span<const sim::CrossingPair> crossings) {
   InspectionMarks marks{.meaning = fmt::format("pairs of triangles that cross: {}", crossings.size()),
                         .colour = crossing_colour,
                         .width_px = 5.0F,
                         .seen_through = true};
-  for (const CrossingPair& pair : crossings) {
+  for (const sim::CrossingPair& pair : crossings) {
     for (const sim::Index triangle : {pair.first, pair.second}) {
       const sim::Triangle& t = loaded.garment->mesh.triangles[triangle];
       add_line(loaded, {t[0], t[1]}, marks);
@@ -502,7 +502,7 @@ void draw_table(renderer::Canvas& canvas, const WornGarment& worn, float top_px)
 
 }  // namespace
 
-std::vector<InspectionMarks> inspection_marks(const LoadedGarment& loaded, std::span<const CrossingPair> crossings,
+std::vector<InspectionMarks> inspection_marks(const LoadedGarment& loaded, std::span<const sim::CrossingPair> crossings,
                                               const MarkWidths& widths) {
   const float spring_width_px = widths.spring_px;
   const sim::Adjacency& adjacency = loaded.garment->adjacency;

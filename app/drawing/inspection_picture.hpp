@@ -27,7 +27,7 @@ struct MarkWidths {
 
 /// Returns all marks of the garment in drawing order: later ones cover earlier ones. Crossing triangles are outlined as
 /// drawn, at rest.
-std::vector<InspectionMarks> inspection_marks(const LoadedGarment& loaded, std::span<const CrossingPair> crossings,
+std::vector<InspectionMarks> inspection_marks(const LoadedGarment& loaded, std::span<const sim::CrossingPair> crossings,
                                               const MarkWidths& widths);
 
 /// Returns a page that shows the interpretation of the garment, from the front and from behind: springs by kind, pins,

@@ -6,6 +6,7 @@
 #include "app/models/hanging/hanger.hpp"
 #include "app/models/mending/model_fitting.hpp"
 #include "app/scene/scene_format.hpp"
+#include "sim/contact/crossing_pairs.hpp"
 #include "sim/mesh/geodesics.hpp"
 #include "sim/mesh/subdivide.hpp"
 #include "sim/mesh/welding.hpp"
@@ -393,7 +394,7 @@ void untangle(const Scene& scene, LoadedGarment& loaded, const StageReport& begi
     if (!loaded.untangling || (may_cut && cut_as_parted(scene, start_m, loaded))) return;
     if (!is_cut_anew) break;
   }
-  if (!loaded.start_m || !crossing_pairs({rest_mesh.positions, rest_mesh.triangles}, throw_if_interrupted).empty()) {
+  if (!loaded.start_m || !sim::find_crossing_pairs({rest_mesh.positions, rest_mesh.triangles}).empty()) {
     sim::Garment garment = *loaded.garment;
     garment.untangled_m = start_m;
     loaded.garment = sim::share(std::move(garment));
@@ -477,7 +478,7 @@ LoadedGarment load_garment(const Scene& scene, const StageReport& report) {
   return loaded;
 }
 
-Surface surface_at_start(const GarmentInScene& loaded) {
+sim::Surface surface_at_start(const GarmentInScene& loaded) {
   const sim::Mesh& mesh = loaded.garment->mesh;
   return {loaded.start_m ? *loaded.start_m : mesh.positions, mesh.triangles};
 }

@@ -84,7 +84,7 @@ using StageReport = std::function<void(const std::string& stage)>;
 LoadedGarment load_garment(const Scene& scene, const StageReport& begin = {});
 
 /// Returns the shape in which the garment begins, as a view of the loaded garment.
-Surface surface_at_start(const GarmentInScene& loaded);
+sim::Surface surface_at_start(const GarmentInScene& loaded);
 
 /// Completes the surroundings of a scene for the simulation: maps the vertices of forces from the file to the mesh, and
 /// adds the moving pins. Throws InputError for a force at a vertex that does not exist.

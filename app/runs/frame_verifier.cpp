@@ -1,6 +1,7 @@
 #include "app/runs/frame_verifier.hpp"
 
 #include "app/base/words.hpp"
+#include "app/verify/crossing_pairs.hpp"
 
 namespace taut::app {
 namespace {
@@ -9,9 +10,45 @@ namespace {
 // that have a surface.
 constexpr double rounding = 1e-9;
 
-using Pairs = std::vector<CrossingPair>;
+using Pairs = std::vector<sim::CrossingPair>;
 
-bool is_before(const CrossingPair& a, const CrossingPair& b) {
+struct Enters {
+  const Corners& triangle;
+
+  bool operator()(const sim::Plane& plane) const { return enters_half_space(triangle, plane.point_m, plane.normal); }
+  bool operator()(const sim::Sphere& ball) const {
+    return enters_limb(triangle, {ball.centre_m, ball.centre_m, ball.radius_m, ball.radius_m});
+  }
+  bool operator()(const sim::Capsule& limb) const {
+    return enters_limb(triangle, {limb.start_m, limb.end_m, limb.start_radius_m, limb.end_radius_m});
+  }
+  bool operator()(const sim::BodyMesh&) const { return false; }
+};
+
+Pairs judge_body(const sim::Surface& cloth, const sim::Body& body, double time_s) {
+  if (const auto* mesh = std::get_if<sim::BodyMesh>(&body.shape)) {
+    const std::vector<sim::Vec3> positions_m = mesh_positions_m(body, time_s);
+    return crossing_pairs(cloth, {positions_m, mesh->data->triangles});
+  }
+  const sim::Shape shape = sim::shape_at(body, time_s);
+  Pairs entries;
+  for (sim::Index t = 0; t < cloth.triangles.size(); ++t) {
+    const sim::Triangle& v = cloth.triangles[t];
+    const Corners corners = {cloth.positions_m[v[0]], cloth.positions_m[v[1]], cloth.positions_m[v[2]]};
+    if (std::visit(Enters{corners}, shape)) entries.push_back({t, 0, (corners[0] + corners[1] + corners[2]) / 3.0});
+  }
+  return entries;
+}
+
+/// Returns what scene_crossings() does, judged exactly.
+std::vector<SceneCrossings> judge_crossings(const sim::Surface& cloth, std::span<const sim::Body> bodies,
+                                            double time_s) {
+  std::vector<SceneCrossings> all = {{{}, crossing_pairs(cloth)}};
+  for (std::size_t b = 0; b < bodies.size(); ++b) all.push_back({b, judge_body(cloth, bodies[b], time_s)});
+  return all;
+}
+
+bool is_before(const sim::CrossingPair& a, const sim::CrossingPair& b) {
   return std::pair(a.first, a.second) < std::pair(b.first, b.second);
 }
 
@@ -36,7 +73,7 @@ std::map<sim::Index, sim::Index> map_groups(const sim::Simulation& simulation, s
 Pairs counted_pairs(const Pairs& pairs, const sim::Simulation& simulation, std::optional<std::size_t> body) {
   std::map<sim::Index, sim::Index> first = map_groups(simulation, {}), second = map_groups(simulation, body);
   Pairs outside = pairs;
-  std::erase_if(outside, [&](const CrossingPair& pair) {
+  std::erase_if(outside, [&](const sim::CrossingPair& pair) {
     return first[pair.first] > 0 && first[pair.first] == second[pair.second];
   });
   return outside;
@@ -58,9 +95,9 @@ std::string describe_excess(const LargestStretch& stretch, const sim::SolverSett
 }
 
 std::string FrameVerifier::begin(const sim::Simulation& simulation) {
-  const Surface cloth = {simulation.state().current, simulation.garment().mesh.triangles};
+  const sim::Surface cloth = {simulation.state().current, simulation.garment().mesh.triangles};
   const std::vector<sim::Body>& bodies = simulation.surroundings().bodies;
-  ignored_pairs_ = scene_crossings(cloth, bodies, simulation.state().time_s);
+  ignored_pairs_ = judge_crossings(cloth, bodies, simulation.state().time_s);
   std::vector<std::string> texts;
   crossing_at_start_ = 0;
   for (const SceneCrossings& crossings : ignored_pairs_) {
@@ -72,7 +109,7 @@ std::string FrameVerifier::begin(const sim::Simulation& simulation) {
 
 std::string FrameVerifier::check(const sim::Simulation& simulation, FrameRecord& record) {
   const sim::Mesh& mesh = simulation.garment().mesh;
-  const Surface cloth = {simulation.state().current, mesh.triangles};
+  const sim::Surface cloth = {simulation.state().current, mesh.triangles};
   const LargestStretch stretch = largest_stretch(mesh, cloth.positions_m);
   ++frames_;
   largest_.springs = std::max(largest_.springs, stretch.springs);
@@ -82,7 +119,7 @@ std::string FrameVerifier::check(const sim::Simulation& simulation, FrameRecord&
   crossing_at_end_ = 0;
   std::vector<std::string> broken;
   const std::vector<sim::Body>& bodies = simulation.surroundings().bodies;
-  std::vector<SceneCrossings> scene_pairs = scene_crossings(cloth, bodies, record.time_s);
+  std::vector<SceneCrossings> scene_pairs = judge_crossings(cloth, bodies, record.time_s);
   ignored_pairs_.resize(scene_pairs.size());
   for (std::size_t k = 0; k < scene_pairs.size(); ++k) {
     crossing_at_end_ += scene_pairs[k].pairs.size();

@@ -49,7 +49,7 @@ void require_worn(const Scene& scene, const sim::Simulation& simulation) {
   const bool is_kept_apart = solver.kind == sim::SolverKind::bounded && !solver.bounded.allow_crossing;
   if (scene.dressing_frames() == 0 || !is_kept_apart) return;
   const std::vector<sim::Body>& bodies = simulation.surroundings().bodies;
-  const Surface cloth = {simulation.state().current, simulation.garment().mesh.triangles};
+  const sim::Surface cloth = {simulation.state().current, simulation.garment().mesh.triangles};
   for (const SceneCrossings& crossings : scene_crossings(cloth, bodies, 0.0)) {
     if (crossings.body && !crossings.pairs.empty()) {
       throw PromiseBroken("when it is dressed, " + describe(crossings, cloth, bodies));

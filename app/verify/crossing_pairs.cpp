@@ -2,6 +2,8 @@
 
 #include <fmt/core.h>
 
+#include "app/base/errors.hpp"
+#include "app/base/words.hpp"
 #include "sim/mesh/extent.hpp"
 
 namespace taut::app {
@@ -13,21 +15,21 @@ struct TriangleBox {
   bool is_of_body = false;
 };
 
-Corners triangle_corners(const Surface& surface, const sim::Triangle& t) {
+Corners triangle_corners(const sim::Surface& surface, const sim::Triangle& t) {
   return {surface.positions_m[t[0]], surface.positions_m[t[1]], surface.positions_m[t[2]]};
 }
 
-void require_place(const Surface& surface, sim::Index triangle) {
+void require_place(const sim::Surface& surface, sim::Index triangle) {
   for (const sim::Index v : surface.triangles[triangle]) {
     if (!is_exactly_comparable(surface.positions_m[v])) {
-      throw std::invalid_argument(fmt::format("{}: found vertex {} at {}, expected finite coordinates below 1e100",
-                                              describe_triangle(surface, triangle), v,
-                                              describe_point(surface.positions_m[v])));
+      throw std::invalid_argument(
+          fmt::format("triangle {}: found vertex {} at {}, expected finite coordinates below 1e100", triangle, v,
+                      describe_point(surface.positions_m[v])));
     }
   }
 }
 
-void add_boxes(const Surface& surface, bool is_of_body, std::vector<TriangleBox>& boxes) {
+void add_boxes(const sim::Surface& surface, bool is_of_body, std::vector<TriangleBox>& boxes) {
   for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
     require_place(surface, static_cast<sim::Index>(t));
     const Corners corners = triangle_corners(surface, surface.triangles[t]);
@@ -44,7 +46,9 @@ class Strips {
     for (const TriangleBox& box : boxes) sum += box.extent.upper[axis] - box.extent.lower[axis];
     const double count = std::floor(length * static_cast<double>(boxes.size()) / (boxes_across * sum));
     // Boxes that are all one point get one strip.
-    count_ = count >= 1.0 && count < max_strips ? static_cast<std::size_t>(count) : count >= max_strips ? max_strips : 1;
+    count_ = count >= 1.0 && count < max_strips ? static_cast<std::size_t>(count)
+             : count >= max_strips              ? max_strips
+                                                : 1;
     width_ = length / static_cast<double>(count_);
   }
 
@@ -67,7 +71,7 @@ class Strips {
 
 /// Calls `found` with all pairs of boxes that overlap, by sweep and prune (Baraff 1992). The sweep follows the axis of
 /// the largest extent, where the fewest boxes are beside each other, in strips of the next largest.
-template <class Found> void sweep(std::vector<TriangleBox>& boxes, const Poll& poll, const Found& found) {
+template <class Found> void sweep(std::vector<TriangleBox>& boxes, const Found& found) {
   sim::Extent all;
   for (const TriangleBox& box : boxes) {
     all.add(box.extent.lower);
@@ -87,7 +91,7 @@ template <class Found> void sweep(std::vector<TriangleBox>& boxes, const Poll& p
   }
   for (std::size_t s = 0; s < in_strip.size(); ++s) {
     for (auto a = in_strip[s].begin(); a != in_strip[s].end(); ++a) {
-      if (poll) poll();
+      throw_if_interrupted();
       const double end = (*a)->extent.upper[axis];
       for (auto b = a + 1; b != in_strip[s].end() && (*b)->extent.lower[axis] <= end; ++b) {
         // Boxes that share several strips are reported in the first of them.
@@ -113,7 +117,7 @@ std::size_t bring_shared_to_front(sim::Triangle& a, sim::Triangle& b) {
   return shared;
 }
 
-std::optional<sim::Vec3> place_within(const Surface& cloth, sim::Triangle a, sim::Triangle b) {
+std::optional<sim::Vec3> place_within(const sim::Surface& cloth, sim::Triangle a, sim::Triangle b) {
   const std::size_t shared = bring_shared_to_front(a, b);
   const auto place_of = shared == 0   ? crossing_place
                         : shared == 1 ? crossing_place_beside_vertex
@@ -121,8 +125,8 @@ std::optional<sim::Vec3> place_within(const Surface& cloth, sim::Triangle a, sim
   return place_of(triangle_corners(cloth, a), triangle_corners(cloth, b));
 }
 
-std::vector<CrossingPair> sort_pairs(std::vector<CrossingPair> pairs) {
-  std::ranges::sort(pairs, [](const CrossingPair& a, const CrossingPair& b) {
+std::vector<sim::CrossingPair> sort_pairs(std::vector<sim::CrossingPair> pairs) {
+  std::ranges::sort(pairs, [](const sim::CrossingPair& a, const sim::CrossingPair& b) {
     return a.first != b.first ? a.first < b.first : a.second < b.second;
   });
   return pairs;
@@ -136,13 +140,8 @@ struct Depth {
   Vec3 gradient;
 };
 
-Vec3 unit_direction(const Vec3& v) {
-  const double length = glm::length(v);
-  return length > 0.0 ? v / length : Vec3(0.0);
-}
-
 Depth outside_ball(const Vec3& p, const Vec3& centre_m, double radius_m) {
-  return {glm::distance(p, centre_m) - radius_m, unit_direction(p - centre_m)};
+  return {glm::distance(p, centre_m) - radius_m, sim::unit_or_zero(p - centre_m)};
 }
 
 /// Returns the depth inside the truncated cone between the two ends. The axis must have a length.
@@ -155,7 +154,8 @@ Depth outside_cone(const Vec3& p, const LimbShape& limb) {
   if (at_m > length_m) return {at_m - length_m, along};
   const double slope = (limb.end_radius_m - limb.start_radius_m) / length_m;
   const Vec3 across = p - limb.start_m - at_m * along;
-  const Depth side = {glm::length(across) - limb.start_radius_m - slope * at_m, unit_direction(across) - slope * along};
+  const Depth side = {glm::length(across) - limb.start_radius_m - slope * at_m,
+                      sim::unit_or_zero(across) - slope * along};
   const Depth end = at_m > 0.5 * length_m ? Depth{at_m - length_m, along} : Depth{-at_m, -along};
   return side.outside_m > end.outside_m ? side : end;
 }
@@ -178,11 +178,11 @@ template <class Outside> bool enters(const Corners& t, const Outside& outside) {
 
 }  // namespace
 
-std::vector<CrossingPair> crossing_pairs(const Surface& cloth, const Poll& poll) {
+std::vector<sim::CrossingPair> crossing_pairs(const sim::Surface& cloth) {
   std::vector<TriangleBox> boxes;
   add_boxes(cloth, false, boxes);
-  std::vector<CrossingPair> pairs;
-  sweep(boxes, poll, [&](const TriangleBox& a, const TriangleBox& b) {
+  std::vector<sim::CrossingPair> pairs;
+  sweep(boxes, [&](const TriangleBox& a, const TriangleBox& b) {
     const auto [first, second] = std::minmax(a.triangle, b.triangle);
     if (const auto place = place_within(cloth, cloth.triangles[first], cloth.triangles[second])) {
       pairs.push_back({first, second, *place});
@@ -191,12 +191,12 @@ std::vector<CrossingPair> crossing_pairs(const Surface& cloth, const Poll& poll)
   return sort_pairs(std::move(pairs));
 }
 
-std::vector<CrossingPair> crossing_pairs(const Surface& cloth, const Surface& body, const Poll& poll) {
+std::vector<sim::CrossingPair> crossing_pairs(const sim::Surface& cloth, const sim::Surface& body) {
   std::vector<TriangleBox> boxes;
   add_boxes(cloth, false, boxes);
   add_boxes(body, true, boxes);
-  std::vector<CrossingPair> pairs;
-  sweep(boxes, poll, [&](const TriangleBox& a, const TriangleBox& b) {
+  std::vector<sim::CrossingPair> pairs;
+  sweep(boxes, [&](const TriangleBox& a, const TriangleBox& b) {
     if (a.is_of_body == b.is_of_body) return;
     const sim::Index first = a.is_of_body ? b.triangle : a.triangle;
     const sim::Index second = a.is_of_body ? a.triangle : b.triangle;
@@ -206,27 +206,6 @@ std::vector<CrossingPair> crossing_pairs(const Surface& cloth, const Surface& bo
     }
   });
   return sort_pairs(std::move(pairs));
-}
-
-std::string describe_triangle(const Surface& surface, sim::Index triangle) {
-  const sim::Triangle& t = surface.triangles[triangle];
-  return fmt::format("triangle {} (vertices {}, {}, {})", triangle, t[0], t[1], t[2]);
-}
-
-std::string describe_place(const sim::Vec3& place_m) {
-  return fmt::format("[{:.5f}, {:.5f}, {:.5f}] m", place_m.x, place_m.y, place_m.z);
-}
-
-std::string describe(const Surface& cloth, std::span<const CrossingPair> pairs) {
-  const CrossingPair& first = pairs.front();
-  return fmt::format(
-      "{}, the first: {} and {} at {}",
-      pairs.size() == 1 ? "1 pair of triangles crosses" : fmt::format("{} pairs of triangles cross", pairs.size()),
-      describe_triangle(cloth, first.first), describe_triangle(cloth, first.second), describe_place(first.place_m));
-}
-
-std::string describe_point(const sim::Vec3& point) {
-  return fmt::format("[{:.6g}, {:.6g}, {:.6g}]", point.x, point.y, point.z);
 }
 
 bool enters_half_space(const Corners& triangle, const Vec3& point_m, const Vec3& normal) {
@@ -241,19 +220,6 @@ bool enters_limb(const Corners& triangle, const LimbShape& limb) {
   return limb.start_m != limb.end_m &&
          (enters(triangle, [&](const Vec3& p) { return outside_ball(p, limb.end_m, limb.end_radius_m); }) ||
           enters(triangle, [&](const Vec3& p) { return outside_cone(p, limb); }));
-}
-
-double winding_number(const Vec3& point_m, const Surface& surface) {
-  double half_angles = 0.0;
-  for (const sim::Triangle& t : surface.triangles) {
-    const Vec3 a = surface.positions_m[t[0]] - point_m;
-    const Vec3 b = surface.positions_m[t[1]] - point_m;
-    const Vec3 c = surface.positions_m[t[2]] - point_m;
-    const double la = glm::length(a), lb = glm::length(b), lc = glm::length(c);
-    half_angles += std::atan2(glm::dot(a, glm::cross(b, c)),
-                              la * lb * lc + glm::dot(a, b) * lc + glm::dot(b, c) * la + glm::dot(c, a) * lb);
-  }
-  return half_angles / (2.0 * std::numbers::pi);
 }
 
 }  // namespace taut::app

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "sim/mesh/types.hpp"
+#include "app/verify/orientation.hpp"
 
 namespace taut::app {
 
@@ -19,18 +19,5 @@ std::optional<sim::Vec3> crossing_place_beside_vertex(const Corners& a, const Co
 /// Requires triangles that share their corners 0 and 1. They cross if they are folded flat onto each other, so that
 /// they have a common point that is not on that edge. The returned point is the middle of the edge.
 std::optional<sim::Vec3> crossing_place_beside_edge(const Corners& a, const Corners& b);
-
-/// Returns whether all coordinates are finite and below 1e100 in size, as all functions here require. Other values have
-/// no rational numbers.
-bool is_exactly_comparable(const sim::Vec3& point);
-
-/// Returns the sign, -1, 0 or 1, of (a - d) . ((b - d) x (c - d)). It is 0 exactly if the four points are in one plane.
-/// The sign is exact: a value that rounding could have turned (Shewchuk 1997, the error bounds "A") is computed again
-/// with rational numbers of any length.
-int orientation(const sim::Vec3& a, const sim::Vec3& b, const sim::Vec3& c, const sim::Vec3& d);
-
-/// Returns the sign, -1, 0 or 1, of (a - c) x (b - c), exactly likewise. It is 0 exactly if the three points are on one
-/// line.
-int orientation(const sim::Vec2& a, const sim::Vec2& b, const sim::Vec2& c);
 
 }  // namespace taut::app

@@ -228,6 +228,10 @@ MeasuredContact ContactMeasure::measure(std::span<const Vec3> positions_m, doubl
   return measured;
 }
 
+bool enters(const Corners& triangle, const Shape& shape) {
+  return shape_distance_m(triangle, shape, 0.0) < -min_depth_m;
+}
+
 double shape_distance_m(const Corners& triangle, const Shape& shape, double reach_m) {
   assert(reach_m >= 0.0);
   const double distance_m = std::visit(TriangleDistance{triangle, reach_m}, shape);

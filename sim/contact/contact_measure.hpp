@@ -48,6 +48,9 @@ class ContactMeasure {
   std::vector<TriangleCouple> near_;
 };
 
+/// Returns whether a triangle enters a plane, sphere or capsule beyond rounding; false for a mesh.
+bool enters(const Corners& triangle, const Shape& shape);
+
 /// Returns the distance of a triangle from a plane, sphere or capsule, in m, below 0 inside; infinite for a mesh and
 /// beyond the reach.
 double shape_distance_m(const Corners& triangle, const Shape& shape, double reach_m);

@@ -15,6 +15,19 @@ struct Mesh {
   std::vector<std::array<Vec2, 3>> cut_m = {};
 };
 
+/// A surface at one moment: positions per vertex, in metres, and triangles.
+struct Surface {
+  std::span<const Vec3> positions_m;
+  std::span<const Triangle> triangles;
+};
+
+/// Two triangles that cross.
+struct CrossingPair {
+  Index first = 0;           ///< index of a triangle of the cloth
+  Index second = 0;          ///< index of a triangle of the cloth above `first`, or of the body
+  Vec3 place_m = Vec3(0.0);  ///< a common point of both, rounded
+};
+
 /// Returns the corners of a triangle at rest, in metres.
 std::array<Vec3, 3> corners_at_rest(const Mesh& mesh, std::size_t triangle);
 

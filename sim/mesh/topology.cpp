@@ -119,4 +119,17 @@ std::size_t orient_consistently(Mesh& mesh) {
   return static_cast<std::size_t>(std::count(turned.begin(), turned.end(), 1));
 }
 
+double winding_number(const Vec3& point_m, const Surface& surface) {
+  double half_angles = 0.0;
+  for (const Triangle& t : surface.triangles) {
+    const Vec3 a = surface.positions_m[t[0]] - point_m;
+    const Vec3 b = surface.positions_m[t[1]] - point_m;
+    const Vec3 c = surface.positions_m[t[2]] - point_m;
+    const double la = glm::length(a), lb = glm::length(b), lc = glm::length(c);
+    half_angles += std::atan2(glm::dot(a, glm::cross(b, c)),
+                              la * lb * lc + glm::dot(a, b) * lc + glm::dot(b, c) * la + glm::dot(c, a) * lb);
+  }
+  return half_angles / (2.0 * std::numbers::pi);
+}
+
 }  // namespace taut::sim

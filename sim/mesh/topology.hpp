@@ -2,6 +2,7 @@
 
 #include "sim/mesh/adjacency.hpp"
 #include "sim/mesh/groups.hpp"
+#include "sim/mesh/mesh.hpp"
 
 namespace taut::sim {
 
@@ -52,5 +53,10 @@ std::vector<char> turns_to_agree(std::size_t triangle_count, std::span<const Joi
 /// number. On a one-sided surface, such as a Moebius strip, some neighbours still disagree. Returns the number of
 /// turned triangles.
 std::size_t orient_consistently(Mesh& mesh);
+
+/// Returns the number of times that a closed surface facing outwards winds around the point: 1 inside, 0 outside, up to
+/// rounding. The solid angles of its triangles are added up (Van Oosterom and Strackee 1983), in time proportional to
+/// their number. Requires a point that is not on the surface.
+double winding_number(const Vec3& point_m, const Surface& surface);
 
 }  // namespace taut::sim

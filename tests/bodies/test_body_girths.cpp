@@ -96,7 +96,7 @@ TEST(ShapeRig, TheTrunkFollowsNoArm) {
     add(stack_rings({{0.9, 0.04, 0.04, 0}, {1.35, 0.05, 0.05, 0}}), {0.26 * side, 0.0, 0.0}, mesh);
   }
   add(stack_rings({{1.34, 0.36, 0.06, 0}, {1.44, 0.36, 0.06, 0}}), sim::Vec3(0.0), mesh);
-  const Surface body = {mesh.positions, mesh.triangles};
+  const sim::Surface body = {mesh.positions, mesh.triangles};
   const std::optional<Rig> rig = guess_rig(body, measure_body(body, {}));
   ASSERT_TRUE(rig);
   for (const RigInfluence& influence : rig->influences) {
@@ -199,7 +199,7 @@ TEST(BodyGirths, ArmsBeginWhereTheGirthJumps) {
 
 TEST(ShapeRig, PutsJointsWhereTheyAreInPeople) {
   const sim::Mesh mesh = person(0.36);
-  const Surface body = {mesh.positions, mesh.triangles};
+  const sim::Surface body = {mesh.positions, mesh.triangles};
   const BodyMeasures measures = measure_body(body, {});
   ASSERT_NE(find_girth(measures, "thigh"), nullptr);
   EXPECT_NEAR(find_girth(measures, "thigh")->height_m, 0.8, 0.02);

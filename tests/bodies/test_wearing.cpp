@@ -25,7 +25,7 @@ struct Fitting {
 
   const std::vector<sim::Vec3>& places_m() const { return loaded.garment->mesh.positions; }
   std::size_t crossings(double time_s) const {
-    const Surface cloth = {places_m(), loaded.garment->mesh.triangles};
+    const sim::Surface cloth = {places_m(), loaded.garment->mesh.triangles};
     return scene_crossings(cloth, scene.surroundings.bodies, time_s).back().pairs.size();
   }
   std::vector<FitRow> fit() const { return compute_fit(scene, *loaded.garment, places_m()); }
@@ -111,7 +111,7 @@ TEST_F(Wearing, AShirtOfAManIsWornByAWoman) {
   EXPECT_GT(worn.crossings(0.0), 0U) << "the body has still to grow into it";
   sim::Simulation simulation = make_simulation(worn.scene, worn.loaded);
   EXPECT_EQ(go_to_start(worn.scene, simulation), 0);
-  const Surface cloth = {simulation.state().current, simulation.garment().mesh.triangles};
+  const sim::Surface cloth = {simulation.state().current, simulation.garment().mesh.triangles};
   EXPECT_TRUE(scene_crossings(cloth, worn.scene.surroundings.bodies, 0.0).back().pairs.empty());
 }
 

@@ -14,9 +14,8 @@ constexpr double speed_m_per_s = 0.2;
 
 Body ball_at(const char* name, double z_m) {
   const double towards = z_m > 0.0 ? -speed_m_per_s : speed_m_per_s;
-  return {.name = name,
-          .shape = Sphere{{0.002, 0.003, z_m}, 0.08},
-          .motion = {.shift = {{0.0, 0.0, towards}, 0.05, 1.0}}};
+  return {
+      .name = name, .shape = Sphere{{0.002, 0.003, z_m}, 0.08}, .motion = {.shift = {{0.0, 0.0, towards}, 0.05, 1.0}}};
 }
 
 /// A sheet that hangs by its upper edge between two balls that close in on it.
@@ -80,13 +79,11 @@ TEST(Blocked, BallsThatCloseInOnASheetStopItAsItWas) {
     const std::string closing = *blocked.sides[1].body == 0 ? "left" : "right";
     EXPECT_EQ(closing, blocked.place_m.z < 0.0 ? "left" : "right") << "which is on that side";
     const std::string behind = *blocked.sides[1].body == 0 ? "right" : "left";
-    EXPECT_NE(std::string(error->what())
-                  .find("the body '" + closing + "' closes in on the triangle of the vertices "),
+    EXPECT_NE(std::string(error->what()).find("the body '" + closing + "' closes in on the triangle of the vertices "),
               std::string::npos)
         << error->what();
-    EXPECT_NE(
-        std::string(error->what()).find("which the body '" + behind + "' keeps from giving way; they are "),
-        std::string::npos)
+    EXPECT_NE(std::string(error->what()).find("which the body '" + behind + "' keeps from giving way; they are "),
+              std::string::npos)
         << error->what();
   }
 }
@@ -105,9 +102,8 @@ TEST(Blocked, TheSceneMayAcceptIt) {
 }
 
 TEST(Blocked, NamesThePinThatIsLedIntoABody) {
-  for (const Shape& shape :
-       {Shape(Sphere{{0.0, 0.0, 0.0}, 0.1}), Shape(Plane{{0.0, 0.1, 0.0}, {0.0, 1.0, 0.0}}),
-        Shape(Capsule{{-0.1, 0.0, 0.0}, {0.1, 0.0, 0.0}, 0.1, 0.1}), Shape(box())}) {
+  for (const Shape& shape : {Shape(Sphere{{0.0, 0.0, 0.0}, 0.1}), Shape(Plane{{0.0, 0.1, 0.0}, {0.0, 1.0, 0.0}}),
+                             Shape(Capsule{{-0.1, 0.0, 0.0}, {0.1, 0.0, 0.0}, 0.1, 0.1}), Shape(box())}) {
     Simulation simulation = begin(sheet_led_into(shape));
     State before;
     const std::optional<ContactBlocked> error = blocked_in(simulation, before);
@@ -123,9 +119,8 @@ TEST(Blocked, NamesThePinThatIsLedIntoABody) {
 
 TEST(Blocked, AHandThatPullsIntoABodyOnlyPullsHarder) {
   ContactScene scene = {.mesh = make_mesh({13, 13, 0.4, 0.4, GridPlane::horizontal, {0.003, 0.11, 0.002}})};
-  scene.surroundings.bodies = {
-      {.name = "ball", .shape = Sphere{{0.0, 0.0, 0.0}, 0.1}},
-      {.name = "wall", .shape = box(), .motion = {.path = {{0.0, {0.0, 0.4, 0.0}}}}}};
+  scene.surroundings.bodies = {{.name = "ball", .shape = Sphere{{0.0, 0.0, 0.0}, 0.1}},
+                               {.name = "wall", .shape = box(), .motion = {.path = {{0.0, {0.0, 0.4, 0.0}}}}}};
   // The hand is in the middle of the ball and then in the middle of the box above.
   Simulation simulation = begin(scene);
   for (int frame = 1; frame <= 40; ++frame) {
@@ -135,7 +130,7 @@ TEST(Blocked, AHandThatPullsIntoABodyOnlyPullsHarder) {
     simulation.set_surroundings(pulled);
     ASSERT_NO_THROW(simulation.advance_frame()) << "frame " << frame;
     ASSERT_FALSE(simulation.frame_report().blocked) << "frame " << frame;
-    const app::Surface cloth = {simulation.state().current, simulation.garment().mesh.triangles};
+    const Surface cloth = {simulation.state().current, simulation.garment().mesh.triangles};
     ASSERT_TRUE(app::crossing_pairs(cloth).empty()) << "frame " << frame;
     for (const Vec3& p : cloth.positions_m) {
       ASSERT_GT(glm::length(p), 0.1) << "frame " << frame;

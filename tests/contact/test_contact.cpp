@@ -42,9 +42,9 @@ TEST(Contact, ABandThatFallsOnItselfCrossesNothing) {
 // Pins are not projected into regions; instead, regions end before pins have left a straight path.
 TEST(Contact, SheetsOnPinsThatSwingFastCrossNothing) {
   ContactScene scene = {
-      .mesh = both(
-          make_mesh({.columns = 13, .rows = 13, .plane = GridPlane::vertical}),
-          make_mesh({.columns = 13, .rows = 13, .plane = GridPlane::vertical, .at_m = {0.011, 0.007, 0.004}}))};
+      .mesh =
+          both(make_mesh({.columns = 13, .rows = 13, .plane = GridPlane::vertical}),
+               make_mesh({.columns = 13, .rows = 13, .plane = GridPlane::vertical, .at_m = {0.011, 0.007, 0.004}}))};
   scene.pins = {0, 12, 169, 181};
   scene.surroundings.pin_motion = {.amplitude_m = {0.1, 0.1, 0.2}, .frequency_hz = 3.0};
   scene.bounded.max_stretch = 0.05;
@@ -127,9 +127,9 @@ TEST(Contact, GoesOnFromACheckpointWithTheSameBits) {
 
 TEST(Contact, LayersComeToRestAThicknessApart) {
   ContactScene scene = {
-      .mesh = both(
-          make_mesh({.at_m = {0.0, 0.003, 0.0}}),
-          make_mesh({.columns = 8, .rows = 8, .width_m = 0.3, .length_m = 0.3, .at_m = {0.01, 0.006, 0.003}}))};
+      .mesh =
+          both(make_mesh({.at_m = {0.0, 0.003, 0.0}}),
+               make_mesh({.columns = 8, .rows = 8, .width_m = 0.3, .length_m = 0.3, .at_m = {0.01, 0.006, 0.003}}))};
   scene.surroundings.bodies = {{.name = "ground", .shape = Plane{}}};
   const double thickness_m = scene.material.thickness_m;
   Simulation simulation = begin(std::move(scene));
@@ -157,8 +157,8 @@ double mean_speed_upwards(const Simulation& simulation, Index first, Index count
 }
 
 TEST(Contact, ACollisionKeepsMomentumAndDoesNotRebound) {
-  ContactScene scene = {
-      .mesh = both(make_mesh({.at_m = {0.0, 0.0, 0.0}}), make_mesh({.at_m = {0.011, 0.0044, 0.007}}))};
+  ContactScene scene = {.mesh =
+                            both(make_mesh({.at_m = {0.0, 0.0, 0.0}}), make_mesh({.at_m = {0.011, 0.0044, 0.007}}))};
   scene.surroundings.forces.gravity_m_per_s2 = Vec3(0.0);
   scene.surroundings.forces.air_drag_per_s = 0.0;
   Simulation simulation = begin(std::move(scene));
@@ -192,7 +192,7 @@ TEST(Contact, ClothHangsOverABoxThatRisesAndTurns) {
     simulation.advance_frame();
     std::vector<Vec3> body_m(8);
     positions_at(body, simulation.state().time_s, body_m);
-    const app::Surface cloth = {simulation.state().current, simulation.garment().mesh.triangles};
+    const Surface cloth = {simulation.state().current, simulation.garment().mesh.triangles};
     ASSERT_TRUE(app::crossing_pairs(cloth, {body_m, triangles}).empty()) << "frame " << frame;
     ASSERT_EQ(crossings(simulation), 0U) << "frame " << frame;
     ASSERT_TRUE(simulation.frame_report().bound_kept) << "frame " << frame;
@@ -222,8 +222,7 @@ TEST(Contact, WhatCrossesAtTheStartIsLeftOutUntilItIsApart) {
 
 TEST(Contact, ClothThatBeginsWithinABallComesOut) {
   ContactScene scene = {
-      .mesh =
-          make_mesh({.columns = 9, .rows = 9, .width_m = 0.2, .length_m = 0.2, .at_m = {0.003, 0.14, 0.004}})};
+      .mesh = make_mesh({.columns = 9, .rows = 9, .width_m = 0.2, .length_m = 0.2, .at_m = {0.003, 0.14, 0.004}})};
   scene.surroundings.bodies = {{.name = "ball", .shape = Sphere{{}, 0.15}}};
   Simulation simulation = begin(std::move(scene));
   for (int frame = 1; frame <= 60; ++frame) {

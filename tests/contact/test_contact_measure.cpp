@@ -7,6 +7,7 @@
 
 #include "app/verify/crossing_pairs.hpp"
 #include "sim/contact/contact_measure.hpp"
+#include "sim/contact/crossing_pairs.hpp"
 #include "sim/contact/triangle_pair.hpp"
 #include "sim/mesh/grid.hpp"
 
@@ -17,7 +18,7 @@ struct Shape3 {
   std::vector<Vec3> positions_m;
   std::vector<Triangle> triangles;
 
-  app::Surface surface() const { return {positions_m, triangles}; }
+  Surface surface() const { return {positions_m, triangles}; }
   MeasuredContact measured(double reach_m, std::vector<Body> bodies = {}) const {
     return ContactMeasure(triangles, positions_m, std::move(bodies)).measure(positions_m, 0.0, reach_m);
   }
@@ -26,6 +27,24 @@ struct Shape3 {
 Vec3 random_in(double size_m, std::mt19937& random) {
   std::uniform_real_distribution<double> of(-size_m, size_m);
   return {of(random), of(random), of(random)};
+}
+
+double distance_m(const Vec3& place_m, const Surface& surface, Index triangle) {
+  const Triangle& t = surface.triangles[triangle];
+  return point_triangle_distance_m(place_m,
+                                   {surface.positions_m[t[0]], surface.positions_m[t[1]], surface.positions_m[t[2]]});
+}
+
+/// Requires the pairs that the exact test finds, each with a place that is in both triangles.
+void expect_pairs(const std::vector<CrossingPair>& found, const std::vector<CrossingPair>& expected,
+                  const Surface& cloth, const Surface& other) {
+  ASSERT_EQ(found.size(), expected.size());
+  for (std::size_t k = 0; k < found.size(); ++k) {
+    EXPECT_EQ(found[k].first, expected[k].first) << k;
+    EXPECT_EQ(found[k].second, expected[k].second) << k;
+    EXPECT_LT(distance_m(found[k].place_m, cloth, found[k].first), 1e-9) << k;
+    EXPECT_LT(distance_m(found[k].place_m, other, found[k].second), 1e-9) << k;
+  }
 }
 
 /// A sheet that is crumpled at random, so that neighbouring and distant triangles cross each other.
@@ -57,9 +76,10 @@ TEST(ContactMeasure, CountsWhatExactPredicatesCount) {
   for (unsigned seed = 0; seed < 12; ++seed) {
     for (const double by_m : {0.0, 0.01, 0.03, 0.1}) {
       const Shape3 sheet = crumpled_sheet(by_m, seed);
-      const std::size_t expected = app::crossing_pairs(sheet.surface()).size();
-      EXPECT_EQ(sheet.measured(0.001).crossing_pairs, expected) << seed << ' ' << by_m;
-      all += expected;
+      const std::vector<CrossingPair> expected = app::crossing_pairs(sheet.surface());
+      EXPECT_EQ(sheet.measured(0.001).crossing_pairs, expected.size()) << seed << ' ' << by_m;
+      expect_pairs(find_crossing_pairs(sheet.surface()), expected, sheet.surface(), sheet.surface());
+      all += expected.size();
     }
     const Shape3 triangles = soup(300, 0.06, seed);
     const std::size_t expected = app::crossing_pairs(triangles.surface()).size();
@@ -128,6 +148,8 @@ TEST(ContactMeasure, MeasuresBodies) {
       .shape = BodyMesh{std::make_shared<const BodyMeshData>(BodyMeshData{lower.positions_m, lower.triangles})}};
   const Shape3 alone = {sheet.positions_m, sheet.triangles};
   const std::size_t own = alone.measured(0.001).crossing_pairs;
+  expect_pairs(find_crossing_pairs(sheet.surface(), lower.surface()),
+               app::crossing_pairs(sheet.surface(), lower.surface()), sheet.surface(), lower.surface());
   EXPECT_EQ(alone.measured(0.001, {mesh}).crossing_pairs - own,
             app::crossing_pairs(sheet.surface(), lower.surface()).size());
 

@@ -30,16 +30,16 @@ struct Counted {
   std::size_t outside = 0;
 };
 
-void count(std::span<const app::CrossingPair> pairs, std::optional<std::size_t> body, const FrameReport& report,
+void count(std::span<const CrossingPair> pairs, std::optional<std::size_t> body, const FrameReport& report,
            Counted& counted) {
   std::map<TrianglePlace, Index> groups = map_groups(report);
-  for (const app::CrossingPair& pair : pairs) {
+  for (const CrossingPair& pair : pairs) {
     const Index first = groups[{std::nullopt, pair.first}], second = groups[{body, pair.second}];
     ++(first > 0 && first == second ? counted.in_patches : counted.outside);
   }
 }
 
-app::Surface make_cloth(const Simulation& simulation) {
+Surface make_cloth(const Simulation& simulation) {
   return {simulation.state().current, simulation.garment().mesh.triangles};
 }
 
@@ -122,7 +122,7 @@ TEST(Patches, AreTwoRingsAroundWhatCrossesAndTheShareOfTheirArea) {
   Simulation simulation = begin(corner_through());
   const Mesh mesh = simulation.garment().mesh;
   std::set<Index> expected;
-  for (const app::CrossingPair& pair : app::crossing_pairs(make_cloth(simulation))) {
+  for (const CrossingPair& pair : app::crossing_pairs(make_cloth(simulation))) {
     expected.insert({pair.first, pair.second});
   }
   expected = with_ring(with_ring(expected, mesh), mesh);
@@ -216,8 +216,7 @@ TEST(Patches, OfBodiesAndAfterACheckpointAreTheSame) {
     Counted found = crossings(through);
     std::vector<Vec3> box_m(8);
     positions_at(scene.surroundings.bodies[0], through.state().time_s, box_m);
-    const std::vector<Triangle>& triangles =
-        std::get<BodyMesh>(scene.surroundings.bodies[0].shape).data->triangles;
+    const std::vector<Triangle>& triangles = std::get<BodyMesh>(scene.surroundings.bodies[0].shape).data->triangles;
     count(app::crossing_pairs(make_cloth(through), {box_m, triangles}), 0, through.frame_report(), found);
     ASSERT_EQ(found.outside, 0U) << frame;
     ASSERT_EQ(found.in_patches, through.frame_report().contact.crossing_pairs) << frame;

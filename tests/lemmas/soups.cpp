@@ -84,8 +84,8 @@ void add_triangle(const SoupSettings& settings, bool is_body, std::mt19937& rand
     const Float4 position = scaled_sum(centre, some_vector(random, 0.01F), 1.0F);
     const bool is_free = !is_body && !(settings.has_pins && part(random) < 0.1F);
     t[k] = add_row(position, some_vector(random, is_free ? settings.move_m : 0.2F * settings.move_m),
-                   is_free ? settings.radius_m * part(random) : 0.0F,
-                   is_free ? 1e4F * (1.0F + part(random)) : 0.0F, soup.rows);
+                   is_free ? settings.radius_m * part(random) : 0.0F, is_free ? 1e4F * (1.0F + part(random)) : 0.0F,
+                   soup.rows);
   }
   triangles.push_back(t);
 }
@@ -146,16 +146,14 @@ std::vector<Vec3> soup_positions(const Soup& soup, double time, const Float4Arra
 }
 
 std::size_t crossings(const Soup& soup, const std::vector<Vec3>& positions_m) {
-  const app::Surface cloth = {positions_m, soup.cloth};
+  const sim::Surface cloth = {positions_m, soup.cloth};
   return app::crossing_pairs(cloth).size() +
          (soup.body.empty() ? 0 : app::crossing_pairs(cloth, {positions_m, soup.body}).size());
 }
 
 namespace {
 
-const Vec3& shorter(const Vec3& a, const Vec3& b) {
-  return glm::length(a) <= glm::length(b) ? a : b;
-}
+const Vec3& shorter(const Vec3& a, const Vec3& b) { return glm::length(a) <= glm::length(b) ? a : b; }
 
 /// Returns the shortest vector from the segment to p.
 Vec3 from_segment(const Vec3& p, const Vec3& a, const Vec3& b) {
@@ -192,8 +190,7 @@ Vec3 between_segments(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d
 
 Vec3 between_m(const NearPair& near, const std::vector<Vec3>& positions_m) {
   const auto p = [&](Index k) { return positions_m[near.rows[k]]; };
-  return near.first_count == 1 ? from_triangle(p(0), p(1), p(2), p(3))
-                               : between_segments(p(0), p(1), p(2), p(3));
+  return near.first_count == 1 ? from_triangle(p(0), p(1), p(2), p(3)) : between_segments(p(0), p(1), p(2), p(3));
 }
 
 double distance_m(const NearPair& near, const std::vector<Vec3>& positions_m) {

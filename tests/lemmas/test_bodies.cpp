@@ -9,6 +9,7 @@
 #include "check.hpp"
 #include "numbers.hpp"
 #include "sim/mesh/grid.hpp"
+#include "sim/mesh/topology.hpp"
 #include "sim/simulation.hpp"
 #include "sim/solvers/bounded/contact/body_contacts.hpp"
 
@@ -91,10 +92,10 @@ std::size_t entered(const Mesh& mesh, const std::vector<Vec3>& cloth_m, const Bo
   if (const auto* solid = std::get_if<BodyMesh>(&body.shape)) {
     std::vector<Vec3> positions_m(solid->data->positions_m.size());
     positions_at(body, time_s, positions_m);
-    const app::Surface surface = {positions_m, solid->data->triangles};
+    const Surface surface = {positions_m, solid->data->triangles};
     count += app::crossing_pairs({cloth_m, mesh.triangles}, surface).size();
     for (const Vec3& p : cloth_m) {
-      count += app::winding_number(p, surface) > 0.5 ? 1 : 0;
+      count += winding_number(p, surface) > 0.5 ? 1 : 0;
     }
   }
   return count;

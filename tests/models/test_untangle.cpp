@@ -11,6 +11,7 @@
 #include "app/models/inspecting/inspection.hpp"
 #include "app/models/reading/file_mesh.hpp"
 #include "app/runs/frame_verifier.hpp"
+#include "app/verify/crossing_pairs.hpp"
 #include "sim/untangle/untangle.hpp"
 #include "temporary_folder.hpp"
 
@@ -232,7 +233,7 @@ TEST(UntangleBudget, EndsWithTheBestShapeSoFar) {
   const auto find = [&](std::span<const sim::Vec3> positions_m) {
     ++rounds;
     std::vector<sim::TrianglePair> pairs;
-    for (const CrossingPair& pair : crossing_pairs({positions_m, mesh.triangles}))
+    for (const sim::CrossingPair& pair : crossing_pairs({positions_m, mesh.triangles}))
       pairs.push_back({pair.first, pair.second});
     return pairs;
   };
@@ -301,6 +302,16 @@ TEST_F(Untangle, PartsAStartThatWasDraped) {
   EXPECT_EQ(broken_in_a_run(scene, loaded), "");
   EXPECT_TRUE(loaded.garment->untangled_m.empty()) << "of what does not cross at rest";
   EXPECT_EQ(loaded.garment->mesh.positions, rest.positions);
+}
+
+TEST(StartCrossings, AreDescribedByTheFirst) {
+  const std::vector<sim::Vec3> positions = {{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {1, 1, -1}, {1, 1, 1}};
+  const std::vector<sim::Triangle> triangles = {{0, 1, 2}, {3, 4, 4}};
+  const std::vector<sim::CrossingPair> pairs(3, {0, 1, {1.0, 1.0, 0.0}});
+  EXPECT_EQ(describe({positions, triangles}, pairs),
+            "3 pairs of triangles cross, the first: triangle 0 (vertices 0, 1, 2) and triangle 1 (vertices 3, 4, 4) at "
+            "[1.00000, 1.00000, 0.00000] m");
+  EXPECT_TRUE(describe({positions, triangles}, std::span(pairs).first(1)).starts_with("1 pair of triangles crosses"));
 }
 
 // Contact keeps neighbours apart by half of their distance at rest, and not at all if that distance is zero.

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/verify/crossing_pairs.hpp"
+#include "sim/mesh/topology.hpp"
 
 namespace taut::app {
 namespace {
@@ -84,13 +85,13 @@ TEST(SolidBodies, AreEnteredWhereAnyPointOfATriangleIsInTheLimb) {
 TEST(SolidBodies, AreGoneAroundOnceWithinAndNotOutside) {
   const std::vector<Vec3> corners_m = {{0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}};
   const std::vector<sim::Triangle> faces = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}};
-  const Surface outwards = {corners_m, faces};
-  EXPECT_NEAR(winding_number({0.2, 0.2, 0.2}, outwards), 1.0, 1e-12);
-  EXPECT_NEAR(winding_number({1e-6, 0.3, 0.3}, outwards), 1.0, 1e-9) << "just within a face";
-  EXPECT_NEAR(winding_number({-1e-6, 0.3, 0.3}, outwards), 0.0, 1e-9) << "just outside it";
-  EXPECT_NEAR(winding_number({0.5, 0.5, 0.5}, outwards), 0.0, 1e-12);
+  const sim::Surface outwards = {corners_m, faces};
+  EXPECT_NEAR(sim::winding_number({0.2, 0.2, 0.2}, outwards), 1.0, 1e-12);
+  EXPECT_NEAR(sim::winding_number({1e-6, 0.3, 0.3}, outwards), 1.0, 1e-9) << "just within a face";
+  EXPECT_NEAR(sim::winding_number({-1e-6, 0.3, 0.3}, outwards), 0.0, 1e-9) << "just outside it";
+  EXPECT_NEAR(sim::winding_number({0.5, 0.5, 0.5}, outwards), 0.0, 1e-12);
   const std::vector<sim::Triangle> inside_out = {{0, 1, 2}, {0, 3, 1}, {1, 3, 2}, {2, 3, 0}};
-  EXPECT_NEAR(winding_number({0.2, 0.2, 0.2}, {corners_m, inside_out}), -1.0, 1e-12);
+  EXPECT_NEAR(sim::winding_number({0.2, 0.2, 0.2}, {corners_m, inside_out}), -1.0, 1e-12);
 }
 
 }  // namespace

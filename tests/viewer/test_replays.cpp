@@ -58,12 +58,11 @@ TEST(Replays, NothingFliesApartOfItself) {
 
 /// Volume that triangles enclose about their middle, in m^3; negative if their insides face outwards.
 double enclosed_m3(std::span<const sim::Vec3> positions_m, std::span<const sim::Triangle> triangles) {
-  const sim::Vec3 middle = std::reduce(positions_m.begin(), positions_m.end(), sim::Vec3(0.0)) /
-                           static_cast<double>(positions_m.size());
+  const sim::Vec3 middle =
+      std::reduce(positions_m.begin(), positions_m.end(), sim::Vec3(0.0)) / static_cast<double>(positions_m.size());
   double sum = 0.0;
   for (const auto& [a, b, c] : triangles) {
-    sum +=
-        glm::dot(positions_m[a] - middle, glm::cross(positions_m[b] - middle, positions_m[c] - middle)) / 6.0;
+    sum += glm::dot(positions_m[a] - middle, glm::cross(positions_m[b] - middle, positions_m[c] - middle)) / 6.0;
   }
   return sum;
 }
@@ -80,7 +79,7 @@ TEST(Replays, AShirtThatIsPulledHardCrossesNothingAndEndsRightSideOut) {
     EXPECT_TRUE(newest.record.bound_kept);
     EXPECT_LE(newest.record.stretch.max, *stretch_bound(newest.loaded->scene));
     if (++frames % looked_at_every == 0) {
-      const Surface cloth = {newest.positions(), newest.loaded->garment->mesh.triangles};
+      const sim::Surface cloth = {newest.positions(), newest.loaded->garment->mesh.triangles};
       EXPECT_TRUE(crossing_pairs(cloth).empty()) << frames;
       EXPECT_GT(enclosed_m3(cloth.positions_m, cloth.triangles), 0.0) << frames;
     }

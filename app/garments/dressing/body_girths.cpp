@@ -60,7 +60,7 @@ sim::Vec2 compute_centroid(const std::vector<sim::Vec2>& points) {
   return {box.middle().x, box.middle().y};
 }
 
-Pieces cut_level(const Surface& body, double height_m) {
+Pieces cut_level(const sim::Surface& body, double height_m) {
   Pieces pieces;
   for (const SectionCurve& curve : cut_section(body, {{0.0, height_m, 0.0}})) {
     std::vector<sim::Vec2> hull = convex_hull(curve.points_m);
@@ -109,7 +109,7 @@ struct TrunkLevels {
   std::ptrdiff_t start = 0;
 };
 
-TrunkLevels follow_trunk(const Surface& body, const sim::Extent& box) {
+TrunkLevels follow_trunk(const sim::Surface& body, const sim::Extent& box) {
   const auto height_m = [&](std::size_t k) {
     return box.lower.y + (static_cast<double>(k) + 0.5) / levels_of_body * box.size().y;
   };
@@ -135,7 +135,7 @@ TrunkLevels follow_trunk(const Surface& body, const sim::Extent& box) {
 
 /// Returns the component that is nearly as high as the whole body, without hair, shoes and eyes. Returns all triangles
 /// if no component is so high.
-std::vector<sim::Triangle> cut_skin(const Surface& body, double height_m) {
+std::vector<sim::Triangle> cut_skin(const sim::Surface& body, double height_m) {
   sim::Groups shells = sim::connect_vertices(body.positions_m.size(), body.triangles);
   std::map<sim::Index, sim::Extent> boxes;
   for (const sim::Triangle& t : body.triangles) {
@@ -201,7 +201,7 @@ BodyLandmarks find_landmarks(const TrunkLevels& body) {
 
 Girth to_girth(const char* name, const LevelTape& tape) { return {name, tape.girth_m, tape.height_m}; }
 
-void measure_neck(const Surface& body, const JointPlaces& joints, const BodyLandmarks& at, Level end,
+void measure_neck(const sim::Surface& body, const JointPlaces& joints, const BodyLandmarks& at, Level end,
                   BodyMeasures& measures) {
   const auto base = joints.find("neck");
   const auto head = joints.find("head");
@@ -265,7 +265,7 @@ sim::Vec3 find_lowest_point(const SectionCurve& curve, const CuttingPlane& plane
 }
 
 /// Returns the ring across the middle of the upper arm.
-std::optional<RingAround> find_upper_arm_ring(const Surface& surface, const ArmJoints& arm) {
+std::optional<RingAround> find_upper_arm_ring(const sim::Surface& surface, const ArmJoints& arm) {
   const sim::Vec3 along = glm::normalize(arm.elbow_m - arm.shoulder_m);
   const auto above =
       find_ring(surface, {glm::mix(arm.shoulder_m, arm.elbow_m, 0.5 - upper_arm_ring_offset_fraction), along});
@@ -305,10 +305,10 @@ const LevelTape& BodyMeasures::level_at(double height_m) const {
   return is_below_nearer ? *(above - 1) : *above;
 }
 
-BodyMeasures measure_body(const Surface& whole, const JointPlaces& joints) {
+BodyMeasures measure_body(const sim::Surface& whole, const JointPlaces& joints) {
   const double height_m = sim::compute_extent(whole.positions_m).size().y;
   const std::vector<sim::Triangle> skin = cut_skin(whole, height_m);
-  const Surface body = {whole.positions_m, skin};
+  const sim::Surface body = {whole.positions_m, skin};
   sim::Extent box;
   for (const sim::Triangle& t : skin) {
     for (const sim::Index v : t) box.add(whole.positions_m[v]);
@@ -330,7 +330,7 @@ BodyMeasures measure_body(const Surface& whole, const JointPlaces& joints) {
   return measures;
 }
 
-std::optional<RingAround> find_ring(const Surface& surface, const CuttingPlane& plane, double least_m) {
+std::optional<RingAround> find_ring(const sim::Surface& surface, const CuttingPlane& plane, double least_m) {
   std::optional<RingAround> closest_ring;
   double min_distance_m = max_ring_distance_m;
   for (const SectionCurve& curve : cut_section(surface, plane)) {
@@ -344,7 +344,7 @@ std::optional<RingAround> find_ring(const Surface& surface, const CuttingPlane& 
   return closest_ring;
 }
 
-std::optional<RingAround> find_shoulder_ring(const Surface& surface, const ArmJoints& arm, double arm_m,
+std::optional<RingAround> find_shoulder_ring(const sim::Surface& surface, const ArmJoints& arm, double arm_m,
                                              double next_share) {
   const sim::Vec3 along = arm.elbow_m - arm.shoulder_m;
   const sim::Vec3 normal = glm::normalize(glm::normalize(along) + arm.outwards);
@@ -359,7 +359,7 @@ std::optional<RingAround> find_shoulder_ring(const Surface& surface, const ArmJo
   return armhole_ring;
 }
 
-std::optional<RingAround> find_armhole(const Surface& garment, const ArmJoints& arm, double sleeve_m) {
+std::optional<RingAround> find_armhole(const sim::Surface& garment, const ArmJoints& arm, double sleeve_m) {
   const auto sleeve = find_shoulder_ring(garment, arm, sleeve_m);
   if (!sleeve) return std::nullopt;
   const sim::Vec3 over_m = arm.shoulder_m + shoulder_end_offset_m * arm.outwards;
@@ -383,7 +383,7 @@ std::vector<ArmJoints> find_arms(const JointPlaces& joints) {
   return arms;
 }
 
-void measure_arms(const Surface& body, const JointPlaces& joints, BodyMeasures& measures) {
+void measure_arms(const sim::Surface& body, const JointPlaces& joints, BodyMeasures& measures) {
   std::vector<sim::Vec3> armholes_m;
   std::vector<Girth> of_arm;
   for (const ArmJoints& arm : find_arms(joints)) {

@@ -54,12 +54,12 @@ struct BodyMeasures {
 /// quarters of the way from the joint at its base to the head; without joints it is the smallest level below the head.
 /// The thigh is a little below the level where the legs part. Hair and shoes that are components of their own are left
 /// out. A body without arms, head and joints, such as a table, has no girths.
-BodyMeasures measure_body(const Surface& body, const JointPlaces& joints);
+BodyMeasures measure_body(const sim::Surface& body, const JointPlaces& joints);
 
 /// Measures the arms of a body whose joints are known or guessed. The upper arm is measured across its middle, the
 /// armhole around the shoulder between trunk and arm. The shoulder width is the distance of the middles of both
 /// armholes.
-void measure_arms(const Surface& body, const JointPlaces& joints, BodyMeasures& measures);
+void measure_arms(const sim::Surface& body, const JointPlaces& joints, BodyMeasures& measures);
 
 struct ArmJoints {
   sim::Vec3 shoulder_m, elbow_m;
@@ -78,17 +78,17 @@ struct RingAround {
 
 /// Returns the ring whose middle is nearest to the plane's point, among rings that are at least `least_m` long. Empty
 /// if none is near.
-std::optional<RingAround> find_ring(const Surface& surface, const CuttingPlane& plane, double least_m = 0.0);
+std::optional<RingAround> find_ring(const sim::Surface& surface, const CuttingPlane& plane, double least_m = 0.0);
 
 /// Returns the first ring from the shoulder joint outwards that goes around the arm alone, whose girth is `arm_m`. Its
 /// plane is halfway between across the arm and across the shoulders. The next ring, a few millimetres further out, must
 /// be longer than `next_share` times this one. Empty if there is none.
-std::optional<RingAround> find_shoulder_ring(const Surface& surface, const ArmJoints& arm, double arm_m,
+std::optional<RingAround> find_shoulder_ring(const sim::Surface& surface, const ArmJoints& arm, double arm_m,
                                              double next_share = 0.0);
 
 /// Returns the armhole of a garment with sleeves. Its plane goes through the point below the arm where sleeve and trunk
 /// part, and through the end of the shoulder.
-std::optional<RingAround> find_armhole(const Surface& garment, const ArmJoints& arm, double sleeve_m);
+std::optional<RingAround> find_armhole(const sim::Surface& garment, const ArmJoints& arm, double sleeve_m);
 
 /// Returns nullptr if there is no girth of this name.
 const Girth* find_girth(const BodyMeasures& measures, const std::string& name);

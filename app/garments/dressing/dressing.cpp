@@ -235,7 +235,7 @@ struct Bone {
 
 class ShapeRigMaker {
  public:
-  ShapeRigMaker(const Surface& body, const BodyMeasures& measures)
+  ShapeRigMaker(const sim::Surface& body, const BodyMeasures& measures)
       : body_(body),
         measures_(measures),
         below_arms_(measures.levels.back()),
@@ -348,7 +348,7 @@ class ShapeRigMaker {
     }
   }
 
-  const Surface& body_;
+  const sim::Surface& body_;
   const BodyMeasures& measures_;
   const LevelTape& below_arms_;
   sim::Vec3 neck_m_;
@@ -486,11 +486,11 @@ std::optional<ClearanceResult> leave_clearance(const Rig& rig, std::span<const R
   return result.vertices > 0 ? std::optional(std::move(result)) : std::nullopt;
 }
 
-std::optional<Rig> guess_rig(const Surface& body, const BodyMeasures& measures) {
+std::optional<Rig> guess_rig(const sim::Surface& body, const BodyMeasures& measures) {
   return measures.levels.empty() || !measures.neck_m ? std::nullopt : ShapeRigMaker(body, measures).make();
 }
 
-BodyMeasures measure_body_and_arms(const Surface& body, const JointPlaces& joints) {
+BodyMeasures measure_body_and_arms(const sim::Surface& body, const JointPlaces& joints) {
   BodyMeasures measures = measure_body(body, joints);
   const std::optional<Rig> guessed = joints.empty() ? guess_rig(body, measures) : std::nullopt;
   measure_arms(body, guessed ? compute_joint_positions(*guessed, stored_pose(*guessed), {}) : joints, measures);

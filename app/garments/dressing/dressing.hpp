@@ -76,9 +76,9 @@ std::optional<ClearanceResult> leave_clearance(const Rig& rig, std::span<const R
 /// the feet, guessed from its shape. Each vertex follows the nearest bone; vertices of the trunk follow no bone of the
 /// arms. The joints are good enough for growth, but not for motion. Positions are in m, with y up, as measured. Returns
 /// nothing if the shape has not a neck and two arms.
-std::optional<Rig> guess_rig(const Surface& body, const BodyMeasures& measures);
+std::optional<Rig> guess_rig(const sim::Surface& body, const BodyMeasures& measures);
 
 /// Measures a body with its arms. A body without joints is measured with those guessed from its shape.
-BodyMeasures measure_body_and_arms(const Surface& body, const JointPlaces& joints);
+BodyMeasures measure_body_and_arms(const sim::Surface& body, const JointPlaces& joints);
 
 }  // namespace taut::app

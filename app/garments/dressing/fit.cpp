@@ -40,9 +40,9 @@ double compute_lift(const sim::Body& body, const Wearer& wearer) {
 /// A garment on the body that is dressed.
 struct Fitting {
   const Wearer& wearer;
-  sim::Pose pose;   ///< pose of the body
-  double lift_m;    ///< height of the body above its stored pose
-  Surface garment;  ///< surface of the garment at its start
+  sim::Pose pose;        ///< pose of the body
+  double lift_m;         ///< height of the body above its stored pose
+  sim::Surface garment;  ///< surface of the garment at its start
   GarmentMarks marks;
 
   double body_m(const char* name) const {
@@ -173,7 +173,7 @@ std::vector<FitRow> compute_fit(const Scene& scene, const sim::Garment& garment,
   if (dressed.wearer == nullptr) return rows;
   const sim::Body& body = scene.surroundings.bodies[dressed.body];
   const Fitting fitting = {*dressed.wearer, sim::pose_at(body.motion, 0.0), compute_lift(body, *dressed.wearer),
-                           Surface{start_m, garment.mesh.triangles}, find_garment_marks(garment, start_m, {})};
+                           sim::Surface{start_m, garment.mesh.triangles}, find_garment_marks(garment, start_m, {})};
   if (!fitting.marks.is_worn_at_waist) fitting.add("neck", fitting.marks.top_m, rows);
   fitting.add_arms(rows);
   if (!fitting.marks.is_open_in_front) fitting.add_trunk(rows);
@@ -245,7 +245,7 @@ std::string describe_tightness(const Scene& scene, const sim::Garment& garment, 
 
 // Sleeves begin lower than at the start where arms are raised.
 void measure_worn(const sim::Garment& garment, std::span<const sim::Vec3> worn_m, std::span<FitRow> rows) {
-  const Surface worn_surface = {worn_m, garment.mesh.triangles};
+  const sim::Surface worn_surface = {worn_m, garment.mesh.triangles};
   const std::optional<GarmentTube> tube = find_tube(worn_surface);
   for (FitRow& row : rows) {
     if (!row.height_m || !tube || !is_about_armholes(*row.height_m, *tube)) continue;

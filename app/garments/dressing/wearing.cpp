@@ -2,10 +2,10 @@
 
 #include <fmt/core.h>
 
-#include "app/base/errors.hpp"
 #include "app/bodies/rig_pose.hpp"
 #include "app/models/hanging/garment_measures.hpp"
 #include "app/models/hanging/hanger.hpp"
+#include "sim/contact/crossing_pairs.hpp"
 
 namespace taut::app {
 namespace {
@@ -94,7 +94,7 @@ void apply(const Move& move, LoadedGarment& loaded) {
 bool crosses(const LoadedGarment& loaded, const sim::Body& body) {
   const auto& mesh = std::get<sim::BodyMesh>(body.shape);
   const std::vector<sim::Vec3> thin_m = mesh_positions_m(body, mesh.frames->first_s());
-  return !crossing_pairs(surface_at_start(loaded), {thin_m, mesh.data->triangles}, throw_if_interrupted).empty();
+  return !sim::find_crossing_pairs(surface_at_start(loaded), {thin_m, mesh.data->triangles}).empty();
 }
 
 /// Adds the bones of both limbs, turned towards the nearest opening. An opening at the start of a limb turns no bone.
@@ -127,7 +127,7 @@ std::string begin_in_limbs(const Wearer& wearer, const GarmentMarks& marks, cons
 }
 
 /// Returns the move of a garment with two legs that puts its fork right below the body's.
-std::optional<Move> move_to_fork(const GarmentMarks& marks, const Surface& garment, const Wearer& wearer,
+std::optional<Move> move_to_fork(const GarmentMarks& marks, const sim::Surface& garment, const Wearer& wearer,
                                  const GarmentTarget& at_waist) {
   const std::optional<GarmentTube> tube = find_tube(garment);
   const BodyMeasures& measures = wearer.measures;
@@ -181,7 +181,7 @@ std::vector<std::string> put_on(LoadedGarment& loaded, Scene& scene) {
                         marks.top ? "no neck" : "no neck opening and no waist",
                         marks.top ? describe_body(scene.surroundings.bodies, b) : "it")};
   }
-  const Surface garment = surface_at_start(loaded);
+  const sim::Surface garment = surface_at_start(loaded);
   const auto move_in = [&](const JointPlaces& joints) {
     const GarmentTarget wanted = find_garment_target(body, wearer, joints, at_waist ? "hips" : "neck", *measured_m);
     const auto to_fork = at_waist ? move_to_fork(marks, garment, wearer, wanted) : std::nullopt;

@@ -5,7 +5,7 @@
 #include "app/base/errors.hpp"
 #include "app/garments/fitting/following.hpp"
 #include "app/garments/fitting/sheets.hpp"
-#include "app/verify/crossing_pairs.hpp"
+#include "sim/contact/crossing_pairs.hpp"
 #include "sim/mesh/topology.hpp"
 #include "sim/mesh/welding.hpp"
 
@@ -293,7 +293,7 @@ FittedMesh fit_once(const sim::Mesh& model_m, const FittingSettings& settings) {
   fitted.sheets = cut.count;
   fitted.is_simulated.assign(is_kept_wall.begin(), is_kept_wall.end());
   fitted.carried_triangles = static_cast<std::size_t>(std::ranges::count(is_kept_wall, 0));
-  fitted.crossings = crossing_pairs({fitted.mesh.positions, fitted.mesh.triangles}, throw_if_interrupted).size();
+  fitted.crossings = sim::find_crossing_pairs({fitted.mesh.positions, fitted.mesh.triangles}).size();
   return fitted;
 }
 

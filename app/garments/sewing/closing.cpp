@@ -4,7 +4,6 @@
 #include "app/garments/dressing/wearing.hpp"
 #include "app/garments/fitting/following.hpp"
 #include "app/runs/frame_record.hpp"
-#include "app/verify/stretch.hpp"
 #include "sim/mesh/groups.hpp"
 #include "sim/mesh/welding.hpp"
 
@@ -420,20 +419,20 @@ class Closing {
   }
 
   bool is_within_bound() const {
-    return largest_stretch(sewn_.garment.mesh, now_m()).surface <=
+    return sim::measure_surface_stretch(sewn_.garment, now_m()).max <=
            scene_.simulation.solver.bounded.max_stretch + bound_rounding;
   }
 
   /// Returns, per vertex, whether it is near triangles that cross something.
   std::vector<char> crossed() const {
-    const Surface cloth = {now_m(), sewn_.garment.mesh.triangles};
+    const sim::Surface cloth = {now_m(), sewn_.garment.mesh.triangles};
     std::vector<char> is_crossed(now_m().size(), 0);
     const auto mark = [&](Index t) {
       for (const Index v : cloth.triangles[t]) is_crossed[v] = 1;
     };
     bool any = false;
     for (const SceneCrossings& crossings : scene_crossings(cloth, scene_.surroundings.bodies, time_s_)) {
-      for (const CrossingPair& pair : crossings.pairs) {
+      for (const sim::CrossingPair& pair : crossings.pairs) {
         mark(pair.first);
         if (!crossings.body) mark(pair.second);
         any = true;

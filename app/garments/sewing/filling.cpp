@@ -1,7 +1,7 @@
 #include "app/garments/sewing/filling.hpp"
 
 #include "app/base/errors.hpp"
-#include "app/verify/triangle_crossing.hpp"
+#include "app/verify/orientation.hpp"
 #include "sim/mesh/polygons.hpp"
 
 namespace taut::app {

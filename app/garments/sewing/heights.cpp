@@ -1,4 +1,5 @@
 #include "app/base/errors.hpp"
+#include "app/base/words.hpp"
 #include "app/garments/sewing/placing.hpp"
 
 namespace taut::app {

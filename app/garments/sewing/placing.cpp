@@ -1,8 +1,10 @@
 #include "app/garments/sewing/placing.hpp"
 
 #include "app/base/errors.hpp"
+#include "app/base/words.hpp"
 #include "app/bodies/body_loading.hpp"
 #include "app/garments/dressing/wearing.hpp"
+#include "sim/contact/crossing_pairs.hpp"
 
 namespace taut::app {
 namespace {
@@ -133,13 +135,13 @@ class Surrounded {
   }
 
   Crossings crossing(const std::vector<Vec3>& positions_m) const {
-    const Surface cloth = {positions_m, pieces_.triangles};
+    const sim::Surface cloth = {positions_m, pieces_.triangles};
     const auto panel = [&](Index t) { return pieces_.panel_of[pieces_.triangles[t][0]]; };
     Crossings found;
-    for (const CrossingPair& pair : crossing_pairs(cloth, {body_m_, body_triangles_}, throw_if_interrupted)) {
+    for (const sim::CrossingPair& pair : sim::find_crossing_pairs(cloth, {body_m_, body_triangles_})) {
       found.insert({panel(pair.first), std::nullopt});
     }
-    for (const CrossingPair& pair : crossing_pairs(cloth, throw_if_interrupted))
+    for (const sim::CrossingPair& pair : sim::find_crossing_pairs(cloth))
       found.insert({panel(pair.first), panel(pair.second)});
     return found;
   }

@@ -15,7 +15,6 @@
 #include "app/runs/run_checkpoint.hpp"
 #include "app/scene/scene_format.hpp"
 #include "app/scene/scene_key.hpp"
-#include "app/verify/stretch.hpp"
 
 namespace taut::app {
 namespace {
@@ -86,7 +85,7 @@ std::string describe_tightest(const Scene& scene, const SewnGarment& garment, co
   const sim::Index panel = garment.pieces.panel_of[garment.pieces.triangles[t][0]];
   std::string around;
   const BodyMeasures& measures = dressed_body(scene).wearer->measures;
-  const Surface start = {start_m, mesh.triangles};
+  const sim::Surface start = {start_m, mesh.triangles};
   const GarmentMarks marks = find_garment_marks(garment.sewn.garment, start_m, {});
   const auto tube = find_tube(start);
   const double height_m = start_m[mesh.triangles[t][0]].y;
@@ -166,14 +165,14 @@ void verify(const Scene& scene, SewnGarment& garment) {
   if (sim::compute_extent(mesh.positions).upper.y < measures.levels[measures.fork].height_m) {
     throw SewingFailed("its seams are closed, but it does not stay on the body: it falls down", std::move(garment));
   }
-  const Surface cloth = {mesh.positions, mesh.triangles};
+  const sim::Surface cloth = {mesh.positions, mesh.triangles};
   for (const SceneCrossings& crossings : scene_crossings(cloth, scene.surroundings.bodies, garment.time_s)) {
     if (!crossings.pairs.empty()) {
       const std::string found = describe(crossings, cloth, scene.surroundings.bodies);
       throw SewingFailed("when it is worn, " + found, std::move(garment));
     }
   }
-  garment.max_stretch = largest_stretch(mesh, mesh.positions).surface;
+  garment.max_stretch = sim::measure_surface_stretch(garment.sewn.garment, mesh.positions).max;
   garment.bound = scene.simulation.solver.bounded.max_stretch;
   if (garment.max_stretch > garment.bound + bound_rounding) {
     throw SewingFailed(

@@ -37,7 +37,7 @@ struct SewnGarment {
   int frames = 0;                         ///< count until rest
   bool is_at_rest = false;
   double rms_speed_m_per_s = 0.0;  ///< speed in the last frame
-  double max_stretch = 0.0;        ///< largest stretch of any triangle in any direction, by the verifier, a fraction
+  double max_stretch = 0.0;        ///< largest stretch of any triangle in any direction, a fraction
   double bound = 0.0;              ///< bound of this stretch during sewing and wearing
   double time_s = 0.0;             ///< time of the bodies
 };

@@ -19,7 +19,7 @@ Vec3 across(const CuttingPlane& plane) {
 
 class Section {
  public:
-  Section(const Surface& surface, const CuttingPlane& plane)
+  Section(const sim::Surface& surface, const CuttingPlane& plane)
       : surface_(surface), plane_(plane), across_(across(plane)) {
     for (const sim::Triangle& t : surface.triangles) {
       std::vector<EdgeKey> cut;
@@ -70,7 +70,7 @@ class Section {
     return curve;
   }
 
-  const Surface& surface_;
+  const sim::Surface& surface_;
   const CuttingPlane& plane_;
   Vec3 across_;
   Links next_;
@@ -116,7 +116,7 @@ struct Finder {
   const sim::Mesh& mesh;
   const GarmentPart& part;
   std::span<const sim::Vec3> positions_m = mesh.positions;
-  Surface surface = {mesh.positions, mesh.triangles};
+  sim::Surface surface = {mesh.positions, mesh.triangles};
 
   bool is_in_middle(const Opening& opening) const {
     const int across = part.across();
@@ -281,7 +281,7 @@ struct Around {
   double single_m = 0.0;  ///< length around the largest curve
 };
 
-std::optional<Around> around(const Surface& garment, const sim::Vec3& middle_m, double height_m) {
+std::optional<Around> around(const sim::Surface& garment, const sim::Vec3& middle_m, double height_m) {
   std::vector<SectionCurve> curves = cut_section(garment, {{middle_m.x, height_m, middle_m.z}});
   std::erase_if(curves, [](const SectionCurve& curve) { return !curve.is_closed; });
   if (curves.empty()) return std::nullopt;
@@ -308,7 +308,7 @@ std::optional<Around> around(const Surface& garment, const sim::Vec3& middle_m, 
 
 }  // namespace
 
-std::vector<SectionCurve> cut_section(const Surface& surface, const CuttingPlane& plane) {
+std::vector<SectionCurve> cut_section(const sim::Surface& surface, const CuttingPlane& plane) {
   return Section(surface, plane).curves();
 }
 
@@ -387,17 +387,17 @@ const LimbOpening& find_nearest_opening(const std::vector<LimbOpening>& openings
   });
 }
 
-std::optional<double> girth_at(const Surface& garment, double height_m) {
+std::optional<double> girth_at(const sim::Surface& garment, double height_m) {
   const auto level = around(garment, sim::compute_extent(garment.positions_m).middle(), height_m);
   return level ? std::optional(level->length_m) : std::nullopt;
 }
 
-std::optional<double> leg_at(const Surface& garment, double height_m) {
+std::optional<double> leg_at(const sim::Surface& garment, double height_m) {
   const auto level = around(garment, sim::compute_extent(garment.positions_m).middle(), height_m);
   return level && level->is_parted ? std::optional(level->single_m) : std::nullopt;
 }
 
-std::optional<GarmentTube> find_tube(const Surface& garment) {
+std::optional<GarmentTube> find_tube(const sim::Surface& garment) {
   const sim::Extent box = sim::compute_extent(garment.positions_m);
   std::optional<GarmentTube> tube;
   double below_m = 0.0;

@@ -19,7 +19,7 @@ struct SectionCurve {
 };
 
 /// Returns the curves that the plane cuts out of the surface. A curve ends at an edge of more than two triangles.
-std::vector<SectionCurve> cut_section(const Surface& surface, const CuttingPlane& plane);
+std::vector<SectionCurve> cut_section(const sim::Surface& surface, const CuttingPlane& plane);
 
 /// Returns the position in space of a point of a curve in the plane.
 sim::Vec3 place_in(const CuttingPlane& plane, const sim::Vec2& point);
@@ -79,13 +79,13 @@ struct GarmentTube {
 };
 
 /// Returns the tube; empty if no level goes all around, as in a jacket that is open in front.
-std::optional<GarmentTube> find_tube(const Surface& garment);
+std::optional<GarmentTube> find_tube(const sim::Surface& garment);
 
 /// Returns the length of the cloth around the trunk at this height, in m, or of a tight tape around two legs. Empty if
 /// it does not go all around.
-std::optional<double> girth_at(const Surface& garment, double height_m);
+std::optional<double> girth_at(const sim::Surface& garment, double height_m);
 
 /// Returns the length of the cloth around one leg at this height, in m; empty if there are not two legs.
-std::optional<double> leg_at(const Surface& garment, double height_m);
+std::optional<double> leg_at(const sim::Surface& garment, double height_m);
 
 }  // namespace taut::app

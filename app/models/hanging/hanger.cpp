@@ -2,7 +2,7 @@
 
 #include "app/base/errors.hpp"
 #include "app/models/garment_loading.hpp"
-#include "app/verify/crossing_pairs.hpp"
+#include "sim/contact/contact_measure.hpp"
 
 namespace taut::app {
 namespace {
@@ -61,10 +61,10 @@ struct HangerSpace {
 
   bool is_clear(const sim::Capsule& bar) const {
     const double reach_m = bar.start_radius_m + clearance * half_m;
-    const LimbShape limb{bar.start_m, bar.end_m, reach_m, reach_m};
+    const sim::Capsule limb{bar.start_m, bar.end_m, reach_m, reach_m};
     return std::ranges::none_of(part.triangles, [&](sim::Index triangle) {
       const sim::Triangle& t = mesh.triangles[triangle];
-      return enters_limb({mesh.positions[t[0]], mesh.positions[t[1]], mesh.positions[t[2]]}, limb);
+      return sim::enters({mesh.positions[t[0]], mesh.positions[t[1]], mesh.positions[t[2]]}, limb);
     });
   }
 };

@@ -2,9 +2,9 @@
 
 #include "app/base/errors.hpp"
 #include "app/base/files.hpp"
+#include "app/base/words.hpp"
 #include "app/scene/scene_file.hpp"
 #include "app/scene/scene_key.hpp"
-#include "app/verify/crossing_pairs.hpp"
 
 namespace taut::app {
 namespace {

@@ -1,9 +1,9 @@
 #include "app/models/inspecting/inspection.hpp"
 
-#include "app/base/errors.hpp"
 #include "app/base/words.hpp"
 #include "app/models/hanging/hanger.hpp"
 #include "app/models/mending/model_fitting.hpp"
+#include "sim/contact/crossing_pairs.hpp"
 
 namespace taut::app {
 namespace {
@@ -38,7 +38,7 @@ Json start_json(const LoadedGarment& loaded) {
           {"p99_surface_stretch", surface.p99}};
 }
 
-Json crossings_json(const Surface& start, const std::vector<CrossingPair>& pairs) {
+Json crossings_json(const sim::Surface& start, const std::vector<sim::CrossingPair>& pairs) {
   Json json = {{"pairs", pairs.size()}};
   if (!pairs.empty()) {
     json["first"] = {{"triangles", {pairs[0].first, pairs[0].second}}, {"place_m", point_json(pairs[0].place_m)}};
@@ -181,16 +181,17 @@ bool has_numbers(const std::optional<std::vector<PinSelector>>& pins) {
 /// outside.
 std::optional<std::string> depth_in(const sim::Body& body, double time_s, const sim::Vec3& place_m) {
   if (const auto* mesh = std::get_if<sim::BodyMesh>(&body.shape)) {
-    const bool is_in = winding_number(place_m, {mesh_positions_m(body, time_s), mesh->data->triangles}) > 0.5;
+    const bool is_in = sim::winding_number(place_m, {mesh_positions_m(body, time_s), mesh->data->triangles}) > 0.5;
     return is_in ? std::optional<std::string>("in it") : std::nullopt;
   }
+  constexpr double max_depth_m = 5e-10;  // beyond rounding
   const double depth_m = -sim::nearest_surface(sim::shape_at(body, time_s), place_m).distance_m;
   return depth_m > max_depth_m ? std::optional(fmt::format("{:.3g} mm deep", 1e3 * depth_m)) : std::nullopt;
 }
 
 /// Returns a remark on pins within a body; empty if there are none.
-std::string remark_on_pins(std::span<const sim::Body> bodies, std::size_t body, double time_s, const Surface& start,
-                           std::span<const sim::Index> pins) {
+std::string remark_on_pins(std::span<const sim::Body> bodies, std::size_t body, double time_s,
+                           const sim::Surface& start, std::span<const sim::Index> pins) {
   std::string first;
   std::size_t count = 0;
   for (const sim::Index pin : pins) {
@@ -207,7 +208,7 @@ std::string remark_on_pins(std::span<const sim::Body> bodies, std::size_t body, 
 }
 
 /// Returns the first vertices of parts of the cloth that begin wholly within a body's mesh and cross nothing.
-std::vector<sim::Index> parts_within(const sim::Body& body, double time_s, const Surface& start) {
+std::vector<sim::Index> parts_within(const sim::Body& body, double time_s, const sim::Surface& start) {
   std::vector<sim::Index> within;
   if (std::holds_alternative<sim::BodyMesh>(body.shape)) {
     within = sim::first_vertices_of_parts(start.positions_m.size(), start.triangles);
@@ -221,8 +222,8 @@ std::string remark_on_shape(std::span<const sim::Body> bodies, std::size_t body,
   const auto* mesh = std::get_if<sim::BodyMesh>(&bodies[body].shape);
   if (mesh == nullptr) return "";
   const std::vector<sim::Vec3> positions_m = mesh_positions_m(bodies[body], std::max(time_s, 0.0));
-  const Surface surface = {positions_m, mesh->data->triangles};
-  const std::vector<CrossingPair> pairs = crossing_pairs(surface, throw_if_interrupted);
+  const sim::Surface surface = {positions_m, mesh->data->triangles};
+  const std::vector<sim::CrossingPair> pairs = sim::find_crossing_pairs(surface);
   return pairs.empty() ? "" : describe_body(bodies, body) + " crosses itself: " + describe(surface, pairs);
 }
 
@@ -246,8 +247,8 @@ Inspection inspect_garment(const Scene& scene, const LoadedGarment& loaded) {
   }
   const sim::Garment& garment = *loaded.garment;
   const sim::Extent extent = sim::compute_extent(garment.mesh.positions);
-  const Surface start = surface_at_start(loaded);
-  Inspection result = {{}, crossing_pairs(start, throw_if_interrupted)};
+  const sim::Surface start = surface_at_start(loaded);
+  Inspection result = {{}, sim::find_crossing_pairs(start)};
   Json& facts = result.facts;
   facts = {{"file", scene.garment.file.string()},
            {"import", import_json(*loaded.model)},
@@ -326,8 +327,8 @@ std::vector<std::string> collect_remarks(const LoadedGarment& loaded) {
   return lines;
 }
 
-StartRemarks remarks_on_body(std::span<const sim::Body> bodies, std::size_t body, double time_s, const Surface& cloth,
-                             std::span<const sim::Index> pins) {
+StartRemarks remarks_on_body(std::span<const sim::Body> bodies, std::size_t body, double time_s,
+                             const sim::Surface& cloth, std::span<const sim::Index> pins) {
   StartRemarks remarks;
   const SceneCrossings crossings = crossings_with(bodies, body, time_s, cloth);
   remarks.crossings = crossings.pairs.size();
@@ -347,11 +348,11 @@ StartRemarks remarks_on_body(std::span<const sim::Body> bodies, std::size_t body
 }
 
 StartRemarks remarks_on_start(const Scene& scene, const GarmentInScene& loaded) {
-  const Surface start = surface_at_start(loaded);
+  const sim::Surface start = surface_at_start(loaded);
   const std::vector<sim::Body>& bodies = scene.surroundings.bodies;
   StartRemarks all;
   if (loaded.untangling) all.lines.push_back(describe(*loaded.untangling));
-  const std::vector<CrossingPair> own_pairs = crossing_pairs(start, throw_if_interrupted);
+  const std::vector<sim::CrossingPair> own_pairs = sim::find_crossing_pairs(start);
   all.crossings = own_pairs.size();
   if (!own_pairs.empty()) {
     all.lines.push_back("at the start " + describe(start, own_pairs) +

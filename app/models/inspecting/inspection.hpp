@@ -9,8 +9,8 @@ namespace taut::app {
 /// Content of a model file and its mapping to springs. Parts, springs and hanging are the fitted mesh's if the model
 /// follows one.
 struct Inspection {
-  Json facts;                           ///< facts for programs: counts, lengths in m, areas in m2, and texts for people
-  std::vector<CrossingPair> crossings;  ///< crossings of the shape in which it begins
+  Json facts;  ///< facts for programs: counts, lengths in m, areas in m2, and texts for people
+  std::vector<sim::CrossingPair> crossings;  ///< crossings of the shape in which it begins
 };
 
 /// Returns the number of springs of each kind, by their names.
@@ -34,8 +34,8 @@ struct StartRemarks {
 /// Returns the faults: triangles that cross, triangles and pins in bodies, and bodies that cross themselves.
 StartRemarks remarks_on_start(const Scene& scene, const GarmentInScene& loaded);
 /// Returns the faults with one of the bodies, for cloth at this time.
-StartRemarks remarks_on_body(std::span<const sim::Body> bodies, std::size_t body, double time_s, const Surface& cloth,
-                             std::span<const sim::Index> pins);
+StartRemarks remarks_on_body(std::span<const sim::Body> bodies, std::size_t body, double time_s,
+                             const sim::Surface& cloth, std::span<const sim::Index> pins);
 
 /// Prints the lines of collect_remarks() and remarks_on_start() after the name of the garment's file.
 void print_remarks(const Scene& scene, const LoadedGarment& loaded, std::FILE* output = stdout);

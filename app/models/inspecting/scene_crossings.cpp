@@ -2,55 +2,56 @@
 
 #include "app/base/errors.hpp"
 #include "app/base/words.hpp"
+#include "sim/contact/contact_measure.hpp"
+#include "sim/contact/crossing_pairs.hpp"
 
 namespace taut::app {
 namespace {
 
-struct Enters {
-  const Corners& triangle;
-
-  bool operator()(const sim::Plane& plane) const { return enters_half_space(triangle, plane.point_m, plane.normal); }
-  bool operator()(const sim::Sphere& ball) const {
-    return enters_limb(triangle, {ball.centre_m, ball.centre_m, ball.radius_m, ball.radius_m});
-  }
-  bool operator()(const sim::Capsule& limb) const {
-    return enters_limb(triangle, {limb.start_m, limb.end_m, limb.start_radius_m, limb.end_radius_m});
-  }
-  bool operator()(const sim::BodyMesh&) const { return false; }
-};
-
-std::vector<CrossingPair> entries_into(const sim::Shape& shape, const Surface& cloth) {
-  std::vector<CrossingPair> entries;
+std::vector<sim::CrossingPair> entries_into(const sim::Shape& shape, const sim::Surface& cloth) {
+  std::vector<sim::CrossingPair> entries;
   for (sim::Index t = 0; t < cloth.triangles.size(); ++t) {
     const sim::Triangle& v = cloth.triangles[t];
-    const Corners corners = {cloth.positions_m[v[0]], cloth.positions_m[v[1]], cloth.positions_m[v[2]]};
-    if (std::visit(Enters{corners}, shape)) {
-      entries.push_back({t, 0, (corners[0] + corners[1] + corners[2]) / 3.0});
-    }
+    const sim::Corners corners = {cloth.positions_m[v[0]], cloth.positions_m[v[1]], cloth.positions_m[v[2]]};
+    if (sim::enters(corners, shape)) entries.push_back({t, 0, (corners[0] + corners[1] + corners[2]) / 3.0});
   }
   return entries;
+}
+
+std::string describe_triangle(const sim::Surface& surface, sim::Index triangle) {
+  const sim::Triangle& t = surface.triangles[triangle];
+  return fmt::format("triangle {} (vertices {}, {}, {})", triangle, t[0], t[1], t[2]);
 }
 
 }  // namespace
 
 SceneCrossings crossings_with(std::span<const sim::Body> bodies, std::size_t body, double time_s,
-                              const Surface& cloth) {
+                              const sim::Surface& cloth) {
   const auto* mesh = std::get_if<sim::BodyMesh>(&bodies[body].shape);
   if (mesh == nullptr) return {body, entries_into(sim::shape_at(bodies[body], time_s), cloth)};
   const std::vector<sim::Vec3> positions_m = mesh_positions_m(bodies[body], time_s);
-  return {body, crossing_pairs(cloth, {positions_m, mesh->data->triangles}, throw_if_interrupted)};
+  return {body, sim::find_crossing_pairs(cloth, {positions_m, mesh->data->triangles})};
 }
 
-std::vector<SceneCrossings> scene_crossings(const Surface& cloth, std::span<const sim::Body> bodies, double time_s) {
-  std::vector<SceneCrossings> all = {{{}, crossing_pairs(cloth, throw_if_interrupted)}};
+std::vector<SceneCrossings> scene_crossings(const sim::Surface& cloth, std::span<const sim::Body> bodies,
+                                            double time_s) {
+  std::vector<SceneCrossings> all = {{{}, sim::find_crossing_pairs(cloth)}};
   for (std::size_t b = 0; b < bodies.size(); ++b) all.push_back(crossings_with(bodies, b, time_s, cloth));
   return all;
 }
 
-std::string describe(const SceneCrossings& crossings, const Surface& cloth, std::span<const sim::Body> bodies) {
+std::string describe(const sim::Surface& cloth, std::span<const sim::CrossingPair> pairs) {
+  const sim::CrossingPair& first = pairs.front();
+  return fmt::format("{}, the first: {} and {} at {}",
+                     count_text(pairs.size(), "pair of triangles crosses", "pairs of triangles cross"),
+                     describe_triangle(cloth, first.first), describe_triangle(cloth, first.second),
+                     describe_place(first.place_m));
+}
+
+std::string describe(const SceneCrossings& crossings, const sim::Surface& cloth, std::span<const sim::Body> bodies) {
   if (!crossings.body) return describe(cloth, crossings.pairs);
   const std::size_t count = crossings.pairs.size();
-  const CrossingPair& first = crossings.pairs.front();
+  const sim::CrossingPair& first = crossings.pairs.front();
   const std::string name = describe_body(bodies, *crossings.body);
   const std::string triangle = describe_triangle(cloth, first.first);
   const std::string place = describe_place(first.place_m);
@@ -86,7 +87,7 @@ std::optional<UntangleReport> untangle_start(const Scene& scene, const sim::Garm
       sim::untangle(garment, start_m, settings, [&](std::span<const sim::Vec3> positions_m) {
         throw_if_interrupted();
         std::vector<sim::TrianglePair> pairs;
-        for (const CrossingPair& pair : crossing_pairs({positions_m, garment.mesh.triangles}, throw_if_interrupted)) {
+        for (const sim::CrossingPair& pair : sim::find_crossing_pairs({positions_m, garment.mesh.triangles})) {
           pairs.push_back({pair.first, pair.second});
         }
         tell(fmt::format("untangling it, round {}: {} cross", ++round, count_text(pairs.size(), "pair")));

@@ -2,6 +2,7 @@
 
 #include "app/base/errors.hpp"
 #include "app/base/words.hpp"
+#include "sim/contact/crossing_pairs.hpp"
 #include "sim/mesh/welding.hpp"
 
 namespace taut::app {
@@ -90,7 +91,7 @@ std::optional<FittedModel> fitted_model(const GarmentSource& source, double thic
   std::string why = source.mesh == MeshChoice::fitted ? "garment.mesh asks for it" : "";
   std::size_t crossings = 0;
   if (may_choose) {
-    crossings = crossing_pairs({model_m.positions, model_m.triangles}, throw_if_interrupted).size();
+    crossings = sim::find_crossing_pairs({model_m.positions, model_m.triangles}).size();
     why = why_not_fit_for_simulation(model_m, crossings, thickness_m).value_or("");
   }
   if (may_choose && why.empty() && !source.given && is_coarse(model_m)) {
@@ -199,7 +200,7 @@ std::string describe_following(const GarmentInScene& loaded, std::span<const Vec
   if (!loaded.following) return "";
   const std::vector<Vec3> shown_m = loaded.shown_m(positions_m);
   const sim::Garment model = sim::make_garment(loaded.following->mesh, {.flexural_rule = sim::FlexuralRule::none});
-  const std::size_t crossings = crossing_pairs({shown_m, model.mesh.triangles}, throw_if_interrupted).size();
+  const std::size_t crossings = sim::find_crossing_pairs({shown_m, model.mesh.triangles}).size();
   const sim::SurfaceStretch stretch = sim::measure_surface_stretch(model, shown_m);
   return fmt::format(
       "the promises are those of the fitted mesh; the model that follows it is stretched by up to {:.1f} % "

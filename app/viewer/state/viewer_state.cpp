@@ -1,5 +1,8 @@
 #include "app/viewer/state/viewer_state.hpp"
 
+#define GLM_ENABLE_EXPERIMENTAL
+#include <glm/gtx/intersect.hpp>
+
 #include "app/base/errors.hpp"
 #include "app/base/words.hpp"
 #include "app/bodies/body_loading.hpp"
@@ -17,30 +20,6 @@ constexpr float min_distance_m = 0.01F;
 constexpr float zoom_factor = 0.88F;
 // Fraction of the picture that `fit` leaves free around the box.
 constexpr float fit_margin = 0.06F;
-
-struct Hit {
-  double distance_m = 0.0;
-  glm::dvec3 weights{0.0};  // barycentric coordinates
-};
-
-// Intersects a ray with a triangle (Moeller and Trumbore 1997).
-std::optional<Hit> meet(const glm::dvec3& origin, const glm::dvec3& direction, const sim::Vec3& a, const sim::Vec3& b,
-                        const sim::Vec3& c) {
-  const glm::dvec3 ab = b - a;
-  const glm::dvec3 ac = c - a;
-  const glm::dvec3 p = glm::cross(direction, ac);
-  const double determinant = glm::dot(ab, p);
-  if (determinant == 0.0) return std::nullopt;
-  const glm::dvec3 from_a = origin - a;
-  const double u = glm::dot(from_a, p) / determinant;
-  const glm::dvec3 q = glm::cross(from_a, ab);
-  const double v = glm::dot(direction, q) / determinant;
-  const double distance = glm::dot(ac, q) / determinant;
-  if (!(u >= 0.0 && v >= 0.0 && u + v <= 1.0 && distance > 0.0 && std::isfinite(distance))) {
-    return std::nullopt;
-  }
-  return Hit{distance, {1.0 - u - v, u, v}};
-}
 
 // Returns a bit for each side of the camera's view volume that a point is beyond. A point that is not finite is beyond
 // all of them.
@@ -227,11 +206,15 @@ std::optional<PickedPoint> pick(const Ray& ray, std::span<const sim::Vec3> posit
   const glm::dvec3 direction(ray.direction);
   std::optional<PickedPoint> nearest_point;
   for (const sim::Triangle& t : triangles) {
-    const auto hit = meet(origin, direction, positions[t[0]], positions[t[1]], positions[t[2]]);
-    if (hit && (!nearest_point || hit->distance_m < nearest_point->distance_m)) {
-      const glm::dvec3& w = hit->weights;
+    glm::dvec2 weights;
+    double distance_m = 0.0;
+    const bool is_met = glm::intersectRayTriangle(origin, direction, positions[t[0]], positions[t[1]], positions[t[2]],
+                                                  weights, distance_m);
+    const bool is_ahead = is_met && distance_m > 0.0 && std::isfinite(distance_m);
+    if (is_ahead && (!nearest_point || distance_m < nearest_point->distance_m)) {
+      const glm::dvec3 w(1.0 - weights.x - weights.y, weights.x, weights.y);
       const int corner = w.x >= w.y && w.x >= w.z ? 0 : (w.y >= w.z ? 1 : 2);
-      nearest_point = {t[static_cast<std::size_t>(corner)], origin + hit->distance_m * direction, hit->distance_m};
+      nearest_point = {t[static_cast<std::size_t>(corner)], origin + distance_m * direction, distance_m};
     }
   }
   return nearest_point;

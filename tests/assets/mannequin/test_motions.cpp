@@ -34,8 +34,8 @@ class Moving : public testing::TestWithParam<std::tuple<const char*, const char*
   std::string joint_of(sim::Index triangle) const {
     const sim::Index v = body.mesh.triangles[triangle][0];
     const auto& weights = body.weights[v];
-    return body.names[body.joints[v][static_cast<std::size_t>(
-        std::max_element(weights.begin(), weights.end()) - weights.begin())]];
+    return body.names[body.joints[v][static_cast<std::size_t>(std::max_element(weights.begin(), weights.end()) -
+                                                              weights.begin())]];
   }
 
   Crossings count_crossings() const {
@@ -47,7 +47,7 @@ class Moving : public testing::TestWithParam<std::tuple<const char*, const char*
         result.worst = pairs.size();
         result.worst_frame = frame;
         result.places.clear();
-        for (const app::CrossingPair& pair : pairs) {
+        for (const sim::CrossingPair& pair : pairs) {
           ++result.places[joint_of(pair.first) + " with " + joint_of(pair.second)];
         }
       }
@@ -111,11 +111,12 @@ TEST_P(Moving, CrossesItselfNowhere) {
   EXPECT_EQ(crossings.worst, 0U) << "in frame " << crossings.worst_frame << where;
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Motions, Moving,
-    testing::Combine(testing::Values("stand", "walk", "raise_arms", "reach", "twist", "sit"),
-                     testing::Values("male_40", "female_34", "female_42")),
-    [](const auto& both) { return std::string(std::get<0>(both.param)) + "_" + std::get<1>(both.param); });
+INSTANTIATE_TEST_SUITE_P(Motions, Moving,
+                         testing::Combine(testing::Values("stand", "walk", "raise_arms", "reach", "twist", "sit"),
+                                          testing::Values("male_40", "female_34", "female_42")),
+                         [](const auto& both) {
+                           return std::string(std::get<0>(both.param)) + "_" + std::get<1>(both.param);
+                         });
 
 TEST(Motions, HaveTheSkeletonOfTheMan) {
   const BodyFile body = read_body(assets / "bodies/mannequin_male_40.glb");

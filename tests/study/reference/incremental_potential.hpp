@@ -91,7 +91,6 @@ class Potential {
   Local stretch_of(const Vector& x, std::size_t triangle, bool has_hessian = true) const;
   Local bend_of(const Vector& x, std::size_t hinge, bool has_hessian = true) const;
   Local barrier_of(const Vector& x, const Pair& pair, bool has_hessian = true) const;
-  std::size_t hinge_count() const { return hinges_.size(); }
   /// Returns all pairs that come nearer than the barrier's reach during the step.
   std::vector<Pair> pairs_near(const Vector& x, const Vector& by) const;
 

@@ -1,7 +1,7 @@
 """Taut in Blender: cloth that keeps a bound on its stretch and crosses nothing, as a cache or while the timeline plays.
 
 `simulation` takes a garment and bodies from Blender to the library and back, `cache` is the file that stays with the
-.blend file, `library` finds libtaut.
+.blend file, `library` finds libtaut and fabrics.
 """
 import bpy
 

@@ -8,10 +8,17 @@ import sys
 import bpy
 
 MODULE = __package__ + '.taut'
+FABRICS = pathlib.Path(__file__).parent / 'fabrics'
 
 
 class Refused(Exception):
     """An error that a person can mend; the text says how."""
+
+
+def fabric_file(name: str) -> str:
+    """Returns the file of a fabric of the list, or the user's own file of this name."""
+    along = FABRICS / (name + '.toml')
+    return str(along) if along.exists() else bpy.path.abspath(name)
 
 
 def forget() -> None:

@@ -6,6 +6,7 @@ from bpy.app.handlers import persistent
 
 from . import cache
 from .library import Refused
+from .simulation import Simulation
 
 runs = {}
 
@@ -25,8 +26,6 @@ def switched(settings, _context) -> None:
 
 
 def begin(obj) -> None:
-    # Here, as what is set of an object names `switched`.
-    from .simulation import Simulation
     end(obj.name)
     simulation = Simulation(bpy.context, obj, follows_timeline=True)
     path = pathlib.Path(bpy.app.tempdir) / pathlib.Path(cache.relative_path(obj)).name

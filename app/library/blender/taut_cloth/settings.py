@@ -1,19 +1,9 @@
 """The settings of a cloth, saved with its object."""
-import pathlib
-
 import bpy
 from bpy.props import (BoolProperty, EnumProperty, FloatProperty, FloatVectorProperty, IntProperty, PointerProperty,
                        StringProperty)
 
 from . import library, live
-
-FABRICS = pathlib.Path(__file__).parent / 'fabrics'
-
-
-def fabric_file(name: str) -> str:
-    """Of a name of the list, or of a file of one's own."""
-    along = FABRICS / (name + '.toml')
-    return str(along) if along.exists() else bpy.path.abspath(name)
 
 
 class TautPreferences(bpy.types.AddonPreferences):
@@ -28,7 +18,7 @@ class TautPreferences(bpy.types.AddonPreferences):
 class TautSettings(bpy.types.PropertyGroup):
     fabric: StringProperty(
         name='Fabric', default='cotton', options=set(), search_options={'SUGGESTION'},
-        search=lambda _self, _context, _typed: sorted(file.stem for file in FABRICS.glob('*.toml')),
+        search=lambda _self, _context, _typed: sorted(file.stem for file in library.FABRICS.glob('*.toml')),
         description='What it is made of: one of the list, or a file like theirs; empty: light and soft')
     max_stretch: FloatProperty(
         name='Largest stretch', default=1, min=0.01, max=100, subtype='PERCENTAGE', precision=2, options=set(),

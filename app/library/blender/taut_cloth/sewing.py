@@ -6,8 +6,7 @@ import bpy
 import numpy as np
 
 from . import library
-from .library import Refused
-from .settings import fabric_file
+from .library import Refused, fabric_file
 from .simulation import coordinates, evaluated, faces_of, transformed, turned, turned_back
 
 

@@ -5,8 +5,7 @@ import re
 import numpy as np
 
 from . import cache, library
-from .library import Refused
-from .settings import fabric_file
+from .library import Refused, fabric_file
 
 
 def turned(points: np.ndarray) -> np.ndarray:

@@ -1,0 +1,13 @@
+#pragma once
+
+#include "sim/mesh/mesh.hpp"
+
+namespace taut::sim {
+
+/// Returns all pairs of triangles of the cloth that cross each other (triangle_pair.hpp), ordered by their indices.
+std::vector<CrossingPair> find_crossing_pairs(const Surface& cloth);
+
+/// Returns all pairs of a triangle of the cloth and one of the body that cross, in the same order.
+std::vector<CrossingPair> find_crossing_pairs(const Surface& cloth, const Surface& body);
+
+}  // namespace taut::sim

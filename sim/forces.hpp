@@ -45,8 +45,8 @@ inline constexpr double air_density_kg_per_m3 = 1.2;
 /// factors 1 / (1 + dt F' / m) prevent that, F' being the derivative of the normal force by |u_n|,
 ///   F' = 1/2 rho A |u| C_n k (4 + 4 s^2 + 2 pi s^3) / (4 + pi s),
 /// or 2 C_t |u| of the friction. They are those of one linearised implicit step for cloth that air alone moves; longer
-/// steps underestimate the pressure on pinned cloth (SlowForces does not). `fractions` are those of
-/// find_wind_fractions; where they are empty, the wind is that at the origin everywhere.
+/// steps underestimate the pressure on pinned cloth (SlowForces does not). `fractions`: see
+/// find_wind_fractions. Without them the wind of the origin blows everywhere.
 void add_wind_forces(const Garment& garment, const State& state, const Wind& wind, std::span<const float> fractions,
                      double time_step_s, std::span<Vec3> forces_n);
 
@@ -79,7 +79,7 @@ double max_gravity_m_per_s2(const ExternalForces& external);
 
 /// Adds all external forces: gravity, wind, air drag, artificial forces and the forces of hands. `time_step_s` is the
 /// duration for which the forces will act; wind and hands need it to stay stable. Requires that the vertices of forces
-/// and hands exist (require_possible checks it). `wind_fractions` are those of find_wind_fractions.
+/// and hands exist (require_possible checks it). `wind_fractions`: see find_wind_fractions.
 void add_external_forces(const Garment& garment, const State& state, const ExternalForces& external,
                          std::span<const float> wind_fractions, double time_step_s, std::span<Vec3> forces_n);
 

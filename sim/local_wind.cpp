@@ -230,7 +230,7 @@ std::vector<float> find_wind_fractions(const Garment& garment, std::span<const V
 
 WindLoad measure_wind(const Garment& garment, const State& state, const Surroundings& surroundings) {
   if (!blows(surroundings.forces.wind)) return {};
-  // The force now, not that of an implicit step.
+  // An implicit step of almost no time gives the force now.
   constexpr double no_time_s = 1e-12;
   std::vector<Vec3> forces_n(state.current.size(), Vec3(0.0));
   const std::vector<float> fractions = find_wind_fractions(garment, state.current, surroundings, state.time_s);

@@ -31,7 +31,7 @@ inline constexpr double max_shelter_cells = 262144.0;
 std::vector<float> find_wind_fractions(const Garment& garment, std::span<const Vec3> positions_m,
                                        const Surroundings& surroundings, double time_s);
 
-/// What the wind does to a garment.
+/// Load of the wind on a garment.
 struct WindLoad {
   Vec3 force_n = Vec3(0.0);  ///< sum over all triangles
   double power_w = 0.0;      ///< force times velocity, summed over all vertices; negative where air brakes the cloth

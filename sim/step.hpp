@@ -26,7 +26,7 @@ class SpringResponse {
 
 /// Does one time step: Steps 2 and 3 of the paper. Cloth is pushed out of bodies (push_out_of_bodies); its layers pass
 /// through each other. `time_step_s` must be above 0. `forces_n` is scratch memory, one entry per vertex, all zero
-/// before and after. `wind_fractions` are those of find_wind_fractions.
+/// before and after. `wind_fractions`: see find_wind_fractions.
 void step(const Garment& garment, const Pins& pins, const Surroundings& surroundings,
           std::span<const float> wind_fractions, const SpringResponse& springs, double time_step_s, State& state,
           std::span<Vec3> forces_n);

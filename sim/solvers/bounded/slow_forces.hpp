@@ -55,7 +55,7 @@ class SlowForces {
   Float4Array corner_forces_n_;
   Float4Array wind_accelerations_;  ///< accelerations of the last wind update by solver index, in m/s^2
   Float4Array wind_velocity_m_per_s_;
-  Lanes<float> wind_fractions_;              ///< those of Frame, one per lane; 1 without wind and in padding
+  Lanes<float> wind_fractions_;              ///< see Frame; one per lane, 1 without wind and in padding
   Float4Array constraint_velocity_m_per_s_;  ///< velocity changes by solver index, see Kernels::wind
   Float4Array positions_;
 };

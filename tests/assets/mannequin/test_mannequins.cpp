@@ -207,7 +207,7 @@ TEST_P(Mannequin, IsMeshedEvenly) {
 
 TEST_P(Mannequin, CrossesItselfNowhereAsStored) {
   const auto pairs = app::crossing_pairs({body.mesh.positions, body.mesh.triangles});
-  EXPECT_TRUE(pairs.empty()) << app::describe({body.mesh.positions, body.mesh.triangles}, pairs);
+  EXPECT_TRUE(pairs.empty()) << pairs.size() << " pairs, the first at triangle " << pairs.front().first;
 }
 
 TEST_P(Mannequin, HasAMirrorImageForEveryVertexWithMirroredWeights) {

@@ -154,7 +154,7 @@ Simulation::Simulation(std::shared_ptr<const Garment> garment, std::vector<Index
   require_possible(surroundings_, state_.current.size());
   solver_->require_promised(*garment_, surroundings_);
   if (start_m) begin_in(std::move(*start_m));
-  solver_->prepare(frame({}));
+  solver_->prepare_first_frame(frame({}));
 }
 
 void Simulation::begin_in(std::vector<Vec3> start_m) {

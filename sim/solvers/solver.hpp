@@ -94,7 +94,7 @@ class Solver {
   virtual bool ignores_contact() const { return false; }
 
   /// Does what the first frame would do once, and changes no result.
-  virtual void prepare(const Frame&) {}
+  virtual void prepare_first_frame(const Frame&) {}
 
   /// Advances `state` by one frame. The solver itself is unchanged until keep_frame(). Throws ContactBlocked if it
   /// cannot prevent a crossing; `state` is then undefined.

@@ -262,7 +262,7 @@ void BoundedSolver::lay_out(const Frame& frame) {
   cloth_ = std::make_unique<Cloth>(frame.garment, frame.pins, settings_, frame.duration_s);
 }
 
-void BoundedSolver::prepare(const Frame& frame) {
+void BoundedSolver::prepare_first_frame(const Frame& frame) {
   lay_out(frame);
   cloth_->contacts.prepare(frame.garment, cloth_->layout, frame.surroundings.bodies);
 }

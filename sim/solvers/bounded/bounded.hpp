@@ -21,7 +21,7 @@ class BoundedSolver : public Solver {
 
   void require_promised(const Garment& garment, const Surroundings& surroundings) const override;
   void move_within_bound(const Garment& garment, const Pins& pins, State& state) const override;
-  void prepare(const Frame& frame) override;
+  void prepare_first_frame(const Frame& frame) override;
   FrameReport advance_frame(const Frame& frame, State& state) override;
   void keep_frame() override;
   bool ignores_contact() const override { return !settings_.contact; }

@@ -40,7 +40,7 @@ Vec3 crossing_place(const Corners& a, const Corners& b) {
 
 std::vector<CrossingPair> to_sorted_pairs(std::vector<TriangleCouple> crossing, const Surface& cloth,
                                           const Surface& other) {
-  std::ranges::sort(crossing);
+  std::sort(crossing.begin(), crossing.end());
   std::vector<CrossingPair> pairs;
   for (const auto& [s, t] : crossing) {
     pairs.push_back({s, t, crossing_place(triangle_corners(cloth, s), triangle_corners(other, t))});
@@ -49,7 +49,8 @@ std::vector<CrossingPair> to_sorted_pairs(std::vector<TriangleCouple> crossing, 
 }
 
 bool is_lowest_shared(Index vertex, const Triangle& s, const Triangle& t) {
-  return std::ranges::none_of(s, [&](Index v) { return v < vertex && std::ranges::find(t, v) != t.end(); });
+  return std::none_of(s.begin(), s.end(),
+                      [&](Index v) { return v < vertex && std::find(t.begin(), t.end(), v) != t.end(); });
 }
 
 void add_crossing_neighbours(const Surface& cloth, std::vector<TriangleCouple>& crossing) {
@@ -75,7 +76,7 @@ std::vector<CrossingPair> find_crossing_pairs(const Surface& cloth) {
   tree.fit(cloth.positions_m, cloth.positions_m.front(), 0.0);
   std::vector<TriangleCouple> crossing;
   tree.find_near(crossing);
-  for (TriangleCouple& pair : crossing) std::ranges::sort(pair);
+  for (TriangleCouple& pair : crossing) std::sort(pair.begin(), pair.end());
   std::erase_if(crossing, [&](const TriangleCouple& pair) {
     return !measure_pair(cloth.triangles[pair[0]], cloth.triangles[pair[1]], cloth.positions_m, cloth.positions_m,
                          touching_m)

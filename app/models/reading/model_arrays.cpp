@@ -231,7 +231,9 @@ void require_tree(const Rig& rig) {
     require(part.node < rig.nodes.size() && part.first_vertex == vertices &&
             part.vertices <= rig.in_part.size() - vertices);
     vertices += part.vertices;
-    const auto influence = std::ranges::lower_bound(rig.influences, part.first_vertex, {}, &RigInfluence::vertex);
+    const auto influence =
+        std::lower_bound(rig.influences.begin(), rig.influences.end(), part.first_vertex,
+                         [](const RigInfluence& i, std::size_t vertex) { return i.vertex < vertex; });
     require(part.is_skinned || influence == rig.influences.end() || influence->vertex >= vertices);
   }
   require(vertices == rig.in_part.size());

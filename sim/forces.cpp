@@ -30,7 +30,7 @@ struct NormalDrag {
 
 /// `sine`, from 0 to 1, is that of the angle of incidence.
 NormalDrag find_normal_drag(double speed_m_per_s, double sine) {
-  constexpr double pi = 3.141592653589793;
+  constexpr double pi = std::numbers::pi;
   const double divisor = 4.0 + pi * sine;
   const double drag = speed_m_per_s * (4.0 + pi) / divisor;
   return {drag, drag * (4.0 + sine * sine * (4.0 + 2.0 * pi * sine)) / divisor};

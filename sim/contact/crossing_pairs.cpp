@@ -48,6 +48,15 @@ std::vector<CrossingPair> to_sorted_pairs(std::vector<TriangleCouple> crossing, 
   return pairs;
 }
 
+/// Erases the pairs that do not cross.
+void erase_apart(const Surface& cloth, const Surface& other, std::vector<TriangleCouple>& pairs) {
+  std::erase_if(pairs, [&](const TriangleCouple& pair) {
+    return !measure_pair(cloth.triangles[pair[0]], other.triangles[pair[1]], cloth.positions_m, other.positions_m,
+                         touching_m)
+                .is_crossing();
+  });
+}
+
 bool is_lowest_shared(Index vertex, const Triangle& s, const Triangle& t) {
   return std::none_of(s.begin(), s.end(),
                       [&](Index v) { return v < vertex && std::find(t.begin(), t.end(), v) != t.end(); });
@@ -77,11 +86,7 @@ std::vector<CrossingPair> find_crossing_pairs(const Surface& cloth) {
   std::vector<TriangleCouple> crossing;
   tree.find_near(crossing);
   for (TriangleCouple& pair : crossing) std::sort(pair.begin(), pair.end());
-  std::erase_if(crossing, [&](const TriangleCouple& pair) {
-    return !measure_pair(cloth.triangles[pair[0]], cloth.triangles[pair[1]], cloth.positions_m, cloth.positions_m,
-                         touching_m)
-                .is_crossing();
-  });
+  erase_apart(cloth, cloth, crossing);
   add_crossing_neighbours(cloth, crossing);
   return to_sorted_pairs(std::move(crossing), cloth, cloth);
 }
@@ -93,11 +98,7 @@ std::vector<CrossingPair> find_crossing_pairs(const Surface& cloth, const Surfac
   body_tree.fit(body.positions_m, cloth.positions_m.front(), 0.0);
   std::vector<TriangleCouple> crossing;
   tree.find_near(body_tree, crossing);
-  std::erase_if(crossing, [&](const TriangleCouple& pair) {
-    return !measure_pair(cloth.triangles[pair[0]], body.triangles[pair[1]], cloth.positions_m, body.positions_m,
-                         touching_m)
-                .is_crossing();
-  });
+  erase_apart(cloth, body, crossing);
   return to_sorted_pairs(std::move(crossing), cloth, body);
 }
 

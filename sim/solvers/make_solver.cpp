@@ -40,8 +40,8 @@ class SteppedSolver : public Solver {
     report.substeps = std::max(equal_substeps(settings_), min_substeps(settings_, frame));
     for (int substep = 0; substep < report.substeps; ++substep) {
       frame.ask();
-      step(frame.garment, frame.pins, frame.surroundings, frame.wind_fractions, *springs_, frame.duration_s / report.substeps, state,
-           forces_n_);
+      step(frame.garment, frame.pins, frame.surroundings, frame.wind_fractions, *springs_,
+           frame.duration_s / report.substeps, state, forces_n_);
     }
     return report;
   }

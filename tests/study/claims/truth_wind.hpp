@@ -1,11 +1,13 @@
 #pragma once
 
+#include <numbers>
+
 #include "tests/study/claims/truth_setups.hpp"
 
 /// Setups and numbers of the experiments in wind.
 namespace taut::app::truth {
 
-inline constexpr double pi = 3.141592653589793;
+using std::numbers::pi;
 
 struct Flag {
   double length_m;

@@ -27,11 +27,6 @@ TriangleAtRest lay_flat(const std::array<Vec3, 3>& corners) {
 
 }  // namespace
 
-std::array<Vec3, 3> corner_positions(const Triangle& t, std::span<const Vec3> positions) {
-  assert(are_below(std::span(&t, 1), positions.size()));
-  return {positions[t[0]], positions[t[1]], positions[t[2]]};
-}
-
 double min_height_m(const TriangleAtRest& rest) {
   const double base_m = 1.0 / rest.along_per_m;
   const double height_m = 1.0 / rest.across_per_m;

@@ -28,8 +28,6 @@ std::array<Vec2, 3> gradients_by_corners(const TriangleAtRest& rest);
 /// Returns one entry per triangle.
 std::vector<TriangleAtRest> triangles_at_rest(const Mesh& mesh);
 
-std::array<Vec3, 3> corner_positions(const Triangle& t, std::span<const Vec3> positions);
-
 /// Columns of a triangle's deformation gradient. Both are 0 if the triangle has no surface.
 struct DeformationGradient {
   Vec3 along = Vec3(0.0);

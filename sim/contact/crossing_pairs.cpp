@@ -7,11 +7,6 @@
 namespace taut::sim {
 namespace {
 
-Corners triangle_corners(const Surface& surface, Index triangle) {
-  const Triangle& t = surface.triangles[triangle];
-  return {surface.positions_m[t[0]], surface.positions_m[t[1]], surface.positions_m[t[2]]};
-}
-
 bool is_over(const Vec3& point_m, const Corners& t, const Vec3& normal) {
   for (std::size_t k = 0; k < 3; ++k) {
     if (glm::dot(glm::cross(t[(k + 1) % 3] - t[k], point_m - t[k]), normal) < 0.0) return false;
@@ -43,7 +38,9 @@ std::vector<CrossingPair> to_sorted_pairs(std::vector<TriangleCouple> crossing, 
   std::sort(crossing.begin(), crossing.end());
   std::vector<CrossingPair> pairs;
   for (const auto& [s, t] : crossing) {
-    pairs.push_back({s, t, crossing_place(triangle_corners(cloth, s), triangle_corners(other, t))});
+    pairs.push_back({s, t,
+                     crossing_place(corner_positions(cloth.triangles[s], cloth.positions_m),
+                                    corner_positions(other.triangles[t], other.positions_m))});
   }
   return pairs;
 }

@@ -1,5 +1,6 @@
 #include "sim/contact/triangle_pair.hpp"
 
+#include "sim/mesh/mesh.hpp"
 #include "sim/mesh/preconditions.hpp"
 
 namespace taut::sim {
@@ -150,10 +151,6 @@ bool are_unfolded(const Corners& a, const Corners& b) {
   return glm::dot(glm::cross(edge, b[2] - a[0]), normal) < 0.0;
 }
 
-Corners corners_in(const Triangle& t, std::span<const Vec3> positions_m) {
-  return {positions_m[t[0]], positions_m[t[1]], positions_m[t[2]]};
-}
-
 }  // namespace
 
 // The smaller of the distances from the edges and, above the face, from the face; exact in thin triangles too.
@@ -177,7 +174,7 @@ TrianglePairMeasure measure_pair(const Triangle& s, const Triangle& t, std::span
   assert(reach_m >= 0.0);
   // Positions relative to one corner, so that rounding is proportional to distances.
   const Vec3 origin_m = s_positions_m[s[0]];
-  Corners a = corners_in(s, s_positions_m), b = corners_in(t, t_positions_m);
+  Corners a = corner_positions(s, s_positions_m), b = corner_positions(t, t_positions_m);
   for (std::size_t k = 0; k < 3; ++k) {
     a[k] -= origin_m;
     b[k] -= origin_m;
@@ -189,14 +186,14 @@ TrianglePairMeasure measure_pair(const Triangle& s, const Triangle& t, std::span
 TrianglePairMeasure measure_neighbours(Triangle s, Triangle t, std::span<const Vec3> positions_m) {
   assert(are_below(std::array{s, t}, positions_m.size()));
   const std::size_t shared = bring_shared_to_front(s, t);
-  const Corners a = corners_in(s, positions_m), b = corners_in(t, positions_m);
+  const Corners a = corner_positions(s, positions_m), b = corner_positions(t, positions_m);
   return shared == 1 ? measure_with(1, a, b) : measure_beside_edge(a, b);
 }
 
 bool neighbours_cross(Triangle s, Triangle t, std::span<const Vec3> positions_m) {
   assert(are_below(std::array{s, t}, positions_m.size()));
   const std::size_t shared = bring_shared_to_front(s, t);
-  const Corners a = corners_in(s, positions_m), b = corners_in(t, positions_m);
+  const Corners a = corner_positions(s, positions_m), b = corner_positions(t, positions_m);
   return shared == 1 ? !lie_apart(a, b) && !has_on_one_side(a, b) && !has_on_one_side(b, a) &&
                            measure_with(1, a, b).is_crossing()
                      : !are_unfolded(a, b) && !is_flat_beside_edge(a, b) && measure_beside_edge(a, b).is_crossing();

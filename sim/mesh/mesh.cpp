@@ -98,12 +98,14 @@ bool has_area(std::span<const Vec3> positions, const Triangle& t) {
   return glm::dot(area, area) > 0.0;
 }
 
+std::array<Vec3, 3> corner_positions(const Triangle& t, std::span<const Vec3> positions) {
+  assert(are_below(std::span(&t, 1), positions.size()));
+  return {positions[t[0]], positions[t[1]], positions[t[2]]};
+}
+
 std::array<Vec3, 3> corners_at_rest(const Mesh& mesh, std::size_t triangle) {
   assert(triangle < mesh.triangles.size());
-  if (mesh.cut_m.empty()) {
-    const auto& [a, b, c] = mesh.triangles[triangle];
-    return {mesh.positions[a], mesh.positions[b], mesh.positions[c]};
-  }
+  if (mesh.cut_m.empty()) return corner_positions(mesh.triangles[triangle], mesh.positions);
   const auto& [a, b, c] = mesh.cut_m[triangle];
   return {Vec3(a, 0.0), Vec3(b, 0.0), Vec3(c, 0.0)};
 }

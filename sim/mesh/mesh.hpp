@@ -28,6 +28,9 @@ struct CrossingPair {
   Vec3 place_m = Vec3(0.0);  ///< a common point of both, rounded
 };
 
+/// Returns the positions of a triangle's corners. Requires that they exist.
+std::array<Vec3, 3> corner_positions(const Triangle& t, std::span<const Vec3> positions);
+
 /// Returns the corners of a triangle at rest, in metres.
 std::array<Vec3, 3> corners_at_rest(const Mesh& mesh, std::size_t triangle);
 

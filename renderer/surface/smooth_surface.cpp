@@ -195,7 +195,7 @@ void SmoothSurface::place(std::span<const glm::vec3> coarse_positions, std::span
     std::ranges::copy(clearances, clearances_.begin());
   }
   fair(coarse_positions);
-  for (std::size_t v = 0; v < count; ++v) clearances_[v] = std::min(clearances_[v], freedom_.max_bulge);
+  for (std::size_t v = 0; v < count; ++v) clearances_[v] = std::clamp(clearances_[v], 0.0F, freedom_.max_bulge);
   const std::span<glm::vec3> coarse = std::span(positions_).first(count);
   vertex_normals(coarse, coarse_triangles_, std::span(normals_).first(count));
   for (const RefinedMesh::SplitLevel& level : mesh_.levels()) place(level);

@@ -204,6 +204,7 @@ void define_render(CLI::App& command, RenderOptions& options) {
             {"--stretch", "picture.surface", "stretch"},
             {"--texture", "picture.texture"},
             {"--quality", "picture.quality"},
+            {"--passes", "picture.passes"},
             {"--samples", "picture.samples"},
             {"--supersampling", "picture.supersampling"}});
   add_set(command, options.overrides);

@@ -246,6 +246,9 @@ struct FrameView {
   Backdrop backdrop;
 };
 
+/// Largest number of passes of a picture.
+inline constexpr int max_passes = 4096;
+
 /// Size and quality of a picture. The defaults are for publication. On a slow machine reduce the most costly settings
 /// first: samples to 1 saves a third of the time, sky_directions to 12 a tenth (folds get blotchy), then shadows to
 /// false.
@@ -264,6 +267,10 @@ struct PictureSettings {
   /// Directions tested for ambient occlusion of each vertex, 0 to 64. 0: no occlusion. Odd numbers count as the next
   /// even one. Fewer give blotchy folds.
   int sky_directions = 24;
+  /// 1 to max_passes. Above 1 the picture is the mean of so many passes with one sample per pixel, each with its own
+  /// place in the pixel, point of the key lamp and directions of the sky. It ignores samples, supersampling and
+  /// shading_px.
+  int passes = 1;
 
   /// Width over height.
   float aspect() const { return static_cast<float>(width_px) / static_cast<float>(height_px); }

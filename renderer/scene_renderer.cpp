@@ -4,6 +4,7 @@
 
 #include "renderer/passes/backdrop_pass.hpp"
 #include "renderer/passes/mark_pass.hpp"
+#include "renderer/passes/sampling_pass.hpp"
 #include "renderer/passes/surface_pass.hpp"
 
 namespace taut::renderer {
@@ -21,12 +22,17 @@ bool has_marks(const FrameView& frame) {
 
 // Blended light has to be encoded after blending, which only the renderer's own target ensures.
 bool is_blended(const FrameView& frame, const PictureSettings& settings) {
-  return settings.samples > 1 || settings.supersampling > 1 || has_marks(frame);
+  return settings.samples > 1 || settings.supersampling > 1 || settings.passes > 1 || has_marks(frame);
 }
 
 BackdropGrid choose_grid(const PictureSettings& settings) {
   if (settings.samples > 1) return BackdropGrid::fine;
   return settings.shading_px > 1 ? BackdropGrid::coarsest : BackdropGrid::coarse;
+}
+
+// Returns the colour of a plain backdrop in linear light, premultiplied.
+glm::vec4 plain_colour(const Backdrop& backdrop) {
+  return backdrop.transparent ? glm::vec4{0.0F} : glm::vec4{linear_light(backdrop.lower_colour), 1.0F};
 }
 
 // OpenGL counts pixel rows from the bottom.
@@ -59,6 +65,9 @@ struct SceneRenderer::RendererResources {
   PictureTarget picture;
   VisibilityBuffer visibility;
   ResolvePass resolve_pass;
+  SamplingPass sampling_pass;
+  LightMaps light_maps;
+  std::function<void(int, int)> report_pass;
   PictureTarget large;  // target of a supersampled tile
   Buffer block_buffer;
   std::vector<TriangleMesh> sphere_meshes;
@@ -75,6 +84,8 @@ struct SceneRenderer::RendererResources {
         picture(gl),
         visibility(gl),
         resolve_pass(gl),
+        sampling_pass(gl),
+        light_maps(gl),
         large(gl),
         block_buffer(gl) {
     check_errors(gl, "starting the renderer");
@@ -88,7 +99,10 @@ struct SceneRenderer::RendererResources {
     FrameBlock block;
     std::future<void> light_gathered = begin(block, frame, settings);
     if (!framebuffer) picture.begin(settings.width_px, settings.height_px);
-    if (settings.supersampling > 1) {
+    if (settings.passes > 1) {
+      await(light_gathered);
+      draw_sampled(block, frame, settings);
+    } else if (settings.supersampling > 1) {
       picture.clear();
       await(light_gathered);
       draw_supersampled(block, frame, settings);
@@ -150,6 +164,10 @@ struct SceneRenderer::RendererResources {
 
   void upload_tile(FrameBlock& block, const FrameView& frame, const PictureSettings& settings, const Tile& tile) const {
     set_tile(block, frame.camera, settings, tile);
+    upload_block(block);
+  }
+
+  void upload_block(const FrameBlock& block) const {
     upload(gl, GL_UNIFORM_BUFFER, block_buffer, std::span<const FrameBlock>(&block, 1));
   }
 
@@ -191,6 +209,57 @@ struct SceneRenderer::RendererResources {
       gl.BindFramebuffer(GL_FRAMEBUFFER, picture.framebuffer());
       gl.Viewport(place.x_px, place.y_px, place.width_px, place.height_px);
       resolve_pass.draw(large.texture(), 1, factor, {place.x_px, place.y_px});
+    }
+  }
+
+  // Averages many passes, each with its own light.
+  void draw_sampled(const FrameBlock& whole, const FrameView& frame, PictureSettings settings) {
+    settings.samples = settings.supersampling = 1;
+    const std::vector<Tile> tiles = split_tiles({0, 0, settings.width_px, settings.height_px}, 1);
+    const int all = static_cast<int>(tiles.size()) * settings.passes;
+    int done = 0;
+    for (const Tile& tile : tiles) {
+      sampling_pass.begin(tile.width_px, tile.height_px);
+      if (frame.backdrop.plain) sampling_pass.set_behind(plain_colour(frame.backdrop), settings.passes);
+      for (int i = 0; i < settings.passes; ++i) {
+        add_pass(whole, frame, settings, tile, make_pass_sample(i, settings.passes));
+        if (report_pass) report_pass(++done, all);
+      }
+      sampling_pass.develop(picture.framebuffer(), tile_rect(tile, settings), settings.passes,
+                            surface_pass.has_data_colours());
+    }
+  }
+
+  void add_pass(FrameBlock block, const FrameView& frame, const PictureSettings& settings, const Tile& tile,
+                const PassSample& sample) {
+    light.turn(block, sample);
+    block.sky_floor.x = sees_floor(frame) ? 1.0F : 0.0F;
+    draw_light_maps(block, settings);
+    set_tile(block, frame.camera, settings, tile, sample.pixel_offset);
+    upload_block(block);
+    light_maps.bind();
+    const PixelRect place{0, 0, tile.width_px, tile.height_px};
+    if (!frame.backdrop.plain) sampling_pass.add_backdrop();
+    draw_visibility(place, frame, settings);
+    surface_pass.add_sampled(visibility, sampling_pass.surfaces(), block, place);
+    if (!has_marks(frame)) return;
+    visibility.begin_marks();
+    draw_marks(frame);
+    gl.BindFramebuffer(GL_FRAMEBUFFER, sampling_pass.marks());
+    resolve_pass.add(visibility.marks());
+  }
+
+  void draw_light_maps(FrameBlock block, const PictureSettings& settings) {
+    // The passes' other directions smooth coarser maps.
+    const int side_px = shadow_map_side(settings) / 4 * 3;
+    for (int layer = 0; layer < LightMaps::layer_count; ++layer) {
+      const auto pair = static_cast<std::size_t>(std::max(layer - 1, 0) / 2);
+      light_maps.begin(layer, side_px);
+      if (!light.has_casters()) continue;
+      block.world_to_clip =
+          light_view(layer == 0 ? block.world_to_shadow : block.world_to_sky[pair], layer > 0 && layer % 2 == 0);
+      upload_block(block);
+      surface_pass.draw_casters();
     }
   }
 
@@ -275,6 +344,7 @@ void SceneRenderer::prepare(const PictureSettings& settings, bool scalars) {
   PictureSettings small = settings;
   small.width_px = small.height_px = 64;
   small.shadow_map_px = 256;
+  small.passes = std::min(settings.passes, 2);
   small.sky_directions = std::min(settings.sky_directions, 2);
   draw_kept(frame, small);
 }
@@ -293,6 +363,8 @@ bool SceneRenderer::draw_to(unsigned framebuffer, const FrameView& frame, const 
   parts_->draw(framebuffer, frame, settings);
   return false;
 }
+
+void SceneRenderer::set_pass_report(std::function<void(int, int)> report) { parts_->report_pass = std::move(report); }
 
 void SceneRenderer::draw_kept(const FrameView& frame, const PictureSettings& settings) {
   parts_->draw(std::nullopt, frame, settings);

@@ -30,6 +30,10 @@ class SceneRenderer {
   /// picture again; a picture drawn straight to the framebuffer is not kept.
   bool draw_to(unsigned framebuffer, const FrameView& frame, const PictureSettings& settings);
 
+  /// Sets the function that is called after each pass of a picture of many, with the number of finished passes and of
+  /// all; it may throw to give the picture up. Without one nothing is called.
+  void set_pass_report(std::function<void(int done, int all)> report);
+
   /// Draws and keeps the picture on the graphics card for show_kept.
   void draw_kept(const FrameView& frame, const PictureSettings& settings);
   /// Copies the kept picture, stretched to width_px by height_px, to the bottom of a framebuffer (0: the

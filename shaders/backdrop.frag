@@ -1,5 +1,6 @@
 #version 330 core
 #include "frame.glsl"
+#include "dither.glsl"
 noperspective in vec3 in_light;
 #ifdef SHADED
 noperspective in vec3 in_shadow;
@@ -7,15 +8,6 @@ uniform sampler2D floor_shadow;
 uniform vec4 shaded_part;  // texture coordinates of the floor's shadow: xy: scale per drawn pixel, zw: offset
 #endif
 layout(location = 0) out vec4 colour;  // sRGB-encoded
-
-// Returns up to half a step of eight bits, in a pattern of four by four pixels (Bayer 1973): without it slow gradients
-// show bands. A repeating pattern compresses better than noise.
-float dither() {
-  ivec2 place = ivec2(gl_FragCoord.xy) & 3;
-  int mixed = place.x ^ place.y;
-  int rank = 8 * (mixed & 1) + 4 * (place.y & 1) + (mixed & 2) + (place.y >> 1);
-  return (float(rank) - 7.5) / (16.0 * 255.0);
-}
 
 void main() {
   vec3 seen = in_light;

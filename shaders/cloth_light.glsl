@@ -82,22 +82,48 @@ struct Light {
   vec3 gloss;
 };
 
-// Returns the light on a spot. `key`: fraction of the key light that arrives; `open`: visible fraction of the sky;
-// `base`: colour of surrounding cloth, which reflects light where it occludes the sky.
-Light gathered(vec3 normal, vec3 towards_eye, float key, float open, vec3 base, Finish finish) {
+// Light from all around.
+struct Ambient {
+  vec3 light;
+  float openness;  // visible fraction of the sky
+};
+
+// Returns the ambient light. `open`: light of the sky as in SkyLight; `base`: colour of surrounding cloth, which
+// reflects light where it occludes the sky.
+Ambient ambient_light(vec3 normal, float open, vec3 base) {
+  vec2 unhindered = open_light(normal.y);
+  float openness = clamp(open / max(unhindered.x + unhindered.y, 0.05), 0.0, 1.0);
+  vec3 around = upper_colour.w * (unhindered.x * sky_colour + unhindered.y * floor_bounce * lower_colour.rgb);
+  // Cloth that occludes the sky reflects light again and again: a geometric series.
+  vec3 closed = (1.0 - openness) * min(base, whitest);
+  return Ambient((around * openness + closed * key_bounce * towards_key.w * key_colour) / (1.0 - closed), openness);
+}
+
+#ifdef SAMPLED
+// Returns the ambient light of one pass. It is linear in what is sampled, so that the mean of the passes is right: the
+// geometric series is that of half the sky.
+Ambient sampled_ambient(vec3 position, vec3 normal, vec3 base, float translucency) {
+  Sky sky = sampled_sky(position, normal, sky_floor.x);
+  vec2 arrived = sky.light + translucency * sky.far_side;
+  vec3 around = upper_colour.w * (arrived.x * sky_colour + arrived.y * floor_bounce * lower_colour.rgb);
+  vec3 cloth = min(base, whitest);
+  vec3 bounced = cloth / (1.0 - 0.5 * cloth) *
+                 (key_bounce * towards_key.w * key_colour + 0.25 * upper_colour.w * sky_colour);
+  return Ambient(around + (1.0 - sky.open) * bounced, sky.open);
+}
+#endif
+
+// Returns the light on a spot. `key`: fraction of the key light that arrives.
+Light gathered(vec3 normal, vec3 towards_eye, float key, Ambient around, Finish finish) {
   float key_cosine = dot(normal, towards_key.xyz);
   vec3 key_light = towards_key.w * key * key_colour;
   float facing = max(dot(normal, towards_eye), 0.0);
-  vec2 unhindered = open_light(normal.y);
-  float openness = clamp(open / max(unhindered.x + unhindered.y, 0.05), 0.0, 1.0);
+  vec3 ambient = around.light;
+  float openness = around.openness;
   vec3 direct = key_reflected * key_light * wrapped(key_cosine, key_wrap);
   vec3 through = key_reflected * key_light * finish.translucency * max(-key_cosine, 0.0);
   // The fill light has no shadow map; occlusion of the sky occludes it too.
   float fill = towards_fill.w * wrapped(dot(normal, towards_fill.xyz), fill_wrap) * openness;
-  vec3 around = upper_colour.w * (unhindered.x * sky_colour + unhindered.y * floor_bounce * lower_colour.rgb);
-  // Cloth that occludes the sky reflects light again and again: a geometric series.
-  vec3 closed = (1.0 - openness) * min(base, whitest);
-  vec3 ambient = (around * openness + closed * key_bounce * towards_key.w * key_colour) / (1.0 - closed);
   mat3 towards_lamps = mat3(towards_key.xyz, towards_fill.xyz, towards_rim.xyz);
   vec3 lamps = fringes(normal * towards_lamps, towards_eye * towards_lamps, facing, finish.sheen_roughness);
   float albedo = fringe_albedo(facing, finish.sheen_roughness);
@@ -114,11 +140,4 @@ Light gathered(vec3 normal, vec3 towards_eye, float key, float open, vec3 base, 
   vec3 sky = upper_colour.w * openness * (0.045 + 0.3 * grazing * grazing) * smoothstep(-0.3, 0.9, mirrored) * sky_colour;
   light.gloss += satin * (sky + fill * highlight(normal, towards_fill.xyz, towards_eye, finish.roughness, finish.warp));
   return light;
-}
-
-// Maps tones like film: highlights lose some colour before they are white. Exact below the knee.
-vec3 filmed(vec3 linear) {
-  vec3 over = max(linear - knee, 0.0) / (1.0 - knee);
-  vec3 each = min(linear, knee) + (1.0 - knee) * over / (1.0 + over);
-  return mix(tone_mapped(linear), each, 0.4);
 }

@@ -1,4 +1,6 @@
 // Data shared by all shaders of a frame; mirrored by FrameBlock in renderer/gl/gl_objects.hpp. Linear light throughout.
+const int sky_pairs = 2;  // pairs of opposite directions of the sky in one pass of many
+
 layout(std140) uniform Frame {
   mat4 world_to_clip;
   mat4 world_to_shadow;     // to texture coordinates and depth, each 0..1
@@ -23,7 +25,13 @@ layout(std140) uniform Frame {
                             // from the left of the picture, drawn pixels
   vec4 ray_across;          // xyz: change of that direction per drawn pixel to the right; w: width of the picture
   vec4 ray_up;              // xyz: change per drawn pixel upwards; w: distance from the bottom, drawn pixels
+  mat4 world_to_sky[sky_pairs];  // like world_to_shadow, for the directions of a pass
+  vec4 towards_sky[sky_pairs];   // xyz: unit, upwards
+  vec4 sky_floor;           // x: 1 if there is a floor; yzw: mean colour of all casters, linear
 };
+
+// Fraction of the floor's light from the key light. Higher values darken its shadow.
+const float key_share = 0.42;
 
 // Returns the direction from the eye through a position in the tile, in drawn pixels; not of unit length.
 vec3 ray_through(vec2 place) { return ray_corner.xyz + place.x * ray_across.xyz + place.y * ray_up.xyz; }
@@ -58,4 +66,11 @@ vec3 tone_mapped(vec3 linear) {
   float over = max(peak - knee, 0.0) / (1.0 - knee);
   float mapped = peak > knee ? knee + (1.0 - knee) * over / (1.0 + over) : peak;
   return linear * (mapped / peak);
+}
+
+// Maps tones like film: highlights lose some colour before they are white. Exact below the knee.
+vec3 filmed(vec3 linear) {
+  vec3 over = max(linear - knee, 0.0) / (1.0 - knee);
+  vec3 each = min(linear, knee) + (1.0 - knee) * over / (1.0 + over);
+  return mix(tone_mapped(linear), each, 0.4);
 }

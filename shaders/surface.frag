@@ -6,6 +6,9 @@
 #ifdef PARTIAL_SHADOW  // some triangles here may be partly in shadow
 #include "shadow.glsl"
 #endif
+#ifdef SAMPLED  // one pass of many
+#include "light_maps.glsl"
+#endif
 #include "cloth_light.glsl"
 // Shades visible triangles, once for every surface in a pixel: most triangles are so small that shading during
 // rasterisation would process more pixels outside than inside.
@@ -21,7 +24,7 @@ uniform sampler2D scalar_maps;  // one row each
 #ifdef BASE_COLOUR_MAPS
 #include "base_colour_map.glsl"
 #endif
-layout(location = 0) out vec4 colour;  // linear, premultiplied; encoded with one sample
+layout(location = 0) out vec4 colour;  // linear, premultiplied; encoded with one sample unless it is one of many
 
 // Spot of a triangle, with the change of its material coordinate per pixel.
 struct Spot {
@@ -40,6 +43,8 @@ struct Spot {
 
 #ifdef HALVED
 const float shaded_px = 2.0;  // side of the squares shaded as one, drawn pixels
+#elif defined(SAMPLED)
+const float shaded_px = 0.5;  // passes have other places in the pixel
 #else
 const float shaded_px = 1.0;
 #endif
@@ -96,6 +101,15 @@ vec3 scalar_colour(float scalar, float row) {
   return scalar < -0.5 ? vec3(0.21) : textureLod(scalar_maps, place / size, 0.0).rgb;
 }
 
+// Return the tones of cloth and of data colours. Those of many passes are mapped after averaging (film.frag).
+#ifdef SAMPLED
+vec3 developed(vec3 linear) { return linear; }
+vec3 toned(vec3 linear) { return linear; }
+#else
+vec3 developed(vec3 linear) { return filmed(linear); }
+vec3 toned(vec3 linear) { return tone_mapped(linear); }
+#endif
+
 // Returns the colour of a triangle in linear light.
 vec3 shaded(int triangle, bool front, vec3 ray) {
   uvec4 corners = texelFetch(triangle_data, triangle);
@@ -139,20 +153,28 @@ vec3 shaded(int triangle, bool front, vec3 ray) {
   float found = key_visibility(spot.world, lit_side, key == 2u);
   lit = key == 2u ? found : lit;
 #endif
+#ifdef SAMPLED
+  lit = key_arriving(spot.world, dot(normal, towards_key.xyz) >= 0.0 ? normal : -normal);
+#endif
   float satin = float(int(thread.x) == satin_kind && dot(spot.warp, spot.warp) > 0.0);
   warp -= dot(warp, normal) * normal;
   warp *= satin * inversesqrt(max(dot(warp, warp), 1e-30));
-  Light light = gathered(normal, towards_eye, lit, front ? spot.sky.x : spot.sky.y, rest.z < 0.0 ? base : vec3(0.0),
-                         Finish(outside.w, inside.w, thread.w, rest.x, warp));
+  vec3 surrounding = rest.z < 0.0 ? base : vec3(0.0);
+#ifdef SAMPLED
+  Ambient around = sampled_ambient(spot.world, normal, surrounding, rest.x);
+#else
+  Ambient around = ambient_light(normal, front ? spot.sky.x : spot.sky.y, surrounding);
+#endif
+  Light light = gathered(normal, towards_eye, lit, around, Finish(outside.w, inside.w, thread.w, rest.x, warp));
   vec3 cloth = (base * light.diffuse + mix(vec3(1.0), base, fringe_dyed) * light.fringe) * weave.brightness +
                light.gloss * mix(vec3(1.0), satin_gloss * mix(vec3(1.0), base, satin_dyed), satin);
 #ifdef SCALARS
   // Data colours get enough shading to show the form, but little enough to read the number. A dark colour cannot show
   // form by darkening, so some light from the edges is added.
   vec3 shown = scalar_colour(spot.material.x, rest.z) * mix(1.0, light.diffuse.g / 1.15, 0.5) + 0.1 * light.fringe.g;
-  return rest.z < 0.0 ? filmed(cloth) : tone_mapped(shown);
+  return rest.z < 0.0 ? developed(cloth) : toned(shown);
 #else
-  return filmed(cloth);
+  return developed(cloth);
 #endif
 }
 
@@ -204,6 +226,10 @@ void main() {
   if (visible == 0u) discard;
   vec3 ray = ray_through(vec2(pixel) + 0.5);
   vec3 light = shaded(triangle_of(visible), is_front(visible), ray);
+#ifdef SAMPLED
+  colour = vec4(light, 1.0);
+#else
   colour = vec4(linear_to_srgb_fast(light), 1.0);
+#endif
 }
 #endif

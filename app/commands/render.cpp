@@ -178,6 +178,12 @@ class Render {
   void begin_drawing() {
     painter_.emplace(offscreen_->renderer(), run_.scene, run_.simulation->garment(), run_.simulation->pins().vertices,
                      colours_);
+    offscreen_->renderer().set_pass_report([this, since_first = Stopwatch()](int done, int all) mutable {
+      if (done == 1) since_first = Stopwatch();
+      run_.progress.show(
+          fmt::format("drawing, pass {} of {}{}", done, all, time_left(1e-3 * since_first.elapsed_ms(), done, all)));
+      throw_if_interrupted();
+    });
     origin_ = {command_text(options_.arguments), scene_text(run_.scene), offscreen_->gl_renderer()};
   }
 

@@ -42,11 +42,15 @@ renderer::PictureSettings to_picture_settings(const PictureStyle& style) {
     settings.shadow_map_px = 4096;
     settings.sky_directions = 64;
   }
+  if (style.quality == DrawingQuality::final) {
+    settings.passes = style.passes;
+    settings.sky_directions = 0;  // every pass has its own
+  }
   return settings;
 }
 
 float min_edge_px(const PictureStyle& style) {
-  constexpr std::array lengths_px = {16.0F, renderer::min_split_px, 4.0F};
+  constexpr std::array lengths_px = {16.0F, renderer::min_split_px, 4.0F, renderer::min_split_px};
   return lengths_px[static_cast<std::size_t>(style.quality)];
 }
 
@@ -266,8 +270,12 @@ SceneFormat<DrawnScene> drawn_scene_format() {
        whole("picture.height", 16, 16384, MEMBER(picture.settings.height_px)),
        choice_key<DrawnScene, DrawingQuality>(
            "picture.quality",
-           {{"draft", DrawingQuality::draft}, {"normal", DrawingQuality::normal}, {"high", DrawingQuality::high}},
+           {{"draft", DrawingQuality::draft},
+            {"normal", DrawingQuality::normal},
+            {"high", DrawingQuality::high},
+            {"final", DrawingQuality::final}},
            MEMBER(picture.quality)),
+       whole("picture.passes", 1, renderer::max_passes, MEMBER(picture.passes)),
        whole("picture.samples", 1, 16, MEMBER(picture.settings.samples)),
        whole("picture.supersampling", 1, 8, MEMBER(picture.settings.supersampling)),
        switch_key<DrawnScene>("picture.shadows", MEMBER(picture.settings.shadows)),

@@ -72,11 +72,13 @@ enum class DrawingQuality {
   draft,   ///< one sample per pixel, fewer directions of light
   normal,  ///< for screens
   high,    ///< for print: doubled width and height, then averaged; finer light and surfaces
+  final,   ///< mean of many passes, each with its own light: slow
 };
 
 /// Style of a scene's pictures.
 struct PictureStyle {
   DrawingQuality quality = DrawingQuality::normal;
+  int passes = 64;  ///< number of passes at the final quality
   renderer::PictureSettings settings;
   SurfaceLook surface = SurfaceLook::shaded;
   bool wireframe = false;  ///< draws the springs over the surface

@@ -17,7 +17,7 @@ std::string hexadecimal(GLenum value) {
 constexpr std::array<const char*, unit_count> samplers = {
     "shadow_compare", "shadow_depth",  "ground_light",  "scalar_maps",  "drawn",  "visibility_buffer",
     "vertex_data",    "triangle_data", "material_data", "floor_shadow", "halved", "base_colour_maps",
-    "corner_data",    "trim_data"};
+    "corner_data",    "trim_data",     "light_maps",    "behind",       "marks"};
 
 std::string_view shader_text(std::span<const ShaderFile> files, std::string_view name) {
   for (const ShaderFile& file : files) {
@@ -184,6 +184,16 @@ void bind_texture(const GladGLContext& gl, unsigned unit, GLenum target, const T
   gl.BindTexture(target, texture.name());
 }
 
+void set_comparing(const GladGLContext& gl, const Sampler& sampler, GLint filter) {
+  gl.SamplerParameteri(sampler.name(), GL_TEXTURE_MIN_FILTER, filter);
+  gl.SamplerParameteri(sampler.name(), GL_TEXTURE_MAG_FILTER, filter);
+  // Nothing reaches the map's edge, so clamped samples are unoccluded.
+  gl.SamplerParameteri(sampler.name(), GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+  gl.SamplerParameteri(sampler.name(), GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+  gl.SamplerParameteri(sampler.name(), GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
+  gl.SamplerParameteri(sampler.name(), GL_TEXTURE_COMPARE_FUNC, GL_LEQUAL);
+}
+
 void set_sampling(const GladGLContext& gl, GLenum target, GLint filter, GLint wrap) {
   gl.TexParameteri(target, GL_TEXTURE_MAX_LEVEL, 0);
   gl.TexParameteri(target, GL_TEXTURE_MIN_FILTER, filter);
@@ -196,6 +206,11 @@ void begin_blending_over(const GladGLContext& gl) {
   gl.Enable(GL_FRAMEBUFFER_SRGB);
   gl.Enable(GL_BLEND);
   gl.BlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+}
+
+void begin_adding(const GladGLContext& gl) {
+  gl.Enable(GL_BLEND);
+  gl.BlendFunc(GL_ONE, GL_ONE);
 }
 
 void end_blending_over(const GladGLContext& gl) {
@@ -324,12 +339,17 @@ void set_shadow_bounds(FrameBlock& block, std::span<const SurfaceView* const> ca
   block.shadow_bounds = {lower, upper};
 }
 
-void set_tile(FrameBlock& block, const Camera& camera, const PictureSettings& settings, const Tile& tile) {
+void set_tile(FrameBlock& block, const Camera& camera, const PictureSettings& settings, const Tile& tile,
+              const glm::vec2& offset_px) {
   block.world_to_clip = clip_to_tile(settings, tile) * camera.projection(settings.aspect()) * camera.view();
   const auto scale = static_cast<float>(settings.supersampling);
   block.viewport = {static_cast<float>(tile.width_px) * scale, static_cast<float>(tile.height_px) * scale, scale,
                     static_cast<float>(settings.height_px) * scale};
   set_rays(block, camera, settings, tile);
+  if (offset_px == glm::vec2{0.0F}) return;
+  const glm::vec2 moved = 2.0F * offset_px / glm::vec2{block.viewport};
+  block.world_to_clip = glm::translate(glm::mat4{1.0F}, {moved, 0.0F}) * block.world_to_clip;
+  block.ray_corner -= glm::vec4{glm::vec3{offset_px.x * block.ray_across + offset_px.y * block.ray_up}, 0.0F};
 }
 
 glm::mat4 world_to_unit_cube(const Box& box, const glm::vec3& towards) {

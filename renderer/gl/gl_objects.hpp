@@ -54,6 +54,10 @@ void set_attribute(const GladGLContext& gl, GLuint location, const Buffer& buffe
 /// Binds a texture to a texture unit, which becomes the active one.
 void bind_texture(const GladGLContext& gl, unsigned unit, GLenum target, const Texture& texture);
 
+/// Makes a sampler compare depths with a value; `filter`: GL_NEAREST, or GL_LINEAR for the farther fraction of a
+/// neighbourhood.
+void set_comparing(const GladGLContext& gl, const Sampler& sampler, GLint filter);
+
 /// Sets the filter and the wrapping of the bound texture, and restricts it to its largest level.
 void set_sampling(const GladGLContext& gl, GLenum target, GLint filter, GLint wrap = GL_CLAMP_TO_EDGE);
 
@@ -71,6 +75,8 @@ template <class Parts> void delete_in_context(Context& context, std::unique_ptr<
 /// light, the framebuffer is sRGB-encoded.
 void begin_blending_over(const GladGLContext& gl);
 void end_blending_over(const GladGLContext& gl);
+/// Begins adding fragments to the framebuffer, until end_blending_over().
+void begin_adding(const GladGLContext& gl);
 
 /// Throw ContextError naming `stage` when OpenGL has recorded an error, or when the bound framebuffer is
 /// incomplete.
@@ -135,7 +141,10 @@ inline constexpr unsigned halved_unit = 10;
 inline constexpr unsigned base_colour_maps_unit = 11;
 inline constexpr unsigned corner_data_unit = 12;
 inline constexpr unsigned trim_data_unit = 13;
-inline constexpr unsigned unit_count = 14;
+inline constexpr unsigned light_maps_unit = 14;
+inline constexpr unsigned behind_unit = 15;
+inline constexpr unsigned marks_unit = 16;
+inline constexpr unsigned unit_count = 17;
 
 /// Sets the uniform block and the samplers of a program to these bindings and leaves the program in use.
 void bind_shared_inputs(const Program& program);
@@ -159,6 +168,9 @@ class LazyProgram {
   std::optional<Program> program_;
 };
 
+/// Pairs of opposite directions of the sky in one pass of many; shaders/frame.glsl has the number too.
+inline constexpr std::size_t sky_pair_count = 2;
+
 /// Uniforms shared by all shaders: the std140 block `Frame` of shaders/frame.glsl, which documents each member.
 struct FrameBlock {
   glm::mat4 world_to_clip;
@@ -179,6 +191,9 @@ struct FrameBlock {
   glm::vec4 ray_corner;
   glm::vec4 ray_across;
   glm::vec4 ray_up;
+  std::array<glm::mat4, sky_pair_count> world_to_sky;
+  std::array<glm::vec4, sky_pair_count> towards_sky;
+  glm::vec4 sky_floor;
 };
 
 /// Part of the picture that is drawn at once, in pixels of the finished picture, y from its top.
@@ -208,8 +223,9 @@ FrameBlock make_frame_block(const FrameView& frame, const PictureSettings& setti
 /// Sets shadow_bounds to the bounds of the casters in the shadow map.
 void set_shadow_bounds(FrameBlock& block, std::span<const SurfaceView* const> casters);
 
-/// Sets world_to_clip, viewport and the rays for a tile.
-void set_tile(FrameBlock& block, const Camera& camera, const PictureSettings& settings, const Tile& tile);
+/// Sets world_to_clip, viewport and the rays for a tile. The picture moves by `offset_px` drawn pixels.
+void set_tile(FrameBlock& block, const Camera& camera, const PictureSettings& settings, const Tile& tile,
+              const glm::vec2& offset_px = glm::vec2{0.0F});
 
 /// Returns the matrix of an orthographic view of the sphere around the box, from world to 0..1 in all three axes.
 /// `towards` is the unit direction to the viewer; depth (z) grows away from it.

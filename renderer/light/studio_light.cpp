@@ -89,14 +89,6 @@ template <bool beyond> float open_share(const std::vector<float>& map, const glm
   return (weighed[0] + weighed[1] + weighed[2] + weighed[3]) / static_cast<float>(window * window);
 }
 
-void set_up(const GladGLContext& gl, const Sampler& sampler, GLint filter) {
-  gl.SamplerParameteri(sampler.name(), GL_TEXTURE_MIN_FILTER, filter);
-  gl.SamplerParameteri(sampler.name(), GL_TEXTURE_MAG_FILTER, filter);
-  // Nothing reaches the map's edge, so clamped samples are unoccluded.
-  gl.SamplerParameteri(sampler.name(), GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
-  gl.SamplerParameteri(sampler.name(), GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
-}
-
 std::optional<Box> box_around(std::span<const SurfaceView* const> casters) {
   std::optional<Box> box;
   for (const SurfaceView* caster : casters) {
@@ -112,6 +104,18 @@ std::vector<const SurfaceView*> casters_among(std::span<const SurfaceView> surfa
     if (surface.casts_shadow && !surface.triangles.empty()) casters.push_back(&surface);
   }
   return casters;
+}
+
+// Returns the mean of the casters' colours by their triangles, in linear light.
+glm::vec3 mean_colour(std::span<const SurfaceView* const> casters) {
+  glm::vec3 sum{0.0F};
+  float triangles = 0.0F;
+  for (const SurfaceView* caster : casters) {
+    const auto own = static_cast<float>(caster->triangles.size());
+    sum += own * linear_light(caster->style.outside_colour);
+    triangles += own;
+  }
+  return sum / std::max(triangles, 1.0F);
 }
 
 MapArea unite_areas(const MapArea& a, const MapArea& b) {
@@ -258,10 +262,11 @@ void SkyLight::gather_floor(const glm::vec4& area, float height_m, std::vector<f
 
 StudioLight::StudioLight(const GladGLContext& context)
     : gl_(&context), shadow_texture_(context), floor_texture_(context), compare_(context), plain_(context) {
-  set_up(*gl_, compare_, GL_LINEAR);
-  gl_->SamplerParameteri(compare_.name(), GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
-  gl_->SamplerParameteri(compare_.name(), GL_TEXTURE_COMPARE_FUNC, GL_LEQUAL);
-  set_up(*gl_, plain_, GL_NEAREST);
+  set_comparing(*gl_, compare_, GL_LINEAR);
+  gl_->SamplerParameteri(plain_.name(), GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+  gl_->SamplerParameteri(plain_.name(), GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+  gl_->SamplerParameteri(plain_.name(), GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+  gl_->SamplerParameteri(plain_.name(), GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
   gl_->BindTexture(GL_TEXTURE_2D, floor_texture_.name());
   set_sampling(*gl_, GL_TEXTURE_2D, GL_LINEAR);
 }
@@ -281,6 +286,23 @@ void StudioLight::begin(FrameBlock& block, const FrameView& frame, std::span<con
   shadow_side_px_ = shadow_map_side(settings);
   sky_directions_ = settings.sky_directions;
   has_floor_ = frame.ground_height_m && !frame.backdrop.plain;
+}
+
+void StudioLight::turn(FrameBlock& block, const PassSample& sample) const {
+  block.sky_floor = {0.0F, mean_colour(casters_)};
+  for (std::size_t i = 0; i < sky_pair_count; ++i) {
+    block.towards_sky[i] = {sample.towards_sky[i], 0.0F};
+    block.world_to_sky[i] =
+        casters_.empty() ? glm::mat4{1.0F} : world_to_unit_cube(*casters_box_, sample.towards_sky[i]);
+  }
+  if (casters_.empty()) return;
+  const glm::vec3 middle{block.towards_key};
+  const glm::vec3 other = std::abs(middle.y) < 0.9F ? glm::vec3{0.0F, 1.0F, 0.0F} : glm::vec3{1.0F, 0.0F, 0.0F};
+  const glm::vec3 across = glm::normalize(glm::cross(other, middle));
+  const glm::vec2 point = block.shadow.w * sample.lamp_point;
+  const glm::vec3 towards = glm::normalize(middle + point.x * across + point.y * glm::cross(middle, across));
+  block.towards_key = {towards, block.towards_key.w};
+  block.world_to_shadow = world_to_unit_cube(*casters_box_, towards);
 }
 
 void StudioLight::draw_maps(const FrameBlock& block) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "renderer/light/light_maps.hpp"
 #include "renderer/light/surface_buffers.hpp"
 
 namespace taut::renderer {
@@ -52,6 +53,10 @@ class StudioLight {
   /// Starts a frame: sets `block` except tile members. The surfaces must live until upload().
   void begin(FrameBlock& block, const FrameView& frame, std::span<const SurfaceView> surfaces,
              const PictureSettings& settings);
+  /// Returns whether anything casts shadows in the frame.
+  bool has_casters() const { return !casters_.empty(); }
+  /// Points the lights of a block that begin() has set to a pass's samples.
+  void turn(FrameBlock& block, const PassSample& sample) const;
   /// Draws the shadow map and the maps of the ambient light. `block` is the result of begin(). Calls no OpenGL, so
   /// another thread may call it.
   void draw_maps(const FrameBlock& block);

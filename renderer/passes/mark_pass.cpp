@@ -115,16 +115,26 @@ ResolvePass::ResolvePass(const GladGLContext& context)
       many_(context, "fullscreen.vert", "resolve.frag", {"MULTISAMPLED"}),
       no_arrays_(context) {}
 
-void ResolvePass::draw(const Texture& drawn, int samples, int supersampling, const glm::ivec2& corner_px) {
+void ResolvePass::draw_mean(const Texture& drawn, int samples, int supersampling, const glm::ivec2& corner_px) {
   bind_texture(*gl_, drawn_unit, samples > 1 ? GL_TEXTURE_2D_MULTISAMPLE : GL_TEXTURE_2D, drawn);
   const Program& program = (samples > 1 ? many_ : one_).use();
   program.set("resolve", glm::ivec4{samples, supersampling, corner_px});
   gl_->Disable(GL_DEPTH_TEST);
-  begin_blending_over(*gl_);
   gl_->BindVertexArray(no_arrays_.name());
   gl_->DrawArrays(GL_TRIANGLES, 0, 3);
-  end_blending_over(*gl_);
   gl_->Enable(GL_DEPTH_TEST);
+}
+
+void ResolvePass::draw(const Texture& drawn, int samples, int supersampling, const glm::ivec2& corner_px) {
+  begin_blending_over(*gl_);
+  draw_mean(drawn, samples, supersampling, corner_px);
+  end_blending_over(*gl_);
+}
+
+void ResolvePass::add(const Texture& drawn) {
+  begin_adding(*gl_);
+  draw_mean(drawn, 1, 1, {0, 0});
+  end_blending_over(*gl_);
 }
 
 }  // namespace taut::renderer

@@ -56,8 +56,12 @@ class ResolvePass {
   /// sRGB-encoded and premultiplied in linear light. The viewport must be its rectangle in the framebuffer; `corner_px`
   /// is the viewport's lower left corner.
   void draw(const Texture& drawn, int samples, int supersampling, const glm::ivec2& corner_px);
+  /// Adds `drawn`, one sample per pixel, to the lower left of the bound framebuffer.
+  void add(const Texture& drawn);
 
  private:
+  void draw_mean(const Texture& drawn, int samples, int supersampling, const glm::ivec2& corner_px);
+
   const GladGLContext* gl_;
   LazyProgram one_;
   LazyProgram many_;

@@ -71,11 +71,13 @@ constexpr std::size_t partial_shadow = 4;
 // Excludes several samples.
 constexpr std::size_t halved = 8;
 constexpr std::size_t base_colour_maps = 16;
-constexpr std::size_t variants = 32;
+// Excludes several samples, partial shadow and halving.
+constexpr std::size_t sampled = 32;
+constexpr std::size_t variants = 64;
 
 std::vector<std::string_view> defines(std::size_t variant) {
   std::vector<std::string_view> names;
-  for (const char* name : {"MULTISAMPLED", "SCALARS", "PARTIAL_SHADOW", "HALVED", "BASE_COLOUR_MAPS"}) {
+  for (const char* name : {"MULTISAMPLED", "SCALARS", "PARTIAL_SHADOW", "HALVED", "BASE_COLOUR_MAPS", "SAMPLED"}) {
     if (variant % 2 != 0) names.emplace_back(name);
     variant /= 2;
   }
@@ -177,6 +179,7 @@ const std::vector<glm::vec2>& CoveredSquares::corners(bool partial) {
 SurfacePass::SurfacePass(const GladGLContext& context)
     : gl_(&context),
       visibility_(context, "visibility.vert", "visibility.frag"),
+      depth_(context, "visibility.vert", "depth.frag"),
       corner_arrays_(context),
       corner_buffer_(context),
       colour_maps_(context),
@@ -199,7 +202,12 @@ SurfacePass::SurfacePass(const GladGLContext& context)
 // Uploads separate corners for every triangle, so that a vertex knows its triangle's number.
 void SurfacePass::upload_positions(std::span<const SurfaceView> surfaces) {
   corner_positions_.clear();
+  casters_.clear();
   for (const SurfaceView& surface : surfaces) {
+    if (surface.casts_shadow) {
+      casters_.push_back(
+          {static_cast<GLint>(corner_positions_.size()), static_cast<GLsizei>(surface.triangles.size())});
+    }
     for (const std::uint32_t corner : surface.triangles) corner_positions_.push_back(surface.positions[corner]);
   }
   taut::renderer::upload(*gl_, GL_ARRAY_BUFFER, corner_buffer_, std::span<const glm::vec3>(corner_positions_));
@@ -234,6 +242,12 @@ void SurfacePass::draw_visibility(bool under_marks) {
   gl_->Disable(GL_POLYGON_OFFSET_FILL);
 }
 
+void SurfacePass::draw_casters() {
+  depth_.use();
+  gl_->BindVertexArray(corner_arrays_.name());
+  for (const CornerRange& caster : casters_) gl_->DrawArrays(GL_TRIANGLES, caster.first, caster.count);
+}
+
 void SurfacePass::draw_squares(bool partial) {
   const std::vector<glm::vec2>& covered = squares_.corners(partial);
   gl_->BindVertexArray(square_arrays_.name());
@@ -244,9 +258,10 @@ void SurfacePass::draw_squares(bool partial) {
 void SurfacePass::shade_squares(std::size_t kind, const VisibilityBuffer& visibility, const glm::ivec2& corner_px) {
   for (const bool partial : {false, true}) {
     if (squares_.corners(partial).empty()) continue;
-    const Program& program = shading_[kind + (any_scalars_ ? scalars : 0) + (partial ? partial_shadow : 0) +
-                                      (surface_buffers_.has_maps() ? base_colour_maps : 0)]
-                                 .use();
+    const Program& program =
+        shading_[kind + (any_scalars_ ? scalars : 0) + (partial && kind != sampled ? partial_shadow : 0) +
+                 (surface_buffers_.has_maps() ? base_colour_maps : 0)]
+            .use();
     program.set("corner", glm::ivec4{corner_px, 0, 0});
     program.set("samples_x", visibility.samples_x());
     program.set("samples_y", visibility.samples_y());
@@ -268,13 +283,11 @@ void SurfacePass::shade_halved(const VisibilityBuffer& visibility, GLuint frameb
   for (const bool partial : {false, true}) draw_squares(partial);
 }
 
-void SurfacePass::shade(const VisibilityBuffer& visibility, GLuint framebuffer, const FrameBlock& block,
-                        const PixelRect& place, bool halve) {
-  if (surface_buffers_.empty()) return;
+void SurfacePass::begin_shading(const VisibilityBuffer& visibility, GLuint framebuffer, const FrameBlock& block,
+                                const PixelRect& place) {
   gl_->BindFramebuffer(GL_FRAMEBUFFER, framebuffer);
   gl_->Viewport(place.x_px, place.y_px, place.width_px, place.height_px);
   squares_.find(surface_buffers_, block.world_to_clip, {place.width_px, place.height_px});
-  const bool several = visibility.samples() > 1;
   surface_buffers_.bind();
   // The first call makes the map in the active texture unit.
   if (any_scalars_) bind_texture(*gl_, scalar_maps_unit, GL_TEXTURE_2D, colour_maps_.texture());
@@ -283,6 +296,13 @@ void SurfacePass::shade(const VisibilityBuffer& visibility, GLuint framebuffer, 
   }
   visibility.bind();
   gl_->Disable(GL_DEPTH_TEST);
+}
+
+void SurfacePass::shade(const VisibilityBuffer& visibility, GLuint framebuffer, const FrameBlock& block,
+                        const PixelRect& place, bool halve) {
+  if (surface_buffers_.empty()) return;
+  begin_shading(visibility, framebuffer, block, place);
+  const bool several = visibility.samples() > 1;
   // Single samples cover their pixel or not, so the shader encodes them, which is cheaper.
   if (several) begin_blending_over(*gl_);
   if (halve && !several && place.width_px % 2 == 0 && place.height_px % 2 == 0) {
@@ -291,6 +311,16 @@ void SurfacePass::shade(const VisibilityBuffer& visibility, GLuint framebuffer, 
     shade_squares(several ? several_samples : 0, visibility, {place.x_px, place.y_px});
   }
   if (several) end_blending_over(*gl_);
+  gl_->Enable(GL_DEPTH_TEST);
+}
+
+void SurfacePass::add_sampled(const VisibilityBuffer& visibility, GLuint framebuffer, const FrameBlock& block,
+                              const PixelRect& place) {
+  if (surface_buffers_.empty()) return;
+  begin_shading(visibility, framebuffer, block, place);
+  begin_adding(*gl_);
+  shade_squares(sampled, visibility, {place.x_px, place.y_px});
+  end_blending_over(*gl_);
   gl_->Enable(GL_DEPTH_TEST);
 }
 

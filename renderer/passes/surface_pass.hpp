@@ -53,6 +53,8 @@ class SurfacePass {
   /// Draws the triangle numbers into the bound visibility buffer. `under_marks` pushes surfaces back slightly, so that
   /// marks on them are in front.
   void draw_visibility(bool under_marks);
+  /// Draws the depths of all surfaces that cast shadows into the bound framebuffer.
+  void draw_casters();
   /// Gathers the light of the same surfaces. Calls no OpenGL, so another thread may call it meanwhile.
   void gather(std::span<const SurfaceView> surfaces, StudioLight& light);
   /// Uploads surfaces and light, after gather(). Throws ContextError.
@@ -62,18 +64,32 @@ class SurfacePass {
   /// there is one sample and the tile's sides are even.
   void shade(const VisibilityBuffer& visibility, GLuint framebuffer, const FrameBlock& block, const PixelRect& place,
              bool halve);
+  /// Adds one pass of many to the lower left of a framebuffer, in linear light; otherwise like shade().
+  void add_sampled(const VisibilityBuffer& visibility, GLuint framebuffer, const FrameBlock& block,
+                   const PixelRect& place);
+  /// Returns whether a surface shows data colours.
+  bool has_data_colours() const { return any_scalars_; }
 
  private:
+  // Vertices of corner_positions_.
+  struct CornerRange {
+    GLint first;
+    GLsizei count;
+  };
+  void begin_shading(const VisibilityBuffer& visibility, GLuint framebuffer, const FrameBlock& block,
+                     const PixelRect& place);
   void draw_squares(bool partial);
   void shade_squares(std::size_t kind, const VisibilityBuffer& visibility, const glm::ivec2& corner_px);
   void shade_halved(const VisibilityBuffer& visibility, GLuint framebuffer, const PixelRect& place);
 
   const GladGLContext* gl_;
   LazyProgram visibility_;
+  LazyProgram depth_;
   VertexArray corner_arrays_;
   Buffer corner_buffer_;
   std::vector<glm::vec3> corner_positions_;  // three for each triangle
-  std::vector<LazyProgram> shading_;         // variants in the order of defines()
+  std::vector<CornerRange> casters_;
+  std::vector<LazyProgram> shading_;  // variants in the order of defines()
   ColourMapTexture colour_maps_;
   BaseColourMapTexture base_colour_maps_;
   SurfaceBuffers surface_buffers_;

@@ -146,6 +146,10 @@ TEST(DrawingQuality, CostsMoreForPrintAndLessForADraft) {
   EXPECT_EQ(to_picture_settings(style).supersampling, 2 * normal.supersampling);
   EXPECT_EQ(to_picture_settings(style).width_px, normal.width_px) << "of the finished picture";
   EXPECT_LT(min_edge_px(style), min_edge_px({}));
+  style.passes = 9;
+  EXPECT_EQ(to_picture_settings(style).passes, 1);
+  style.quality = DrawingQuality::final;
+  EXPECT_EQ(to_picture_settings(style).passes, 9);
 }
 
 TEST(WindArrows, ComeFromWhereItBlowsAndGrowWithIt) {

@@ -3,11 +3,10 @@
 #include "surface_buffers.glsl"
 #include "weave.glsl"
 #include "trims.glsl"
-#ifdef PARTIAL_SHADOW  // some triangles here may be partly in shadow
-#include "shadow.glsl"
-#endif
 #ifdef SAMPLED  // one pass of many
 #include "light_maps.glsl"
+#else
+#include "shadow.glsl"
 #endif
 #include "cloth_light.glsl"
 // Shades visible triangles, once for every surface in a pixel: most triangles are so small that shading during
@@ -115,7 +114,6 @@ vec3 shaded(int triangle, bool front, vec3 ray) {
   uvec4 corners = texelFetch(triangle_data, triangle);
   Spot spot = spot_on(corners.xyz, ray);
   int material = 5 * surface_of(corners.w);
-  uint key = corners.w & 3u;
   vec4 outside = texelFetch(material_data, material);
   vec4 inside = texelFetch(material_data, material + 1);
   vec4 rest = texelFetch(material_data, material + 2);
@@ -147,14 +145,11 @@ vec3 shaded(int triangle, bool front, vec3 ray) {
   vec3 normal = normalize((front ? spot.normal : -spot.normal) - sewing.slope);
   // Interpolated normals near a silhouette can face away from the eye; they are turned to grazing.
   normal = normalize(normal - towards_eye * min(dot(normal, towards_eye), 0.0));
-  float lit = float(key);
-#ifdef PARTIAL_SHADOW
   vec3 lit_side = dot(normal, towards_key.xyz) >= 0.0 ? normal : -normal;
-  float found = key_visibility(spot.world, lit_side, key == 2u);
-  lit = key == 2u ? found : lit;
-#endif
 #ifdef SAMPLED
-  lit = key_arriving(spot.world, dot(normal, towards_key.xyz) >= 0.0 ? normal : -normal);
+  float lit = key_arriving(spot.world, lit_side);
+#else
+  float lit = key_visibility(spot.world, lit_side, true);
 #endif
   float satin = float(int(thread.x) == satin_kind && dot(spot.warp, spot.warp) > 0.0);
   warp -= dot(warp, normal) * normal;

@@ -1,8 +1,7 @@
 // Surfaces of a frame; filled by renderer/light/surface_buffers.cpp.
 uniform samplerBuffer vertex_data;     // three texels per vertex: position (m), normal and sky light outside,
                                         // material coordinate (m) or the scalar in x, and sky light inside
-uniform usamplerBuffer triangle_data;  // three vertices, and one number of key light (2 bits: 0 in the shadow,
-                                        // 1 in the light, 2 decided per pixel), surface (12) and trim (18)
+uniform usamplerBuffer triangle_data;  // three vertices, and one number of surface (14 bits) and trim (18)
 uniform samplerBuffer material_data;    // five texels per surface: outside colour (linear) and roughness; inside
                                         // colour and sheen; translucency, strength of the weave, row of the colour
                                         // map or -1 for cloth, layer of the base colour map or -1; kind of the weave,
@@ -15,5 +14,5 @@ uniform samplerBuffer corner_data;     // one texel per triangle corner: its pos
 // Content of a sample: nothing, or a triangle and one of its sides.
 bool is_front(uint visible) { return (visible & 1u) == 1u; }
 int triangle_of(uint visible) { return int(visible >> 1u) - 1; }
-int surface_of(uint numbers) { return int((numbers >> 2u) & 4095u); }
+int surface_of(uint numbers) { return int(numbers & 16383u); }
 int trim_of(uint numbers) { return int(numbers >> 14u); }

@@ -317,12 +317,10 @@ void StudioLight::draw_maps(const FrameBlock& block) {
   sky_light_.draw_maps(casters_, casters_.empty() ? std::nullopt : casters_box_, sky_directions_);
   if (has_floor_) sky_light_.gather_floor(block.ground_light_area, block.ground.y, floor_light_);
   shadows.get();
-  shadow_classifier_.set_shadow_map(shadow_map_, block);
 }
 
-void StudioLight::gather(const SurfaceView& surface, SurfaceLight& light) {
-  shadow_classifier_.classify(surface, light.key);
-  sky_light_.gather(surface, light.sky);
+void StudioLight::gather(const SurfaceView& surface, std::vector<glm::vec2>& light) {
+  sky_light_.gather(surface, light);
 }
 
 void StudioLight::upload_shadow_map() {

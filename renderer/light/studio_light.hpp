@@ -43,8 +43,8 @@ class SkyLight {
   std::vector<float> sums_;           // scratch: sums of blockers from the map's corner
 };
 
-/// Light of one frame: the key light's shadow map and the ambient light. Surfaces get values per triangle and per
-/// vertex, shaders read the shadow map and the floor's light from textures.
+/// Light of one frame: the key light's shadow map and the ambient light. Surfaces get values per vertex,
+/// shaders read the shadow map and the floor's light from textures.
 class StudioLight {
  public:
   /// The context must be current and outlive this object.
@@ -60,8 +60,8 @@ class StudioLight {
   /// Draws the shadow map and the maps of the ambient light. `block` is the result of begin(). Calls no OpenGL, so
   /// another thread may call it.
   void draw_maps(const FrameBlock& block);
-  /// Fills `light` for one surface, after draw_maps(). Calls no OpenGL.
-  void gather(const SurfaceView& surface, SurfaceLight& light);
+  /// Fills `light` with the ambient light of one surface, after draw_maps(); see SkyLight. Calls no OpenGL.
+  void gather(const SurfaceView& surface, std::vector<glm::vec2>& light);
   /// Uploads the textures that shaders read.
   void upload();
 
@@ -75,7 +75,6 @@ class StudioLight {
 
   const GladGLContext* gl_;
   ShadowMap shadow_map_;
-  ShadowClassifier shadow_classifier_;
   SkyLight sky_light_;
   Texture shadow_texture_;
   Texture floor_texture_;

@@ -5,28 +5,6 @@
 namespace taut::renderer {
 namespace {
 
-// Texels of the map between samples. Narrower shadows may be missed.
-constexpr int stride = 2;
-// Steepest surface in the map that does not hide itself, as depth per step across.
-constexpr float max_slope = 8.0F;
-// Tolerance within which a surface in front is the surface itself, in texels of the map plus as many per unit of slope.
-constexpr float allowance_texels = 2.0F;
-// Radius of the narrowest blur of a shadow and of the lift off the surface, texels of the map.
-constexpr float min_lift_texels = 4.0F;
-// Rounds of spreading penumbrae from vertex to vertex: a blur's width has no more edges, or they are too short to
-// matter.
-constexpr int max_spread_rounds = 12;
-// Ratio of a straight line to the edges along it if these meet at right angles.
-constexpr float straightness = 0.7F;
-
-constexpr std::uint8_t by_light = 1;
-constexpr std::uint8_t by_shadow = 2;
-
-glm::vec2 depth_slope(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) {
-  const glm::vec3 across = glm::cross(b - a, c - a);
-  return across.z == 0.0F ? glm::vec2{INFINITY} : -glm::vec2{across} / across.z;
-}
-
 using Bytes = std::vector<std::uint8_t>;
 
 /// Colour bytes times alpha in linear light, encoded again: [alpha][colour].
@@ -103,10 +81,9 @@ std::vector<std::uint8_t> texels() {
   return bytes;
 }
 
-// Units of surface and trim numbers in a triangle's last number; the key light is below them.
-constexpr std::uint32_t surface_unit = 4;
+// Unit of the trim number in a triangle's last number; the surface's number is below it.
 constexpr std::uint32_t trim_unit = 1U << 14;
-constexpr std::size_t max_surfaces = trim_unit / surface_unit;
+constexpr std::size_t max_surfaces = trim_unit;
 // Largest number of drawn trims; only a very large picture has more.
 constexpr std::size_t max_trims = 1U << 18;
 
@@ -191,116 +168,6 @@ float ShadowMap::depth_at(const glm::vec2& place) const {
   return texels_[static_cast<std::size_t>(static_cast<int>(texel.y) * side_ + static_cast<int>(texel.x))];
 }
 
-void ShadowClassifier::set_shadow_map(const ShadowMap& casters, const FrameBlock& block) {
-  map_ = &casters;
-  const bool any = casters.drawn().lower != casters.drawn().upper;
-  side_m_ = !any || block.shadow.w <= 0.0F ? 0.0F : block.shadow.z;
-  world_to_map_ = block.world_to_shadow;
-  max_blur_m_ = block.shadow_blur.x * block.shadow.x;
-  min_blur_m_ = min_lift_texels * block.shadow.x;
-  tangent_ = block.shadow.w;
-}
-
-float ShadowClassifier::penumbra_m(float gap) const {
-  return std::clamp(gap * side_m_ * tangent_, std::min(min_blur_m_, max_blur_m_), max_blur_m_);
-}
-
-ShadowClassifier::Sight ShadowClassifier::measure_sight(Corners corners) const {
-  const glm::vec3& a = projected_[corners[0]];
-  const glm::vec3& b = projected_[corners[1]];
-  const glm::vec3& c = projected_[corners[2]];
-  const int side_px = map_->side_px();
-  const float sample = static_cast<float>(stride) / static_cast<float>(side_px);
-  const glm::vec2 slope = depth_slope(a, b, c) / sample;
-  const float steepness = glm::length(slope);
-  Sight sight;
-  if (!(steepness < max_slope)) return {1, 1, 0.0F};
-  const float allowance = allowance_texels * (1.0F + steepness) / static_cast<float>(side_px);
-  const auto look_at = [&](float gap) {
-    const bool hidden = gap > allowance;
-    sight.dark += hidden ? 1 : 0;
-    sight.lit += hidden ? 0 : 1;
-    sight.max_gap_fraction = std::max(sight.max_gap_fraction, gap);
-  };
-  const float* depths = map_->depths().data();
-  rasterise_triangle(a, b, c, side_px / stride, [&](const TriangleSpan& span) {
-    const float* row = depths + static_cast<std::ptrdiff_t>(span.row * stride) * side_px;
-    for (int column = span.first; column <= span.last; ++column) {
-      look_at(span.depth + span.depth_step * static_cast<float>(column) - row[column * stride]);
-    }
-  });
-  if (sight.lit + sight.dark == 0) {
-    const glm::vec3 middle = (a + b + c) / 3.0F;
-    look_at(middle.z - map_->depth_at(glm::vec2{middle} * sample));
-  }
-  return sight;
-}
-
-// Compares every triangle with the shadow map.
-void ShadowClassifier::compare(const SurfaceView& surface, std::vector<KeyVisibility>& visibility) {
-  project_to_map(world_to_map_, map_->side_px() / stride, surface.positions, projected_);
-  penumbrae_m_.resize(visibility.size());
-  for (std::size_t i = 0; i < visibility.size(); ++i) {
-    const Sight sight = measure_sight(Corners(&surface.triangles[3 * i], 3));
-    const KeyVisibility whole = sight.dark == 0 ? KeyVisibility::lit : KeyVisibility::shadowed;
-    visibility[i] = sight.lit > 0 && sight.dark > 0 ? KeyVisibility::partial : whole;
-    penumbrae_m_[i] = sight.dark == 0 ? 0.0F : penumbra_m(sight.max_gap_fraction);
-  }
-}
-
-// Penumbrae start at vertices touched by both light and shadow.
-void ShadowClassifier::find_shadow_edges(std::span<const std::uint32_t> triangles,
-                                         const std::vector<KeyVisibility>& visibility) {
-  std::ranges::fill(touched_, std::uint8_t{0});
-  for (std::size_t i = 0; i < triangles.size(); ++i) {
-    const KeyVisibility point_area = visibility[i / 3];
-    touched_[triangles[i]] |= point_area == KeyVisibility::shadowed ? by_shadow
-                              : point_area == KeyVisibility::lit    ? by_light
-                                                                    : 3;
-  }
-  std::ranges::fill(reaches_m_, 0.0F);
-  for (std::size_t i = 0; i < triangles.size(); ++i) {
-    const std::uint32_t vertex = triangles[i];
-    if (touched_[vertex] == (by_light | by_shadow)) {
-      reaches_m_[vertex] = std::max(reaches_m_[vertex], penumbrae_m_[i / 3]);
-    }
-  }
-}
-
-void ShadowClassifier::spread(const SurfaceView& surface) {
-  bool changed = true;
-  const auto pass_on = [&](std::uint32_t from, std::uint32_t to) {
-    if (reaches_m_[from] <= reaches_m_[to]) return;
-    const float edge_m = glm::distance(surface.positions[from], surface.positions[to]);
-    const float left_m = reaches_m_[from] - straightness * edge_m;
-    if (left_m <= reaches_m_[to]) return;
-    reaches_m_[to] = left_m;
-    changed = true;
-  };
-  for (int round = 0; round < max_spread_rounds && changed; ++round) {
-    changed = false;
-    for (std::size_t i = 0; i < surface.triangles.size(); ++i) {
-      const std::uint32_t from = surface.triangles[i];
-      const std::uint32_t to = surface.triangles[i % 3 == 2 ? i - 2 : i + 1];
-      pass_on(from, to);
-      pass_on(to, from);
-    }
-  }
-}
-
-void ShadowClassifier::classify(const SurfaceView& surface, std::vector<KeyVisibility>& visibility) {
-  visibility.assign(surface.triangles.size() / 3, KeyVisibility::lit);
-  if (side_m_ <= 0.0F) return;
-  compare(surface, visibility);
-  touched_.resize(surface.positions.size());
-  reaches_m_.resize(surface.positions.size());
-  find_shadow_edges(surface.triangles, visibility);
-  spread(surface);
-  for (std::size_t i = 0; i < surface.triangles.size(); ++i) {
-    if (reaches_m_[surface.triangles[i]] > 0.0F) visibility[i / 3] = KeyVisibility::partial;
-  }
-}
-
 int BaseColourMapTexture::add_layer(const BaseColourMap& map) {
   const auto known = std::ranges::find(maps_, map);
   const auto layer = static_cast<int>(known - maps_.begin());
@@ -345,17 +212,13 @@ const Texture& ColourMapTexture::texture() {
   return *made_;
 }
 
-void spread(const SurfaceView& surface, SurfaceLight& light) {
+void spread(const SurfaceView& surface, std::vector<glm::vec2>& light) {
   const Refinement& refinement = *surface.refinement;
-  interpolate(refinement.parents, light.sky);
-  for (std::size_t i = refinement.coarse_vertices; i < light.sky.size(); ++i) {
+  interpolate(refinement.parents, light);
+  for (std::size_t i = refinement.coarse_vertices; i < light.size(); ++i) {
     const glm::vec3& parent = surface.normals[refinement.parents[i - refinement.coarse_vertices][0]];
-    if (glm::dot(surface.normals[i], parent) < 0.0F) std::swap(light.sky[i].x, light.sky[i].y);
+    if (glm::dot(surface.normals[i], parent) < 0.0F) std::swap(light[i].x, light[i].y);
   }
-  std::vector<KeyVisibility> key;
-  key.reserve(refinement.parent_triangles.size());
-  for (const std::uint32_t parent : refinement.parent_triangles) key.push_back(light.key[parent]);
-  light.key = std::move(key);
 }
 
 SurfaceBuffers::SurfaceBuffers(const GladGLContext& context)
@@ -406,7 +269,7 @@ void SurfaceBuffers::add_corners(const SurfaceView& surface) {
   corners_.insert(corners_.end(), surface.corner_coordinates.begin(), surface.corner_coordinates.end());
 }
 
-void SurfaceBuffers::add(const SurfaceView& surface, const SurfaceLight& light, int colour_map_row,
+void SurfaceBuffers::add(const SurfaceView& surface, const std::vector<glm::vec2>& light, int colour_map_row,
                          BaseColourMapTexture& maps) {
   const auto first = static_cast<std::uint32_t>(vertices_.size());
   const auto point_area = static_cast<std::uint32_t>(materials_.size());
@@ -414,16 +277,14 @@ void SurfaceBuffers::add(const SurfaceView& surface, const SurfaceLight& light, 
     throw ContextError("a frame has more than " + std::to_string(max_surfaces) + " surfaces");
   }
   for (std::size_t i = 0; i < surface.positions.size(); ++i) {
-    vertices_.push_back({{surface.positions[i], 0.0F},
-                         {surface.normals[i], light.sky[i].x},
-                         {vertex_material(surface, i), light.sky[i].y}});
+    vertices_.push_back(
+        {{surface.positions[i], 0.0F}, {surface.normals[i], light[i].x}, {vertex_material(surface, i), light[i].y}});
   }
   const std::size_t first_triangle = triangles_.size();
   for (std::size_t i = 0; i + 2 < surface.triangles.size(); i += 3) {
     const std::uint32_t colour = surface.base_colour_of_triangle.empty() ? 0 : surface.base_colour_of_triangle[i / 3];
     triangles_.emplace_back(first + surface.triangles[i], first + surface.triangles[i + 1],
-                            first + surface.triangles[i + 2],
-                            (point_area + colour) * surface_unit + static_cast<std::uint32_t>(light.key[i / 3]));
+                            first + surface.triangles[i + 2], point_area + colour);
   }
   for (const TrimmedTriangle& trim : surface.trims) {
     if (trims_.size() >= max_trims) break;

@@ -46,52 +46,6 @@ class ShadowMap {
 void project_to_map(const glm::mat4& world_to_map, int side_px, std::span<const glm::vec3> positions,
                     std::vector<glm::vec3>& projected);
 
-/// Visibility of a triangle from the key light. The values match shaders/surface_buffers.glsl.
-enum class KeyVisibility : std::uint8_t {
-  shadowed = 0,
-  lit = 1,
-  partial = 2,  ///< partly shadowed: every pixel samples the shadow map
-};
-
-/// Classifies triangles as lit, shadowed or partly shadowed. Only pixels of the last class sample the shadow map, which
-/// would otherwise take most of a picture's time. Each triangle is compared with the shadow map at the texels it
-/// covers. At the border of light and shadow, the penumbra spreads over the mesh from vertex to vertex.
-class ShadowClassifier {
- public:
-  /// Sets the shadow map and its transform (block.world_to_shadow and the shadow members). The map must live while
-  /// classify() is called.
-  void set_shadow_map(const ShadowMap& map, const FrameBlock& block);
-  /// Fills `visibility` with one value per triangle of the surface. Requires set_shadow_map() before.
-  void classify(const SurfaceView& surface, std::vector<KeyVisibility>& visibility);
-
- private:
-  // Number of a triangle's texels in light and in shadow.
-  struct Sight {
-    int lit = 0;
-    int dark = 0;
-    float max_gap_fraction = 0.0F;  // largest gap between triangle and blocker, as a fraction of the map's depth
-  };
-  using Corners = std::span<const std::uint32_t, 3>;
-
-  Sight measure_sight(Corners corners) const;
-  void compare(const SurfaceView& surface, std::vector<KeyVisibility>& visibility);
-  void find_shadow_edges(std::span<const std::uint32_t> triangles, const std::vector<KeyVisibility>& visibility);
-  void spread(const SurfaceView& surface);
-  float penumbra_m(float gap) const;
-
-  const ShadowMap* map_ = nullptr;
-  glm::mat4 world_to_map_{1.0F};
-  float side_m_ = 0.0F;      // 0: nothing casts a shadow
-  float max_blur_m_ = 0.0F;  // widest blur
-  float min_blur_m_ = 0.0F;  // narrowest blur
-  float tangent_ = 0.0F;     // tangent of the light's angular radius
-  // Scratch.
-  std::vector<glm::vec3> projected_;   // x and y in samples, z the depth
-  std::vector<float> penumbrae_m_;     // penumbra of each triangle with shadow on it
-  std::vector<std::uint8_t> touched_;  // flags per vertex: touched by light (1) and shadow (2)
-  std::vector<float> reaches_m_;       // remaining reach of a penumbra from each vertex
-};
-
 /// Base colour maps of a frame as layers of one array texture, in premultiplied linear light. Smaller maps are enlarged
 /// to the size of the largest. It is uploaded if the set of maps changes.
 class BaseColourMapTexture {
@@ -130,15 +84,9 @@ class ColourMapTexture {
   std::optional<Texture> made_;
 };
 
-/// Light that arrives at a surface.
-struct SurfaceLight {
-  std::vector<KeyVisibility> key;  ///< one per triangle
-  std::vector<glm::vec2> sky;      ///< ambient, one per vertex; x outside, y inside
-};
-
-/// Replaces the light of a refined surface's coarse mesh by light on the surface. A vertex that faces away from its
-/// parents gets the light of their other side.
-void spread(const SurfaceView& surface, SurfaceLight& light);
+/// Replaces the ambient light of a refined surface's coarse mesh, one pair per vertex, by light on the surface. A
+/// vertex that faces away from its parents gets the light of their other side.
+void spread(const SurfaceView& surface, std::vector<glm::vec2>& light);
 
 /// All surfaces of one frame in buffer textures, in the layout of shaders/surface_buffers.glsl.
 class SurfaceBuffers {
@@ -155,9 +103,10 @@ class SurfaceBuffers {
 
   /// Removes all surfaces.
   void clear();
-  /// Adds a surface with its light. `colour_map_row`: row of its colour map in ColourMapTexture; ignored without
-  /// scalars. `maps` provides the layers of its base colour maps.
-  void add(const SurfaceView& surface, const SurfaceLight& light, int colour_map_row, BaseColourMapTexture& maps);
+  /// Adds a surface with the ambient light of its vertices: x outside, y inside. `colour_map_row`: row of its colour
+  /// map in ColourMapTexture; ignored without scalars. `maps` provides the layers of its base colour maps.
+  void add(const SurfaceView& surface, const std::vector<glm::vec2>& light, int colour_map_row,
+           BaseColourMapTexture& maps);
   /// Uploads all surfaces. Throws ContextError when they exceed the context's largest buffer texture.
   void upload();
 
@@ -172,10 +121,6 @@ class SurfaceBuffers {
   std::span<const Vertex> all_vertices() const { return vertices_; }
   /// Returns one element per triangle: xyz its vertices, w see shaders/surface_buffers.glsl.
   std::span<const glm::uvec4> all_triangles() const { return triangles_; }
-  /// Returns whether a triangle's KeyVisibility is partial.
-  static bool is_partial(const glm::uvec4& triangle) {
-    return (triangle.w & 3U) == static_cast<std::uint32_t>(KeyVisibility::partial);
-  }
 
  private:
   // Trim of one triangle.

@@ -49,10 +49,6 @@ class Bounds {
   glm::vec2 upper_px_{-1e30F};
 };
 
-constexpr std::uint8_t no_surface = 0;
-constexpr std::uint8_t uniform_shadow = 1;
-constexpr std::uint8_t some_in_shadow = 2;
-
 // Returns the square of a coordinate, within one pixel's rounding.
 int square_index(float coordinate_px, int count) {
   const float square = std::floor(coordinate_px / static_cast<float>(CoveredSquares::side_px));
@@ -67,17 +63,16 @@ constexpr float under_marks_units = 4.0F;
 // Flags of the shading variants; a variant is their sum.
 constexpr std::size_t several_samples = 1;
 constexpr std::size_t scalars = 2;
-constexpr std::size_t partial_shadow = 4;
 // Excludes several samples.
-constexpr std::size_t halved = 8;
-constexpr std::size_t base_colour_maps = 16;
-// Excludes several samples, partial shadow and halving.
-constexpr std::size_t sampled = 32;
-constexpr std::size_t variants = 64;
+constexpr std::size_t halved = 4;
+constexpr std::size_t base_colour_maps = 8;
+// Excludes several samples and halving.
+constexpr std::size_t sampled = 16;
+constexpr std::size_t variants = 32;
 
 std::vector<std::string_view> defines(std::size_t variant) {
   std::vector<std::string_view> names;
-  for (const char* name : {"MULTISAMPLED", "SCALARS", "PARTIAL_SHADOW", "HALVED", "BASE_COLOUR_MAPS", "SAMPLED"}) {
+  for (const char* name : {"MULTISAMPLED", "SCALARS", "HALVED", "BASE_COLOUR_MAPS", "SAMPLED"}) {
     if (variant % 2 != 0) names.emplace_back(name);
     variant /= 2;
   }
@@ -110,7 +105,7 @@ bool reaches_below(float height_m, const FrameView& frame, std::span<const Surfa
 void CoveredSquares::find(const SurfaceBuffers& surfaces, const glm::mat4& world_to_clip, const glm::ivec2& size_px) {
   tile_px_ = size_px;
   squares_ = (size_px + side_px - 1) / side_px;
-  kinds_.assign(static_cast<std::size_t>(squares_.x) * static_cast<std::size_t>(squares_.y), no_surface);
+  are_covered_.assign(static_cast<std::size_t>(squares_.x) * static_cast<std::size_t>(squares_.y), 0);
   projected_.clear();
   for (const SurfaceBuffers::Vertex& vertex : surfaces.all_vertices()) {
     const glm::vec4 clip = world_to_clip * glm::vec4{glm::vec3{vertex.place}, 1.0F};
@@ -122,28 +117,25 @@ void CoveredSquares::find(const SurfaceBuffers& surfaces, const glm::mat4& world
     const glm::vec3& a = projected_[triangle.x];
     const glm::vec3& b = projected_[triangle.y];
     const glm::vec3& c = projected_[triangle.z];
-    const std::uint8_t kind = SurfaceBuffers::is_partial(triangle) ? some_in_shadow : uniform_shadow;
     if (a.z + b.z + c.z == 0.0F) continue;
     if (a.z * b.z * c.z == 0.0F) return mark_all();
     const glm::vec2 lower = glm::vec2{glm::min(a, glm::min(b, c))} - 1.0F;
     const glm::vec2 upper = glm::vec2{glm::max(a, glm::max(b, c))} + 1.0F;
     mark({square_index(lower.x, squares_.x), square_index(lower.y, squares_.y), square_index(upper.x, squares_.x),
-          square_index(upper.y, squares_.y)},
-         kind);
+          square_index(upper.y, squares_.y)});
   }
 }
 
-void CoveredSquares::mark(const glm::ivec4& box, std::uint8_t kind) {
+void CoveredSquares::mark(const glm::ivec4& box) {
   for (int y = std::max(box.y, 0); y <= std::min(box.w, squares_.y - 1); ++y) {
     for (int x = std::max(box.x, 0); x <= std::min(box.z, squares_.x - 1); ++x) {
-      std::uint8_t& own = kinds_[static_cast<std::size_t>(y * squares_.x + x)];
-      own = std::max(own, kind);
+      are_covered_[static_cast<std::size_t>(y * squares_.x + x)] = 1;
     }
   }
 }
 
 // Marks all squares: a triangle that reaches behind the eye may be anywhere.
-void CoveredSquares::mark_all() { std::ranges::fill(kinds_, some_in_shadow); }
+void CoveredSquares::mark_all() { std::ranges::fill(are_covered_, std::uint8_t{1}); }
 
 void CoveredSquares::add_run(int first, int end, int row) {
   const auto clip = [&](int x, int y) {
@@ -158,14 +150,13 @@ void CoveredSquares::add_run(int first, int end, int row) {
   triangles_.insert(triangles_.end(), {lower_left, lower_right, upper_right, lower_left, upper_right, upper_left});
 }
 
-const std::vector<glm::vec2>& CoveredSquares::corners(bool partial) {
-  const std::uint8_t wanted = partial ? some_in_shadow : uniform_shadow;
+const std::vector<glm::vec2>& CoveredSquares::corners() {
   triangles_.clear();
   for (int row = 0; row < squares_.y; ++row) {
-    const std::uint8_t* own = kinds_.data() + static_cast<std::ptrdiff_t>(row) * squares_.x;
+    const std::uint8_t* own = are_covered_.data() + static_cast<std::ptrdiff_t>(row) * squares_.x;
     for (int x = 0; x < squares_.x;) {
       const int first = x;
-      while (x < squares_.x && own[x] == wanted) ++x;
+      while (x < squares_.x && own[x] != 0) ++x;
       if (x > first) {
         add_run(first, x, row);
       } else {
@@ -248,25 +239,20 @@ void SurfacePass::draw_casters() {
   for (const CornerRange& caster : casters_) gl_->DrawArrays(GL_TRIANGLES, caster.first, caster.count);
 }
 
-void SurfacePass::draw_squares(bool partial) {
-  const std::vector<glm::vec2>& covered = squares_.corners(partial);
+void SurfacePass::draw_squares() {
+  const std::vector<glm::vec2>& covered = squares_.corners();
   gl_->BindVertexArray(square_arrays_.name());
   taut::renderer::upload(*gl_, GL_ARRAY_BUFFER, square_corners_, std::span<const glm::vec2>(covered));
   gl_->DrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(covered.size()));
 }
 
 void SurfacePass::shade_squares(std::size_t kind, const VisibilityBuffer& visibility, const glm::ivec2& corner_px) {
-  for (const bool partial : {false, true}) {
-    if (squares_.corners(partial).empty()) continue;
-    const Program& program =
-        shading_[kind + (any_scalars_ ? scalars : 0) + (partial && kind != sampled ? partial_shadow : 0) +
-                 (surface_buffers_.has_maps() ? base_colour_maps : 0)]
-            .use();
-    program.set("corner", glm::ivec4{corner_px, 0, 0});
-    program.set("samples_x", visibility.samples_x());
-    program.set("samples_y", visibility.samples_y());
-    draw_squares(partial);
-  }
+  const Program& program =
+      shading_[kind + (any_scalars_ ? scalars : 0) + (surface_buffers_.has_maps() ? base_colour_maps : 0)].use();
+  program.set("corner", glm::ivec4{corner_px, 0, 0});
+  program.set("samples_x", visibility.samples_x());
+  program.set("samples_y", visibility.samples_y());
+  draw_squares();
 }
 
 void SurfacePass::shade_halved(const VisibilityBuffer& visibility, GLuint framebuffer, const PixelRect& place) {
@@ -280,7 +266,7 @@ void SurfacePass::shade_halved(const VisibilityBuffer& visibility, GLuint frameb
   const Program& program = upscaling_.use();
   program.set("corner", glm::ivec4{place.x_px, place.y_px, 0, 0});
   program.set("halved_part", glm::vec4{0.5F / glm::vec2{halved_.size_px()}, 0.0F, 0.0F});
-  for (const bool partial : {false, true}) draw_squares(partial);
+  draw_squares();
 }
 
 void SurfacePass::begin_shading(const VisibilityBuffer& visibility, GLuint framebuffer, const FrameBlock& block,

@@ -22,23 +22,22 @@ class CoveredSquares {
   /// size_px is its size in drawn pixels.
   void find(const SurfaceBuffers& surfaces, const glm::mat4& world_to_clip, const glm::ivec2& size_px);
 
-  /// Returns triangles in clip space, three corners each, that cover the marked squares with (`partial`) or without a
-  /// triangle of KeyVisibility::partial. Valid until the next call.
-  const std::vector<glm::vec2>& corners(bool partial);
+  /// Returns triangles in clip space, three corners each, that cover the marked squares. Valid until the next call.
+  const std::vector<glm::vec2>& corners();
 
   /// Side of a square, drawn pixels. Lower values shade fewer pixels without a surface but draw more squares.
   static constexpr int side_px = 16;
 
  private:
-  void mark(const glm::ivec4& box, std::uint8_t kind);
+  void mark(const glm::ivec4& box);
   void mark_all();
   void add_run(int first, int end, int row);
 
   glm::ivec2 tile_px_{0};
   glm::ivec2 squares_{0};
-  std::vector<std::uint8_t> kinds_;   // kind of each square: no surface, uniform or partial shadow
-  std::vector<glm::vec3> projected_;  // scratch: pixels, z: 0 behind the eye
-  std::vector<glm::vec2> triangles_;  // scratch
+  std::vector<std::uint8_t> are_covered_;  // one per square
+  std::vector<glm::vec3> projected_;       // scratch: pixels, z: 0 behind the eye
+  std::vector<glm::vec2> triangles_;       // scratch
 };
 
 /// Draws surfaces: first their triangles into a visibility buffer, then the shading of visible ones. The block `Frame`
@@ -78,7 +77,7 @@ class SurfacePass {
   };
   void begin_shading(const VisibilityBuffer& visibility, GLuint framebuffer, const FrameBlock& block,
                      const PixelRect& place);
-  void draw_squares(bool partial);
+  void draw_squares();
   void shade_squares(std::size_t kind, const VisibilityBuffer& visibility, const glm::ivec2& corner_px);
   void shade_halved(const VisibilityBuffer& visibility, GLuint framebuffer, const PixelRect& place);
 
@@ -98,7 +97,7 @@ class SurfacePass {
   Buffer square_corners_;
   LazyProgram upscaling_;
   GrowingTarget halved_;
-  SurfaceLight surface_light_;  // scratch
+  std::vector<glm::vec2> surface_light_;  // scratch
   bool any_scalars_ = false;
 };
 

@@ -11,19 +11,19 @@ struct CoveredSquaresTest : testing::Test {
   BaseColourMapTexture maps{context->gl()};
   CoveredSquares squares;
 
-  void find(const std::array<glm::vec3, 3>& positions, KeyVisibility key, const glm::mat4& to_clip = glm::mat4{1.0F}) {
+  void find(const std::array<glm::vec3, 3>& positions, const glm::mat4& to_clip = glm::mat4{1.0F}) {
     SurfaceView surface;
     surface.positions = positions;
     surface.normals = up_normals;
     surface.triangles = triangle_indices;
     surfaces.clear();
-    surfaces.add(surface, {{key}, std::vector<glm::vec2>(3)}, -1, maps);
+    surfaces.add(surface, std::vector<glm::vec2>(3), -1, maps);
     squares.find(surfaces, to_clip, {96, 64});
   }
   // Returns the covered area in squares.
-  float area(bool partial) {
+  float area() {
     float sum = 0.0F;
-    const std::vector<glm::vec2>& corners = squares.corners(partial);
+    const std::vector<glm::vec2>& corners = squares.corners();
     for (std::size_t i = 0; i + 2 < corners.size(); i += 3) {
       const glm::vec2 a = corners[i + 1] - corners[i];
       const glm::vec2 b = corners[i + 2] - corners[i];
@@ -36,31 +36,27 @@ struct CoveredSquaresTest : testing::Test {
 TEST_F(CoveredSquaresTest, HoldTheTriangleAndLittleElse) {
   // The triangle spans 50 to 60 px across and 34 to 44 px up, within one square.
   const std::array<glm::vec3, 3> small{{{0.042F, 0.0626F, 0}, {0.25F, 0.0626F, 0}, {0.25F, 0.375F, 0}}};
-  find(small, KeyVisibility::lit);
-  EXPECT_NEAR(area(false), 1.0F, 1e-3F);
-  EXPECT_EQ(area(true), 0.0F);
-  EXPECT_NEAR(squares.corners(false)[0].x, 0.0F, 1e-5F);
-  EXPECT_NEAR(squares.corners(false)[0].y, 0.0F, 1e-5F);
-  find(small, KeyVisibility::partial);
-  EXPECT_EQ(area(false), 0.0F);
-  EXPECT_NEAR(area(true), 1.0F, 1e-3F);
+  find(small);
+  EXPECT_NEAR(area(), 1.0F, 1e-3F);
+  EXPECT_NEAR(squares.corners()[0].x, 0.0F, 1e-5F);
+  EXPECT_NEAR(squares.corners()[0].y, 0.0F, 1e-5F);
 }
 
 TEST_F(CoveredSquaresTest, EndWithTheTile) {
-  find({{{-3, -3, 0}, {3, -3, 0}, {0, 5, 0}}}, KeyVisibility::shadowed);
-  EXPECT_NEAR(area(false), 24.0F, 1e-3F);
-  find({{{2, 2, 0}, {3, 2, 0}, {3, 3, 0}}}, KeyVisibility::shadowed);
-  EXPECT_EQ(area(false), 0.0F);
+  find({{{-3, -3, 0}, {3, -3, 0}, {0, 5, 0}}});
+  EXPECT_NEAR(area(), 24.0F, 1e-3F);
+  find({{{2, 2, 0}, {3, 2, 0}, {3, 3, 0}}});
+  EXPECT_EQ(area(), 0.0F);
 }
 
 TEST_F(CoveredSquaresTest, AreAllWhereATrianglePassesTheEye) {
   glm::mat4 to_clip{1.0F};
   to_clip[2][3] = 1.0F;  // w = z
   to_clip[3][3] = 0.0F;
-  find({{{0, 0, -1}, {0.1F, 0, 1}, {0, 0.1F, 1}}}, KeyVisibility::lit, to_clip);
-  EXPECT_NEAR(area(true), 24.0F, 1e-3F);
-  find({{{0, 0, -1}, {0.1F, 0, -1}, {0, 0.1F, -1}}}, KeyVisibility::lit, to_clip);
-  EXPECT_EQ(area(true) + area(false), 0.0F);
+  find({{{0, 0, -1}, {0.1F, 0, 1}, {0, 0.1F, 1}}}, to_clip);
+  EXPECT_NEAR(area(), 24.0F, 1e-3F);
+  find({{{0, 0, -1}, {0.1F, 0, -1}, {0, 0.1F, -1}}}, to_clip);
+  EXPECT_EQ(area(), 0.0F);
 }
 
 }  // namespace

@@ -89,7 +89,7 @@ TEST(LostPositions, AmbientLightTakesAnyPosition) {
   });
 }
 
-TEST(LostPositions, TrianglesAreClassified) {
+TEST(LostPositions, TheShadedFloorStaysInTheTile) {
   for_each_runaway([](const Runaway& cloth) {
     const SurfaceView view = cloth.view();
     const std::array casters{&view};
@@ -99,14 +99,6 @@ TEST(LostPositions, TrianglesAreClassified) {
       FrameBlock block = make_frame_block(frame, PictureSettings{}, box);
       set_shadow_bounds(block, casters);
       set_tile(block, frame.camera, PictureSettings{}, {0, 0, 1280, 720});
-      ShadowMap map;
-      map.resize(64);
-      map.draw(block.world_to_shadow, cloth.positions, cloth.triangles);
-      ShadowClassifier classifier;
-      classifier.set_shadow_map(map, block);
-      std::vector<KeyVisibility> visibility;
-      classifier.classify(view, visibility);
-      EXPECT_EQ(visibility.size(), 2U);
       const PixelRect floor = shaded_floor(block);
       EXPECT_TRUE(floor.x_px >= 0 && floor.width_px >= 0 && floor.x_px + floor.width_px <= 1280);
       EXPECT_TRUE(floor.y_px >= 0 && floor.height_px >= 0 && floor.y_px + floor.height_px <= 720);
@@ -164,13 +156,11 @@ TEST_F(LostPicturesTest, CoveredSquaresStayInTheTile) {
   CoveredSquares squares;
   for_each_runaway([&](const Runaway& cloth) {
     surfaces.clear();
-    surfaces.add(cloth.view(), {{KeyVisibility::lit, KeyVisibility::partial}, std::vector<glm::vec2>(4)}, -1, maps);
+    surfaces.add(cloth.view(), std::vector<glm::vec2>(4), -1, maps);
     for (const glm::mat4& matrix : {to_clip, glm::mat4{1.0F}}) {
       squares.find(surfaces, matrix, {96, 64});
-      for (const bool partial : {false, true}) {
-        for (const glm::vec2& corner : squares.corners(partial)) {
-          EXPECT_TRUE(std::abs(corner.x) <= 1.0F && std::abs(corner.y) <= 1.0F);
-        }
+      for (const glm::vec2& corner : squares.corners()) {
+        EXPECT_TRUE(std::abs(corner.x) <= 1.0F && std::abs(corner.y) <= 1.0F);
       }
     }
   });

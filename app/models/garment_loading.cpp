@@ -165,12 +165,14 @@ bool is_hung(const Scene& scene) {
   return !scene.garment.is_grid() && !scene.garment.given && !scene.pins && scene.dressing_frames() == 0;
 }
 
-/// Finds the axis that is up by openings, or else by hanging the model both ways if it will be hung.
-void find_up(const Scene& scene, const sim::Mesh& model_m, const StageReport& begin, PlacementHints& hints) {
+/// Finds the axis that is up by the openings of the model, or else by hanging what is simulated both ways if it will be
+/// hung.
+void find_up(const Scene& scene, const sim::Mesh& model_m, const sim::Mesh& simulated_m, const StageReport& begin,
+             PlacementHints& hints) {
   hints.up_by_openings = up_by_openings(model_m, sim::make_adjacency(model_m));
   if (!hints.up_by_openings && is_hung(scene) && scene.surroundings.bodies.empty()) {
     begin("hanging it both ways to see which is up");
-    hints.up_by_hanging = up_by_hanging(model_m);
+    hints.up_by_hanging = up_by_hanging(simulated_m);
   }
 }
 
@@ -199,11 +201,11 @@ sim::Mesh read_mesh(const Scene& scene, LoadedGarment& loaded, const StageReport
     begin("looking whether it is fit to be simulated");
     const GarmentFacts facts = source.given ? GarmentFacts() : read_garment_facts(source.model());
     const bool is_cut = facts.is_cut;
-    std::optional<FittedModel> fitted =
-        is_cut ? std::nullopt : fitted_model(source, scene.material.thickness_m, scale_mesh(valid.mesh, scale));
-    if (fitted && crosses_more_than_model(*fitted, valid.mesh)) {
-      loaded.refused_crossings = fitted->crossings;
-      fitted.reset();
+    std::optional<FittedModel> fitted;
+    if (!is_cut) {
+      FittingOutcome outcome = fit_model(source, scene.material.thickness_m, scale_mesh(valid.mesh, scale));
+      fitted = std::move(outcome.fitted);
+      loaded.fitting_refusal = std::move(outcome.refusal);
     }
     if (!fitted && !is_cut) valid = sim::weld_and_validate(soup, repair_settings(source, scale));
     loaded.repairs = valid.report;
@@ -212,7 +214,8 @@ sim::Mesh read_mesh(const Scene& scene, LoadedGarment& loaded, const StageReport
     loaded.colours = kept_colours(std::move(model.colours), imported, valid.result_vertices, valid.mesh.triangles);
     loaded.file_vertices = vertices_of_file(model, valid.result_vertices);
     if (!source.up && !model.up) {
-      find_up(scene, fitted ? fitted->mesh : scale_mesh(valid.mesh, scale), begin, hints);
+      const sim::Mesh model_m = scale_mesh(valid.mesh, scale);
+      find_up(scene, model_m, fitted ? fitted->mesh : model_m, begin, hints);
       loaded.placement = place_model(soup, hints);
     }
     model.positions = std::move(soup.positions);
@@ -383,6 +386,14 @@ bool cut_as_parted(const Scene& scene, const std::vector<sim::Vec3>& untangled_m
   return true;
 }
 
+/// Returns whether a garment that is not simulated as modelled crosses itself so little that untangling ends soon.
+bool can_be_untangled(const LoadedGarment& loaded) {
+  constexpr std::size_t max_percent = 6;  ///< crossing pairs for a hundred triangles
+  const sim::Mesh& mesh = loaded.garment->mesh;
+  return (loaded.following || !loaded.fitting_refusal.empty()) &&
+         100 * sim::find_crossing_pairs({mesh.positions, mesh.triangles}).size() <= max_percent * mesh.triangles.size();
+}
+
 void untangle(const Scene& scene, LoadedGarment& loaded, const StageReport& begin) {
   const bool may_cut = loaded.following && !loaded.start_m;
   const sim::Mesh& rest_mesh = loaded.garment->mesh;
@@ -472,9 +483,7 @@ LoadedGarment load_garment(const Scene& scene, const StageReport& report) {
     loaded.pins.insert(loaded.pins.end(), group.vertices.begin(), group.vertices.end());
   }
   if (scene.garment.has_start()) loaded.start_m = read_start(scene.garment, loaded);
-  if (scene.garment.untangle || loaded.following || loaded.refused_crossings > 0) {
-    untangle(scene, loaded, begin);
-  }
+  if (scene.garment.untangle || can_be_untangled(loaded)) untangle(scene, loaded, begin);
   return loaded;
 }
 

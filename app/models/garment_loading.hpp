@@ -24,6 +24,8 @@ struct FollowingModel {
   std::shared_ptr<const OffsetLimits> limits;  ///< limits of the offsets in `bonds`
   std::string unfit_reason;                    ///< reason why the model itself is not simulated
   std::size_t carried_triangles = 0;           ///< count of triangles outside the simulated wall
+  std::size_t dropped_parts = 0;               ///< count of parts too small to be simulated
+  double dropped_area_fraction = 0.0;
 
   CarriedVertices carried_vertices;  ///< vertices of `mesh` outside the wall
 
@@ -69,7 +71,7 @@ struct LoadedGarment : GarmentInScene {
   std::optional<sim::MeshReport> repairs;
   Strays strays;                       ///< pieces that were left out
   std::size_t trims_sewn_on = 0;       ///< count of parts that lie on others and are held by stitches
-  std::size_t refused_crossings = 0;   ///< crossings of a fitted mesh that crosses itself more than the model; or 0
+  std::string fitting_refusal;         ///< reason why a mesh that was fitted is not the model's cloth; empty if it is
   std::size_t turned_outside_out = 0;  ///< count of triangles of surfaces that faced inwards
   std::optional<Placement> placement;
   std::optional<Hanging> hanging;  ///< empty if the scene names the pins or dresses a body

@@ -211,8 +211,11 @@ class Seams {
   std::vector<sim::Edge> pairs_;
 };
 
-constexpr double min_sheet_share = 0.02;          ///< smallest area of a simulated sheet, as a fraction of the total
-constexpr double min_share_of_largest = 0.05;     ///< smallest fraction of the largest sheet's area
+constexpr double min_sheet_share = 0.02;       ///< smallest area of a simulated sheet, as a fraction of the total
+constexpr double min_share_of_largest = 0.05;  ///< smallest fraction of the largest sheet's area
+constexpr double tiny_sheet_share = 0.001;     ///< smallest such area of a sheet beside no other
+constexpr double min_trim_fraction = 0.6;  ///< smallest fraction of a small sheet beside others for it to follow them
+constexpr double trim_distance_fraction = 0.02;   ///< largest distance of such a sheet, as a fraction of the size
 constexpr double joined_share = 0.003;            ///< largest distance of joined borders, as a fraction of the size
 constexpr double gap_share = 0.02;                ///< largest gap between joined parts, as a fraction of the size
 constexpr double flat_thickness_fraction = 0.02;  ///< thickness of flat pieces, as a fraction of the size
@@ -220,13 +223,13 @@ constexpr double first_edge_ratio = 1.08;         ///< ratio of the first edges 
 constexpr double max_edge_growth = 1.02;          ///< extra growth factor of edges after too many triangles
 /// Budget of triangle tests for each requested triangle. Thirteen garments of other makers took up to 215 in all their
 /// fits. Flat polygons of 2000 corners that are cut into needles exceed it.
-constexpr std::size_t max_looks_per_triangle = 12000;
+constexpr std::size_t max_looks_per_triangle = 2000;
 constexpr int max_trials = 4;
 constexpr int max_fits = 4;  ///< each fits the mesh of the one before
 /// Number of crossings up to which another fit must remove more than half of them. Each fit is farther from the model,
 /// and few crossings can be untangled.
 constexpr std::size_t max_untangled_crossings = 70;
-constexpr double min_area_left = 0.8;      ///< smallest area after another fit, as a fraction of the area before
+constexpr double min_area_left = 0.96;     ///< smallest area after another fit, as a fraction of the first one's
 constexpr double closed_hole_edges = 5.0;  ///< largest border of a closed hole, in edge lengths
 
 std::vector<double> areas_of_sheets(const Sheets& sheets) {
@@ -238,8 +241,29 @@ std::vector<double> areas_of_sheets(const Sheets& sheets) {
   return areas;
 }
 
-/// Returns the mesh without small sheets.
-sim::Mesh large_sheets(const Sheets& sheets) {
+/// Returns the fraction of the vertices of each sheet that are near a triangle of another sheet that is marked.
+std::vector<double> fractions_beside(const Sheets& sheets, const std::vector<char>& is_marked) {
+  sim::Mesh marked{sheets.mesh.positions, {}, {}};
+  for (std::size_t t = 0; t < sheets.sheet_of.size(); ++t) {
+    if (is_marked[sheets.sheet_of[t]] != 0) marked.triangles.push_back(sheets.mesh.triangles[t]);
+  }
+  const SurfaceTree tree(marked.positions, marked.triangles);
+  const double reach_m = trim_distance_fraction * glm::length(sim::compute_extent(marked.positions).size());
+  std::vector<double> near(sheets.count, 0.0), all(sheets.count, 0.0);
+  for (std::size_t t = 0; t < sheets.sheet_of.size(); ++t) {
+    const sim::Index sheet = sheets.sheet_of[t];
+    if (is_marked[sheet] != 0) continue;
+    const sim::Vec3& place_m = sheets.mesh.positions[sheets.mesh.triangles[t][0]];
+    all[sheet] += 1.0;
+    near[sheet] +=
+        tree.find_nearest(place_m, reach_m, [](const TreeSurfacePoint&) { return true; }).has_value() ? 1.0 : 0.0;
+  }
+  for (std::size_t k = 0; k < near.size(); ++k) near[k] /= std::max(all[k], 1.0);
+  return near;
+}
+
+/// Returns the mesh without tiny sheets and without small ones beside large ones. Adds them to those that were dropped.
+sim::Mesh large_sheets(const Sheets& sheets, FittedMesh& fitted) {
   const std::vector<double> areas = areas_of_sheets(sheets);
   double all = 0.0, largest = 0.0;
   for (const double area : areas) {
@@ -247,9 +271,17 @@ sim::Mesh large_sheets(const Sheets& sheets) {
     largest = std::max(largest, area);
   }
   const double min_area = std::min(min_sheet_share * all, min_share_of_largest * largest);
+  std::vector<char> is_kept;
+  for (const double area : areas) is_kept.push_back(static_cast<char>(area >= min_area));
+  const std::vector<double> beside = fractions_beside(sheets, is_kept);
+  for (std::size_t k = 0; k < areas.size(); ++k) {
+    is_kept[k] |= static_cast<char>(areas[k] >= tiny_sheet_share * all && beside[k] < min_trim_fraction);
+    fitted.dropped_sheets += is_kept[k] == 0;
+    fitted.dropped_area_fraction += is_kept[k] == 0 ? areas[k] / all : 0.0;
+  }
   sim::Mesh large{sheets.mesh.positions, {}, {}};
   for (std::size_t t = 0; t < sheets.sheet_of.size(); ++t) {
-    if (areas[sheets.sheet_of[t]] >= min_area) large.triangles.push_back(sheets.mesh.triangles[t]);
+    if (is_kept[sheets.sheet_of[t]] != 0) large.triangles.push_back(sheets.mesh.triangles[t]);
   }
   return large;
 }
@@ -259,7 +291,7 @@ double edge_for(double area_m2, std::size_t triangles) {
 }
 
 /// Fits one mesh to a model. Its crossings are mostly ends of a wall that lie on others.
-FittedMesh fit_once(const sim::Mesh& model_m, const FittingSettings& settings) {
+FittedMesh fit_once(const sim::Mesh& model_m, const FittingSettings& settings, bool is_simplified) {
   FittedMesh fitted;
   Sheets sheets = cut_into_sheets(model_m);
   turn_outwards(sheets);
@@ -276,19 +308,19 @@ FittedMesh fit_once(const sim::Mesh& model_m, const FittingSettings& settings) {
   fitted.joined_vertices += join_parts(gap_between_parts(wall, settings), distance_m, wall);
   Sheets joined_sheets = cut_into_sheets(wall);
   turn_outwards(joined_sheets);
-  sim::Mesh surface = large_sheets(joined_sheets);
+  sim::Mesh surface = large_sheets(joined_sheets, fitted);
   const double area = sim::surface_area(surface);
   fitted.edge_m = std::max(settings.min_edge_m, first_edge_ratio * edge_for(area, settings.max_triangles));
   fitted.closed_holes = fill_small_holes(closed_hole_edges * fitted.edge_m, surface);
   const std::size_t max_looks = max_looks_per_triangle * settings.max_triangles;
-  fitted.mesh = remesh(surface, fitted.edge_m, max_looks);
-  for (int i = 0; i < max_trials && fitted.mesh.triangles.size() > settings.max_triangles; ++i) {
+  fitted.mesh = is_simplified ? simplify(surface, settings.max_triangles) : remesh(surface, fitted.edge_m, max_looks);
+  for (int i = 0; !is_simplified && i < max_trials && fitted.mesh.triangles.size() > settings.max_triangles; ++i) {
     const auto found = static_cast<double>(fitted.mesh.triangles.size());
     fitted.edge_m *= max_edge_growth * std::sqrt(found / static_cast<double>(settings.max_triangles));
     fitted.mesh = remesh(surface, fitted.edge_m, max_looks);
   }
   // Sheets that were joined by a single edge may have come apart.
-  Sheets cut = cut_into_sheets(large_sheets(cut_into_sheets(fitted.mesh)));
+  Sheets cut = cut_into_sheets(large_sheets(cut_into_sheets(fitted.mesh), fitted));
   fitted.mesh = std::move(cut.mesh);
   fitted.sheets = cut.count;
   fitted.is_simulated.assign(is_kept_wall.begin(), is_kept_wall.end());
@@ -297,9 +329,7 @@ FittedMesh fit_once(const sim::Mesh& model_m, const FittingSettings& settings) {
   return fitted;
 }
 
-constexpr double max_two_walled_fraction = 0.3;  ///< fraction of the area above which cloth is modelled with two walls
-constexpr std::size_t max_simulated_triangles =
-    16000;                                        ///< largest number of triangles of a model that is simulated itself
+constexpr double max_two_walled_fraction = 0.3;   ///< fraction of the area above which cloth is modelled with two walls
 constexpr std::size_t min_fold_triangles = 1000;  ///< smallest number of triangles for the folds of a garment
 constexpr std::size_t min_border_vertices = 8;    ///< smallest number of border vertices along another part
 constexpr double needle_share = 0.003;            ///< largest fraction of needles among the triangles
@@ -373,21 +403,26 @@ double gap_between_parts(const sim::Mesh& model_m, const FittingSettings& settin
 }
 
 FittedMesh fit_mesh(const sim::Mesh& model_m, const FittingSettings& settings) {
-  FittedMesh fitted = fit_once(model_m, settings);
+  FittedMesh fitted = fit_once(model_m, settings, false);
+  const double min_area_m2 = min_area_left * sim::surface_area(fitted.mesh);
   for (int i = 1; i < max_fits && fitted.crossings > 0; ++i) {
-    FittedMesh again = fit_once(fitted.mesh, settings);
+    FittedMesh again = fit_once(fitted.mesh, settings, false);
     const std::size_t most =
         fitted.crossings > max_untangled_crossings ? fitted.crossings - 1 : (fitted.crossings - 1) / 2;
-    if (again.crossings > most || sim::surface_area(again.mesh) < min_area_left * sim::surface_area(fitted.mesh)) {
-      break;
-    }
+    if (again.crossings > most || sim::surface_area(again.mesh) < min_area_m2) break;
     again.is_simulated = std::move(fitted.is_simulated);
     again.carried_triangles = fitted.carried_triangles;
     again.joined_vertices += fitted.joined_vertices;
     again.closed_holes += fitted.closed_holes;
+    again.dropped_sheets += fitted.dropped_sheets;
+    again.dropped_area_fraction += fitted.dropped_area_fraction;
     fitted = std::move(again);
   }
   return fitted;
+}
+
+FittedMesh simplify_model(const sim::Mesh& model_m, const FittingSettings& settings) {
+  return fit_once(model_m, settings, true);
 }
 
 double sine_of_smallest_angle(const sim::Mesh& mesh, const sim::Triangle& t) {

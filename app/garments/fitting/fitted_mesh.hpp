@@ -41,7 +41,9 @@ struct FittedMesh {
   std::size_t carried_triangles = 0;  ///< count of triangles of the model that are not simulated
   std::size_t joined_vertices = 0;    ///< count of welded vertices of borders that nearly met
   std::size_t closed_holes = 0;       ///< count of holes smaller than a few triangles
-  std::size_t crossings = 0;          ///< count of pairs of triangles of the mesh that cross
+  std::size_t dropped_sheets = 0;     ///< count of sheets too small to be simulated
+  double dropped_area_fraction = 0.0;
+  std::size_t crossings = 0;  ///< count of pairs of triangles of the mesh that cross
 };
 
 /// Returns the gap of these settings for a garment of this size; 0 for flat pattern pieces, which lie beside each other
@@ -50,6 +52,13 @@ double gap_between_parts(const sim::Mesh& model_m, const FittingSettings& settin
 
 /// Makes a mesh of near-equilateral triangles of one size from any model. Requires a welded mesh in metres.
 FittedMesh fit_mesh(const sim::Mesh& model_m, const FittingSettings& settings = {});
+
+/// Makes a mesh of the same sheets whose triangles are small where the cloth is narrow or folded. It crosses itself
+/// more often than the mesh of fit_mesh(). Requires a welded mesh in metres.
+FittedMesh simplify_model(const sim::Mesh& model_m, const FittingSettings& settings = {});
+
+/// Largest number of triangles of a model that is simulated itself.
+inline constexpr std::size_t max_simulated_triangles = 16000;
 
 /// Smallest number of triangles of a garment.
 inline constexpr std::size_t min_garment_triangles = 24;
@@ -70,5 +79,9 @@ std::optional<std::string> why_not_fit_for_simulation(const sim::Mesh& model_m, 
 /// at every edge, one fan at every vertex and neighbours that face the same side. Throws std::invalid_argument if it
 /// needs more than `max_looks` tests of triangles of the surface.
 sim::Mesh remesh(const sim::Mesh& surface, double edge_m, std::size_t max_looks);
+
+/// Collapses edges until at most `max_triangles` are left, or none can be collapsed without needles (Garland and
+/// Heckbert 1997, Surface Simplification Using Quadric Error Metrics). Requires the same as remesh().
+sim::Mesh simplify(const sim::Mesh& surface, std::size_t max_triangles);
 
 }  // namespace taut::app

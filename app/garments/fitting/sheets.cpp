@@ -41,19 +41,22 @@ std::vector<std::array<sim::Index, 2>> smoothest_pairs(const sim::Mesh& mesh, co
                                             around.size(), edge[0], edge[1], max_triangles_at_edge));
   }
   struct WallPair {
+    bool is_turned;  ///< true if the two face different sides: a surface of such pairs may be one-sided
     double roughness;
     std::size_t first, second;
   };
   std::vector<WallPair> pairs;
   for (std::size_t i = 0; i < around.size(); ++i) {
     for (std::size_t k = i + 1; k < around.size(); ++k) {
-      pairs.push_back({-smoothness(mesh, edge, mesh.triangles[around[i]], mesh.triangles[around[k]]), i, k});
+      const sim::Triangle &a = mesh.triangles[around[i]], &b = mesh.triangles[around[k]];
+      const bool face_alike = sim::runs_along(a, edge) != sim::runs_along(b, edge);
+      pairs.push_back({!face_alike, -smoothness(mesh, edge, a, b), i, k});
     }
   }
-  std::ranges::stable_sort(pairs, {}, &WallPair::roughness);
+  std::ranges::stable_sort(pairs, {}, [](const WallPair& pair) { return std::pair(pair.is_turned, pair.roughness); });
   std::vector<char> is_taken(around.size(), 0);
   std::vector<std::array<sim::Index, 2>> smoothest;
-  for (const auto& [roughness, first, second] : pairs) {
+  for (const auto& [is_turned, roughness, first, second] : pairs) {
     if (is_taken[first] != 0 || is_taken[second] != 0) continue;
     is_taken[first] = is_taken[second] = 1;
     smoothest.push_back({around[first], around[second]});
@@ -138,16 +141,15 @@ std::vector<char> mark_crowded_edges(const Sheets& sheets) {
   return marked;
 }
 
-constexpr double max_wall_distance_m = 0.012;   ///< largest distance between two walls
-constexpr double usual_size_m = 0.8;            ///< diagonal of a garment below which all lengths here shrink
-constexpr double max_wall_crossing_m = 0.0005;  ///< depth to which two walls may cross each other
-constexpr double max_opposite_cosine = -0.7;    ///< largest cosine between the normals of two walls
-constexpr double min_wall_cosine = 0.7;         ///< smallest cosine between the normals of neighbours in one wall
-constexpr double min_crease_cosine = 0.6;  ///< smallest such cosine at a crease that is not yet a rim between two walls
-constexpr double min_shell_area_fraction = 0.3;  ///< area fraction with another wall above which a sheet is cut
-constexpr double flat_m = 0.04;                  ///< largest thickness of a garment laid flat, which has no two walls
-constexpr double max_lying_distance_m = 0.006;   ///< largest distance of a sheet from the cloth that it lies on
-constexpr double min_lying_area_fraction = 0.8;  ///< smallest fraction of a sheet's area that lies on others
+constexpr double max_wall_distance_m = 0.012;     ///< largest distance between two walls
+constexpr double usual_size_m = 0.8;              ///< diagonal of a garment below which all lengths here shrink
+constexpr double max_wall_crossing_m = 0.0005;    ///< depth to which two walls may cross each other
+constexpr double max_opposite_cosine = -0.7;      ///< largest cosine between the normals of two walls
+constexpr double min_shell_area_fraction = 0.3;   ///< area fraction with another wall above which a sheet is cut
+constexpr double flat_m = 0.04;                   ///< largest thickness of a garment laid flat, which has no two walls
+constexpr double max_lying_distance_m = 0.006;    ///< largest distance of a sheet from the cloth that it lies on
+constexpr double min_lying_area_fraction = 0.8;   ///< smallest fraction of a sheet's area that lies on others
+constexpr double min_behind_area_fraction = 0.4;  ///< the same fraction of a wall of a sheet that has two
 constexpr double min_over_cosine = 0.7;  ///< smallest cosine between a normal and the direction to cloth above it
 constexpr std::size_t max_triangles_tried = 4000;  ///< tested triangles of a piece that may lie on others
 constexpr sim::Index max_rays = 400;               ///< rays of a piece that test whether it is outside
@@ -246,81 +248,87 @@ class Pieces {
         cut_into_walls(sheet);
       } else {
         for (const sim::Index t : sheet) piece_of_[t] = count_;
-        ++count_;
+        is_wall_.resize(++count_, 0);
       }
     }
   }
 
   sim::Index count() const { return count_; }
   const std::vector<sim::Index>& piece_of() const { return piece_of_; }
+  bool is_wall(sim::Index piece) const { return is_wall_[piece] != 0; }
 
  private:
-  void flood(std::vector<sim::Index> front, bool all_kinds, double least_cosine) {
+  void flood(std::vector<sim::Index> front) {
     for (std::size_t i = 0; i < front.size(); ++i) {
-      const sim::Index t = front[i];
       for (int side = 0; side < 3; ++side) {
-        const sim::Index next = view_.sheets.beyond[3 * t + side];
-        if (next != sim::no_vertex && glm::dot(view_.normals[t], view_.normals[next]) > least_cosine &&
-            piece_of_[next] == sim::no_vertex && (all_kinds || other_[next] != sim::no_vertex)) {
-          piece_of_[next] = piece_of_[t];
+        const sim::Index next = view_.sheets.beyond[3 * front[i] + side];
+        if (next != sim::no_vertex && piece_of_[next] == sim::no_vertex) {
+          piece_of_[next] = piece_of_[front[i]];
           front.push_back(next);
         }
       }
     }
   }
 
-  /// Cuts a sheet into regions with another wall. Small regions and the rest then join the large regions around them.
+  /// Cuts a sheet into its two walls: triangles face to face are of different walls, and neighbours of one wall where
+  /// that does not contradict, the smoothest first. Small regions then join the large regions around them.
   void cut_into_walls(std::span<const sim::Index> sheet) {
-    const sim::Index first = count_;
+    struct Smooth {
+      double cosine;
+      sim::Index a, b;
+    };
+    const auto count = static_cast<sim::Index>(piece_of_.size());
+    sim::Groups walls(2 * piece_of_.size());  // t, and t + count for whatever is not on the wall of t
+    std::vector<Smooth> neighbours;
     for (const sim::Index t : sheet) {
-      if (piece_of_[t] == sim::no_vertex && other_[t] != sim::no_vertex) {
-        piece_of_[t] = count_++;
-        flood({t}, false, min_wall_cosine);
+      const sim::Index o = other_[t];
+      if (o != sim::no_vertex && view_.sheets.sheet_of[o] == view_.sheets.sheet_of[t] &&
+          walls.find(t) != walls.find(o)) {
+        walls.join(t, o + count);
+        walls.join(t + count, o);
+      }
+      for (int side = 0; side < 3; ++side) {
+        const sim::Index next = view_.sheets.beyond[3 * t + side];
+        if (next != sim::no_vertex && t < next)
+          neighbours.push_back({glm::dot(view_.normals[t], view_.normals[next]), t, next});
       }
     }
-    std::vector<double> areas(count_ - first, 0.0);
-    for (const sim::Index t : sheet) {
-      if (piece_of_[t] != sim::no_vertex) areas[piece_of_[t] - first] += view_.areas[t];
+    std::ranges::stable_sort(neighbours, std::greater{}, &Smooth::cosine);
+    sim::Groups regions(piece_of_.size());
+    for (const auto& [cosine, a, b] : neighbours) {
+      if (walls.find(a) == walls.find(b + count)) continue;
+      walls.join(a, b);
+      walls.join(a + count, b + count);
+      regions.join(a, b);
     }
+    std::map<sim::Index, double> areas;
+    for (const sim::Index t : sheet) areas[regions.find(t)] += view_.areas[t];
     const double least = min_wall_share * total_area(view_, sheet);
-    std::vector<sim::Index> number(areas.size(), sim::no_vertex), front;
-    count_ = first;
-    for (std::size_t r = 0; r < areas.size(); ++r) number[r] = areas[r] >= least ? count_++ : sim::no_vertex;
+    std::map<sim::Index, sim::Index> number;
+    for (const auto& [region, area] : areas) {
+      if (area >= least) number.emplace(region, count_++);
+    }
+    std::vector<sim::Index> front;
     for (const sim::Index t : sheet) {
-      if (piece_of_[t] != sim::no_vertex) piece_of_[t] = number[piece_of_[t] - first];
+      const auto found = number.find(regions.find(t));
+      if (found == number.end()) continue;
+      piece_of_[t] = found->second;
+      front.push_back(t);
     }
-    for (const double least_cosine : {min_wall_cosine, min_crease_cosine}) {
-      front.clear();
-      std::ranges::copy_if(sheet, std::back_inserter(front),
-                           [&](sim::Index t) { return piece_of_[t] != sim::no_vertex; });
-      flood(front, true, least_cosine);
-    }
-    fill_gaps(sheet);
+    flood(front);
+    is_wall_.resize(count_, 1);
+    for (int half = 0; half < 2; ++half) leave_out_rims(sheet);
   }
 
-  /// Adds each gap to the one piece that surrounds it. Strips between two walls stay out.
-  void fill_gaps(std::span<const sim::Index> sheet) {
-    for (const sim::Index begin : sheet) {
-      if (piece_of_[begin] != sim::no_vertex || seen_[begin] != 0) continue;
-      std::vector<sim::Index> gap{begin}, around;
-      seen_[begin] = 1;
-      for (std::size_t i = 0; i < gap.size(); ++i) {
-        for (int side = 0; side < 3; ++side) {
-          const sim::Index next = view_.sheets.beyond[3 * gap[i] + side];
-          if (next == sim::no_vertex) continue;
-          if (piece_of_[next] != sim::no_vertex) {
-            around.push_back(piece_of_[next]);
-          } else if (seen_[next] == 0) {
-            seen_[next] = 1;
-            gap.push_back(next);
-          }
-        }
-      }
-      std::ranges::sort(around);
-      if (!around.empty() && around.front() == around.back()) {
-        for (const sim::Index t : gap) piece_of_[t] = around.front();
-      }
-    }
+  /// Takes triangles between two walls out of both: a half of each quad of a rim.
+  void leave_out_rims(std::span<const sim::Index> sheet) {
+    std::vector<sim::Index> rims;
+    std::ranges::copy_if(sheet, std::back_inserter(rims), [&](sim::Index t) {
+      return other_[t] == sim::no_vertex &&
+             std::any_of(&view_.sheets.beyond[3 * t], &view_.sheets.beyond[3 * t] + 3,
+                         [&](sim::Index next) { return next != sim::no_vertex && piece_of_[next] != piece_of_[t]; });
+    });
+    for (const sim::Index t : rims) piece_of_[t] = sim::no_vertex;
   }
 
   static constexpr double min_wall_share = 0.02;  ///< smallest area of a wall, as a fraction of its sheet's area
@@ -328,7 +336,7 @@ class Pieces {
   const GarmentView& view_;
   const OtherWalls& other_;
   std::vector<sim::Index> piece_of_;
-  std::vector<char> seen_ = std::vector<char>(piece_of_.size(), 0);
+  std::vector<char> is_wall_;  ///< flag of each piece, whether it is a wall of a sheet that has two
   sim::Index count_ = 0;
 };
 
@@ -431,7 +439,7 @@ std::vector<char> choose_walls(const Sheets& sheets, const OtherWalls& other) {
       covered += is_covered(view, other, kept, t) ? view.areas[t] : 0.0;
       all += view.areas[t];
     }
-    if (covered < min_lying_area_fraction * all) {
+    if (covered < (pieces.is_wall(p) ? min_behind_area_fraction : min_lying_area_fraction) * all) {
       for (const sim::Index t : triangles_of[p]) kept[t] = 1;
     }
   }

@@ -308,10 +308,12 @@ std::vector<std::string> collect_remarks(const LoadedGarment& loaded) {
   }
   if (loaded.repairs) append_repairs(*loaded.repairs, lines);
   if (loaded.following) lines.push_back(describe(*loaded.following, loaded.garment->mesh));
-  if (loaded.refused_crossings > 0) {
-    lines.push_back(
-        fmt::format("the model itself is simulated: a mesh fitted to it would cross itself in {} places (garment.mesh)",
-                    loaded.refused_crossings));
+  if (!loaded.fitting_refusal.empty()) {
+    lines.push_back(fmt::format("{}: {} (garment.mesh)",
+                                loaded.following
+                                    ? "even triangles fitted to it would not be its cloth"
+                                    : "the model itself is simulated, as no mesh fitted to it is its cloth",
+                                loaded.fitting_refusal));
   }
   if (loaded.trims_sewn_on > 0) {
     lines.push_back(count_text(loaded.trims_sewn_on, "small part") + " sewn to the cloth below (garment.weld)");

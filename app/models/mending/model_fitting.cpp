@@ -2,6 +2,7 @@
 
 #include "app/base/errors.hpp"
 #include "app/base/words.hpp"
+#include "app/garments/fitting/comparison.hpp"
 #include "sim/contact/crossing_pairs.hpp"
 #include "sim/mesh/welding.hpp"
 
@@ -41,10 +42,9 @@ using sim::Vec3;
 /// Edge length over thickness. The solver refuses cloth thicker than 0.42 of its edges
 /// (sim/solvers/bounded/promise.cpp).
 constexpr double edges_by_thickness = 3.0;
-/// Largest size of a model that is simulated itself, as a multiple of the triangles of a fitted mesh.
-constexpr std::size_t max_model_size_ratio = 2;
-/// Percentage of its triangles above which a mesh that crosses itself is in shreds.
-constexpr std::size_t max_crossing_percent = 10;
+/// Crossing pairs above which a model is not simulated itself. More begins runs that break their promise, less refuses
+/// models that move well where they do not cross.
+constexpr std::size_t max_model_crossings = 3000;
 
 /// Axes in which a triangle is laid flat (sim::TriangleAtRest): along its first edge, and across.
 struct FlatAxes {
@@ -82,37 +82,50 @@ std::vector<float> OffsetLimits::shares(std::span<const Bond> bonds, std::span<c
   return shares;
 }
 
-std::optional<FittedModel> fitted_model(const GarmentSource& source, double thickness_m, const sim::Mesh& model_m) {
+FittingOutcome fit_model(const GarmentSource& source, double thickness_m, const sim::Mesh& model_m) {
   const bool may_choose = source.mesh == MeshChoice::automatic && source.subdivisions == 0;
   if (source.mesh == MeshChoice::fitted && source.subdivisions > 0) {
     throw std::invalid_argument(
         "garment.subdivisions is of the model itself; garment.triangles says how fine a fitted mesh is");
   }
   std::string why = source.mesh == MeshChoice::fitted ? "garment.mesh asks for it" : "";
-  std::size_t crossings = 0;
-  if (may_choose) {
-    crossings = sim::find_crossing_pairs({model_m.positions, model_m.triangles}).size();
-    why = why_not_fit_for_simulation(model_m, crossings, thickness_m).value_or("");
-  }
+  const bool is_wanted = may_choose || !why.empty();
+  const std::size_t crossings =
+      is_wanted ? sim::find_crossing_pairs({model_m.positions, model_m.triangles}).size() : std::size_t{0};
+  if (may_choose) why = why_not_fit_for_simulation(model_m, crossings, thickness_m).value_or("");
   if (may_choose && why.empty() && !source.given && is_coarse(model_m)) {
     why = fmt::format("it has {} triangles, which are too few for folds", model_m.triangles.size());
   }
-  if (why.empty()) return std::nullopt;
+  FittingOutcome outcome;
+  if (why.empty()) return outcome;
   FittingSettings settings;
   settings.max_triangles = static_cast<std::size_t>(source.max_triangles);
   settings.min_edge_m = edges_by_thickness * thickness_m;
-  FittedModel fitted{fit_mesh(model_m, settings), std::move(why), crossings};
-  if (!fitted.mesh.triangles.empty()) return fitted;
-  if (source.mesh == MeshChoice::fitted) {
-    throw std::invalid_argument("no mesh can be fitted to it (garment.mesh), as all of it is too narrow");
+  for (const auto& fit : {fit_mesh, simplify_model}) {
+    const bool is_first = outcome.refusal.empty();
+    // A simplified mesh is worth it if it is smaller.
+    if (!is_first && (!may_choose || model_m.triangles.size() <= settings.max_triangles)) break;
+    std::string refusal;
+    FittedModel fitted;
+    try {
+      fitted = {fit(model_m, settings), why};
+      refusal = fitted.mesh.triangles.empty()
+                    ? "all of it is too narrow"
+                    : why_not_the_model(compare_with_model(model_m, crossings, fitted)).value_or("");
+    } catch (const std::invalid_argument& error) {
+      refusal = error.what();
+    }
+    if (is_first) outcome.refusal = refusal;
+    if (refusal.empty() || (!may_choose && !fitted.mesh.triangles.empty())) {
+      outcome.fitted = std::move(fitted);
+      return outcome;
+    }
   }
-  return std::nullopt;
-}
-
-bool crosses_more_than_model(const FittedModel& fitted, const sim::Mesh& model) {
-  const bool is_affordable = model.triangles.size() <= max_model_size_ratio * FittingSettings().max_triangles;
-  return is_affordable && fitted.model_crossings > 0 && fitted.crossings > fitted.model_crossings &&
-         fitted.crossings > max_crossing_percent * fitted.mesh.triangles.size() / 100;
+  if (!may_choose) throw std::invalid_argument("no mesh can be fitted to it (garment.mesh): " + outcome.refusal);
+  if (model_m.triangles.size() <= max_simulated_triangles && crossings <= max_model_crossings) return outcome;
+  throw std::invalid_argument(
+      fmt::format("no mesh fitted to it is its cloth: {}; nor can it be simulated itself: {} (garment.mesh)",
+                  outcome.refusal, why));
 }
 
 std::vector<Vec3> FollowingModel::shown_m(std::span<const Vec3> positions_m,
@@ -130,6 +143,8 @@ FollowingModel follow_fitted(sim::Mesh model_m, const FittedModel& fitted) {
   following.carried_vertices = carried_vertices(model_m, fitted.is_simulated);
   following.unfit_reason = fitted.why;
   following.carried_triangles = fitted.carried_triangles;
+  following.dropped_parts = fitted.dropped_sheets;
+  following.dropped_area_fraction = fitted.dropped_area_fraction;
   following.mesh = std::move(model_m);
   return following;
 }
@@ -173,13 +188,17 @@ std::vector<Vec3> simulated_m(const FollowingModel& following, const sim::Mesh& 
 std::string describe(const FollowingModel& following, const sim::Mesh& simulated) {
   const std::size_t all = following.mesh.triangles.size();
   return fmt::format(
-      "a fitted mesh of {} is simulated, and the model follows it{}: {} (garment.mesh)",
+      "a fitted mesh of {} is simulated, and the model follows it{}: {}{} (garment.mesh)",
       count_text(simulated.triangles.size(), "triangle"),
       following.carried_triangles > 0
           ? fmt::format(", {:.0f} % of it carried",
                         100.0 * static_cast<double>(following.carried_triangles) / static_cast<double>(all))
           : "",
-      following.unfit_reason);
+      following.unfit_reason,
+      following.dropped_parts > 0
+          ? fmt::format("; {} with {:.1f} % of the area only follow what is near",
+                        count_text(following.dropped_parts, "small part"), 100.0 * following.dropped_area_fraction)
+          : "");
 }
 
 LoadedGarment as_modelled(const LoadedGarment& loaded, const sim::MappingSettings& mapping) {

@@ -29,17 +29,19 @@ class OffsetLimits {
 /// A simulation mesh that was fitted to a model, and the reason.
 struct FittedModel : FittedMesh {
   std::string why;
-  std::size_t model_crossings = 0;  ///< count of the model's crossing pairs, if the scene leaves the choice
 };
 
-/// Returns a simulation mesh if the scene asks for one, or if the model is not fit for simulation and the scene leaves
-/// the choice. `model_m` is welded, in metres; `thickness_m` is the cloth's. Throws std::invalid_argument if no mesh
-/// can be made.
-std::optional<FittedModel> fitted_model(const GarmentSource& source, double thickness_m, const sim::Mesh& model_m);
+/// Mesh that is simulated in place of a model, or the reason why no mesh that was fitted is.
+struct FittingOutcome {
+  std::optional<FittedModel> fitted;
+  std::string refusal;  ///< difference between the first mesh that was fitted and the model; empty if there is none
+};
 
-/// Returns whether the scene leaves the choice and the fitted mesh is in shreds that cross each other while the model
-/// hardly crosses itself, such as a mesh whose folds were reduced to fins.
-bool crosses_more_than_model(const FittedModel& fitted, const sim::Mesh& model);
+/// Fits a simulation mesh if the scene asks for one, or if the model is not fit for simulation and the scene leaves the
+/// choice. In the latter case only a mesh that is the model's cloth is taken (comparison.hpp), else the model itself.
+/// `model_m` is welded, in metres; `thickness_m` is the cloth's. Throws std::invalid_argument if neither can be
+/// simulated.
+FittingOutcome fit_model(const GarmentSource& source, double thickness_m, const sim::Mesh& model_m);
 
 /// Binds the model to the mesh that was fitted to it, both in metres.
 FollowingModel follow_fitted(sim::Mesh model_m, const FittedModel& fitted);

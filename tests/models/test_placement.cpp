@@ -43,8 +43,7 @@ TEST(Placement, BelievesTheFileWithinReason) {
   EXPECT_EQ(inches.unit_text, "inch, as the file says");
   const Placement centimetres = place_model(bounding_box(50, 70, 30), {{}, {}, 1.0, {}});
   EXPECT_EQ(centimetres.scale, 0.01);
-  EXPECT_EQ(centimetres.unit_text,
-            "centimetre, guessed, since the file's own, metre, would make it 70 m large");
+  EXPECT_EQ(centimetres.unit_text, "centimetre, guessed, since the file's own, metre, would make it 70 m large");
   EXPECT_EQ(place_model(bounding_box(50, 70, 30), {1.0, {}, 0.01, {}}).scale, 1.0);
 }
 
@@ -54,7 +53,13 @@ TEST(Placement, KnowsTheSizesOfGarments) {
   EXPECT_EQ(guessed(0.25), 1.0);
   EXPECT_DOUBLE_EQ(guessed(0.15), 1.0 / 0.15);
   EXPECT_EQ(guessed(2.4), 1.0);
-  EXPECT_EQ(guessed(3.0), 0.1);
+  EXPECT_EQ(guessed(3.0), 0.3048) << "0.91 m in feet, 0.3 m in decimetres";
+  EXPECT_EQ(guessed(6.0), 0.1);
+  EXPECT_EQ(guessed(28.0), 0.0254) << "0.71 m in inches, 0.28 m in centimetres";
+  EXPECT_EQ(guessed(60.0), 0.01);
+  EXPECT_EQ(guessed(80.0), 0.01);
+  EXPECT_EQ(place_model(bounding_box(50, 50, 0), {}).unit_text,
+            "centimetre, guessed from its size of 0.5 m; the inch would make it 1.3 m");
   const auto believed = [](double size) {
     return place_model(bounding_box(size, size, 0), {{}, {}, 1.0, {}}).unit_text == "metre, as the file says";
   };
@@ -103,9 +108,7 @@ sim::Mesh tube(double top, double bottom, double x = 0.0) {
   return mesh;
 }
 
-Hanging hung(const sim::Mesh& mesh) {
-  return hang(mesh, sim::make_adjacency(mesh));
-}
+Hanging hung(const sim::Mesh& mesh) { return hang(mesh, sim::make_adjacency(mesh)); }
 
 TEST(Hanging, HoldsATubeByItsTopOpening) {
   const Hanging hanging = hung(tube(1.0, 0.0));

@@ -12,6 +12,8 @@ constexpr double band_height = 0.03;
 constexpr double flat_thickness = 0.02;  ///< largest thickness of a flat part, of the size
 /// Reach of shoulders to each side of the centre of mass, as a fraction of the width.
 constexpr double shoulders_reach = 0.25;
+/// Smallest length of a hanger that is chosen, as a fraction of the largest: necklines slip over shorter ones.
+constexpr double min_hanger_length = 0.65;
 /// Smallest height of a neckline between straps, from its lowest to its highest point.
 constexpr double deep_neckline = 0.1;
 /// Smallest height, and width as a fraction of the part's, of a border that goes around the arms too, as in dungarees.
@@ -145,6 +147,7 @@ constexpr double max_sagging_ratio = 0.7;
 constexpr double flat_part = 0.001;
 /// Height of the middle of its area above which cloth that lay flat has its wider end at the top, as a fraction.
 constexpr double middle_height = 0.52;
+constexpr double max_narrowing = 0.65;  ///< ratio of widths a twelfth of the height apart, from sleeves to the trunk
 
 /// Returns how much the cloth sags when it hangs with this axis up: the mean distance by which it moves, over the
 /// square of its height then. The height counts because lying cloth hardly moves either. Empty if it cannot be hung.
@@ -171,8 +174,33 @@ std::optional<double> sagging_when_hung(const sim::Mesh& model_m, ModelAxis up) 
   }
 }
 
-/// Returns whether the middle of its area is nearer to its lower end.
-bool is_wider_below(const sim::Mesh& mesh) {
+/// Returns the widths of flat cloth at even levels, from its lower end.
+std::vector<double> measure_widths(const sim::Mesh& mesh) {
+  constexpr int level_count_of_flat = 12;
+  const sim::Extent box = sim::compute_extent(mesh.positions);
+  std::vector<sim::Extent> at_level(level_count_of_flat);
+  for (const sim::Triangle& t : mesh.triangles) {
+    for (const sim::Index v : t) {
+      const double height = (mesh.positions[v].y - box.lower.y) / box.size().y;
+      at_level[std::min<std::size_t>(level_count_of_flat - 1, static_cast<std::size_t>(level_count_of_flat * height))]
+          .add(mesh.positions[v]);
+    }
+  }
+  std::vector<double> widths;
+  for (const sim::Extent& level : at_level) widths.push_back(std::max(0.0, level.size().x));
+  return widths;
+}
+
+/// Returns whether flat cloth stands on its head: its sleeves, beside which it is narrower at once, are in the lower
+/// half, or, without sleeves, most of its area is in the upper half.
+bool is_upside_down(const sim::Mesh& mesh) {
+  const std::vector<double> widths = measure_widths(mesh);
+  double sleeves = 0.0;
+  for (std::size_t k = 1; k < widths.size(); ++k) {
+    if (widths[k] < max_narrowing * widths[k - 1]) sleeves -= 1.0;
+    if (widths[k - 1] < max_narrowing * widths[k]) sleeves += 1.0;
+  }
+  if (sleeves != 0.0) return sleeves < 0.0;
   double moment = 0.0, all = 0.0;
   for (const sim::Triangle& t : mesh.triangles) {
     const double area = glm::length(sim::doubled_area_vector(mesh.positions, t));
@@ -180,7 +208,7 @@ bool is_wider_below(const sim::Mesh& mesh) {
     all += area;
   }
   const sim::Extent box = sim::compute_extent(mesh.positions);
-  return moment / all <= box.lower.y + middle_height * box.size().y;
+  return moment / all > box.lower.y + middle_height * box.size().y;
 }
 
 }  // namespace
@@ -200,7 +228,7 @@ Hanging hang_as_in_a_shop(const sim::Mesh& mesh, const sim::Adjacency& adjacency
   if (largest->by != HungBy::shoulders && largest->by != HungBy::neck) return hanging;
   const std::vector<GarmentPart> parts = find_garment_parts(mesh, adjacency);
   const GarmentPart& part = parts[static_cast<std::size_t>(largest - hanging.parts.begin())];
-  hanging.hanger = hanger_for(mesh, part);
+  hanging.hanger = hanger_for(mesh, part, min_hanger_length);
   if (!hanging.hanger.empty()) {
     largest->by = HungBy::hanger;
     largest->pins = 0;
@@ -247,7 +275,7 @@ std::optional<ModelAxis> up_by_hanging(const sim::Mesh& model_m) {
   if (*z < max_sagging_ratio * *y) {
     const sim::Vec3 size = sim::compute_extent(model_m.positions).size();
     const bool is_lying = size.y < flat_part * size.z;
-    return is_lying && !is_wider_below(upright(model_m, ModelAxis::z)) ? ModelAxis::minus_z : ModelAxis::z;
+    return is_lying && is_upside_down(upright(model_m, ModelAxis::z)) ? ModelAxis::minus_z : ModelAxis::z;
   }
   return *y < max_sagging_ratio * *z ? std::optional(ModelAxis::y) : std::nullopt;
 }

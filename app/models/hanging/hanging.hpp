@@ -47,9 +47,9 @@ std::vector<std::string> describe(const Hanging& hanging);
 
 /// Hangs a model with its y axis up and with its z axis up for a second each. Returns the axis with which it is higher
 /// and its cloth moves less: a garment that hangs the right way up is nearly where it was modelled, and all of it can
-/// be seen. Returns -z for a flat pattern that lies if z would have its wider end at the top. Empty if both are alike,
-/// or if there is nothing to hang it by. Positions are in metres. The function takes the time of 120 frames without
-/// contact.
+/// be seen. Returns -z for a flat pattern that lies if z would have its wider end at the top, or its sleeves below.
+/// Empty if both are alike, or if there is nothing to hang it by. Positions are in metres. The function takes the time
+/// of 120 frames without contact.
 std::optional<ModelAxis> up_by_hanging(const sim::Mesh& model_m);
 
 }  // namespace taut::app

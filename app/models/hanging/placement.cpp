@@ -13,6 +13,9 @@ namespace {
 // Range of sizes that a guessed unit may give.
 constexpr double min_garment_m = 0.2;
 constexpr double max_garment_m = 2.5;
+// Range of sizes of most garments of grown-ups.
+constexpr double min_personal_m = 0.45;
+constexpr double max_personal_m = 1.7;
 // Smallest size of the largest part of one garment. Otherwise there are several garments side by side.
 constexpr double min_part_m = 0.1;
 // Range of sizes, from a glove to a tent, with which the file's own unit is accepted.
@@ -23,11 +26,11 @@ constexpr double clearly_longer = 2.0;
 // Fractions. Smallest fraction of the area that openings at the top have to carry for an axis to be up.
 constexpr double min_carried_area_fraction = 0.5;
 // Smallest excess, over another axis, of the fraction of levels that the cloth goes all around.
-constexpr double min_around_excess = 0.4;
+constexpr double min_around_excess = 0.3;
 // Smallest difference of the depths of view from above and from below for a model to stand on its head, as a fraction
 // of its height; then the same although y is up, as in most files.
 constexpr double head_below = 0.01;
-constexpr double upside_down = 0.3;
+constexpr double upside_down = 0.03;
 // Largest height of a model that lies on its back, as a fraction of its size.
 constexpr double lying_height = 0.1;
 // Smallest length of a section that goes around, in longer sides of its box. Cloth that only goes along it is shorter.
@@ -78,6 +81,15 @@ double size_of_largest_part(const sim::Mesh& mesh) {
   return max_size;
 }
 
+bool is_personal(double size_m) { return is_between(size_m, min_personal_m, max_personal_m); }
+
+/// Returns the inch or the foot if it gives the garment a person's size.
+const Unit* imperial_unit(double size) {
+  const auto found =
+      std::ranges::find_if(std::span(units).subspan(4), [&](const Unit& u) { return is_personal(size * u.metres); });
+  return found == std::span(units).subspan(4).end() ? nullptr : &*found;
+}
+
 /// Returns the first unit that gives a usual size to the garment, whose largest part has `part_size`. Otherwise returns
 /// one that gives it to the part, for garments side by side, or to the whole, for a model in shreds.
 const Unit* unit_by_size(double size, double part_size) {
@@ -110,10 +122,18 @@ void choose_unit(double size, double part_size, const PlacementHints& hints, Pla
     why = fmt::format("guessed, since the file's own, {}, would make it {:.3g} m large",
                       unit_name(*hints.metres_per_unit), size_m);
   }
-  if (const Unit* const unit = unit_by_size(size, part_size)) {
+  const Unit* unit = unit_by_size(size, part_size);
+  const Unit* other = unit != nullptr && unit->metres == 1.0 ? nullptr : imperial_unit(size);
+  // Few files are in inches, so that they have to give the likelier size.
+  if (other != nullptr && (unit == nullptr || !is_personal(size * unit->metres))) std::swap(unit, other);
+  if (unit != nullptr) {
     placement.scale = unit->metres;
     placement.guessed = unit->metres != 1.0;
     placement.unit_text = unit_name(unit->metres) + ", " + why;
+    if (other != nullptr) {
+      placement.unit_text += fmt::format(" of {:.2g} m; the {} would make it {:.2g} m", size * unit->metres,
+                                         other->name, size * other->metres);
+    }
     return;
   }
   placement.scale = 1.0 / size;

@@ -31,8 +31,8 @@ struct PlacementHints {
 };
 
 /// Chooses the unit, in this order: the user's; the file's own, if the model is then larger than a glove and smaller
-/// than a tent; the first of m, cm, mm and dm that gives a garment of 0.2 to 2.5 m. If there is none, the model is
-/// scaled to 1 m.
+/// than a tent; the first of m, cm, mm and dm that gives a garment of 0.2 to 2.5 m. The inch or the foot replaces cm,
+/// mm or dm if it alone gives a garment of 0.45 to 1.7 m. If there is none, the model is scaled to 1 m.
 ///
 /// Chooses the up axis, in this order: the user's; the file's own; the axis by its openings; the axis with which it
 /// moves less when it is hung; z if the model is far longer along z; y. A model very far from the origin is moved

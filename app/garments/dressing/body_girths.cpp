@@ -22,11 +22,14 @@ constexpr double max_smallest_girth_height_fraction =
 constexpr double min_chest_girth_ratio =
     1.03;  ///< smallest girth of a chest, as a multiple of the trunk's smallest girth
 constexpr double max_seat_height_fraction = 0.5;  ///< limit of the seat's height, as a fraction of the trunk's
+constexpr double seat_below_fork_fraction =
+    0.03;  ///< largest distance of the seat below the crotch, as a fraction of the height: thighs may be widest there
 constexpr std::ptrdiff_t limb_tape_offset_levels =
     3;  ///< levels from the crotch or the armpits down to the tape below them
 constexpr double max_neck_girth_ratio = 0.85;
 constexpr double neck_base_girth_ratio =
     1.35;  ///< girth of the base of the neck, as a multiple of the neck's smallest girth
+constexpr double min_jaw_girth_ratio = 1.28;  ///< girth around a jaw, as a multiple of the neck's smallest girth
 constexpr double neck_tape_height_fraction =
     0.75;  ///< fraction of the way from the neck's joint to the head's, for the neck
 constexpr double min_skin_height_fraction =
@@ -205,7 +208,6 @@ void measure_neck(const sim::Surface& body, const JointPlaces& joints, const Bod
                   BodyMeasures& measures) {
   const auto base = joints.find("neck");
   const auto head = joints.find("head");
-  std::optional<LevelTape> tape = at.neck == end ? std::nullopt : std::optional(*at.neck);
   if (base != joints.end()) {
     measures.neck_m = base->second;
   } else if (at.base != end) {
@@ -215,9 +217,14 @@ void measure_neck(const sim::Surface& body, const JointPlaces& joints, const Bod
     const double height_m = glm::mix(base->second.y, head->second.y, neck_tape_height_fraction);
     const Pieces pieces = cut_level(body, height_m);
     std::vector<sim::Vec2> largest = pieces.empty() ? std::vector<sim::Vec2>{} : find_longest_piece(pieces).hull;
-    tape = pieces.empty() ? std::nullopt : measure_around_trunk(pieces, height_m, largest);
+    const auto tape = pieces.empty() ? std::nullopt : measure_around_trunk(pieces, height_m, largest);
+    // The joint of the head is so high in some rigs that this is around the jaw.
+    if (tape && (at.neck == end || tape->girth_m < min_jaw_girth_ratio * at.neck->girth_m)) {
+      measures.girths.push_back(to_girth("neck", *tape));
+      return;
+    }
   }
-  if (tape) measures.girths.push_back(to_girth("neck", *tape));
+  if (at.neck != end) measures.girths.push_back(to_girth("neck", *at.neck));
 }
 
 /// Returns the level that reaches farthest forwards among the local maxima that are wider than a waist. Returns the
@@ -235,14 +242,16 @@ Level find_fullest_level(Level first, Level end, double waist_m) {
   return fullest == end ? std::max_element(first, end, by_front) : fullest;
 }
 
-void measure_trunk(const BodyLandmarks& at, BodyMeasures& measures) {
+void measure_trunk(Level first, const BodyLandmarks& at, BodyMeasures& measures) {
   if (at.armpits != at.base)
     measures.girths.push_back(to_girth("upper chest", *(at.armpits - limb_tape_offset_levels)));
   const auto share = [&](double of_trunk) {
     return at.fork + static_cast<std::ptrdiff_t>(of_trunk * static_cast<double>(at.armpits - at.fork));
   };
   const auto by_girth = [](const LevelTape& a, const LevelTape& b) { return a.girth_m < b.girth_m; };
-  const Level seat = std::max_element(at.fork, share(max_seat_height_fraction), by_girth);
+  const auto below = static_cast<std::ptrdiff_t>(seat_below_fork_fraction * levels_of_body);
+  const Level lowest = at.fork - std::min(below, at.fork - first);
+  const Level seat = std::max_element(lowest, share(max_seat_height_fraction), by_girth);
   const double smallest_m = std::min_element(seat, share(max_smallest_girth_height_fraction), by_girth)->girth_m;
   const Level chest = find_fullest_level(share(min_chest_height_fraction), at.armpits, smallest_m);
   const Level waist = std::min_element(seat, chest, by_girth);
@@ -321,7 +330,7 @@ BodyMeasures measure_body(const sim::Surface& whole, const JointPlaces& joints) 
   const bool is_someone = !joints.empty() || at.base != levels.end();
   if (!is_someone || at.armpits - at.fork < 10) return measures;
   measure_neck(body, joints, at, levels.end(), measures);
-  measure_trunk(at, measures);
+  measure_trunk(levels.begin(), at, measures);
   measure_thigh(levels, at, measures);
   if (at.armpits != at.base) {
     measures.levels.assign(levels.begin(), at.armpits);

@@ -50,8 +50,9 @@ struct BodyMeasures {
 /// level. Curves that are not over or under it are left out, so that arms are not measured wherever they hang. The
 /// trunk begins where it parts into legs and ends where arms join it. The upper chest is right below the arms. The
 /// chest is the level in the trunk's upper part that reaches farthest forwards, apart from a belly. The seat is the
-/// largest level in its lower part. The waist is the smallest level between these two (ISO 8559-1). The neck is three
-/// quarters of the way from the joint at its base to the head; without joints it is the smallest level below the head.
+/// largest level in its lower part or right below it, around both thighs. The waist is the smallest level between these
+/// two (ISO 8559-1). The neck is three quarters of the way from the joint at its base to the head's, or the smallest
+/// level below the head if that is around the jaw or no joints are known.
 /// The thigh is a little below the level where the legs part. Hair and shoes that are components of their own are left
 /// out. A body without arms, head and joints, such as a table, has no girths.
 BodyMeasures measure_body(const sim::Surface& body, const JointPlaces& joints);

@@ -104,9 +104,16 @@ struct Fitting {
     add("upper arm", sleeve_m, rows);
   }
 
+  /// Measures the top of trousers and skirts, which may be below the body's waist.
+  void add_waistband(std::vector<FitRow>& rows) const {
+    const LevelTape& level = wearer.measures.level_at(marks.top_height_m - lift_m);
+    rows.push_back({"waistband", level.girth_m, marks.top_m});
+  }
+
   void add_ends(std::vector<FitRow>& rows) const {
     const BodyMeasures& measures = wearer.measures;
     if (measures.levels.empty()) return;
+    if (marks.is_worn_at_waist) add_waistband(rows);
     const Girth* const thigh = find_girth(measures, "thigh");
     const std::optional<double> leg_m =
         !marks.legs.empty() && thigh != nullptr ? leg_at(garment, thigh->height_m + lift_m) : std::nullopt;

@@ -6,7 +6,7 @@ namespace taut::app {
 
 /// Widths of a garment and of a body at one girth.
 struct FitRow {
-  std::string name;                     ///< name of the girth (body_girths.hpp), "hem" or "leg hem"
+  std::string name;                     ///< name of the girth (body_girths.hpp), "waistband", "hem" or "leg hem"
   double body_m = 0.0;                  ///< tight tape around the body
   double garment_m = 0.0;               ///< length of the cloth at rest
   std::optional<double> height_m = {};  ///< height of a girth of the trunk; empty for others

@@ -68,8 +68,9 @@ std::vector<Vec3> find_shoulder_seams(const SewingPattern& pattern, CutPieces& p
 }
 
 /// Returns how far shoulder seams have to rise to lie above the shoulders of the thin body, which is narrower than they
-/// are.
-double rise_over(const std::vector<Vec3>& seams_m, double x_m, const std::vector<Vec3>& thin_m, double half_width_m) {
+/// are. Empty if none of them is above it: they are level seams beside it.
+std::optional<double> rise_over(const std::vector<Vec3>& seams_m, double x_m, const std::vector<Vec3>& thin_m,
+                                double half_width_m) {
   double rise_m = -std::numeric_limits<double>::infinity();
   for (const Vec3& seam : seams_m) {
     double top_m = -std::numeric_limits<double>::infinity();
@@ -81,7 +82,7 @@ double rise_over(const std::vector<Vec3>& seams_m, double x_m, const std::vector
     }
     rise_m = std::max(rise_m, top_m - seam.y);
   }
-  return rise_m;
+  return std::isfinite(rise_m) ? std::optional(rise_m) : std::nullopt;
 }
 
 /// Returns the length of unsewn edges near the top.
@@ -130,10 +131,15 @@ Vec3 compute_shift(const SewingPattern& pattern, const Wearer& wearer, CutPieces
   shift.y = stands_at_feet ? feet_m : measures.neck_m->y - neck_over_chest_m;
   const std::vector<Vec3> shoulders_m = find_shoulder_seams(pattern, pieces);
   const std::vector<ArmJoints> arms = find_arms(wearer.joints);
+  std::optional<double> rise_m;
   if (!shoulders_m.empty() && !arms.empty()) {
     const double half_width_m = std::abs(arms[0].shoulder_m.x - shift.x);
     const std::vector<Vec3> thin_m = placed_m(wearer.places, compute_thin_shape(*wearer.rig, wearer.pose));
-    shift.y = above_shoulders_m + rise_over(shoulders_m, shift.x, thin_m, half_width_m);
+    rise_m = rise_over(shoulders_m, shift.x, thin_m, half_width_m);
+    if (!rise_m) pieces.first_seams.clear();
+  }
+  if (rise_m) {
+    shift.y = above_shoulders_m + *rise_m;
   } else {
     const double usual_m = measures.waist_m ? measures.waist_m->y : top_m + shift.y;
     shift.y = level_for(measures, upper_border_m(pattern, top_m), top_m + shift.y).value_or(usual_m) - top_m;

@@ -505,7 +505,7 @@ BoundedSolver::FrameAttempt BoundedSolver::attempt(const Frame& frame, const Sta
   const double last_shift =
       std::exchange(memory.shift_ratio, allowed_m > 0.0 ? attempt.projected.max_shift_m / allowed_m : 0.0);
   attempt.is_far =
-      memory.shift_ratio > tuning::max_cost_ratio && memory.shift_ratio > tuning::step_growth_factor * last_shift;
+      memory.shift_ratio > tuning::max_shift_ratio && memory.shift_ratio > tuning::max_shift_growth * last_shift;
   attempt.blocked = cloth.contacts.blocked();
   memory.wind_velocity_m_per_s = cloth.forces.wind_velocity_m_per_s();
   memory.contact = cloth.contacts.memory();
@@ -529,7 +529,7 @@ BoundedSolver::AttemptLimits BoundedSolver::next_try(const FramePart& part, cons
   const int until = control.is_spent() ? max_frame_parts : part.done + part.length;
   how.allowed_work = (how.is_last ? effort.last_attempt_work(until) : due) - effort.work;
   if (how.can_halve && part.length == max_frame_parts) {
-    how.allowed_work = std::min(how.allowed_work, 0.25 * effort.budget);
+    how.allowed_work = std::min(how.allowed_work, tuning::max_whole_frame_fraction * effort.budget);
   }
   return how;
 }
@@ -642,7 +642,7 @@ FrameReport BoundedSolver::advance_frame(const Frame& frame, State& state) {
     next_.control = begin.control;  // no number of steps succeeded
   }
   next_.control.frame_kept(tried.projected.cost, next_.shift_ratio);
-  next_.median_work *= effort.work > begin.median_work ? tuning::step_growth_factor : 1.0 / tuning::step_growth_factor;
+  next_.median_work *= effort.work > begin.median_work ? tuning::median_growth_factor : 1.0 / tuning::median_growth_factor;
   next_.median_work = effort.is_first ? effort.work : next_.median_work;
   state = std::move(tried.state);
   const std::chrono::duration<double> took = std::chrono::steady_clock::now() - began;

@@ -464,7 +464,7 @@ bool Contacts::find_regions(const Frame& frame, const Layout& layout, const Moti
   const float error_m = distance_error_m({outermost.from_origin_m, 0.0F, outermost.from_origin_m, rows_.displaced_m});
   assert(frame.garment.material.thickness_m >= min_thickness_m);
   const auto thickness_m = static_cast<float>(frame.garment.material.thickness_m);
-  const int max_searches = may_be_shorter ? tuning::max_rounds / 4 : tuning::max_rounds;
+  const int max_searches = may_be_shorter ? tuning::max_searches_before_halving : tuning::max_searches;
   bool fits = false;
   for (int search = 0; search < max_searches && !fits; ++search) {
     frame.ask();
@@ -491,7 +491,7 @@ bool Contacts::find_regions(const Frame& frame, const Layout& layout, const Moti
 bool Contacts::are_many_large() const {
   const auto count =
       std::count_if(rows_.radii.begin(), rows_.radii.end(), [&](float radius_m) { return radius_m > max_slack_m(); });
-  return static_cast<double>(count) > tuning::outlier_fraction / 3.0 * static_cast<double>(rows_.cloth_count);
+  return static_cast<double>(count) > tuning::max_large_ball_fraction * static_cast<double>(rows_.cloth_count);
 }
 
 void Contacts::confine_nothing(ParallelKernels& kernels) {
@@ -526,8 +526,8 @@ void Contacts::keep_apart(const Layout& layout, double time_s, double time_step_
   regions_.collide(time, step, start_displacements_, motion.previous, motion.current);
   const std::span<const ClampedRow> held_back =
       regions_.project_into_region(time, start_displacements_, motion.previous, motion.current, kernels);
-  const double max_clamped_fraction = tuning::outlier_fraction / (retry_level_ * retry_level_);
-  if (static_cast<double>(held_back.size()) > max_clamped_fraction * static_cast<double>(layout.vertex_count())) {
+  const double max_fraction = tuning::max_clamped_fraction / (retry_level_ * retry_level_);
+  if (static_cast<double>(held_back.size()) > max_fraction * static_cast<double>(layout.vertex_count())) {
     release_clamped(held_back, motion);
     // Planes follow chords, not the true paths of kinematic primitives, before their end time.
     until_s_ = 2.0 * off_chord_m_ <= regions_.kinematic_gap_m() ? time_s : until_s_;

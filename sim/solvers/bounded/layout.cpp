@@ -177,7 +177,7 @@ bool is_flat(const Mesh& mesh, const Quad& cell) {
 void sweep_again_near_pins(double first_part, SurfaceLanes& lanes) {
   assert(first_part >= 0.0);
   const std::vector<BlockRange> colours = lanes.sweep;
-  for (double part = first_part; part > tuning::outlier_fraction; part *= tuning::resweep_fraction) {
+  for (double part = first_part; part > tuning::min_resweep_fraction; part *= tuning::resweep_fraction) {
     for (const BlockRange& colour : colours) {
       const auto count = static_cast<std::uint32_t>(std::ceil(part * (colour.end - colour.begin)));
       lanes.sweep.push_back({colour.begin, colour.begin + count, true});

@@ -52,7 +52,7 @@ void shorten_roughly(const Layout& layout, double max_stretch, ParallelKernels& 
   assert(max_stretch >= 0.0);
   const auto squared_bound = static_cast<float>((1.0 + max_stretch) * (1.0 + max_stretch));
   bool are_any_long = true;
-  for (int sweep = 0; sweep < tuning::max_rounds / 4 && are_any_long; ++sweep) {
+  for (int sweep = 0; sweep < tuning::prediction_sweeps && are_any_long; ++sweep) {
     are_any_long = shorten_long_blocks(layout.springs, squared_bound, kernels, rows);
     are_any_long = shorten_long_blocks(layout.surface, squared_bound, kernels, rows) || are_any_long;
   }
@@ -150,7 +150,7 @@ ProjectionResult BoundProjection::project(const Layout& layout, const Float4Arra
     result.cost += shorten_long(layout, squared_aim, kernels);
     if (confinement != nullptr) confinement->project_into_region(corrected_, is_stuck);
     ratio = find_max_ratio(layout, kernels);
-    const bool is_checked = ++rounds % (tuning::max_rounds / 2) == 0;
+    const bool is_checked = ++rounds % tuning::rounds_per_check == 0;
     is_stuck = is_checked && ratio - squared_bound > 0.5 * (checked_ratio - squared_bound);
     checked_ratio = is_checked ? ratio : checked_ratio;
   }

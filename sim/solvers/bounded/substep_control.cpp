@@ -33,7 +33,7 @@ SubstepControl::SubstepControl(int first, int least, int most, double frame_time
       calm_frames_needed_(min_calm_frames_) {}
 
 void SubstepControl::frame_kept(double projection_cost, double shift) {
-  const bool is_calm = projection_cost < tuning::low_cost_ratio * substeps_ && shift < tuning::low_cost_ratio;
+  const bool is_calm = projection_cost < tuning::low_cost_ratio * substeps_ && shift < tuning::low_shift_ratio;
   calm_frames_ = is_calm ? calm_frames_ + 1 : 0;
   ++frames_since_more_;
   const bool is_costly = projection_cost > substeps_ + round_sweeps;

@@ -5,10 +5,6 @@
 /// Tuned numbers of the solver, which follow from no law, geometry or rounding. log.md lists values that lost.
 namespace taut::sim::bounded::tuning {
 
-/// Fraction of vertices that may be outliers: clamped by their trust regions, fast in a list that lasts, or in repeated
-/// sweeps. Higher values renew regions and lists less often, which are then wrong for more vertices.
-inline constexpr double outlier_fraction = 0.03;
-
 // Time steps.
 
 /// Smallest number of time steps per s. Lower values suffice for small stiff cloths but let fast ones pass through
@@ -20,13 +16,23 @@ inline constexpr double step_growth_factor = 1.12;
 /// Target stretch before the projection, in bounds, of a repeated frame. Higher values take fewer steps and longer
 /// projections.
 inline constexpr double target_unprojected_stretch = 4.0;
-/// Largest cost of a cheap projection: in sweeps per time step, and in parts of the largest allowed shift. Higher
-/// values reduce the number of steps sooner, and increase it again sooner.
+/// Largest cost of a cheap projection, in sweeps per time step. Higher values reduce the number of steps sooner, and
+/// increase it again sooner.
 inline constexpr double low_cost_ratio = 0.6;
-/// Largest cost of a projection before its frame is repeated: in sweeps per time step, and in parts of the allowed
-/// shift if it also exceeds the shift of the frame before. Higher values repeat less and throw the cloth about at the
-/// ends of frames.
+/// Largest motion by a cheap projection, as a fraction of the allowed shift; as the cost.
+inline constexpr double low_shift_ratio = 0.6;
+/// Largest cost of a projection before its frame is repeated, in sweeps per time step. Higher values repeat less and
+/// sweep longer.
 inline constexpr double max_cost_ratio = 3.0;
+/// Largest motion by a projection before its frame is repeated, in allowed shifts. Higher values repeat less and throw
+/// the cloth about at the ends of frames.
+inline constexpr double max_shift_ratio = 3.0;
+/// Largest growth of that motion from one frame to the next for which a frame is kept in any case. Higher values repeat
+/// less where the cloth shifts by steps.
+inline constexpr double max_shift_growth = 1.12;
+/// Factor by which the median work of frames follows each of them, up or down. Higher values follow sooner but also
+/// single frames.
+inline constexpr double median_growth_factor = 1.12;
 /// Largest number of sweeps of a last projection. Higher values keep more bounds but end later.
 inline constexpr double last_resort_sweeps = 1000.0;
 /// Work of a broad phase, in sweeps. One around single vertices counts half; regions with one pair per triangle count
@@ -35,6 +41,8 @@ inline constexpr double search_work_sweeps = 25.0;
 /// Smallest fraction of the frame's work budget left for another attempt; with less, the next attempt is the last.
 /// Higher values leave more work to the last attempt and less to those before.
 inline constexpr double min_budget_fraction = 0.2;
+/// Largest fraction of that budget for an attempt at a whole frame. Higher values leave less work to its halves.
+inline constexpr double max_whole_frame_fraction = 0.25;
 /// Time in s for which projections have to be cheap before fewer time steps are tried. Longer takes more steps than
 /// needed; shorter keeps cloth awake that is about to rest.
 inline constexpr double low_cost_time_s = 1.0 / 15.0;
@@ -45,8 +53,10 @@ inline constexpr double shift_per_reach = 0.004;
 // Sweeps.
 
 /// Fraction of each colour, nearest to the pins, that is swept again after all colours; then this fraction of that, and
-/// so on down to `outlier_fraction`. Higher values cost sweeps and leave less to the projection.
+/// so on down to `min_resweep_fraction`. Higher values cost sweeps and leave less to the projection.
 inline constexpr double resweep_fraction = 0.35;
+/// Smallest fraction that is swept again. Lower values sweep once more around the pins.
+inline constexpr double min_resweep_fraction = 0.03;
 /// Smallest number of triangles of fine cloth. Fine cloth skips the first of the repeated sweeps and over-relaxes long
 /// triangles. Coarser cloth needs more steps without the first repeat.
 inline constexpr std::size_t min_fine_triangles = 20000;
@@ -62,6 +72,8 @@ inline constexpr double max_tether_slack = 0.005;
 /// Over-relaxed sweeps in a round, before one of factor 1 and a check of all lengths: where springs pull at each other,
 /// over-relaxed sweeps leave some too long. Higher values check less often.
 inline constexpr int relaxed_sweeps = 6;
+/// Rounds between two checks whether they still help. Higher values make regions anew later if the cloth is stuck.
+inline constexpr int rounds_per_check = 6;
 /// Smallest number of springs in the chain that sets the relaxation factor; otherwise it is the cloth's reach. Higher
 /// values converge faster along a chain but slower across.
 inline constexpr double min_chain_springs = 16.0;
@@ -120,6 +132,19 @@ inline constexpr double region_travel_per_edge = 0.2;
 /// Smallest rate of new regions if something is near, in 1/s. Planes follow the earlier motion, and would carry along
 /// primitives that have slowed down since.
 inline constexpr double touching_regions_per_s = 240.0;
+/// Largest number of searches until trust regions fit. Higher values stop fewer vertices, for more work if nothing
+/// fits.
+inline constexpr int max_searches = 12;
+/// Largest number of searches for regions that can be made for half the time instead.
+inline constexpr int max_searches_before_halving = 3;
+/// Largest fraction of vertices with larger trust regions than at first, above which regions are made for half the
+/// time. Higher values find pairs by the hundred thousand.
+inline constexpr double max_large_ball_fraction = 0.01;
+/// Largest fraction of vertices clamped by their trust regions, above which regions are renewed. Higher values renew
+/// less often, and clamp more.
+inline constexpr double max_clamped_fraction = 0.03;
+/// Sweeps that bring predicted motions towards the bound. With one, cloth that is pulled along keeps its old motion.
+inline constexpr int prediction_sweeps = 3;
 /// Quantile of the triangles' relative speeds that counts, as single vertices tremble. Higher values make regions more
 /// often.
 inline constexpr double speed_quantile = 0.99;
@@ -146,9 +171,13 @@ inline constexpr float ball_fill_fraction = 0.8F;
 /// Tolerance of predicted motions, as a fraction of the thickness: planes use the distance that is left. Lower values
 /// take more rounds.
 inline constexpr float motion_tolerance_fraction = 0.01F;
-/// Largest number of rounds over simultaneous conditions: pairs, the planes of a vertex, planes and the bound, trust
-/// regions and found pairs. Higher values stop fewer vertices, for more work if nothing fits.
-inline constexpr int max_rounds = 12;
+/// Passes over pairs that resolve predicted collisions by mass. Higher values leave less to the passes that ignore
+/// mass.
+inline constexpr int passes_by_mass = 12;
+/// Largest number of passes over pairs. Higher values hold fewer vertices, for more work in a pile.
+inline constexpr int max_passes = 144;
+/// Largest number of projections onto the planes of a vertex. Higher values need the path along planes less often.
+inline constexpr int max_plane_projections = 12;
 /// Over-relaxation of the projection onto planes: between nearly parallel planes, exact projections take very many
 /// rounds.
 inline constexpr float over_projection_factor = 1.4F;
@@ -161,6 +190,8 @@ inline constexpr float separation_fraction = 0.2F;
 /// Largest predicted motion during the life of a list, as a fraction of the mean edge. Higher values make lists of more
 /// pairs that last longer.
 inline constexpr float slow_motion_per_edge = 0.5F;
+/// Largest fraction of vertices faster than that, above which no list is made. Higher values renew more of each list.
+inline constexpr double max_fast_fraction = 0.03;
 /// Additional slack of vertices in a list, as a fraction of the mean edge. Higher values make longer lists that last
 /// longer.
 inline constexpr float list_slack_per_edge = 0.075F;

@@ -43,7 +43,7 @@ void LastingPairs::make_list(const ExpectedRows& rows, double until_s, float edg
   marks_.assign(rows.radii.size(), as_expected);
   time_ = rows.time;
   const auto fast = static_cast<double>(std::count_if(rows.moves.begin(), rows.moves.end(), is_fast));
-  is_lasting_ = longer > 1.0F && fast < tuning::outlier_fraction * static_cast<double>(rows.moves.size());
+  is_lasting_ = longer > 1.0F && fast < tuning::max_fast_fraction * static_cast<double>(rows.moves.size());
   if (is_lasting_) {
     time_.to_s = until_s;
     for (std::size_t row = 0; row < reaches_.size(); ++row) {

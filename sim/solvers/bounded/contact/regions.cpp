@@ -200,13 +200,12 @@ void Regions::resolve(const RegionPair& pair, float left, bool is_urgent, std::s
 // continue while any would be held. Those passes keep only the smallest distances, which leaves slack for squeezed
 // layers, and are over-relaxed, which transmits pushes sooner.
 void Regions::resolve_moves(std::span<const float> inverse_masses) {
-  constexpr int max_passes = tuning::max_rounds * tuning::max_rounds;
   bool is_done = false;
   bool would_hold = true;
-  for (int pass = 0; !is_done && (pass < tuning::max_rounds || (would_hold && pass < max_passes)); ++pass) {
+  for (int pass = 0; !is_done && (pass < tuning::passes_by_mass || (would_hold && pass < tuning::max_passes)); ++pass) {
     is_done = true;
     would_hold = false;
-    const bool is_urgent = pass >= tuning::max_rounds;
+    const bool is_urgent = pass >= tuning::passes_by_mass;
     for (const RegionPair& pair : pairs_) {
       const float enough = tuning::motion_tolerance_fraction * pair.contact.thickness_m;
       const float left = is_urgent ? std::min(pair.min_distance + enough, pair.target_distance) : pair.target_distance;

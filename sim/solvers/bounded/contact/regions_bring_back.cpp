@@ -22,7 +22,7 @@ bool Regions::contains(Index row, float time, const Vec3& moved_m) const {
 glm::vec3 Regions::project_onto_planes(Index row, float time, const glm::vec3& start, glm::vec3& stopped) const {
   glm::vec3 e = start;
   bool is_out = true;
-  for (int projection = 0; projection < tuning::max_rounds && is_out; ++projection) {
+  for (int projection = 0; projection < tuning::max_plane_projections && is_out; ++projection) {
     is_out = false;
     for (const HalfSpace& half_space : half_spaces_at(row)) {
       const float depth = half_space.start + time * half_space.rate - glm::dot(half_space.normal, e);

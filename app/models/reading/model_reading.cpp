@@ -209,27 +209,29 @@ std::size_t announced_faces(std::istream& off) {
   return 0;
 }
 
-/// Requires a line behind the header for every element of a PLY in ASCII.
-void require_lines(std::istream& ply) {
+/// Requires a whole header, and a line behind it for every element of a PLY in ASCII. Assimp reads on for ever without
+/// one.
+void require_whole_ply(std::istream& ply) {
   std::size_t announced = 0, lines = 0;
-  std::string line, word, element;
+  std::string line, word, element, format;
   while (std::getline(ply, line) && !line.starts_with("end_header")) {
     std::size_t count = 0;
     if (std::istringstream(line) >> word >> element >> count && word == "element") announced += count;
-    if (word == "format" && element != "ascii") return;
+    if (word == "format") format = element;
   }
+  if (!ply) throw InputError("found no line 'end_header' of a PLY; it may be cut off");
+  if (format != "ascii") return;
   while (std::getline(ply, line)) lines += line.find_first_not_of(" \t\r") != std::string::npos ? 1 : 0;
   require_announced(lines, announced, "elements");
 }
 
 /// Throws InputError if a text file ends before the end that its header announces. Assimp accepts such files.
 void require_whole(const std::filesystem::path& path, std::string_view format, std::size_t faces) {
-  const bool is_off = format.starts_with("OFF"), is_ply = format.starts_with("Stanford");
-  if (!is_off && !is_ply && !format.starts_with("Stereo")) return;
+  const bool is_off = format.starts_with("OFF");
+  if (!is_off && !format.starts_with("Stereo")) return;
   const std::string bytes = read_text_file(path, max_model_bytes);
   std::istringstream text(bytes);
   if (is_off) require_announced(faces, announced_faces(text), "faces");
-  if (is_ply) require_lines(text);
   const bool is_stl_of_text = bytes.starts_with("solid") && bytes.find('\0') == std::string::npos;
   if (is_stl_of_text && bytes.find("endsolid") == std::string::npos) {
     throw InputError("found no line 'endsolid', which ends it; it may be cut off");
@@ -251,6 +253,10 @@ class NotedFiles final : public Assimp::DefaultIOSystem {
 };
 
 ModelArrays read_with_assimp(const std::filesystem::path& path, ReadParts parts) {
+  if (lower_case(path.extension().string()) == ".ply") {
+    std::istringstream ply(read_text_file(path, max_model_bytes));
+    require_whole_ply(ply);
+  }
   // The importer is never destroyed: it reads some files (3MF with textures) completely and crashes when it is
   // destroyed.
   Assimp::Importer& importer = *new Assimp::Importer;

@@ -75,7 +75,7 @@ def models():
     yield obj('on_a_line', 'v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n', 'no triangle|area')
     yield obj('same_vertex', triangle + 'f 1 1 2\nf 2 2 2\n', 'no triangle|area')
     yield obj('vast', 'v 1e300 0 0\nv 0 1e300 0\nv 0 0 1e300\nf 1 2 3\n', None)
-    yield obj('far', 'v 1e17 0 0\nv 100000000000000100 1 0\nv 1e17 1 0\nf 1 2 3\n', 'size|far|area|large|expected')
+    yield obj('far', 'v 1e17 0 0\nv 100000000000000100 1 0\nv 1e17 1 0\nf 1 2 3\n', None)
     yield obj('tiny', 'v 1e-300 0 0\nv 0 1e-300 0\nv 0 0 1e-300\nf 1 2 3\n', 'size|small|area|expected')
     yield obj('nothing', '', 'is empty')
     yield obj('zeros', '\0' * 4096, 'cannot read a model')

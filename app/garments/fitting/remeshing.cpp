@@ -186,8 +186,7 @@ class Remesher {
   void spend(std::size_t more) {
     looks_ += more;
     if (looks_ > max_looks_) {
-      throw std::invalid_argument(
-          "it has too many needles across each other for a mesh to be fitted to it (garment.mesh)");
+      throw std::invalid_argument("it has too many needles across each other");
     }
   }
 

@@ -26,7 +26,8 @@ std::vector<sim::Vec3> sample_surface(const sim::Mesh& mesh) {
   std::vector<sim::Vec3> points;
   for (std::size_t k = 0; k < sample_count && area > 0.0; ++k) {
     const double at = (static_cast<double>(k) + 0.5) / sample_count * area;
-    const auto t = static_cast<std::size_t>(std::ranges::lower_bound(areas_up_to, at) - areas_up_to.begin());
+    const auto t =
+        static_cast<std::size_t>(std::lower_bound(areas_up_to.begin(), areas_up_to.end(), at) - areas_up_to.begin());
     const auto [a, b, c] = sim::corner_positions(mesh.triangles[std::min(t, areas_up_to.size() - 1)], mesh.positions);
     double u = std::fmod(0.7548776662466927 * static_cast<double>(k), 1.0);
     double v = std::fmod(0.5698402909980532 * static_cast<double>(k), 1.0);

@@ -144,8 +144,8 @@ TEST(Lemma, AMeshOfWhichAHundredthIsFarFromTheModelIsRefused) {
 }
 
 TEST(Lemma, AMeshThatCrossesItselfMoreThanTheModelIsRefused) {
-  EXPECT_TRUE(
-      refuses("crossings", &ComparisonLimits::max_crossing_fraction, [](auto& some, const Skirt&, FittedMesh& mesh) {
+  EXPECT_TRUE(refuses(
+      "crossings", &ComparisonLimits::max_added_crossing_fraction, [](auto& some, const Skirt&, FittedMesh& mesh) {
         mesh.crossings =
             static_cast<std::size_t>(some.between(0.03, 0.4) * static_cast<double>(mesh.mesh.triangles.size()));
       }));
@@ -157,7 +157,7 @@ TEST(Lemma, AMeshInShredsIsRefusedEvenIfTheModelIs) {
     const sim::Mesh model = Skirt(some).mesh();
     FittedMesh mesh = fitted(model, model);
     mesh.crossings = static_cast<std::size_t>(some.between(0.51, 2.0) * static_cast<double>(model.triangles.size()));
-    RC_ASSERT(is_refused(model, mesh.crossings, mesh, only(&ComparisonLimits::max_crossings_fraction)));
+    RC_ASSERT(is_refused(model, mesh.crossings, mesh, only(&ComparisonLimits::max_crossing_fraction)));
     mesh.crossings /= 5;
     RC_ASSERT(!is_refused(model, mesh.crossings, mesh, {}));
   }));

@@ -45,7 +45,7 @@ double distance_m(const std::vector<sim::Vec3>& points_m, const sim::Mesh& surfa
   const SurfaceTree tree(surface.positions, surface.triangles);
   std::vector<double> distances_m = {0.0};
   for (const sim::Vec3& point_m : points_m) {
-    const auto found = tree.find_nearest(point_m, reach_m, [](const TreeSurfacePoint&) { return true; });
+    const auto found = tree.find_nearest(point_m, reach_m, accept_all);
     distances_m.push_back(found ? found->distance_m : reach_m);
   }
   return quantile(std::move(distances_m), 0.99);
@@ -66,6 +66,7 @@ std::vector<sim::Triangle> find_rims(const sim::Mesh& mesh) {
   return rims;
 }
 
+/// Returns the fraction of the length of the mesh's borders that runs along no rim of the model within `distance_m`.
 double torn_fraction(const sim::Mesh& model_m, const sim::Mesh& mesh, double distance_m) {
   const SurfaceTree rims(model_m.positions, find_rims(model_m));
   const sim::Adjacency adjacency = sim::make_adjacency(mesh);
@@ -74,8 +75,7 @@ double torn_fraction(const sim::Mesh& model_m, const sim::Mesh& mesh, double dis
     if (adjacency.edge_triangles[e].size() != 1) continue;
     const sim::Vec3 &a = mesh.positions[adjacency.edges[e][0]], &b = mesh.positions[adjacency.edges[e][1]];
     all_m += glm::distance(a, b);
-    const bool is_rim =
-        rims.find_nearest(0.5 * (a + b), distance_m, [](const TreeSurfacePoint&) { return true; }).has_value();
+    const bool is_rim = rims.find_nearest(0.5 * (a + b), distance_m, accept_all).has_value();
     torn_m += is_rim ? 0.0 : glm::distance(a, b);
   }
   return all_m > 0.0 ? torn_m / all_m : 0.0;
@@ -103,7 +103,8 @@ FittingComparison compare_with_model(const sim::Mesh& model_m, std::size_t model
   const auto triangles = static_cast<double>(fitted.mesh.triangles.size());
   // The same lines of crossing have more pairs in a finer mesh.
   const double finer = std::max(1.0, std::sqrt(triangles / static_cast<double>(model_m.triangles.size())));
-  c.crossing_fraction = (static_cast<double>(c.crossings) - finer * static_cast<double>(model_crossings)) / triangles;
+  c.added_crossing_fraction =
+      (static_cast<double>(c.crossings) - finer * static_cast<double>(model_crossings)) / triangles;
   return c;
 }
 
@@ -125,15 +126,15 @@ std::optional<std::string> why_not_the_model(const FittingComparison& c, const C
                        c.distance_from_model >= distance ? "the model" : "it", 100.0 * distance,
                        c.distance_from_model >= distance ? "it" : "the model", 100.0 * limits.max_distance_fraction);
   }
-  if (c.crossing_fraction > limits.max_crossing_fraction) {
+  if (c.added_crossing_fraction > limits.max_added_crossing_fraction) {
     return fmt::format(
         "it crosses itself in {} places and the model in {}, expected at most {:g} % of its triangles more",
-        c.crossings, c.model_crossings, 100.0 * limits.max_crossing_fraction);
+        c.crossings, c.model_crossings, 100.0 * limits.max_added_crossing_fraction);
   }
   const double all = static_cast<double>(c.crossings) / static_cast<double>(c.triangles);
-  if (all > limits.max_crossings_fraction) {
+  if (all > limits.max_crossing_fraction) {
     return fmt::format("it crosses itself in {} places, expected at most {:g} % of its {} triangles", c.crossings,
-                       100.0 * limits.max_crossings_fraction, c.triangles);
+                       100.0 * limits.max_crossing_fraction, c.triangles);
   }
   return std::nullopt;
 }

@@ -22,24 +22,24 @@ struct ComparisonLimits {
   double max_distance_fraction = 0.035;
   /// Largest number of crossing pairs beyond the model's, as a fraction of the triangles. Less refuses meshes that can
   /// be untangled; more accepts shreds.
-  double max_crossing_fraction = 0.02;
+  double max_added_crossing_fraction = 0.02;
   /// Largest number of crossing pairs, the model's included, as a fraction of the triangles. Less refuses models in
   /// many layers; more begins runs that break their promise.
-  double max_crossings_fraction = 0.5;
+  double max_crossing_fraction = 0.5;
 };
 
 /// Measures of a fitted mesh beside its model.
 struct FittingComparison {
-  double area_fraction = 0.0;        ///< area of the mesh, as a fraction of the cloth's
-  double torn_fraction = 0.0;        ///< fraction of the borders' length that runs along nothing in the model
-  std::size_t parts = 0;             ///< count of connected parts of the mesh
-  std::size_t model_parts = 0;       ///< count of sheets of the model's cloth
-  double distance_from_model = 0.0;  ///< 99th percentile over the model's area, as a fraction of the size
-  double distance_to_model = 0.0;    ///< 99th percentile over the mesh's area, as a fraction of the size
-  std::size_t triangles = 0;         ///< count of triangles of the mesh
-  std::size_t crossings = 0;         ///< count of crossing pairs of the mesh
-  std::size_t model_crossings = 0;   ///< count of crossing pairs of the model
-  double crossing_fraction = 0.0;    ///< crossings beyond the model's, over the triangles of the mesh
+  double area_fraction = 0.0;            ///< area of the mesh, as a fraction of the cloth's
+  double torn_fraction = 0.0;            ///< fraction of the borders' length that runs along nothing in the model
+  std::size_t parts = 0;                 ///< count of connected parts of the mesh
+  std::size_t model_parts = 0;           ///< count of sheets of the model's cloth
+  double distance_from_model = 0.0;      ///< 99th percentile over the model's area, as a fraction of the size
+  double distance_to_model = 0.0;        ///< 99th percentile over the mesh's area, as a fraction of the size
+  std::size_t triangles = 0;             ///< count of triangles of the mesh
+  std::size_t crossings = 0;             ///< count of crossing pairs of the mesh
+  std::size_t model_crossings = 0;       ///< count of crossing pairs of the model
+  double added_crossing_fraction = 0.0;  ///< crossings beyond the model's, over the triangles of the mesh
 };
 
 /// Compares a fitted mesh with its model at a few thousand points, the same in every run. Distances beyond a tenth of

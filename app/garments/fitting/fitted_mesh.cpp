@@ -255,8 +255,7 @@ std::vector<double> fractions_beside(const Sheets& sheets, const std::vector<cha
     if (is_marked[sheet] != 0) continue;
     const sim::Vec3& place_m = sheets.mesh.positions[sheets.mesh.triangles[t][0]];
     all[sheet] += 1.0;
-    near[sheet] +=
-        tree.find_nearest(place_m, reach_m, [](const TreeSurfacePoint&) { return true; }).has_value() ? 1.0 : 0.0;
+    near[sheet] += tree.find_nearest(place_m, reach_m, accept_all).has_value() ? 1.0 : 0.0;
   }
   for (std::size_t k = 0; k < near.size(); ++k) near[k] /= std::max(all[k], 1.0);
   return near;

@@ -16,6 +16,8 @@ double share_along(const sim::Vec3& point, const sim::Vec3& a, const sim::Vec3& 
 
 /// Condition for the points that a search may return.
 using AcceptPoint = std::function<bool(const TreeSurfacePoint&)>;
+/// Accepts every point.
+inline bool accept_all(const TreeSurfacePoint& /*point*/) { return true; }
 
 /// Finds points of a surface that are near a point or hit by a ray, with a tree of boxes in double precision. Of points
 /// at equal distances it finds the one of the first triangle, so that every machine finds the same. A triangle with two

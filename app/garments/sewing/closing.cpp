@@ -100,8 +100,6 @@ SewnPieces join_pieces(const CutPieces& pieces, const std::vector<Index>& set_of
   return sewn;
 }
 
-bool accept_all(const TreeSurfacePoint&) { return true; }
-
 class Closing {
  public:
   Closing(const CutPieces& pieces, const Scene& scene, const sim::Body& dressed, double time_s)

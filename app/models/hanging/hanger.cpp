@@ -215,11 +215,11 @@ bool holds(const GarmentPart& part, const std::vector<sim::Index>& neck, const s
 
 }  // namespace
 
-std::vector<sim::Body> hanger_for(const sim::Mesh& mesh, const GarmentPart& part, double min_length) {
+std::vector<sim::Body> hanger_for(const sim::Mesh& mesh, const GarmentPart& part, double min_length_ratio) {
   const std::vector<sim::Index> neck = neck_below_hood(mesh, part, part.across());
   const double max_height_m = neck.empty() ? part.range.upper.y : sim::compute_extent(mesh.positions, neck).upper.y;
   const double max_length_m = std::min(half_length_m, max_half_length * part.width_m());
-  for (double half_m = max_length_m; half_m >= min_length * max_length_m; half_m *= shortening) {
+  for (double half_m = max_length_m; half_m >= min_length_ratio * max_length_m; half_m *= shortening) {
     if (const auto bars = clear_bars({mesh, part, half_m, max_height_m})) {
       return {{.name = hanger_left, .shape = (*bars)[0], .friction = friction},
               {.name = right_bar, .shape = (*bars)[1], .friction = friction}};

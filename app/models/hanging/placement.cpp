@@ -295,8 +295,7 @@ double openness_below(const sim::Mesh& mesh) {
     const sim::Vec3 at = box.middle() - 0.5 * seen + step * sim::Vec3(k / across + 0.5, 0.0, k % across + 0.5);
     for (const double up : {1.0, -1.0}) {
       const sim::Vec3 from(at.x, up > 0.0 ? box.lower.y : box.upper.y, at.z);
-      const auto hit = tree.first_hit(from, {0.0, up, 0.0}, -box.size().y, 2.0 * box.size().y,
-                                      [](const TreeSurfacePoint&) { return true; });
+      const auto hit = tree.first_hit(from, {0.0, up, 0.0}, -box.size().y, 2.0 * box.size().y, accept_all);
       sum += up * (hit ? hit->distance_m : box.size().y);
     }
   }

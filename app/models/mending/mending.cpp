@@ -202,7 +202,7 @@ std::size_t sew_on_trims(std::span<const GarmentPart> parts, double metres_per_u
   for (const GarmentPart& part : parts) {
     std::vector<StitchPlace> places;
     for (const sim::Index v : is_trim(part) ? part.vertices : std::vector<sim::Index>{}) {
-      const auto below = tree.find_nearest(mesh.positions[v], farthest, [](const TreeSurfacePoint&) { return true; });
+      const auto below = tree.find_nearest(mesh.positions[v], farthest, accept_all);
       if (below) places.push_back({v, cloth[below->triangle], below->distance_m});
     }
     if (!places.empty()) {

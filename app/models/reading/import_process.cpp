@@ -23,7 +23,7 @@ using Clock = std::chrono::steady_clock;
 constexpr std::size_t header_bytes = 1 + sizeof(std::uint64_t);
 
 // Limit on the bytes that the child may send: more than the largest model that can be simulated.
-constexpr std::uint64_t max_bytes = std::uint64_t{1} << 31;
+constexpr std::uint64_t max_sent_bytes = std::uint64_t{1} << 31;
 
 constexpr const char* nested = "TAUT_IMPORTING";
 
@@ -78,7 +78,7 @@ std::optional<std::string> read_all(const Descriptor& output, Clock::time_point 
   constexpr int look_up_after_ms = 100;
   std::string bytes;
   std::vector<char> part(std::size_t{1} << 18);
-  while (Clock::now() < deadline && bytes.size() <= max_bytes + header_bytes) {
+  while (Clock::now() < deadline && bytes.size() <= max_sent_bytes + header_bytes) {
     throw_if_interrupted();
     pollfd ready{output.number(), POLLIN, 0};
     if (::poll(&ready, 1, look_up_after_ms) <= 0) continue;

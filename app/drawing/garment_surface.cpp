@@ -140,9 +140,15 @@ DrawnColours model_colours(const PictureStyle& style, const SurfaceColours& colo
   return drawn;
 }
 
-bool has_images(const SurfaceColours& colours) {
-  return std::ranges::any_of(colours.materials,
-                             [](const SurfaceMaterial& material) { return !material.map_file.empty(); });
+// Programs write white or a grey where nobody chose a colour.
+constexpr float max_grey_difference = 0.02F;
+
+bool are_chosen(const SurfaceColours& colours) {
+  return std::ranges::any_of(colours.materials, [](const SurfaceMaterial& material) {
+    const glm::vec3& rgb = material.base_colour;
+    const float difference = std::max({rgb.x, rgb.y, rgb.z}) - std::min({rgb.x, rgb.y, rgb.z});
+    return !material.map_file.empty() || difference > max_grey_difference;
+  });
 }
 
 PictureStyle fabric_style(const std::string& fabric) {
@@ -170,7 +176,7 @@ DrawnColours choose_colours(const DrawnScene& scene, const GarmentInScene& loade
   if (names_image(style.texture)) return print(style, loaded.colours);
   if (style.texture != no_texture && !loaded.garment->material_indices.empty()) return layer_colours(scene, loaded);
   const bool is_coloured = style.cloth.outside_colour != renderer::SurfaceStyle().outside_colour;
-  if (style.texture == no_texture || is_coloured || !has_images(loaded.colours)) {
+  if (style.texture == no_texture || is_coloured || !are_chosen(loaded.colours)) {
     return {loaded.colours.corner_uv, {}, {}};
   }
   return model_colours(style, loaded.colours);

@@ -159,6 +159,18 @@ TEST(SurfaceColours, OfAnObjComeFromItsMaterials) {
   EXPECT_TRUE(loaded.colours.remarks.empty());
 }
 
+TEST(SurfaceColours, NeedNoImageButOneThatIsNotGrey) {
+  const TemporaryFolder folder;
+  const DrawnScene red =
+      make_scene(write_two(folder, "newmtl red cotton\nKd 0.7 0.1 0.15\nnewmtl blue\nKd 0.8 0.8 0.8\n"));
+  const DrawnColours drawn = drawn_colours(red, load_garment(red));
+  ASSERT_EQ(drawn.base_colours.size(), 2U);
+  EXPECT_EQ(drawn.base_colours[0].outside_colour, glm::vec3(0.7F, 0.1F, 0.15F));
+  const DrawnScene grey =
+      make_scene(write_two(folder, "newmtl red cotton\nKd 0.8 0.8 0.8\nnewmtl blue\nKd 0.6 0.6 0.6\n"));
+  EXPECT_TRUE(drawn_colours(grey, load_garment(grey)).base_colours.empty());
+}
+
 TEST(SurfaceColours, GiveWayToWhatTheSceneAsksFor) {
   const TemporaryFolder folder;
   folder.write("check.png", encode_png(1, 1, {10, 20, 30, 255}));

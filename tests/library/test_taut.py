@@ -128,8 +128,16 @@ class Calls(unittest.TestCase):
         self.assertEqual(cloth.info.vertex_count, 36)
         with self.assertRaisesRegex(taut.Error, "did you mean 'tshirt'"):
             taut.Cloth('tshirtt')
-        with self.assertRaisesRegex(taut.Error, 'exactly one'):
-            taut.Cloth()
+        for given in ({}, {'scene': 'tshirt', 'text': ''}):
+            with self.assertRaisesRegex(taut.Error, 'exactly one of scene, text and positions'):
+                taut.Cloth(**given)
+        for frames in (0, -1):
+            with self.assertRaisesRegex(taut.Error, f'found {frames} frames, expected at least 1'):
+                cloth.step(frames)
+        self.assertEqual(repr(cloth), 'Cloth(frame 0, 50 triangles)')
+        self.assertIn('vertex_count=36', repr(cloth.info))
+        cloth.close()
+        self.assertEqual(repr(cloth), 'Cloth(closed)')
 
 
 if __name__ == '__main__':

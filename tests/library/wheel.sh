@@ -15,6 +15,7 @@ unset TAUT_LIBRARY TAUT_IMPORTER TAUT_ASSETS PYTHONPATH
 unshare -n bare/bin/pip install --quiet --no-index "$wheel"
 # Packages of the build machine must not stand in for what is missing.
 libraries=$(echo bare/lib/python3*/site-packages/taut_cloth/lib)
+[ -f "$libraries/../py.typed" ] || fail "its annotations do not count: there is no py.typed"
 for file in "$libraries"/* "$libraries"/../libexec/taut/taut-import; do
   ldd "$file" | awk '$3 ~ /^\// && $3 !~ /taut_cloth/ {print $1}' |
     grep -Ev '^(libc|libm|libstdc\+\+|libgcc_s|libz)\.so' && fail "$file needs more than every Linux has"

@@ -32,6 +32,7 @@ assert.notEqual(cloth.step().state_hash, next);
 assert.throws(() => cloth.set('nothing', 1), (error) => error instanceof TautError && error.result === 3);
 assert.throws(() => taut.cloth({ scene: 'nowhere' }), /there is no scene 'nowhere'/);
 assert.throws(() => taut.cloth({ positions: [0, 0], triangles: [] }), /without faces/);
+assert.throws(() => taut.cloth(), /expected exactly one of scene, text and positions/);
 
 const told = [];
 const own = taut.cloth({ positions: [0, 0, 0, 1, 0, 0, 0, 0, 1, 1, 0, 1], triangles: [0, 2, 1, 1, 2, 3],

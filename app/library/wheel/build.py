@@ -56,6 +56,7 @@ def put_binaries(library, importer, package):
 def put_texts(sources, version, package, info):
     library = sources / 'app' / 'library'
     shutil.copy(library / 'python' / 'taut' / '__init__.py', package / '__init__.py')
+    (package / 'py.typed').touch()  # its annotations count (PEP 561)
     for file in (library / 'wheel' / 'taut_cloth').glob('*.py'):
         shutil.copy(file, package / file.name)
     for pattern in ASSETS:

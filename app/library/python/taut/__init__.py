@@ -62,7 +62,10 @@ class Frame(NamedTuple):
 
 
 def _struct(**fields):
-    return type('Struct', (ctypes.Structure,), {'_fields_': list(fields.items())})
+    def text(self):
+        return f'{type(self).__name__}(' + ', '.join(f'{name}={getattr(self, name)!r}' for name in fields if name != 'struct_size') + ')'
+
+    return type('Struct', (ctypes.Structure,), {'_fields_': list(fields.items()), '__repr__': text})
 
 
 _Points = _struct(data=c_void_p, count=c_size_t, stride=c_size_t, type=c_int32)
@@ -85,6 +88,7 @@ _Info = _struct(struct_size=c_uint32, frame=c_int32, time_s=c_double, frame_rate
                 body_count=c_size_t, crossings_at_start=c_size_t)
 _Error = _struct(struct_size=c_uint32, result=c_int32, text=c_char * 1016)
 _Cloth = _struct(id=c_uint64)
+_Info.__name__ = 'Info'
 
 
 def _load() -> ctypes.CDLL:
@@ -212,7 +216,11 @@ class Cloth:
     def __init__(self, scene=None, *, text: Optional[str] = None, positions=None, faces=None, start=None,
                  bodies: Sequence[Body] = (), settings: Optional[dict] = None, threads: int = 0, counts_crossings: bool = False, importer=None,
                  log: Optional[Callable[[str], None]] = None):
+        """Makes the cloth, in its first frame. Exactly one of `scene`, `text` and `positions` says which; `threads` 0: as many
+        as the machine has. Raises Error with what was found and expected."""
         self._cloth = _Cloth(0)
+        if sum(given is not None for given in (scene, text, positions)) != 1:
+            raise Error(3, 'expected exactly one of scene, text and positions')
         kept: list = []
         options = _made(_Options)
         options.threads, options.counts_crossings = threads, counts_crossings
@@ -231,6 +239,9 @@ class Cloth:
         result = _library.taut_create(byref(options), byref(self._cloth), byref(error))
         if result != 0:
             raise Error(result, error.text.decode(errors='replace'))
+
+    def __repr__(self) -> str:
+        return f'Cloth(frame {self.info.frame}, {self.info.triangle_count} triangles)' if self._cloth.id else 'Cloth(closed)'
 
     def close(self) -> None:
         """Ends the cloth; every later call raises."""
@@ -262,7 +273,9 @@ class Cloth:
         return info
 
     def step(self, frames: int = 1) -> Frame:
-        """Goes on by so many frames and returns what the last is worth."""
+        """Goes on by so many frames, at least 1, and returns the measurements of the last."""
+        if frames < 1:
+            raise Error(3, f'found {frames} frames, expected at least 1')
         frame = _made(_Frame)
         for _ in range(frames):
             self._call('step', byref(frame))

@@ -119,7 +119,10 @@ export class Cloth {
   #module;
   #id = 0n;
 
-  constructor(module, { scene, text, positions, triangles, start, settings = {}, log }) {
+  constructor(module, { scene, text, positions, triangles, start, settings = {}, log } = {}) {
+    if ([scene, text, positions].filter((given) => given !== undefined).length !== 1) {
+      throw new TautError(3, 'expected exactly one of scene, text and positions');
+    }
     this.#module = module;
     const listener = log ? module.addFunction((_user, line) => log(module.UTF8ToString(line)), 'vii') : 0;
     lent(module, (memory) => {

@@ -1,10 +1,12 @@
 #include "app/command_line.hpp"
 
 #include <toml++/toml.h>
+#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 
 #include "app/base/errors.hpp"
+#include "app/base/terminal.hpp"
 #include "app/caches/frame_sink.hpp"
 #include "app/commands/options.hpp"
 #include "app/garments/dressing/fit.hpp"
@@ -404,8 +406,8 @@ std::string fill_in(std::string text) {
   return text;
 }
 
-/// Sets the help texts of a command and its options from assets/texts/help.toml. A text for this command comes before
-/// the text for any command.
+/// Sets the help texts, the names of values and the groups of a command and its options from assets/texts/help.toml. A
+/// text for this command comes before the text for any command.
 void describe(CLI::App& command, const std::string& name, const toml::table& texts) {
   const auto text_of = [&](const std::string& section, const std::string& key) {
     return texts[section][key].value<std::string>();
@@ -416,10 +418,18 @@ void describe(CLI::App& command, const std::string& name, const toml::table& tex
     const std::string key = option->get_name();
     const std::optional<std::string> own = text_of(name, key);
     if (const auto text = own ? own : text_of("any", key)) option->description(fill_in(*text));
+    const std::optional<std::string> own_value = text_of("value", name + ' ' + key);
+    if (const auto value = own_value ? own_value : text_of("value", key)) option->type_name(*value);
+    if (const auto group = text_of("group", key)) option->group(*group);
   }
   for (CLI::App* below : command.get_subcommands([](const CLI::App*) { return true; })) {
     describe(*below, below->get_name(), texts);
   }
+}
+
+void print_help(const std::string& text) {
+  constexpr std::size_t columns_of_files = 100;
+  fmt::print("{}", wrap_lines(text, terminal_columns(STDOUT_FILENO, columns_of_files)));
 }
 
 // Shows help immediately when the user asks for it, before any value is checked: a bad value may be the reason to ask.
@@ -450,7 +460,7 @@ int run_command_line(std::span<const char* const> arguments) {
                                                       add_list(app, "fabrics", "FABRIC", list_fabrics),
                                                       add_command(app, "import-model", define_import_model),
                                                       add_list(app, "help", "TOPIC", [&app](const auto& topic) {
-                                                        fmt::print("{}", help_about(app, topic));
+                                                        print_help(help_about(app, topic));
                                                         return 0;
                                                       })};
   describe(app, "taut", toml::parse(help_texts));
@@ -459,7 +469,12 @@ int run_command_line(std::span<const char* const> arguments) {
   try {
     app.parse(static_cast<int>(arguments.size()), arguments.data());
   } catch (const CLI::ParseError& error) {
-    if (error.get_exit_code() == 0) return app.exit(error);
+    if (error.get_exit_code() == 0) {
+      std::ostringstream text;
+      app.exit(error, text);
+      print_help(text.str());
+      return 0;
+    }
     throw UsageError(parse_error_text(app, error, arguments));
   }
   const std::vector<CLI::App*> all = app.get_subcommands([](const CLI::App*) { return true; });

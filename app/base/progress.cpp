@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 #include <unistd.h>
 
+#include "app/base/terminal.hpp"
 #include "app/base/words.hpp"
 
 namespace taut::app {
@@ -51,10 +52,13 @@ void Progress::hide() {
 
 void Progress::draw() {
   const auto since = Clock::now() - began_;
-  fmt::print(stderr, "\r\033[K{}: {}", printable(what_), printable(stage_));
+  std::string line = printable(what_) + ": " + printable(stage_);
   if (since >= show_time_after) {
-    fmt::print(stderr, " ({} s)", std::chrono::duration_cast<std::chrono::seconds>(since).count());
+    line += fmt::format(" ({} s)", std::chrono::duration_cast<std::chrono::seconds>(since).count());
   }
+  // A line that fills the terminal would scroll it.
+  line.resize(std::min(line.size(), terminal_columns(STDERR_FILENO, line.size() + 1) - 1));
+  fmt::print(stderr, "\r\033[K{}", line);
   std::fflush(stderr);
   shown_ = true;
 }

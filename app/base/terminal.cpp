@@ -1,0 +1,53 @@
+#include "app/base/terminal.hpp"
+
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+namespace taut::app {
+namespace {
+
+// Columns that lines of text keep beside their indentation. Narrower columns are not readable.
+constexpr std::size_t min_text_columns = 20;
+
+std::size_t hanging_indent(std::string_view line) {
+  const std::size_t word = std::min(line.find_first_not_of(' '), line.size());
+  const std::size_t gap = line.find("  ", word);
+  return gap == std::string_view::npos ? word : std::min(line.find_first_not_of(' ', gap), line.size());
+}
+
+std::string wrap_line(std::string_view line, std::size_t columns) {
+  const std::string indent(hanging_indent(line), ' ');
+  columns = std::max(columns, indent.size() + min_text_columns);
+  std::string wrapped;
+  std::string rest(line);
+  while (rest.size() > columns) {
+    std::size_t end = rest.rfind(' ', columns);
+    if (end == std::string::npos || end <= indent.size()) end = rest.find(' ', columns);
+    if (end == std::string::npos) break;
+    wrapped += rest.substr(0, end) + '\n';
+    rest = indent + rest.substr(end + 1);
+  }
+  return wrapped + rest;
+}
+
+}  // namespace
+
+std::size_t terminal_columns(int file_descriptor, std::size_t otherwise) {
+  winsize size{};
+  const bool is_known = ::isatty(file_descriptor) != 0 && ::ioctl(file_descriptor, TIOCGWINSZ, &size) == 0;
+  return is_known && size.ws_col > 0 ? size.ws_col : otherwise;
+}
+
+std::string wrap_lines(std::string_view text, std::size_t columns) {
+  std::string wrapped;
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    wrapped += wrap_line(text.substr(0, end), columns);
+    if (end == text.size()) break;
+    wrapped += '\n';
+    text.remove_prefix(end + 1);
+  }
+  return wrapped;
+}
+
+}  // namespace taut::app

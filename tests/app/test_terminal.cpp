@@ -1,0 +1,33 @@
+#include <gtest/gtest.h>
+
+#include "app/base/terminal.hpp"
+
+namespace taut::app {
+namespace {
+
+TEST(Terminal, LinesBreakBetweenWordsBelowTheirSecondColumn) {
+  EXPECT_EQ(wrap_lines("short\n", 40), "short\n");
+  EXPECT_EQ(wrap_lines("  --up AXIS    the direction that is up in the model\n\nlast", 40),
+            "  --up AXIS    the direction that is up\n               in the model\n\nlast");
+  EXPECT_EQ(wrap_lines("one two three four five six seven", 24), "one two three four five\nsix seven");
+}
+
+TEST(Terminal, AWordThatIsTooLongStaysWhole) {
+  const std::string path(60, 'x');
+  EXPECT_EQ(wrap_lines("a " + path + " b", 30), "a\n" + path + "\nb");
+  EXPECT_EQ(wrap_lines(path, 10), path);
+}
+
+TEST(Terminal, ATextColumnThatWouldBeTooNarrowGoesBeyond) {
+  EXPECT_EQ(wrap_lines("  an option that is long  its text of several words, more than twenty", 10),
+            "  an option that is long  its text of several\n                          words, more than\n"
+            "                          twenty");
+}
+
+TEST(Terminal, AFileHasNoColumns) {
+  const int file = ::fileno(std::tmpfile());
+  EXPECT_EQ(terminal_columns(file, 77), 77U);
+}
+
+}  // namespace
+}  // namespace taut::app

@@ -33,11 +33,9 @@ void draw_and_judge(const FiguresOptions& options) {
   figures.push_back(make_figure8(results));
   figures.push_back(truth_figure(results.truth));
   figures.push_back(make_figure9(results.truth));
-  figures.push_back(rest_figure(results.rests));
   std::vector<Job> jobs = experiments(results, Checking::promises);
   std::ranges::move(claim_experiments(results), std::back_inserter(jobs));
   std::ranges::move(truth_jobs(results.truth), std::back_inserter(jobs));
-  jobs.push_back({"rest_shapes", 60.0, [&](const ProgressCallback& report) { results.rests = compare_rests(report); }});
   const DrawnFigures drawn = draw_figures(options, std::move(figures), std::move(jobs));
   if (!options.selected_names.empty()) return;
   const Report report = make_report(results, drawn);
@@ -58,7 +56,6 @@ int main(int argument_count, char** arguments) {
   names.emplace_back("fig8");
   names.emplace_back("fig9");
   names.emplace_back("truth");
-  names.emplace_back("rest_shapes");
   app.add_option("--only", options.selected_names, "some of the figures; no report")
       ->delimiter(',')
       ->check(CLI::IsMember(names));

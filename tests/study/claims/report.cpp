@@ -286,8 +286,7 @@ Report make_report(const ClaimResults& results, const DrawnFigures& drawn) {
   const std::vector<PromiseResult> promises = promise_results(results);
   const Machine machine = this_machine(drawn.gl_renderer);
   return {report_html(claims, promises, drawn.figures, machine, methods_html(results),
-                      truth_html(calm_experiments(), results.truth), truth_html(wind_experiments(), results.truth),
-                      rest_html(results.rests)),
+                      truth_html(calm_experiments(), results.truth), truth_html(wind_experiments(), results.truth)),
           claims_json(claims, promises, machine)};
 }
 
@@ -339,7 +338,7 @@ std::string claims_json(const std::vector<Claim>& claims, const std::vector<Prom
 
 std::string report_html(std::span<const Claim> claims, const std::vector<PromiseResult>& promises,
                         std::span<const DrawnFigure> figures, const Machine& machine, const std::string& methods,
-                        const std::string& truth, const std::string& wind, const std::string& rests) {
+                        const std::string& truth, const std::string& wind) {
   std::string html = report_page;
   const auto put = [&html](const std::string& place, const std::string& text) {
     html.replace(html.find(place), place.size(), text);
@@ -357,7 +356,6 @@ std::string report_html(std::span<const Claim> claims, const std::vector<Promise
   put("<!--methods-->\n", methods);
   put("<!--truth-->\n", truth);
   put("<!--wind-->\n", wind);
-  put("<!--rests-->\n", rests);
   return html;
 }
 

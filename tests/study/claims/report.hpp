@@ -54,12 +54,12 @@ std::string methods_html(const ClaimResults& results);
 /// folder. Its links expect the PDFs beside it.
 std::string report_html(std::span<const Claim> claims, const std::vector<PromiseResult>& promises,
                         std::span<const DrawnFigure> figures, const Machine& machine, const std::string& methods = "",
-                        const std::string& truth = "", const std::string& wind = "", const std::string& rests = "");
+                        const std::string& truth = "", const std::string& wind = "");
 
 // Files of assets/report, embedded when the program is built.
 
 /// HTML page of the report with its style. <!--machine-->, <!--claims-->, <!--promises-->, <!--figures-->,
-/// <!--methods-->, <!--truth-->, <!--wind--> and <!--rests--> are replaced.
+/// <!--methods-->, <!--truth--> and <!--wind--> are replaced.
 extern const char* const report_page;
 /// Text below figure 8 as HTML. <!--rows--> is replaced by the table's rows.
 extern const char* const methods_text;

@@ -4,7 +4,6 @@
 
 #include <cmath>
 
-#include "tests/study/claims/rest_shapes.hpp"
 #include "tests/study/claims/truth.hpp"
 
 namespace taut::app {
@@ -36,52 +35,6 @@ TEST(Truth, ASheetHeldAtBothEndsFluttersAsAPanelDoes) {
   const FlutterOnset panel = flutter_onset(1e-9, false);
   EXPECT_NEAR(panel.load, 343.36, 1.0);
   EXPECT_NEAR(panel.frequency, 5.162, 0.02);
-}
-
-class RestOfShirt : public testing::TestWithParam<int> {};
-
-TEST_P(RestOfShirt, IsOfTheShirtOfTheScene) {
-  const reference::RestCase shirt = reference::shirt(assets_folder() / "garments", GetParam());
-  const LoadedGarment loaded = load_garment(shirt_scene("tshirt-gravity", GetParam()));
-  const std::set<int> pins(loaded.pins.begin(), loaded.pins.end());
-  EXPECT_EQ(std::set<int>(shirt.cloth.pins.begin(), shirt.cloth.pins.end()), pins);
-  ASSERT_EQ(shirt.cloth.rest_m.size(), loaded.garment->mesh.positions.size());
-  for (std::size_t v = 0; v < shirt.cloth.rest_m.size(); ++v) {
-    const sim::Vec3& p = loaded.garment->mesh.positions[v];
-    EXPECT_LT((shirt.cloth.rest_m[v] - reference::Point(p.x, p.y, p.z)).norm(), 1e-6);
-  }
-}
-
-double mean_height_m(const reference::RestCase& what, const reference::Vector& shape) {
-  return reference::measure_drape(reference::make_surface(what.cloth, shape),
-                                  reference::Potential(what.cloth).masses_kg())
-      .mean_m;
-}
-
-// A tenth of any force or stiffness moves the shirt by less than a millimetre, which its many shapes at rest hide.
-TEST_P(RestOfShirt, HangsAsDeepAsByTheIncrementalPotential) {
-  reference::RestCase shirt = reference::shirt(assets_folder() / "garments", GetParam());
-  const double by_reference_m = mean_height_m(shirt, kept_rest(shirt));
-  const double off_m = GetParam() < 5000 ? 0.004 : 0.0015;
-  EXPECT_NEAR(mean_height_m(shirt, find_rest(shirt)), by_reference_m, off_m);
-  shirt.cloth.gravity_m_per_s2 *= 2.0;
-  EXPECT_LT(mean_height_m(shirt, find_rest(shirt)), by_reference_m - 1.2 * off_m);
-}
-
-INSTANTIATE_TEST_SUITE_P(Rests, RestOfShirt, testing::ValuesIn(reference::kept_shirts),
-                         [](const auto& info) { return std::to_string(info.param); });
-
-TEST(Rests, TheIncrementalPotentialComesBackFromTheShapeOnTheBall) {
-  const reference::RestCase ball = reference::cloth_on_ball(28, 1e-3);
-  const auto apart = [&](const reference::Vector& one, const reference::Vector& other) {
-    return reference::difference(reference::make_surface(ball.cloth, one), reference::make_surface(ball.cloth, other));
-  };
-  const reference::Vector shape = find_rest(ball), kept = kept_rest(ball);
-  EXPECT_LT(apart(shape, kept).hausdorff_m, 0.02);
-  EXPECT_LT(apart(shape, kept).mean_m, 0.004);
-  const reference::Vector from_there =
-      reference::minimise(reference::Potential(ball.cloth), shape, {.max_force = 1e-3}).x;
-  EXPECT_LT(apart(from_there, kept).hausdorff_m, 1e-4);
 }
 
 class Experiment : public testing::TestWithParam<TruthExperiment> {};

@@ -2,7 +2,6 @@
 
 #include "app/figures/figures.hpp"
 #include "sim/solvers/make_solver.hpp"
-#include "tests/study/claims/rest_shapes.hpp"
 #include "tests/study/claims/truth.hpp"
 
 namespace taut::app {
@@ -177,7 +176,6 @@ struct ClaimResults : Results {
   std::vector<StrongRun> strong_runs;
   RestartRun restart;
   std::vector<TruthPoint> truth;
-  std::vector<RestComparison> rests;
   std::array<MethodTrials, all_method_tests.size()> trials;  ///< one for each of MethodTest
 
   MethodTrials& trials_of(MethodTest test) { return trials[static_cast<std::size_t>(test)]; }

@@ -364,9 +364,7 @@ std::vector<TruthExperiment> calm_experiments() {
        "friction that just holds it", false, false, none, part, 0.06, 0.0, run_slip},
       {"drape", "fabrics hang over a disc", "published ranges (Cusick 1968; Gan and others 1991)",
        "bending length in cm", "drape coefficient in %", false, false, lower_right, difference, 0.0, 0.0, run_drapes,
-       47.2},
-      {"rest", "a stiff cloth hangs over a ball", "our own code of IPC's energy (Li and others 2021)",
-       "bending length in cm", "drape coefficient in %", false, false, none, part, 0.025, 0.0, run_rest}};
+       47.2}};
 }
 
 std::vector<TruthExperiment> truth_experiments() {

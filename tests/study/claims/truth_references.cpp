@@ -1,3 +1,4 @@
+#include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 #include <cmath>
 
@@ -10,20 +11,6 @@ namespace {
 struct Mode {
   double x, y, xx, yy, xy;
 };
-
-using Matrix = std::vector<std::vector<double>>;
-
-/// Tests by Cholesky's decomposition.
-bool is_positive_definite(Matrix m) {
-  for (std::size_t i = 0; i < m.size(); ++i) {
-    for (std::size_t j = 0; j <= i; ++j) {
-      for (std::size_t k = 0; k < j; ++k) m[i][j] -= m[i][k] * m[j][k];
-      if (i == j && !(m[i][i] > 0.0)) return false;
-      m[i][j] = i == j ? std::sqrt(m[i][i]) : m[i][j] / m[j][j];
-    }
-  }
-  return true;
-}
 
 /// Returns polynomials along the length, times 1, y and y^2 across. None has a slope at the clamp, but torsion may
 /// build up within a fraction of the width.
@@ -46,8 +33,9 @@ std::vector<Mode> modes_at(double x, double y, double width) {
 double weight_that_buckles(double width) {
   constexpr double lateral_contraction = 1.0 / 3.0;
   constexpr int along = 160, across = 40;
-  const std::size_t count = modes_at(0.0, 0.0, width).size();
-  Matrix stiffness(count, std::vector<double>(count, 0.0)), released = stiffness;
+  const auto count = std::ssize(modes_at(0.0, 0.0, width));
+  // Only the lower triangles of these symmetric matrices are set.
+  Eigen::MatrixXd stiffness = Eigen::MatrixXd::Zero(count, count), released = stiffness;
   for (int point = 0; point < along * across; ++point) {
     const double x = (point / across + 0.5) / along, y = width * ((point % across + 0.5) / across - 0.5);
     // Stresses in the plane by the weight beyond the point, in equilibrium and with free edges: bending, and its shear.
@@ -55,23 +43,20 @@ double weight_that_buckles(double width) {
     const double n_xx = 6.0 * beyond * beyond * y / (width * width), n_xy = 1.5 * beyond * (over * over - 1.0);
     const double n_yy = 0.25 * width * (over * over * over - over);
     const std::vector<Mode> modes = modes_at(x, y, width);
-    for (std::size_t i = 0; i < count; ++i) {
-      for (std::size_t j = 0; j <= i; ++j) {
-        const Mode &a = modes[i], &b = modes[j];
-        stiffness[i][j] += a.xx * b.xx + a.yy * b.yy + lateral_contraction * (a.xx * b.yy + a.yy * b.xx) +
+    for (std::ptrdiff_t i = 0; i < count; ++i) {
+      for (std::ptrdiff_t j = 0; j <= i; ++j) {
+        const Mode &a = modes[static_cast<std::size_t>(i)], &b = modes[static_cast<std::size_t>(j)];
+        stiffness(i, j) += a.xx * b.xx + a.yy * b.yy + lateral_contraction * (a.xx * b.yy + a.yy * b.xx) +
                            2.0 * (1.0 - lateral_contraction) * a.xy * b.xy;
-        released[i][j] -= n_xx * a.x * b.x + n_xy * (a.x * b.y + a.y * b.x) + n_yy * a.y * b.y;
+        released(i, j) -= n_xx * a.x * b.x + n_xy * (a.x * b.y + a.y * b.x) + n_yy * a.y * b.y;
       }
     }
   }
   double low = 0.0, high = 100.0;
   for (int step = 0; step < 40; ++step) {
     const double weight = 0.5 * (low + high);
-    Matrix left = stiffness;
-    for (std::size_t i = 0; i < count; ++i) {
-      for (std::size_t j = 0; j <= i; ++j) left[i][j] -= weight * released[i][j];
-    }
-    (is_positive_definite(std::move(left)) ? low : high) = weight;
+    const bool is_stable = (stiffness - weight * released).llt().info() == Eigen::Success;
+    (is_stable ? low : high) = weight;
   }
   return low;
 }

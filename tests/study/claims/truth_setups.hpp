@@ -80,8 +80,6 @@ std::vector<TruthPoint> run_all(const Cases& cases, const ProgressCallback& repo
 using Runs = std::vector<TruthPoint>(const TruthExperiment& experiment, double physics, const ProgressCallback& report);
 // Experiments of truth_strips.cpp.
 Runs run_cantilever, run_buckling, run_slip;
-// Experiment of truth_rest.cpp.
-Runs run_rest;
 // Experiments of truth_wind.cpp and truth_flutter.cpp.
 Runs run_hanging, run_flag, run_flutter, run_onset, run_line, run_plate;
 

@@ -30,9 +30,7 @@ struct World {
 // Origin for Bullet's positions: in single precision, the fall of one substep is lost in positions far from the origin.
 sim::Vec3 compute_centre(const sim::Garment& garment) {
   sim::Vec3 sum(0.0);
-  for (const sim::Vec3& position : garment.mesh.positions) {
-    sum += position;
-  }
+  for (const sim::Vec3& position : garment.mesh.positions) sum += position;
   return sum / static_cast<double>(garment.mesh.positions.size());
 }
 
@@ -57,22 +55,21 @@ std::unique_ptr<btSoftBody> make_body(btSoftBodyWorldInfo& world, const sim::Gar
 
 class BulletEngine : public Engine {
  public:
-  BulletEngine(const sim::Garment& garment, const std::vector<sim::Index>& pins, const sim::Surroundings& surroundings,
-               double frame_time_s, const BulletSettings& settings)
-      : garment_(garment),
-        pins_(pins),
-        surroundings_(surroundings),
-        settings_(settings),
-        substep_s_(frame_time_s / settings.substeps),
+  BulletEngine(const GarmentInScene& cloth, const Scene& scene, const BulletSettings& settings)
+      : garment_(*cloth.garment),
+        pins_(cloth.pins),
+        surroundings_(scene.surroundings),
+        substeps_(settings.substeps),
+        substep_s_(1.0 / (scene.simulation.frame_rate_hz * settings.substeps)),
         origin_m_(compute_centre(garment_)),
         state_(sim::make_state(garment_)) {
     // Soft bodies have their own gravity, which the world's does not change.
-    world_.dynamics.getWorldInfo().m_gravity = to_bullet(surroundings.forces.gravity_m_per_s2);
+    world_.dynamics.getWorldInfo().m_gravity = to_bullet(surroundings_.forces.gravity_m_per_s2);
     body_ = make_body(world_.dynamics.getWorldInfo(), garment_, sim::make_pins(garment_, pins_), origin_m_);
     body_->m_cfg.piterations = settings.iterations;
     body_->m_cfg.collisions = 0;
     // Bullet removes this fraction of the velocity in every substep, whatever its length.
-    body_->m_cfg.kDP = static_cast<btScalar>(surroundings.forces.air_drag_per_s * substep_s_);
+    body_->m_cfg.kDP = static_cast<btScalar>(surroundings_.forces.air_drag_per_s * substep_s_);
     body_->setActivationState(DISABLE_DEACTIVATION);
     world_.dynamics.addSoftBody(body_.get());
     state_.time_step_s = substep_s_;
@@ -80,24 +77,21 @@ class BulletEngine : public Engine {
 
   ~BulletEngine() override { world_.dynamics.removeSoftBody(body_.get()); }
 
-  FrameCost advance_frame() override {
-    FrameCost cost;
-    for (int substep = 0; substep < settings_.substeps; ++substep) {
+  double advance_frame() override {
+    double cpu_ms = 0.0;
+    for (int substep = 0; substep < substeps_; ++substep) {
       throw_if_interrupted();
       add_wind();
       move_pins();
       const Stopwatch clock(CLOCK_PROCESS_CPUTIME_ID);
       world_.dynamics.stepSimulation(static_cast<btScalar>(substep_s_), 0);
-      cost.cpu_ms += clock.elapsed_ms();
+      cpu_ms += clock.elapsed_ms();
       state_.time_s += substep_s_;
     }
     read_state();
     const std::size_t lost = sim::first_lost(state_.current);
-    if (lost < state_.current.size()) {
-      throw sim::Diverged(static_cast<sim::Index>(lost), state_.time_s);
-    }
-    cost.substeps = settings_.substeps;
-    return cost;
+    if (lost < state_.current.size()) throw sim::Diverged(static_cast<sim::Index>(lost), state_.time_s);
+    return cpu_ms;
   }
 
   std::span<const sim::Vec3> positions() const override { return state_.current; }
@@ -121,9 +115,7 @@ class BulletEngine : public Engine {
   }
 
   void move_pins() {
-    if (surroundings_.pin_motion.amplitude_m == sim::Vec3(0.0)) {
-      return;
-    }
+    if (surroundings_.pin_motion.amplitude_m == sim::Vec3(0.0)) return;
     const sim::Vec3 offset = sim::pin_displacement(surroundings_.pin_motion, {0.0, state_.time_s + substep_s_});
     for (const sim::Index pin : pins_) {
       body_->m_nodes[static_cast<int>(pin)].m_x = to_bullet(garment_.mesh.positions[pin] + offset - origin_m_);
@@ -133,7 +125,7 @@ class BulletEngine : public Engine {
   const sim::Garment& garment_;
   const std::vector<sim::Index>& pins_;
   sim::Surroundings surroundings_;
-  BulletSettings settings_;
+  int substeps_;
   double substep_s_;
   sim::Vec3 origin_m_;  ///< origin of Bullet's coordinates
   sim::State state_;    ///< state of Bullet's nodes, for the wind and for positions()
@@ -144,10 +136,9 @@ class BulletEngine : public Engine {
 
 }  // namespace
 
-std::unique_ptr<Engine> make_bullet_engine(const sim::Garment& garment, const std::vector<sim::Index>& pins,
-                                           const sim::Surroundings& surroundings, double frame_time_s,
+std::unique_ptr<Engine> make_bullet_engine(const GarmentInScene& cloth, const Scene& scene,
                                            const BulletSettings& settings) {
-  return std::make_unique<BulletEngine>(garment, pins, surroundings, frame_time_s, settings);
+  return std::make_unique<BulletEngine>(cloth, scene, settings);
 }
 
 }  // namespace taut::app

@@ -1,100 +1,85 @@
-// Time against stretch: Taut's solvers, their parts and Bullet on one T-shirt.
 #include <fmt/core.h>
 
 #include <CLI/CLI.hpp>
-#include <cmath>
 
-#include "app/base/files.hpp"
-#include "app/runs/csv.hpp"
+#include "app/base/progress.hpp"
+#include "app/base/words.hpp"
+#include "app/scene/scene_format.hpp"
 #include "race.hpp"
 
 namespace taut::app {
 namespace {
 
-struct Options {
+struct RaceOptions {
   std::vector<int> sizes = {1028, 10600};
   std::vector<std::string> scenes = {"hanging"};
-  std::vector<std::string> engines = engine_names();
   std::vector<double> bounds = {0.05, 0.01, 0.001};
   double seconds = 2.0;
-  double slowest_frame_ms = 250.0;
-  bool full = false;
-  bool ablation = false;
-  std::string csv;
+  double max_frame_ms = 250.0;
+  bool is_ablation = false;
 };
 
-std::vector<Entrant> entrants_for(const Options& options) {
-  std::vector<Entrant> entrants;
-  for (const std::string& engine : options.engines) {
-    const auto some = list_entrants(engine, options.bounds, options.full);
-    entrants.insert(entrants.end(), some.begin(), some.end());
-  }
-  return options.ablation ? ablation_entrants(options.bounds) : entrants;
+// Settings of each scene, as the shirt hangs by its neckline.
+const std::map<std::string, std::vector<std::string>> scene_settings = {
+    {"hanging", {}},
+    {"shaken", {"pins.motion.amplitude=[0.1, 0.0, 0.0]", "pins.motion.frequency=1.0"}},
+    {"wind", {"wind.speed=10.0", "wind.direction=[0.3, 0.0, 1.0]"}}};
+
+// Settings that leave out a part of `bounded` each, or replace its bound by one on springs.
+const std::vector<std::string> parts = {"solver.bound=\"springs\"", "solver.tethers=false", "cloth.bending_rigidity=0",
+                                        "solver.vector_unit=\"scalar\"", "cloth.compression_stiffness=1e6"};
+
+// Returns the shirt without contact, which Bullet has not for this. Each subdivision of a model has four times as many
+// triangles.
+Scene make_race_scene(const std::string& name, int triangles) {
+  int model = triangles, subdivisions = 0;
+  for (; model > 10600; model /= 4) ++subdivisions;
+  std::vector<std::string> settings = scene_settings.at(name);
+  settings.insert(settings.end(),
+                  {fmt::format("garment.file=tshirt_{}", model), fmt::format("garment.subdivisions={}", subdivisions),
+                   R"(pins.at=["front_neckline", "back_neckline"])", "solver.contact=false"});
+  std::vector<Override> overrides;
+  std::ranges::transform(settings, std::back_inserter(overrides), parse_override);
+  return find_scene(undrawn_format(), "tshirt-gravity", overrides);
 }
 
-void print_row(const Run& run, double bound) {
-  const RunFacts facts = summarise_run(run);
-  fmt::print("{:6g} %  {:<12}{:9.2f}{:9.2f}{:9.2f}{:9.3f}{:9.3f}{:9.3f}{:9.3f}{:8}{:8}  {}{}\n", 100.0 * bound,
-             run.entrant.engine, facts.median_ms, facts.mean_ms, facts.p99_ms, 100.0 * facts.stretch,
-             100.0 * facts.p99_stretch, 100.0 * facts.surface_stretch, 100.0 * facts.p99_surface_stretch,
-             frames_over(run, bound), facts.not_certified, run.entrant.settings,
-             run.end == RunEnd::finished ? "" : fmt::format(", {}", to_name(run.end)));
-}
-
-void print_heat(const std::vector<Run>& runs, const Options& options) {
+void print_best(std::span<const Run> runs, const std::vector<double>& bounds) {
   fmt::print(
-      "   bound  engine         median     mean     99 %    worst     99 %  surface    99 %  frames     not\n"
-      "                             ms of a frame     edge, %  edges, %       %        %    over  certif.\n");
-  for (const double bound : options.bounds) {
-    std::vector<std::string> engines;
+      "   bound  engine                            median     mean    worst  surface\n"
+      "                                              ms of a frame   edge, %        %\n");
+  for (const double bound : bounds) {
+    std::set<std::string> engines;
     for (const Run& run : runs) {
-      if (std::find(engines.begin(), engines.end(), run.entrant.engine) == engines.end()) {
-        engines.push_back(run.entrant.engine);
-        if (const Run* best = best_run(runs, run.entrant.engine, bound)) {
-          print_row(*best, bound);
-        }
+      const Run* best = best_run(runs, run.entrant.engine, bound);
+      if (best == nullptr || !engines.insert(run.entrant.engine).second) continue;
+      std::vector<double> times_ms;
+      double surface_stretch = 0.0, sum_ms = 0.0;
+      for (const RaceFrame& frame : best->frames) {
+        times_ms.push_back(frame.cpu_ms);
+        sum_ms += frame.cpu_ms;
+        surface_stretch = std::max(surface_stretch, frame.surface_stretch);
       }
+      fmt::print("{:6g} %  {:<31}{:9.2f}{:9.2f}{:9.3f}{:9.3f}  {}{}\n", 100.0 * bound, best->entrant.engine,
+                 quantile(times_ms, 0.5), sum_ms / static_cast<double>(times_ms.size()), 100.0 * best->max_stretch(),
+                 100.0 * surface_stretch, best->entrant.settings, best->given_up.empty() ? "" : ", " + best->given_up);
     }
   }
 }
 
-void add_rows(const RaceScene& scene, const RaceSize& size, const std::vector<Run>& runs, CsvTable& table) {
-  for (const Run& run : runs) {
-    const RunFacts facts = summarise_run(run);
-    table.add({scene.name, std::to_string(size.triangles), run.entrant.engine, run.entrant.settings,
-               run.entrant.bound ? cell(*run.entrant.bound) : "", to_name(run.end), std::to_string(run.frames.size()),
-               cell(facts.median_ms), cell(facts.mean_ms), cell(facts.p99_ms), cell(facts.stretch),
-               cell(facts.p99_stretch), cell(facts.surface_stretch), cell(facts.p99_surface_stretch),
-               std::to_string(facts.median_substeps), std::to_string(facts.not_certified)});
-  }
-}
-
-void run_all(const Options& options) {
-  const auto is_wanted = [](const auto& list, const auto& item) {
-    return std::find(list.begin(), list.end(), item) != list.end();
-  };
-  CsvTable table({"scene", "triangles", "engine", "settings", "bound", "end", "frames", "median_ms", "mean_ms",
-                  "p99_ms", "max_stretch", "max_p99_stretch", "max_surface_stretch", "max_p99_surface_stretch",
-                  "median_substeps", "frames_not_certified"});
+void run_all(const RaceOptions& options) {
   fmt::print(
       "For each bound the fastest setting whose worst edge keeps it in every frame, else the one that comes "
       "closest; substeps x iterations.\n");
-  for (const RaceScene& race_scene : race_scenes()) {
-    for (const RaceSize& size : race_sizes()) {
-      if (!is_wanted(options.scenes, race_scene.name) || !is_wanted(options.sizes, size.triangles)) {
-        continue;
-      }
-      const Scene scene = make_race_scene(race_scene, size);
+  std::vector<Entrant> entrants =
+      taut_entrants(options.bounds, options.is_ablation ? parts : std::vector<std::string>{});
+  if (!options.is_ablation) std::ranges::move(bullet_entrants(), std::back_inserter(entrants));
+  for (const std::string& name : options.scenes) {
+    for (const int triangles : options.sizes) {
+      const Scene scene = make_race_scene(name, triangles);
       const int frames = std::max(1, static_cast<int>(std::lround(options.seconds * scene.simulation.frame_rate_hz)));
-      fmt::print("\n{}, {} triangles, {} frames\n", race_scene.name, size.triangles, frames);
-      const auto runs = race(entrants_for(options), load_garment(scene), scene,
-                             {.frames = frames, .slowest_frame_ms = options.slowest_frame_ms});
-      print_heat(runs, options);
-      add_rows(race_scene, size, runs, table);
+      fmt::print("\n{}, {} triangles, {} frames\n", name, triangles, frames);
+      print_best(race(entrants, load_garment(scene), scene, frames, options.max_frame_ms), options.bounds);
     }
-  }
-  if (!options.csv.empty()) {
-    write_text_file(options.csv, table.text());
   }
 }
 
@@ -102,19 +87,16 @@ void run_all(const Options& options) {
 }  // namespace taut::app
 
 int main(int count, char** words) {
-  taut::app::Options options;
+  taut::app::RaceOptions options;
   CLI::App app("Time for a frame against stretch, side by side with Bullet");
   app.add_option("--sizes", options.sizes, "triangles: some of 1028,5280,10600,42400,84480")->delimiter(',');
-  app.add_option("--scenes", options.scenes, "some of hanging,shaken,wind")->delimiter(',');
-  app.add_option("--engines", options.engines, "some of bounded,bullet,strong")
+  app.add_option("--scenes", options.scenes, "some of hanging,shaken,wind")
       ->delimiter(',')
-      ->check(CLI::IsMember(taut::app::engine_names()));
+      ->check(CLI::IsMember(taut::app::scene_settings));
   app.add_option("--bounds", options.bounds, "largest stretches to be kept")->delimiter(',');
   app.add_option("--seconds", options.seconds, "simulated time");
-  app.add_option("--limit", options.slowest_frame_ms, "ms per frame above which a setting is given up");
-  app.add_flag("--full", options.full, "more settings of each engine");
-  app.add_flag("--ablation", options.ablation, "bounded, also without one of its parts at a time");
-  app.add_option("--csv", options.csv, "file for all runs");
+  app.add_option("--limit", options.max_frame_ms, "ms per frame above which a setting is given up");
+  app.add_flag("--ablation", options.is_ablation, "bounded, also without one of its parts at a time; no Bullet");
   CLI11_PARSE(app, count, words);
   taut::app::run_all(options);
 }

@@ -38,9 +38,7 @@ void draw_and_judge(const FiguresOptions& options) {
   std::ranges::move(truth_jobs(results.truth), std::back_inserter(jobs));
   const DrawnFigures drawn = draw_figures(options, std::move(figures), std::move(jobs));
   if (!options.selected_names.empty()) return;
-  const Report report = make_report(results, drawn);
-  write_text_file(options.output / "claims.json", report.claims_json);
-  write_text_file(options.output / "report.html", report.html);
+  write_text_file(options.output / "report.html", make_report(results, drawn));
   std::printf("wrote %s\n", (options.output / "report.html").c_str());
 }
 

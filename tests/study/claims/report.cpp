@@ -3,7 +3,6 @@
 #include <sys/utsname.h>
 
 #include <fstream>
-#include <nlohmann/json.hpp>
 #include <thread>
 
 #include "app/base/words.hpp"
@@ -43,59 +42,6 @@ template <class Predicate> std::size_t count(const std::vector<PromiseResult>& r
   return static_cast<std::size_t>(std::ranges::count_if(results, predicate));
 }
 
-using Json = nlohmann::ordered_json;
-
-Json number_json(const MeasuredNumber& number) {
-  Json json = {{"name", number.name}, {"value", nullptr}, {"unit", number.unit}};
-  // JSON has no infinity, so a run that diverged has no value.
-  if (std::isfinite(number.value)) json["value"] = number.value;
-  return json;
-}
-
-Json text_or_null(const std::string& text) { return text.empty() ? Json(nullptr) : Json(text); }
-
-Json numbers_json(const Finding& finding) {
-  Json json = Json::array();
-  for (const MeasuredNumber& number : finding.measured) json.push_back(number_json(number));
-  return json;
-}
-
-Json claim_json(const Claim& claim) {
-  const auto& [text, judgement] = claim;
-  Json json = {{"id", text.id},
-               {"section", text.section},
-               {"claim", text.claim},
-               {"test", text.test},
-               {"rule", text.rule},
-               {"measured", numbers_json(judgement.finding)},
-               {"verdict", to_name(judgement.verdict)},
-               {"part", text_or_null(judgement.part)},
-               {"finding", judgement.finding.text},
-               {"bounded", nullptr},
-               {"remark", text.remark},
-               {"figure", text_or_null(text.figure)}};
-  if (!judgement.bounded.text.empty()) {
-    json["bounded"] = {{"finding", judgement.bounded.text}, {"measured", numbers_json(judgement.bounded)}};
-  }
-  return json;
-}
-
-Json promise_json(const PromiseResult& result) {
-  Json json = {{"scene", result.scene},
-               {"figure", result.figure},
-               {"frames", result.counts.frames},
-               {"bound", nullptr},
-               {"max_stretch", result.counts.stretch.springs},
-               {"max_surface_stretch", result.counts.stretch.surface},
-               {"contact", result.is_apart},
-               {"crossing_pairs", result.counts.crossing_pairs},
-               {"most_crossing_pairs", result.counts.max_pairs},
-               {"crossing_frames", result.counts.crossing_frames}};
-  if (result.bound) json["bound"] = *result.bound;
-  return json;
-}
-
-/// Returns the description of this machine.
 Machine this_machine(const std::string& gl_renderer) {
   Machine machine;
   machine.processor = processor_name();
@@ -281,13 +227,10 @@ std::string base64(std::span<const std::uint8_t> bytes) {
   return text;
 }
 
-Report make_report(const ClaimResults& results, const DrawnFigures& drawn) {
-  const std::vector<Claim> claims = judge_claims(results);
-  const std::vector<PromiseResult> promises = promise_results(results);
-  const Machine machine = this_machine(drawn.gl_renderer);
-  return {report_html(claims, promises, drawn.figures, machine, methods_html(results),
-                      truth_html(calm_experiments(), results.truth), truth_html(wind_experiments(), results.truth)),
-          claims_json(claims, promises, machine)};
+std::string make_report(const ClaimResults& results, const DrawnFigures& drawn) {
+  return report_html(judge_claims(results), promise_results(results), drawn.figures, this_machine(drawn.gl_renderer),
+                     methods_html(results), truth_html(calm_experiments(), results.truth),
+                     truth_html(wind_experiments(), results.truth));
 }
 
 bool PromiseResult::is_bound_kept() const { return bound && counts.stretch.springs <= *bound + bound_rounding; }
@@ -318,22 +261,6 @@ std::string describe(const std::vector<PromiseResult>& results) {
       count_text(frames, "frame"), count_text(results.size(), "scene"), bounds, kept, apart, kept_apart,
       pairs_elsewhere == 0 ? "nothing crosses either"
                            : "triangles do cross: " + count_text(pairs_elsewhere, "pair") + " in all frames together");
-}
-
-std::string claims_json(const std::vector<Claim>& claims, const std::vector<PromiseResult>& promises,
-                        const Machine& machine) {
-  Json json = {{"machine",
-                {{"processor", machine.processor},
-                 {"threads", machine.threads},
-                 {"system", machine.system},
-                 {"load_last_minute", machine.load}}},
-               {"versions",
-                {{"program", machine.program}, {"compiler", machine.compiler}, {"gl_renderer", machine.gl_renderer}}},
-               {"claims", Json::array()},
-               {"promises", Json::array()}};
-  for (const Claim& claim : claims) json["claims"].push_back(claim_json(claim));
-  for (const PromiseResult& result : promises) json["promises"].push_back(promise_json(result));
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
 }
 
 std::string report_html(std::span<const Claim> claims, const std::vector<PromiseResult>& promises,

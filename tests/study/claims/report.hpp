@@ -34,18 +34,8 @@ std::vector<PromiseResult> promise_results(const Results& results);
 /// Describes the promises and their results in a sentence or two.
 std::string describe(const std::vector<PromiseResult>& results);
 
-/// The report as a page and as JSON.
-struct Report {
-  std::string html;
-  std::string claims_json;
-};
-
-/// Makes the report. All experiments must be done and all figures drawn.
-Report make_report(const ClaimResults& results, const DrawnFigures& drawn);
-
-/// Returns all claims and promises as one JSON object.
-std::string claims_json(const std::vector<Claim>& claims, const std::vector<PromiseResult>& promises,
-                        const Machine& machine);
+/// Returns the report as report_html() does. All experiments must be done and all figures drawn.
+std::string make_report(const ClaimResults& results, const DrawnFigures& drawn);
 
 /// Returns the text below figure 8: author and purpose of each method, and a table of measurements.
 std::string methods_html(const ClaimResults& results);

@@ -2,7 +2,6 @@
 
 #include <cmath>
 #include <functional>
-#include <nlohmann/json.hpp>
 #include <tuple>
 
 #include "app/base/words.hpp"
@@ -326,29 +325,15 @@ TEST(Claims, NumbersAreWrittenAsPeopleDo) {
   EXPECT_EQ(number_text({"", INFINITY, "m"}), "diverged");
 }
 
-TEST(Claims, JsonIsCompleteEvenWhereARunDiverged) {
+TEST(Report, HasEveryClaimEvenWhereARunDiverged) {
   ClaimResults results = results_of_the_paper();
+  EXPECT_EQ(report_html(judge_claims(results), {}, {}, {}).find("diverged"), std::string::npos);
   results.methods[4].diverged_at_s = 0.5;
-  Machine machine;
-  machine.processor = "a \"quoted\" one";
-  const auto json = nlohmann::json::parse(claims_json(judge_claims(results), {}, machine));
-  EXPECT_EQ(json["machine"]["processor"], "a \"quoted\" one");
-  EXPECT_TRUE(json["versions"].contains("compiler"));
-  ASSERT_EQ(json["claims"].size(), 15U);
-  bool has_null = false;
-  for (const auto& claim : json["claims"]) {
-    for (const char* key :
-         {"id", "section", "claim", "test", "rule", "measured", "verdict", "part", "finding", "bounded", "remark"}) {
-      EXPECT_TRUE(claim.contains(key)) << key;
-    }
-    const std::string verdict = claim["verdict"];
-    EXPECT_TRUE(verdict == to_name(yes) || verdict == to_name(partly) || verdict == to_name(no)) << verdict;
-    EXPECT_FALSE(claim["measured"].empty());
-    for (const auto& number : claim["measured"]) {
-      has_null = has_null || number["value"].is_null();
-    }
-  }
-  EXPECT_TRUE(has_null);
+  const std::vector<Claim> claims = judge_claims(results);
+  const std::string html = report_html(claims, {}, {}, {});
+  EXPECT_CONTAINS(html, ">diverged</td>");
+  EXPECT_EQ(claims.size(), 15U);
+  for (const Claim& claim : claims) EXPECT_CONTAINS(html, "id=\"" + claim.text.id + '"');
 }
 
 TEST(Report, IsOneFileWithPicturesInside) {
@@ -452,11 +437,6 @@ TEST(Report, SaysOfEveryCheckedSceneWhatIsPromisedAndKept) {
   EXPECT_CONTAINS(html, "70 in 2 of the frames, 40 at most</td><td>not promised</td></tr>");
   EXPECT_CONTAINS(html, "<tr class=\"part\"><td><a href=\"#fig4\">strong</a>");
   EXPECT_EQ(html.find("broken"), std::string::npos);
-  const auto json = nlohmann::json::parse(claims_json({}, promises, {}))["promises"];
-  EXPECT_EQ(json[0]["bound"], nullptr);
-  EXPECT_EQ(json[1]["max_stretch"], 0.0099);
-  EXPECT_EQ(json[2]["crossing_pairs"], 70);
-  EXPECT_EQ(json[2]["contact"], false);
 
   results.shirts[1]->promises->crossing_frames = 1;
   results.shirts[1]->promises->stretch.springs = 0.0101;

@@ -318,7 +318,7 @@ bool is_sound(const PictureSettings& settings) {
   return is_within(settings.width_px, 1, max_side_px) && is_within(settings.height_px, 1, max_side_px) &&
          is_within(settings.samples, 1, 64) && is_within(settings.supersampling, 1, 8) &&
          is_within(settings.shadow_map_px, 256, 8192) && is_within(settings.shading_px, 1, 2) &&
-         is_within(settings.shadow_taps, 1, 64) && is_within(settings.sky_directions, 0, 64) &&
+         is_within(settings.shadow_taps, 1, 64) && is_within(settings.sky_directions, 0, 32) &&
          is_within(settings.passes, 1, max_passes);
 }
 

@@ -250,7 +250,7 @@ struct FrameView {
 inline constexpr int max_passes = 4096;
 
 /// Size and quality of a picture. The defaults are for publication. On a slow machine reduce the most costly settings
-/// first: samples to 1 saves a third of the time, sky_directions to 12 a tenth (folds get blotchy), then shadows to
+/// first: samples to 1 saves a third of the time, sky_directions to 6 a tenth (folds get blotchy), then shadows to
 /// false.
 struct PictureSettings {
   int width_px = 1280;    ///< 1 to 16384
@@ -264,9 +264,9 @@ struct PictureSettings {
   int shading_px = 1;
   /// Shadow map look-ups per pixel in a soft shadow's edge, 1 to 64. Fewer give grainy edges.
   int shadow_taps = 16;
-  /// Directions tested for ambient occlusion of each vertex, 0 to 64. 0: no occlusion. Odd numbers count as the next
+  /// Directions tested for ambient occlusion of each vertex, 0 to 32. 0: no occlusion. Odd numbers count as the next
   /// even one. Fewer give blotchy folds.
-  int sky_directions = 24;
+  int sky_directions = 12;
   /// 1 to max_passes. Above 1 the picture is the mean of so many passes with one sample per pixel, each with its own
   /// place in the pixel, point of the key lamp and directions of the sky. It ignores samples, supersampling and
   /// shading_px.

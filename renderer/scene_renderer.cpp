@@ -1,7 +1,6 @@
 #include "renderer/scene_renderer.hpp"
 
-#include <future>
-
+#include "renderer/light/studio_light.hpp"
 #include "renderer/passes/backdrop_pass.hpp"
 #include "renderer/passes/mark_pass.hpp"
 #include "renderer/passes/sampling_pass.hpp"
@@ -66,13 +65,11 @@ struct SceneRenderer::RendererResources {
   VisibilityBuffer visibility;
   ResolvePass resolve_pass;
   SamplingPass sampling_pass;
-  LightMaps light_maps;
   std::function<void(int, int)> report_pass;
   PictureTarget large;  // target of a supersampled tile
   Buffer block_buffer;
   std::vector<TriangleMesh> sphere_meshes;
   std::vector<SurfaceView> surfaces;  // surfaces of the frame and the sphere meshes
-  std::vector<SurfaceView> casters;   // their coarse meshes: finer detail does not show in shadows
 
   explicit RendererResources(Context& made)
       : context(made),
@@ -85,7 +82,6 @@ struct SceneRenderer::RendererResources {
         visibility(gl),
         resolve_pass(gl),
         sampling_pass(gl),
-        light_maps(gl),
         large(gl),
         block_buffer(gl) {
     check_errors(gl, "starting the renderer");
@@ -97,17 +93,15 @@ struct SceneRenderer::RendererResources {
     check(frame, settings);
     context.make_current();
     FrameBlock block;
-    std::future<void> light_gathered = begin(block, frame, settings);
+    begin(block, frame, settings);
     if (!framebuffer) picture.begin(settings.width_px, settings.height_px);
     if (settings.passes > 1) {
-      await(light_gathered);
       draw_sampled(block, frame, settings);
     } else if (settings.supersampling > 1) {
       picture.clear();
-      await(light_gathered);
       draw_supersampled(block, frame, settings);
     } else {
-      draw_whole(framebuffer.value_or(picture.framebuffer()), block, frame, settings, light_gathered);
+      draw_whole(framebuffer.value_or(picture.framebuffer()), block, frame, settings);
     }
     light.unbind();
     gl.Disable(GL_DEPTH_TEST);
@@ -116,8 +110,7 @@ struct SceneRenderer::RendererResources {
     check_errors(gl, "drawing a frame");
   }
 
-  // Begins a frame. The returned future gathers the light and must finish while the frame's spans live.
-  std::future<void> begin(FrameBlock& block, const FrameView& frame, const PictureSettings& settings) {
+  void begin(FrameBlock& block, const FrameView& frame, const PictureSettings& settings) {
     reset_state();
     sphere_meshes.clear();
     surfaces = frame.surfaces;
@@ -126,23 +119,20 @@ struct SceneRenderer::RendererResources {
       sphere_meshes.push_back(merged_spheres(spheres));
       surfaces.push_back(make_sphere_view(sphere_meshes.back(), spheres));
     }
-    casters.clear();
-    std::ranges::transform(surfaces, std::back_inserter(casters), coarse_surface);
+    // Finer detail than that of coarse meshes does not show in the shadows of a single pass.
+    std::vector<SurfaceView> casters = surfaces;
+    if (settings.passes == 1) std::ranges::transform(surfaces, casters.begin(), coarse_surface);
     light.begin(block, frame, casters, settings);
-    std::future<void> light_gathered = std::async(std::launch::async, [this, own = block] {
-      light.draw_maps(own);
-      surface_pass.gather(surfaces, light);
-    });
-    surface_pass.upload_positions(surfaces);
     gl.BindBufferBase(GL_UNIFORM_BUFFER, frame_block_binding, block_buffer.name());
-    return light_gathered;
-  }
-
-  void await(std::future<void>& light_gathered) {
-    light_gathered.get();
-    light.upload();
-    surface_pass.upload_surfaces();
+    if (settings.passes == 1) {
+      upload_block(block);
+      light.draw_maps(block);
+      gl.Flush();
+    }
+    surface_pass.upload(surfaces);
+    if (settings.passes > 1) return;
     light.bind();
+    light.gather(surface_pass.vertex_count());
   }
 
   // A user interface may share the context and leave its own settings behind.
@@ -172,24 +162,15 @@ struct SceneRenderer::RendererResources {
   }
 
   // Draws the background with one sample, as it has no edges, and blends only the part covered by surfaces and marks
-  // over it with many samples. The visibility of the first tile is drawn while the light is still being gathered.
-  void draw_whole(GLuint framebuffer, FrameBlock& block, const FrameView& frame, const PictureSettings& settings,
-                  std::future<void>& light_gathered) {
+  // over it with many samples.
+  void draw_whole(GLuint framebuffer, FrameBlock& block, const FrameView& frame, const PictureSettings& settings) {
     const Tile whole{0, 0, settings.width_px, settings.height_px};
-    set_tile(block, frame.camera, settings, whole);
-    const std::vector<Tile> tiles = split_tiles(screen_bounds(frame, surfaces, block.world_to_clip, settings), 1);
-    if (!tiles.empty()) {
-      upload_tile(block, frame, settings, tiles.front());
-      draw_visibility(tile_rect(tiles.front(), settings), frame, settings);
-      gl.Flush();
-    }
-    await(light_gathered);
     upload_tile(block, frame, settings, whole);
     draw_behind(framebuffer, block, frame, settings);
-    for (std::size_t i = 0; i < tiles.size(); ++i) {
-      const PixelRect place = tile_rect(tiles[i], settings);
-      upload_tile(block, frame, settings, tiles[i]);
-      if (i > 0) draw_visibility(place, frame, settings);
+    for (const Tile& tile : split_tiles(screen_bounds(frame, surfaces, block.world_to_clip, settings), 1)) {
+      const PixelRect place = tile_rect(tile, settings);
+      upload_tile(block, frame, settings, tile);
+      draw_visibility(place, frame, settings);
       shade_surfaces_and_marks(framebuffer, place, block, frame, settings);
     }
   }
@@ -234,10 +215,10 @@ struct SceneRenderer::RendererResources {
                 const PassSample& sample) {
     light.turn(block, sample);
     block.sky_floor.x = sees_floor(frame) ? 1.0F : 0.0F;
-    draw_light_maps(block, settings);
     set_tile(block, frame.camera, settings, tile, sample.pixel_offset);
     upload_block(block);
-    light_maps.bind();
+    light.draw_maps(block);
+    light.bind();
     const PixelRect place{0, 0, tile.width_px, tile.height_px};
     if (!frame.backdrop.plain) sampling_pass.add_backdrop();
     draw_visibility(place, frame, settings);
@@ -247,20 +228,6 @@ struct SceneRenderer::RendererResources {
     draw_marks(frame);
     gl.BindFramebuffer(GL_FRAMEBUFFER, sampling_pass.marks());
     resolve_pass.add(visibility.marks());
-  }
-
-  void draw_light_maps(FrameBlock block, const PictureSettings& settings) {
-    // The passes' other directions smooth coarser maps.
-    const int side_px = shadow_map_side(settings) / 4 * 3;
-    for (int layer = 0; layer < LightMaps::layer_count; ++layer) {
-      const auto pair = static_cast<std::size_t>(std::max(layer - 1, 0) / 2);
-      light_maps.begin(layer, side_px);
-      if (!light.has_casters()) continue;
-      block.world_to_clip =
-          light_view(layer == 0 ? block.world_to_shadow : block.world_to_sky[pair], layer > 0 && layer % 2 == 0);
-      upload_block(block);
-      surface_pass.draw_casters();
-    }
   }
 
   void draw_behind(GLuint framebuffer, const FrameBlock& block, const FrameView& frame,

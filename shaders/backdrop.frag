@@ -12,9 +12,9 @@ layout(location = 0) out vec4 colour;  // sRGB-encoded
 void main() {
   vec3 seen = in_light;
 #ifdef SHADED
-  // The mean of neighbours with other sampling directions has less noise.
+  // Each bilinear sample averages neighbours; half a texel apart, all four directions of sampling count alike.
   vec2 place = gl_FragCoord.xy * shaded_part.xy + shaded_part.zw;
-  vec2 near = 0.75 / vec2(textureSize(floor_shadow, 0));
+  vec2 near = 0.5 / vec2(textureSize(floor_shadow, 0));
   float lit = 0.25 * (textureLod(floor_shadow, place + near, 0.0).r + textureLod(floor_shadow, place - near, 0.0).r +
                       textureLod(floor_shadow, place + vec2(near.x, -near.y), 0.0).r +
                       textureLod(floor_shadow, place + vec2(-near.x, near.y), 0.0).r);

@@ -16,7 +16,7 @@ void main() {
   if (sky_floor.x > 0.5 && direction.y < 0.0) {
     vec3 up = vec3(0.0, 1.0, 0.0);
     vec3 spot = eye.xyz + direction * ((ground.y - eye.y) / min(direction.y, -1e-6));
-    float open = sampled_floor_openness(spot);
+    float open = sky_over_floor(spot);
     seen = floor_colour(spot, direction, mix(key_arriving(spot, up), 1.0, shadow_fading(place)), open) +
            cloth_bounce * max(1.0 - open, 0.0) * sky_floor.yzw * lower_colour.rgb;
   }

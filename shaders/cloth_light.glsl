@@ -18,9 +18,6 @@ const float whitest = 0.95;
 // Fraction of the cloth's own colour in the fringe: fibres are dyed through, and a white fringe looks like plastic.
 const float fringe_dyed = 0.75;
 
-// Returns unoccluded ambient light, as in SkyLight: x: from the sky, y: from the floor.
-vec2 open_light(float upwards) { return vec2(0.5 + 0.5 * upwards, 0.25 - 0.25 * upwards); }
-
 // Returns the light of an extended lamp, which reaches slightly around the edge of a form.
 float wrapped(float cosine, float wrap) {
   float light = max((cosine + wrap) / (1.0 + wrap), 0.0);
@@ -88,30 +85,17 @@ struct Ambient {
   float openness;  // visible fraction of the sky
 };
 
-// Returns the ambient light. `open`: light of the sky as in SkyLight; `base`: colour of surrounding cloth, which
-// reflects light where it occludes the sky.
-Ambient ambient_light(vec3 normal, float open, vec3 base) {
-  vec2 unhindered = open_light(normal.y);
-  float openness = clamp(open / max(unhindered.x + unhindered.y, 0.05), 0.0, 1.0);
-  vec3 around = upper_colour.w * (unhindered.x * sky_colour + unhindered.y * floor_bounce * lower_colour.rgb);
-  // Cloth that occludes the sky reflects light again and again: a geometric series.
-  vec3 closed = (1.0 - openness) * min(base, whitest);
-  return Ambient((around * openness + closed * key_bounce * towards_key.w * key_colour) / (1.0 - closed), openness);
-}
-
-#ifdef SAMPLED
-// Returns the ambient light of one pass. It is linear in what is sampled, so that the mean of the passes is right: the
-// geometric series is that of half the sky.
-Ambient sampled_ambient(vec3 position, vec3 normal, vec3 base, float translucency) {
-  Sky sky = sampled_sky(position, normal, sky_floor.x);
-  vec2 arrived = sky.light + translucency * sky.far_side;
+// Returns the ambient light. `sky`: light of the sky; `far_side`: that on the other side; `base`: colour of
+// surrounding cloth, which reflects light where it occludes the sky. It is linear in the sky, so that the mean of many
+// passes is right: the geometric series of reflections is that of half the sky.
+Ambient ambient_light(Sky sky, vec2 far_side, vec3 base, float translucency) {
+  vec2 arrived = sky.light + translucency * far_side;
   vec3 around = upper_colour.w * (arrived.x * sky_colour + arrived.y * floor_bounce * lower_colour.rgb);
   vec3 cloth = min(base, whitest);
   vec3 bounced = cloth / (1.0 - 0.5 * cloth) *
                  (key_bounce * towards_key.w * key_colour + 0.25 * upper_colour.w * sky_colour);
   return Ambient(around + (1.0 - sky.open) * bounced, sky.open);
 }
-#endif
 
 // Returns the light on a spot. `key`: fraction of the key light that arrives.
 Light gathered(vec3 normal, vec3 towards_eye, float key, Ambient around, Finish finish) {

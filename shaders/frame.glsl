@@ -1,5 +1,5 @@
 // Data shared by all shaders of a frame; mirrored by FrameBlock in renderer/gl/gl_objects.hpp. Linear light throughout.
-const int sky_pairs = 2;  // pairs of opposite directions of the sky in one pass of many
+const int max_sky_pairs = 16;  // pairs of opposite directions of the sky
 
 layout(std140) uniform Frame {
   mat4 world_to_clip;
@@ -25,9 +25,11 @@ layout(std140) uniform Frame {
                             // from the left of the picture, drawn pixels
   vec4 ray_across;          // xyz: change of that direction per drawn pixel to the right; w: width of the picture
   vec4 ray_up;              // xyz: change per drawn pixel upwards; w: distance from the bottom, drawn pixels
-  mat4 world_to_sky[sky_pairs];  // like world_to_shadow, for the directions of a pass
-  vec4 towards_sky[sky_pairs];   // xyz: unit, upwards
-  vec4 sky_floor;           // x: 1 if there is a floor; yzw: mean colour of all casters, linear
+  mat4 world_to_sky[max_sky_pairs];  // like world_to_shadow, for the upper direction of each pair
+  vec4 towards_sky[max_sky_pairs];   // xyz: that direction, unit
+  vec4 sky_floor;           // x: 1 if a floor is shown that shadows darken; yzw: mean colour of all casters, linear
+  vec4 sky_maps_shape;      // x: pairs, 0 for an open sky; y: side of a texel, m; blur of a direction's shadow: z: on
+                            // surfaces, fraction of the map, w: on the floor, per depth, 0 for none
 };
 
 // Fraction of the floor's light from the key light. Higher values darken its shadow.

@@ -1,34 +1,35 @@
-// Percentage-closer soft shadows (Fernando 2005): the penumbra widens with the distance to the caster.
-#include "disc.glsl"
-uniform sampler2DShadow shadow_compare;
-uniform sampler2D shadow_depth;
+// Percentage-closer soft shadows (Fernando 2005): the penumbra widens with the distance to the caster. Every pixel takes
+// the same samples, each a comparison with four texels, so that penumbrae are smooth.
+#include "light_maps.glsl"
+uniform sampler2DArray key_depth;
 
 // Samples that search for blockers. More find narrow ones but cost time in every pixel that may be in shadow.
-const int search_taps = 6;
+const int search_taps = 8;
 // Narrowest search and narrowest blur, texels of the map. With lower values the map's texels show.
-const float narrowest_search = 2.5;
-const float narrowest_blur = 1.5;
-// Motion of a point along its normal, texels: on a surface that faces the light, and the addition on a grazing one.
-// Higher values detach shadows from casters, lower ones give acne.
-const float lift_facing = 0.6;
-const float lift_grazing = 1.8;
+const float narrowest_search = 3.0;
+const float narrowest_blur = 1.2;
 // Smallest distance of a blocker in front of the point, texels. Lower values give acne.
 const float blocker_allowance = 0.5;
 // Tolerance of wide filters for a slanted surface itself, in texels per texel of radius.
 const float slope_allowance = 0.15;
 
-// Returns a direction by interleaved gradient noise (Jimenez 2014): neighbours differ as much as possible, so the eye
-// averages them. It goes around a square instead of a circle and is then normalised, so directions are nearly uniform.
-vec2 pixel_direction() {
-  float h = fract(52.9829189 * fract(dot(gl_FragCoord.xy, vec2(0.06711056, 0.00583715))));
-  return normalize(abs(4.0 * fract(vec2(h, h + 0.25)) - 2.0) - 1.0 + 1e-4);
+// Returns the direction of the first sample. On the floor neighbours have four, which the filter of backdrop.frag
+// averages exactly.
+vec2 first_direction() {
+#ifdef FLOOR
+  ivec2 place = ivec2(gl_FragCoord.xy) & 1;
+  float turn = 0.39 + 1.5707963 * float(place.x + 2 * place.y);
+  return vec2(cos(turn), sin(turn));
+#else
+  return vec2(0.924, 0.383);
+#endif
 }
 
 // Returns the fraction of the key light at a place of the map, if `open`. `slope` is the sine of the angle between the
 // light and the surface's normal. A software rasteriser skips no branch but ends loops early; a test before the loop
 // would cost one more pass.
 float searched_visibility(vec3 place, float slope, float search_radius, float depth_to_uv, bool open) {
-  vec2 first = pixel_direction();
+  vec2 first = first_direction();
   float blockers = 0.0;
   float depth_sum = 0.0;
   vec2 direction = first;
@@ -36,7 +37,7 @@ float searched_visibility(vec3 place, float slope, float search_radius, float de
   do {
     // Samples are denser in the middle, for the narrow blur near casters.
     vec2 tap = place.xy + search_radius * ((float(i) + 0.5) / float(search_taps)) * direction;
-    float depth = textureLod(shadow_depth, tap, 0.0).r;
+    float depth = textureLod(key_depth, vec3(tap, 0.0), 0.0).r;
     direction = golden_turn * direction;
     float closer = step(depth, place.z - blocker_allowance * shadow.x / shadow.z);
     blockers += closer;
@@ -62,7 +63,7 @@ float searched_visibility(vec3 place, float slope, float search_radius, float de
   do {
     vec2 tap = place.xy + radius * disc_radius(i, filter_taps) * direction;
     direction = golden_turn * direction;
-    lit += textureLod(shadow_compare, vec3(tap, place.z - allowance), 0.0);
+    lit += texture(key_map, vec4(tap, 0.0, place.z - allowance));
     ++i;
   } while (i < (mixed ? filter_taps : 0));
   return mixed ? lit / float(filter_taps) : 1.0 - step(0.5, blockers);
@@ -74,8 +75,7 @@ float key_visibility(vec3 position, vec3 normal, bool asked) {
   // shadow attached.
   float cosine = dot(normal, towards_key.xyz);
   float slope = sqrt(max(1.0 - cosine * cosine, 0.0));
-  vec3 lifted = position + normal * (shadow.x * (lift_facing + lift_grazing * slope) + shadow_blur.w);
-  vec3 place = (world_to_shadow * vec4(lifted, 1.0)).xyz;
+  vec3 place = (world_to_shadow * vec4(lifted(position, normal, cosine, shadow.x), 1.0)).xyz;
   place.z = min(place.z, 1.0);
   float depth_to_uv = shadow.z * shadow.w / shadow.x * shadow.y;  // blur radius per unit of the depth gap
   float search_radius = clamp(place.z * depth_to_uv, narrowest_search * shadow.y, shadow_blur.x * shadow.y);

@@ -3,11 +3,8 @@
 #include "surface_buffers.glsl"
 #include "weave.glsl"
 #include "trims.glsl"
-#ifdef SAMPLED  // one pass of many
 #include "light_maps.glsl"
-#else
 #include "shadow.glsl"
-#endif
 #include "cloth_light.glsl"
 // Shades visible triangles, once for every surface in a pixel: most triangles are so small that shading during
 // rasterisation would process more pixels outside than inside.
@@ -25,6 +22,16 @@ uniform sampler2D scalar_maps;  // one row each
 #endif
 layout(location = 0) out vec4 colour;  // linear, premultiplied; encoded with one sample unless it is one of many
 
+// Returns the light of the sky at a spot: from sky and floor on the outside, and on the inside. `share`: weights of the
+// second and third corner.
+vec4 interpolated_sky(uvec3 corners, vec2 share) {
+  ivec3 places = ivec3(corners);
+  vec4 a = texelFetch(vertex_light, ivec2(places.x % vertices_per_row, places.x / vertices_per_row), 0);
+  vec4 b = texelFetch(vertex_light, ivec2(places.y % vertices_per_row, places.y / vertices_per_row), 0);
+  vec4 c = texelFetch(vertex_light, ivec2(places.z % vertices_per_row, places.z / vertices_per_row), 0);
+  return a + share.x * (b - a) + share.y * (c - a);
+}
+
 // Spot of a triangle, with the change of its material coordinate per pixel.
 struct Spot {
   vec3 world;
@@ -32,7 +39,6 @@ struct Spot {
   vec3 material;
   vec3 material_across;
   vec3 material_up;
-  vec2 sky;  // x: outside, y: inside
   vec3 ab;   // sides of the triangle
   vec3 ac;
   vec2 warp;  // direction along ab and ac in which the material's second coordinate grows
@@ -77,15 +83,12 @@ Spot spot_on(uvec3 corners, vec3 ray) {
   vec4 ma = texelFetch(vertex_data, first.x + 2);
   vec4 mb = texelFetch(vertex_data, first.y + 2) - ma;
   vec4 mc = texelFetch(vertex_data, first.z + 2) - ma;
-  vec4 n = na + place.x * nb + place.y * nc;
-  vec4 m = ma + place.x * mb + place.y * mc;
   spot.place = mat3x2(place, across, up);
   spot.world = a.xyz + place.x * ab + place.y * ac;
-  spot.normal = normalize(n.xyz);
-  spot.material = m.xyz;
+  spot.normal = normalize((na + place.x * nb + place.y * nc).xyz);
+  spot.material = (ma + place.x * mb + place.y * mc).xyz;
   spot.material_across = across.x * mb.xyz + across.y * mc.xyz;
   spot.material_up = up.x * mb.xyz + up.y * mc.xyz;
-  spot.sky = vec2(n.w, m.w);
   float bb = dot(mb.xyz, mb.xyz), bc = dot(mb.xyz, mc.xyz), cc = dot(mc.xyz, mc.xyz);
   spot.warp = vec2(cc * mb.y - bc * mc.y, bb * mc.y - bc * mb.y);
   // Direction of the weft in the plane that the material faces most.
@@ -156,10 +159,16 @@ vec3 shaded(int triangle, bool front, vec3 ray) {
   warp *= satin * inversesqrt(max(dot(warp, warp), 1e-30));
   vec3 surrounding = rest.z < 0.0 ? base : vec3(0.0);
 #ifdef SAMPLED
-  Ambient around = sampled_ambient(spot.world, normal, surrounding, rest.x);
+  Sky all;
+  Sky sky = sky_light(spot.world, normal, all);
+  vec2 far_side = sky_light(spot.world, -normal, all).light;
 #else
-  Ambient around = ambient_light(normal, front ? spot.sky.x : spot.sky.y, surrounding);
+  vec4 both = interpolated_sky(corners.xyz, spot.place[0]);
+  both = front ? both : both.zwxy;
+  Sky sky = Sky(both.xy, both.x + 2.0 * both.y);
+  vec2 far_side = both.zw;
 #endif
+  Ambient around = ambient_light(sky, far_side, surrounding, rest.x);
   Light light = gathered(normal, towards_eye, lit, around, Finish(outside.w, inside.w, thread.w, rest.x, warp));
   vec3 cloth = (base * light.diffuse + mix(vec3(1.0), base, fringe_dyed) * light.fringe) * weave.brightness +
                light.gloss * mix(vec3(1.0), satin_gloss * mix(vec3(1.0), base, satin_dyed), satin);

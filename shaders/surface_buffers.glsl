@@ -1,6 +1,6 @@
 // Surfaces of a frame; filled by renderer/light/surface_buffers.cpp.
-uniform samplerBuffer vertex_data;     // three texels per vertex: position (m), normal and sky light outside,
-                                        // material coordinate (m) or the scalar in x, and sky light inside
+uniform samplerBuffer vertex_data;     // three texels per vertex: position (m), normal, and material
+                                        // coordinate (m) or the scalar in x
 uniform usamplerBuffer triangle_data;  // three vertices, and one number of surface (14 bits) and trim (18)
 uniform samplerBuffer material_data;    // five texels per surface: outside colour (linear) and roughness; inside
                                         // colour and sheen; translucency, strength of the weave, row of the colour
@@ -10,6 +10,8 @@ uniform samplerBuffer material_data;    // five texels per surface: outside colo
 #ifdef BASE_COLOUR_MAPS
 uniform samplerBuffer corner_data;     // one texel per triangle corner: its position on a base colour map
 #endif
+uniform sampler2D vertex_light;         // one texel per vertex: light from the sky and from the floor outside, and inside
+const int vertices_per_row = 1024;      // renderer/light/studio_light.cpp has it too
 
 // Content of a sample: nothing, or a triangle and one of its sides.
 bool is_front(uint visible) { return (visible & 1u) == 1u; }

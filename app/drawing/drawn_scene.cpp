@@ -34,13 +34,13 @@ renderer::PictureSettings to_picture_settings(const PictureStyle& style) {
   renderer::PictureSettings settings = style.settings;
   if (style.quality == DrawingQuality::draft) {
     settings.samples = 1;
-    settings.sky_directions = 12;
+    settings.sky_directions = 6;
     settings.shadow_taps = 8;
   }
   if (style.quality == DrawingQuality::high) {
     settings.supersampling = std::min(2 * settings.supersampling, 8);
     settings.shadow_map_px = 4096;
-    settings.sky_directions = 64;
+    settings.sky_directions = 32;
   }
   if (style.quality == DrawingQuality::final) {
     settings.passes = style.passes;
@@ -50,7 +50,7 @@ renderer::PictureSettings to_picture_settings(const PictureStyle& style) {
 }
 
 float min_edge_px(const PictureStyle& style) {
-  constexpr std::array lengths_px = {16.0F, renderer::min_split_px, 4.0F, renderer::min_split_px};
+  constexpr std::array lengths_px = {16.0F, renderer::min_split_px, 6.0F, 8.0F};
   return lengths_px[static_cast<std::size_t>(style.quality)];
 }
 
@@ -268,13 +268,12 @@ SceneFormat<DrawnScene> drawn_scene_format() {
        point_key("camera.target", MEMBER(camera.target)),
        whole("picture.width", 16, 16384, MEMBER(picture.settings.width_px)),
        whole("picture.height", 16, 16384, MEMBER(picture.settings.height_px)),
-       choice_key<DrawnScene, DrawingQuality>(
-           "picture.quality",
-           {{"draft", DrawingQuality::draft},
-            {"normal", DrawingQuality::normal},
-            {"high", DrawingQuality::high},
-            {"final", DrawingQuality::final}},
-           MEMBER(picture.quality)),
+       choice_key<DrawnScene, DrawingQuality>("picture.quality",
+                                              {{"draft", DrawingQuality::draft},
+                                               {"normal", DrawingQuality::normal},
+                                               {"high", DrawingQuality::high},
+                                               {"final", DrawingQuality::final}},
+                                              MEMBER(picture.quality)),
        whole("picture.passes", 1, renderer::max_passes, MEMBER(picture.passes)),
        whole("picture.samples", 1, 16, MEMBER(picture.settings.samples)),
        whole("picture.supersampling", 1, 8, MEMBER(picture.settings.supersampling)),
@@ -300,7 +299,8 @@ SceneFormat<DrawnScene> drawn_scene_format() {
        number("picture.sheen", "", fraction, MEMBER(picture.cloth.sheen)),
        number("picture.sheen_roughness", "", {0.4, 1.0}, MEMBER(picture.cloth.sheen_roughness)),
        number("picture.translucency", "", fraction, MEMBER(picture.cloth.translucency)),
-       choice_key<DrawnScene>("picture.weave", make_choices(renderer::all_weave_kinds), MEMBER(picture.cloth.weave_kind)),
+       choice_key<DrawnScene>("picture.weave", make_choices(renderer::all_weave_kinds),
+                              MEMBER(picture.cloth.weave_kind)),
        number("picture.threads", "1/m", {1.0, 1e6}, MEMBER(picture.cloth.threads_per_m)),
        number("picture.weave_contrast", "", {0.0, 10.0}, MEMBER(picture.cloth.weave)),
        number("picture.unevenness", "", fraction, MEMBER(picture.cloth.unevenness)),

@@ -15,9 +15,9 @@ std::string hexadecimal(GLenum value) {
 
 // Names of samplers, by texture unit.
 constexpr std::array<const char*, unit_count> samplers = {
-    "shadow_compare", "shadow_depth",  "ground_light",  "scalar_maps",  "drawn",  "visibility_buffer",
-    "vertex_data",    "triangle_data", "material_data", "floor_shadow", "halved", "base_colour_maps",
-    "corner_data",    "trim_data",     "light_maps",    "behind",       "marks"};
+    "key_map",     "key_depth",     "ground_light",  "scalar_maps",  "drawn",  "visibility_buffer",
+    "vertex_data", "triangle_data", "material_data", "floor_shadow", "halved", "base_colour_maps",
+    "corner_data", "trim_data",     "sky_maps",      "behind",       "marks",  "vertex_light"};
 
 std::string_view shader_text(std::span<const ShaderFile> files, std::string_view name) {
   for (const ShaderFile& file : files) {
@@ -184,16 +184,6 @@ void bind_texture(const GladGLContext& gl, unsigned unit, GLenum target, const T
   gl.BindTexture(target, texture.name());
 }
 
-void set_comparing(const GladGLContext& gl, const Sampler& sampler, GLint filter) {
-  gl.SamplerParameteri(sampler.name(), GL_TEXTURE_MIN_FILTER, filter);
-  gl.SamplerParameteri(sampler.name(), GL_TEXTURE_MAG_FILTER, filter);
-  // Nothing reaches the map's edge, so clamped samples are unoccluded.
-  gl.SamplerParameteri(sampler.name(), GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
-  gl.SamplerParameteri(sampler.name(), GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
-  gl.SamplerParameteri(sampler.name(), GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
-  gl.SamplerParameteri(sampler.name(), GL_TEXTURE_COMPARE_FUNC, GL_LEQUAL);
-}
-
 void set_sampling(const GladGLContext& gl, GLenum target, GLint filter, GLint wrap) {
   gl.TexParameteri(target, GL_TEXTURE_MAX_LEVEL, 0);
   gl.TexParameteri(target, GL_TEXTURE_MIN_FILTER, filter);
@@ -313,7 +303,8 @@ FrameBlock make_frame_block(const FrameView& frame, const PictureSettings& setti
       glm::vec4{linear_light(backdrop.transparent ? white : backdrop.lower_colour), backdrop.plain ? 1.0F : 0.0F};
   float max_bulge_m = 0.0F;
   for (const SurfaceView& surface : frame.surfaces) {
-    if (surface.refinement) max_bulge_m = std::max(max_bulge_m, surface.refinement->max_bulge_m);
+    if (surface.refinement && settings.passes == 1)
+      max_bulge_m = std::max(max_bulge_m, surface.refinement->max_bulge_m);
   }
   set_shadow(block, settings, casters, max_bulge_m);
   set_ground(block, frame, casters);
@@ -326,11 +317,11 @@ FrameBlock make_frame_block(const FrameView& frame, const PictureSettings& setti
   return block;
 }
 
-void set_shadow_bounds(FrameBlock& block, std::span<const SurfaceView* const> casters) {
+void set_shadow_bounds(FrameBlock& block, std::span<const SurfaceView> casters) {
   glm::vec2 lower{1.0F};
   glm::vec2 upper{0.0F};
-  for (const SurfaceView* caster : casters) {
-    for (const glm::vec3& position : caster->positions) {
+  for (const SurfaceView& caster : casters) {
+    for (const glm::vec3& position : caster.positions) {
       const glm::vec2 place{block.world_to_shadow * glm::vec4{position, 1.0F}};
       lower = glm::min(lower, place);
       upper = glm::max(upper, place);

@@ -54,10 +54,6 @@ void set_attribute(const GladGLContext& gl, GLuint location, const Buffer& buffe
 /// Binds a texture to a texture unit, which becomes the active one.
 void bind_texture(const GladGLContext& gl, unsigned unit, GLenum target, const Texture& texture);
 
-/// Makes a sampler compare depths with a value; `filter`: GL_NEAREST, or GL_LINEAR for the farther fraction of a
-/// neighbourhood.
-void set_comparing(const GladGLContext& gl, const Sampler& sampler, GLint filter);
-
 /// Sets the filter and the wrapping of the bound texture, and restricts it to its largest level.
 void set_sampling(const GladGLContext& gl, GLenum target, GLint filter, GLint wrap = GL_CLAMP_TO_EDGE);
 
@@ -127,8 +123,8 @@ class Program {
 
 inline constexpr unsigned frame_block_binding = 0;
 
-inline constexpr unsigned shadow_compare_unit = 0;
-inline constexpr unsigned shadow_depth_unit = 1;
+inline constexpr unsigned key_map_unit = 0;
+inline constexpr unsigned key_depth_unit = 1;
 inline constexpr unsigned ground_light_unit = 2;
 inline constexpr unsigned scalar_maps_unit = 3;
 inline constexpr unsigned drawn_unit = 4;
@@ -141,10 +137,11 @@ inline constexpr unsigned halved_unit = 10;
 inline constexpr unsigned base_colour_maps_unit = 11;
 inline constexpr unsigned corner_data_unit = 12;
 inline constexpr unsigned trim_data_unit = 13;
-inline constexpr unsigned light_maps_unit = 14;
+inline constexpr unsigned sky_maps_unit = 14;
 inline constexpr unsigned behind_unit = 15;
 inline constexpr unsigned marks_unit = 16;
-inline constexpr unsigned unit_count = 17;
+inline constexpr unsigned vertex_light_unit = 17;
+inline constexpr unsigned unit_count = 18;
 
 /// Sets the uniform block and the samplers of a program to these bindings and leaves the program in use.
 void bind_shared_inputs(const Program& program);
@@ -168,8 +165,8 @@ class LazyProgram {
   std::optional<Program> program_;
 };
 
-/// Pairs of opposite directions of the sky in one pass of many; shaders/frame.glsl has the number too.
-inline constexpr std::size_t sky_pair_count = 2;
+/// Largest number of pairs of opposite directions of the sky; shaders/frame.glsl has it too.
+inline constexpr std::size_t max_sky_pairs = 16;
 
 /// Uniforms shared by all shaders: the std140 block `Frame` of shaders/frame.glsl, which documents each member.
 struct FrameBlock {
@@ -191,9 +188,10 @@ struct FrameBlock {
   glm::vec4 ray_corner;
   glm::vec4 ray_across;
   glm::vec4 ray_up;
-  std::array<glm::mat4, sky_pair_count> world_to_sky;
-  std::array<glm::vec4, sky_pair_count> towards_sky;
+  std::array<glm::mat4, max_sky_pairs> world_to_sky;
+  std::array<glm::vec4, max_sky_pairs> towards_sky;
   glm::vec4 sky_floor;
+  glm::vec4 sky_maps_shape;
 };
 
 /// Part of the picture that is drawn at once, in pixels of the finished picture, y from its top.
@@ -221,7 +219,7 @@ int shadow_map_side(const PictureSettings& settings);
 FrameBlock make_frame_block(const FrameView& frame, const PictureSettings& settings, const std::optional<Box>& casters);
 
 /// Sets shadow_bounds to the bounds of the casters in the shadow map.
-void set_shadow_bounds(FrameBlock& block, std::span<const SurfaceView* const> casters);
+void set_shadow_bounds(FrameBlock& block, std::span<const SurfaceView> casters);
 
 /// Sets world_to_clip, viewport and the rays for a tile. The picture moves by `offset_px` drawn pixels.
 void set_tile(FrameBlock& block, const Camera& camera, const PictureSettings& settings, const Tile& tile,

@@ -1,69 +1,27 @@
 #pragma once
 
+#include "renderer/gl/picture_target.hpp"
 #include "renderer/light/light_maps.hpp"
-#include "renderer/light/surface_buffers.hpp"
 
 namespace taut::renderer {
 
-/// Ambient light with occlusion: bright from above, weaker from below, reduced by obstacles. Occlusion is tested along
-/// pairs of opposite directions. A small map per pair holds the nearest and the farthest depth of the casters.
-class SkyLight {
- public:
-  /// Draws the maps of the casters, which lie in `box` (metres). `directions`: see PictureSettings::sky_directions.
-  /// Without a box or with 0 directions nothing is occluded.
-  void draw_maps(std::span<const SurfaceView* const> casters, const std::optional<Box>& box, int directions);
-
-  /// Fills `light` with one pair per vertex: the light on its outside (x) and inside (y), relative to an
-  /// unoccluded side that faces straight up.
-  void gather(const SurfaceView& surface, std::vector<glm::vec2>& light);
-
-  /// Fills `light` with the visible fraction of the sky per spot of the floor, 0 to 1: floor_px rows of floor_px
-  /// values. `area`: FrameBlock::ground_light_area; `height_m`: y of the floor.
-  void gather_floor(const glm::vec4& area, float height_m, std::vector<float>& light);
-
-  /// Side of the floor's light texture, texels. Its contents are smooth; higher values cost time.
-  static constexpr int floor_px = 56;
-
- private:
-  struct DirectionPair {
-    glm::vec3 towards{0.0F};  // upper direction of the pair
-    glm::mat4 world_to_map{1.0F};
-    std::vector<float> min_depths;
-    std::vector<float> max_depths;
-  };
-  void draw(DirectionPair& pair, std::span<const SurfaceView* const> casters);
-  void gather_pair(const DirectionPair& pair, const SurfaceView& surface, std::vector<glm::vec2>& light) const;
-  void sum_up(const DirectionPair& pair, float height_m);
-  float floor_blocked(const glm::vec2& texel, float radius_px) const;
-
-  std::vector<DirectionPair> pairs_;
-  float lift_m_ = 0.0F;
-  float cone_tangent_ = 0.0F;
-  std::vector<glm::vec3> projected_;  // scratch
-  std::vector<float> sums_;           // scratch: sums of blockers from the map's corner
-};
-
-/// Light of one frame: the key light's shadow map and the ambient light. Surfaces get values per vertex,
-/// shaders read the shadow map and the floor's light from textures.
+/// Light of one frame: depth maps of the key lamp and of directions of the sky, and the light of the sky on vertices
+/// and floor that is gathered from them. Ambient light is bright from above and weaker from below.
 class StudioLight {
  public:
   /// The context must be current and outlive this object.
   explicit StudioLight(const GladGLContext& context);
 
-  /// Starts a frame: sets `block` except tile members. The surfaces must live until upload().
+  /// Starts a frame: sets `block` except tile members, and uploads the casters of shadows among `surfaces`.
   void begin(FrameBlock& block, const FrameView& frame, std::span<const SurfaceView> surfaces,
              const PictureSettings& settings);
-  /// Returns whether anything casts shadows in the frame.
-  bool has_casters() const { return !casters_.empty(); }
   /// Points the lights of a block that begin() has set to a pass's samples.
   void turn(FrameBlock& block, const PassSample& sample) const;
-  /// Draws the shadow map and the maps of the ambient light. `block` is the result of begin(). Calls no OpenGL, so
-  /// another thread may call it.
+  /// Draws the depth maps. `block` must be bound.
   void draw_maps(const FrameBlock& block);
-  /// Fills `light` with the ambient light of one surface, after draw_maps(); see SkyLight. Calls no OpenGL.
-  void gather(const SurfaceView& surface, std::vector<glm::vec2>& light);
-  /// Uploads the textures that shaders read.
-  void upload();
+  /// Gathers the light of the sky on this number of vertices of the bound surface buffers, and on the floor. The maps
+  /// must be bound.
+  void gather(std::size_t vertex_count);
 
   /// Binds textures and samplers to their units.
   void bind() const;
@@ -71,24 +29,27 @@ class StudioLight {
   void unbind() const;
 
  private:
-  void upload_shadow_map();
+  void upload_casters(std::span<const SurfaceView> casters);
+  void set_sky(FrameBlock& block, std::span<const glm::vec3> directions) const;
 
   const GladGLContext* gl_;
-  ShadowMap shadow_map_;
-  SkyLight sky_light_;
-  Texture shadow_texture_;
-  Texture floor_texture_;
-  Sampler compare_;  // compares: the fraction of a neighbourhood farther than a value
-  Sampler plain_;    // samples the depth itself
+  LightMaps key_map_;
+  LightMaps sky_maps_;
+  LazyProgram depth_;
+  LazyProgram vertex_program_;
+  LazyProgram floor_program_;
+  GrowingTarget vertex_light_;
+  GrowingTarget floor_light_;
+  VertexArray no_arrays_;
+  VertexArray caster_arrays_;
+  Buffer caster_positions_;
+  Buffer caster_corners_;
   // Members of the current frame.
-  std::vector<const SurfaceView*> casters_;
+  GLsizei corner_count_ = 0;
   std::optional<Box> casters_box_;
-  int shadow_side_px_ = 0;
-  int sky_directions_ = 0;
+  int key_side_px_ = 0;
+  int sky_side_px_ = 0;
   bool has_floor_ = false;
-  int allocated_px_ = 0;
-  MapArea uploaded_;  // non-empty area of the shadow texture
-  std::vector<float> floor_light_;
 };
 
 }  // namespace taut::renderer

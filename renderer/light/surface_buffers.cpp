@@ -1,7 +1,5 @@
 #include "renderer/light/surface_buffers.hpp"
 
-#include "renderer/surface/refined_mesh.hpp"
-
 namespace taut::renderer {
 namespace {
 
@@ -101,73 +99,6 @@ glm::vec3 vertex_material(const SurfaceView& surface, std::size_t vertex) {
 
 }  // namespace
 
-void project_to_map(const glm::mat4& world_to_map, int side_px, std::span<const glm::vec3> positions,
-                    std::vector<glm::vec3>& projected) {
-  const auto scale = static_cast<float>(side_px);
-  projected.resize(positions.size());
-  std::ranges::transform(positions, projected.begin(), [&](const glm::vec3& position) {
-    const glm::vec3 place{world_to_map * glm::vec4{position, 1.0F}};
-    return glm::vec3{place.x * scale, place.y * scale, place.z};
-  });
-}
-
-void ShadowMap::resize(int side_px) {
-  if (side_px == side_) return;
-  side_ = side_px;
-  drawn_ = {};
-  texels_.assign(static_cast<std::size_t>(side_) * static_cast<std::size_t>(side_), 1.0F);
-}
-
-void ShadowMap::clear() {
-  for (int y = drawn_.lower.y; y < drawn_.upper.y; ++y) {
-    const auto row = texels_.begin() + static_cast<std::ptrdiff_t>(y) * side_;
-    std::fill(row + drawn_.lower.x, row + drawn_.upper.x, 1.0F);
-  }
-  drawn_ = {};
-}
-
-void ShadowMap::include(const std::vector<glm::vec3>& points) {
-  glm::vec2 lower{INFINITY};
-  glm::vec2 upper{-INFINITY};
-  for (const glm::vec3& point : points) {
-    lower = glm::min(lower, glm::vec2{point});
-    upper = glm::max(upper, glm::vec2{point});
-  }
-  if (!(lower.x <= upper.x && lower.y <= upper.y)) return;
-  const MapArea point_area{{whole_within(lower.x - 1.0F, 0, side_), whole_within(lower.y - 1.0F, 0, side_)},
-                           {whole_within(upper.x + 2.0F, 0, side_), whole_within(upper.y + 2.0F, 0, side_)}};
-  const bool first = drawn_.lower == drawn_.upper;
-  drawn_ =
-      first ? point_area : MapArea{glm::min(drawn_.lower, point_area.lower), glm::max(drawn_.upper, point_area.upper)};
-}
-
-void ShadowMap::draw(const glm::mat4& world_to_map, std::span<const glm::vec3> positions,
-                     std::span<const std::uint32_t> triangles) {
-  project_to_map(world_to_map, side_, positions, projected_);
-  include(projected_);
-  for (std::size_t i = 0; i + 2 < triangles.size(); i += 3) {
-    const glm::vec3& a = projected_[triangles[i]];
-    const glm::vec3& b = projected_[triangles[i + 1]];
-    const glm::vec3& c = projected_[triangles[i + 2]];
-    const float least = std::min({a.z, b.z, c.z});
-    rasterise_triangle(a, b, c, side_, [&](const TriangleSpan& span) {
-      float* row = texels_.data() + static_cast<std::ptrdiff_t>(span.row) * side_;
-      for (int column = span.first; column <= span.last; ++column) {
-        // The slope can extrapolate wrongly at a needle's edge.
-        const float depth = std::max(span.depth + span.depth_step * static_cast<float>(column), least);
-        row[column] = std::min(row[column], depth);
-      }
-    });
-  }
-}
-
-float ShadowMap::depth_at(const glm::vec2& place) const {
-  const glm::vec2 texel = place * static_cast<float>(side_);
-  const auto highest = static_cast<float>(side_);
-  if (!(texel.x >= 0.0F && texel.y >= 0.0F && texel.x < highest && texel.y < highest)) return 1.0F;
-  return texels_[static_cast<std::size_t>(static_cast<int>(texel.y) * side_ + static_cast<int>(texel.x))];
-}
-
 int BaseColourMapTexture::add_layer(const BaseColourMap& map) {
   const auto known = std::ranges::find(maps_, map);
   const auto layer = static_cast<int>(known - maps_.begin());
@@ -210,15 +141,6 @@ const Texture& ColourMapTexture::texture() {
                   GL_UNSIGNED_BYTE, texels().data());
   set_sampling(*gl_, GL_TEXTURE_2D, GL_LINEAR);
   return *made_;
-}
-
-void spread(const SurfaceView& surface, std::vector<glm::vec2>& light) {
-  const Refinement& refinement = *surface.refinement;
-  interpolate(refinement.parents, light);
-  for (std::size_t i = refinement.coarse_vertices; i < light.size(); ++i) {
-    const glm::vec3& parent = surface.normals[refinement.parents[i - refinement.coarse_vertices][0]];
-    if (glm::dot(surface.normals[i], parent) < 0.0F) std::swap(light[i].x, light[i].y);
-  }
 }
 
 SurfaceBuffers::SurfaceBuffers(const GladGLContext& context)
@@ -269,8 +191,7 @@ void SurfaceBuffers::add_corners(const SurfaceView& surface) {
   corners_.insert(corners_.end(), surface.corner_coordinates.begin(), surface.corner_coordinates.end());
 }
 
-void SurfaceBuffers::add(const SurfaceView& surface, const std::vector<glm::vec2>& light, int colour_map_row,
-                         BaseColourMapTexture& maps) {
+void SurfaceBuffers::add(const SurfaceView& surface, int colour_map_row, BaseColourMapTexture& maps) {
   const auto first = static_cast<std::uint32_t>(vertices_.size());
   const auto point_area = static_cast<std::uint32_t>(materials_.size());
   if (point_area + surface.base_colours.size() >= max_surfaces) {
@@ -278,7 +199,7 @@ void SurfaceBuffers::add(const SurfaceView& surface, const std::vector<glm::vec2
   }
   for (std::size_t i = 0; i < surface.positions.size(); ++i) {
     vertices_.push_back(
-        {{surface.positions[i], 0.0F}, {surface.normals[i], light[i].x}, {vertex_material(surface, i), light[i].y}});
+        {{surface.positions[i], 0.0F}, {surface.normals[i], 0.0F}, {vertex_material(surface, i), 0.0F}});
   }
   const std::size_t first_triangle = triangles_.size();
   for (std::size_t i = 0; i + 2 < surface.triangles.size(); i += 3) {

@@ -1,50 +1,8 @@
 #pragma once
 
 #include "renderer/gl/gl_objects.hpp"
-#include "renderer/page/canvas.hpp"
 
 namespace taut::renderer {
-
-/// Rectangle of a square map, in texels.
-struct MapArea {
-  glm::ivec2 lower{0};
-  glm::ivec2 upper{0};  ///< excluded
-};
-
-/// Square shadow map (Williams 1978), rasterised on the CPU. Garment triangles cover only a few texels, so their setup
-/// in a general rasteriser would cost several times as much.
-class ShadowMap {
- public:
-  /// Sets the side in texels. A new size clears the map.
-  void resize(int side_px);
-  /// Sets every texel to depth 1, the farthest.
-  void clear();
-  /// Rasterises triangles and keeps the smallest depth at every texel centre. `world_to_map` maps metres to 0..1 in all
-  /// three axes and clips the rest. `triangles`: three indices into positions each.
-  void draw(const glm::mat4& world_to_map, std::span<const glm::vec3> positions,
-            std::span<const std::uint32_t> triangles);
-
-  /// Returns the side in texels.
-  int side_px() const { return side_; }
-  /// Returns the depth of the texel at `place`, texture coordinates 0..1; 1 outside the map.
-  float depth_at(const glm::vec2& place) const;
-  /// Returns the bounds of all texels drawn since the last clear().
-  const MapArea& drawn() const { return drawn_; }
-  /// Returns side_px * side_px depths, lowest row first, as OpenGL takes textures.
-  std::span<const float> depths() const { return texels_; }
-
- private:
-  void include(const std::vector<glm::vec3>& points);
-
-  int side_ = 0;
-  MapArea drawn_;
-  std::vector<float> texels_;
-  std::vector<glm::vec3> projected_;  // scratch: x and y in pixels, z the depth
-};
-
-/// Fills `projected` with one point per position: x and y in texels of a map of side_px, z the depth, 0..1.
-void project_to_map(const glm::mat4& world_to_map, int side_px, std::span<const glm::vec3> positions,
-                    std::vector<glm::vec3>& projected);
 
 /// Base colour maps of a frame as layers of one array texture, in premultiplied linear light. Smaller maps are enlarged
 /// to the size of the largest. It is uploaded if the set of maps changes.
@@ -84,18 +42,14 @@ class ColourMapTexture {
   std::optional<Texture> made_;
 };
 
-/// Replaces the ambient light of a refined surface's coarse mesh, one pair per vertex, by light on the surface. A
-/// vertex that faces away from its parents gets the light of their other side.
-void spread(const SurfaceView& surface, std::vector<glm::vec2>& light);
-
 /// All surfaces of one frame in buffer textures, in the layout of shaders/surface_buffers.glsl.
 class SurfaceBuffers {
  public:
   /// Three texels of the vertex buffer.
   struct Vertex {
     glm::vec4 place;     ///< position, metres
-    glm::vec4 facing;    ///< normal; w: ambient light outside
-    glm::vec4 material;  ///< material coordinate, metres, or x: scalar; w: ambient light inside
+    glm::vec4 facing;    ///< normal
+    glm::vec4 material;  ///< material coordinate, metres, or x: scalar
   };
 
   /// The context must be current and outlive this object.
@@ -103,10 +57,9 @@ class SurfaceBuffers {
 
   /// Removes all surfaces.
   void clear();
-  /// Adds a surface with the ambient light of its vertices: x outside, y inside. `colour_map_row`: row of its colour
-  /// map in ColourMapTexture; ignored without scalars. `maps` provides the layers of its base colour maps.
-  void add(const SurfaceView& surface, const std::vector<glm::vec2>& light, int colour_map_row,
-           BaseColourMapTexture& maps);
+  /// Adds a surface. `colour_map_row`: row of its colour map in ColourMapTexture; ignored without scalars. `maps`
+  /// provides the layers of its base colour maps.
+  void add(const SurfaceView& surface, int colour_map_row, BaseColourMapTexture& maps);
   /// Uploads all surfaces. Throws ContextError when they exceed the context's largest buffer texture.
   void upload();
 
@@ -159,74 +112,5 @@ class SurfaceBuffers {
   std::vector<Trim> trims_;
   std::size_t max_texels_ = 0;
 };
-
-/// Span of scanline rasterisation: the pixels of one row whose centres lie in a triangle.
-struct TriangleSpan {
-  int row = 0;
-  int first = 0;            ///< first column
-  int last = 0;             ///< last column, included
-  float depth = 0.0F;       ///< depth at the centre of column 0
-  float depth_step = 0.0F;  ///< change of depth per column
-};
-
-namespace detail {
-
-// Intersection of an edge with rows: column = offset + slope * row. Rows beyond the edge are not bounded by it.
-struct RowCut {
-  float slope = 0.0F;
-  float offset = 0.0F;
-  bool is_left = false;
-};
-
-inline RowCut row_cut(const glm::vec3& from, const glm::vec3& to, bool counter_clockwise) {
-  const float slope = (to.x - from.x) / (to.y - from.y);
-  return {slope, from.x - slope * from.y, (to.y < from.y) == counter_clockwise};
-}
-
-}  // namespace detail
-
-/// Calls `fill` with every span of a triangle on a square of side_px. Corners: x and y in pixels, z the depth. The
-/// winding does not matter. Neighbours may share pixels on their edge but never leave a gap. Spans are clipped to the
-/// square, also for corners that are not finite.
-template <typename Fill>
-void rasterise_triangle(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c, int side_px, Fill&& fill) {
-  // Safety margin on every side, px.
-  constexpr float margin_px = 1e-3F;
-  const auto first_centre = [side_px](float edge) { return whole_within(edge + 0.5F - margin_px, 0, side_px); };
-  const auto last_centre = [side_px](float edge) { return whole_within(edge + 0.5F + margin_px, 0, side_px) - 1; };
-  const int first_row = first_centre(std::min({a.y, b.y, c.y}));
-  const int last_row = last_centre(std::max({a.y, b.y, c.y}));
-  const float leftmost = std::min({a.x, b.x, c.x});
-  const float rightmost = std::max({a.x, b.x, c.x});
-  const int first_column = first_centre(leftmost);
-  const int last_column = last_centre(rightmost);
-  if (first_row > last_row || first_column > last_column) return;
-  const glm::vec3 ab = b - a;
-  const glm::vec3 ac = c - a;
-  const float twice_area = ab.x * ac.y - ac.x * ab.y;
-  if (!(std::abs(twice_area) > 0.0F && std::isfinite(twice_area))) return;
-  const glm::vec2 slope = glm::vec2{ab.z * ac.y - ac.z * ab.y, ab.x * ac.z - ac.x * ab.z} / twice_area;
-  const bool turn = twice_area > 0.0F;
-  std::array<detail::RowCut, 3> cuts;
-  std::size_t count = 0;
-  if (a.y != b.y) cuts[count++] = detail::row_cut(a, b, turn);
-  if (b.y != c.y) cuts[count++] = detail::row_cut(b, c, turn);
-  if (c.y != a.y) cuts[count++] = detail::row_cut(c, a, turn);
-  for (int row = first_row; row <= last_row; ++row) {
-    const float y = static_cast<float>(row) + 0.5F;
-    float left = leftmost;
-    float right = rightmost;
-    for (std::size_t i = 0; i < count; ++i) {
-      const float x = cuts[i].offset + cuts[i].slope * y;
-      left = cuts[i].is_left ? std::max(left, x) : left;
-      right = cuts[i].is_left ? right : std::min(right, x);
-    }
-    const int first = std::max(first_centre(left), first_column);
-    const int last = std::min(last_centre(right), last_column);
-    if (first > last) continue;
-    const float depth = a.z + (y - a.y) * slope.y + (0.5F - a.x) * slope.x;
-    fill(TriangleSpan{row, first, last, depth, slope.x});
-  }
-}
 
 }  // namespace taut::renderer

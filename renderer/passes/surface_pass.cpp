@@ -1,5 +1,7 @@
 #include "renderer/passes/surface_pass.hpp"
 
+#include "renderer/page/canvas.hpp"
+
 namespace taut::renderer {
 namespace {
 
@@ -170,7 +172,6 @@ const std::vector<glm::vec2>& CoveredSquares::corners() {
 SurfacePass::SurfacePass(const GladGLContext& context)
     : gl_(&context),
       visibility_(context, "visibility.vert", "visibility.frag"),
-      depth_(context, "visibility.vert", "depth.frag"),
       corner_arrays_(context),
       corner_buffer_(context),
       colour_maps_(context),
@@ -190,34 +191,19 @@ SurfacePass::SurfacePass(const GladGLContext& context)
   gl_->BindVertexArray(0);
 }
 
-// Uploads separate corners for every triangle, so that a vertex knows its triangle's number.
-void SurfacePass::upload_positions(std::span<const SurfaceView> surfaces) {
+void SurfacePass::upload(std::span<const SurfaceView> surfaces) {
+  // Separate corners for every triangle let a vertex know its triangle's number.
   corner_positions_.clear();
-  casters_.clear();
-  for (const SurfaceView& surface : surfaces) {
-    if (surface.casts_shadow) {
-      casters_.push_back(
-          {static_cast<GLint>(corner_positions_.size()), static_cast<GLsizei>(surface.triangles.size())});
-    }
-    for (const std::uint32_t corner : surface.triangles) corner_positions_.push_back(surface.positions[corner]);
-  }
-  taut::renderer::upload(*gl_, GL_ARRAY_BUFFER, corner_buffer_, std::span<const glm::vec3>(corner_positions_));
-}
-
-void SurfacePass::gather(std::span<const SurfaceView> surfaces, StudioLight& light) {
   surface_buffers_.clear();
   base_colour_maps_.clear();
   any_scalars_ = false;
   for (const SurfaceView& surface : surfaces) {
-    light.gather(coarse_surface(surface), surface_light_);
-    if (surface.refinement) spread(surface, surface_light_);
-    surface_buffers_.add(surface, surface_light_, surface.scalars ? colour_maps_.row_index(surface.scalars->map) : -1,
+    for (const std::uint32_t corner : surface.triangles) corner_positions_.push_back(surface.positions[corner]);
+    surface_buffers_.add(surface, surface.scalars ? colour_maps_.row_index(surface.scalars->map) : -1,
                          base_colour_maps_);
     any_scalars_ = any_scalars_ || surface.scalars;
   }
-}
-
-void SurfacePass::upload_surfaces() {
+  taut::renderer::upload(*gl_, GL_ARRAY_BUFFER, corner_buffer_, std::span<const glm::vec3>(corner_positions_));
   if (surface_buffers_.empty()) return;
   surface_buffers_.upload();
   if (surface_buffers_.has_maps()) base_colour_maps_.upload();
@@ -231,12 +217,6 @@ void SurfacePass::draw_visibility(bool under_marks) {
   gl_->BindVertexArray(corner_arrays_.name());
   gl_->DrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(corner_positions_.size()));
   gl_->Disable(GL_POLYGON_OFFSET_FILL);
-}
-
-void SurfacePass::draw_casters() {
-  depth_.use();
-  gl_->BindVertexArray(corner_arrays_.name());
-  for (const CornerRange& caster : casters_) gl_->DrawArrays(GL_TRIANGLES, caster.first, caster.count);
 }
 
 void SurfacePass::draw_squares() {

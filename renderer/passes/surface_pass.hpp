@@ -1,7 +1,7 @@
 #pragma once
 
 #include "renderer/gl/picture_target.hpp"
-#include "renderer/light/studio_light.hpp"
+#include "renderer/light/surface_buffers.hpp"
 
 namespace taut::renderer {
 
@@ -47,17 +47,13 @@ class SurfacePass {
   /// The context must be current and outlive this object.
   explicit SurfacePass(const GladGLContext& context);
 
-  /// Uploads the corners of all surfaces for draw_visibility().
-  void upload_positions(std::span<const SurfaceView> surfaces);
+  /// Uploads all surfaces and binds their buffers. Throws ContextError.
+  void upload(std::span<const SurfaceView> surfaces);
+  /// Returns the number of vertices of all surfaces.
+  std::size_t vertex_count() const { return surface_buffers_.all_vertices().size(); }
   /// Draws the triangle numbers into the bound visibility buffer. `under_marks` pushes surfaces back slightly, so that
   /// marks on them are in front.
   void draw_visibility(bool under_marks);
-  /// Draws the depths of all surfaces that cast shadows into the bound framebuffer.
-  void draw_casters();
-  /// Gathers the light of the same surfaces. Calls no OpenGL, so another thread may call it meanwhile.
-  void gather(std::span<const SurfaceView> surfaces, StudioLight& light);
-  /// Uploads surfaces and light, after gather(). Throws ContextError.
-  void upload_surfaces();
   /// Shades the visibility buffer and blends it over a framebuffer, which is bound. `place`: the tile's rectangle
   /// there, which becomes the viewport. `block`: the tile's. `halve`: squares of 2 by 2 pixels are shaded as one if
   /// there is one sample and the tile's sides are even.
@@ -70,11 +66,6 @@ class SurfacePass {
   bool has_data_colours() const { return any_scalars_; }
 
  private:
-  // Vertices of corner_positions_.
-  struct CornerRange {
-    GLint first;
-    GLsizei count;
-  };
   void begin_shading(const VisibilityBuffer& visibility, GLuint framebuffer, const FrameBlock& block,
                      const PixelRect& place);
   void draw_squares();
@@ -83,12 +74,10 @@ class SurfacePass {
 
   const GladGLContext* gl_;
   LazyProgram visibility_;
-  LazyProgram depth_;
   VertexArray corner_arrays_;
   Buffer corner_buffer_;
   std::vector<glm::vec3> corner_positions_;  // three for each triangle
-  std::vector<CornerRange> casters_;
-  std::vector<LazyProgram> shading_;  // variants in the order of defines()
+  std::vector<LazyProgram> shading_;         // variants in the order of defines()
   ColourMapTexture colour_maps_;
   BaseColourMapTexture base_colour_maps_;
   SurfaceBuffers surface_buffers_;
@@ -97,7 +86,6 @@ class SurfacePass {
   Buffer square_corners_;
   LazyProgram upscaling_;
   GrowingTarget halved_;
-  std::vector<glm::vec2> surface_light_;  // scratch
   bool any_scalars_ = false;
 };
 

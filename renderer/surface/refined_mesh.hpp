@@ -107,7 +107,7 @@ template <class Value> std::vector<Value> refined_corner_values(std::span<const 
 }
 
 /// Shortest edge in the picture that is worth halving.
-inline constexpr float min_split_px = 8.0F;
+inline constexpr float min_split_px = 12.0F;
 
 /// Returns the number of halvings for edges of this length in pixels of the picture, in a mesh of this many triangles.
 int refinement_levels(float edge_px, std::size_t triangles, float min_edge_px = min_split_px);

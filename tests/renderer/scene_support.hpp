@@ -30,7 +30,7 @@ inline Camera front_camera() {
 
 // The arrays have to outlive the view.
 inline SurfaceView make_surface(std::span<const glm::vec3> positions, std::span<const glm::vec3> normals,
-                              std::span<const std::uint32_t> triangles) {
+                                std::span<const std::uint32_t> triangles) {
   SurfaceView surface;
   surface.positions = positions;
   surface.normals = normals;
@@ -48,6 +48,7 @@ inline FrameView triangle_frame() {
   surface.style.outside_colour = rgb(0x2E8B57);
   surface.style.inside_colour = rgb(0xC05020);
   surface.style.sheen = 0.0F;
+  surface.style.translucency = 0.0F;
   frame.surfaces.push_back(surface);
   frame.camera = front_camera();
   frame.lighting = flat_light();

@@ -17,7 +17,7 @@ struct CoveredSquaresTest : testing::Test {
     surface.normals = up_normals;
     surface.triangles = triangle_indices;
     surfaces.clear();
-    surfaces.add(surface, std::vector<glm::vec2>(3), -1, maps);
+    surfaces.add(surface, -1, maps);
     squares.find(surfaces, to_clip, {96, 64});
   }
   // Returns the covered area in squares.

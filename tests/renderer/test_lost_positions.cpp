@@ -3,7 +3,6 @@
 #include <limits>
 
 #include "renderer/frame_view.hpp"
-#include "renderer/light/studio_light.hpp"
 #include "renderer/light/surface_buffers.hpp"
 #include "renderer/passes/backdrop_pass.hpp"
 #include "renderer/passes/mark_pass.hpp"
@@ -43,56 +42,9 @@ void for_each_runaway(const std::function<void(const Runaway&)>& look) {
   }
 }
 
-TEST(LostPositions, NoSpanLeavesTheSquare) {
-  constexpr int side_px = 16;
-  for_each_runaway([&](const Runaway& cloth) {
-    for (const float scale : {1.0F, 16.0F}) {
-      const auto at = [&](std::size_t i) { return scale * glm::vec3{cloth.positions[i]}; };
-      rasterise_triangle(at(0), at(1), at(2), side_px, [&](const TriangleSpan& span) {
-        EXPECT_TRUE(span.row >= 0 && span.row < side_px) << span.row;
-        EXPECT_TRUE(span.first >= 0 && span.last < side_px) << span.first << " to " << span.last;
-      });
-    }
-  });
-}
-
-TEST(LostPositions, AShadowMapIsClearOutsideItsBounds) {
-  for_each_runaway([](const Runaway& cloth) {
-    ShadowMap map;
-    map.resize(32);
-    map.draw(glm::mat4{1.0F}, cloth.positions, cloth.triangles);
-    const MapArea& drawn = map.drawn();
-    EXPECT_TRUE(drawn.lower.x >= 0 && drawn.lower.x <= drawn.upper.x && drawn.upper.x <= 32);
-    EXPECT_TRUE(drawn.lower.y >= 0 && drawn.lower.y <= drawn.upper.y && drawn.upper.y <= 32);
-    map.clear();
-    for (const float depth : map.depths()) EXPECT_EQ(depth, 1.0F);
-    for (const glm::vec3& position : cloth.positions) EXPECT_EQ(map.depth_at(glm::vec2{position}), 1.0F);
-  });
-}
-
-// The box surrounds the lost positions, or the origin nearby.
-TEST(LostPositions, AmbientLightTakesAnyPosition) {
-  for_each_runaway([](const Runaway& cloth) {
-    const SurfaceView view = cloth.view();
-    const std::array casters{&view};
-    for (const Box& box : {bounding_box(cloth.positions), Box{glm::vec3{-1.0F}, glm::vec3{1.0F}}}) {
-      SkyLight sky;
-      sky.draw_maps(casters, box, 6);
-      std::vector<glm::vec2> light;
-      sky.gather(view, light);
-      EXPECT_EQ(light.size(), cloth.positions.size());
-      std::vector<float> floor;
-      sky.gather_floor({-2.0F, -2.0F, 0.25F, 0.25F}, -1.0F, floor);
-      sky.gather_floor({cloth.positions[0].x, cloth.positions[0].z, 0.25F, 0.25F}, cloth.positions[0].y, floor);
-      EXPECT_EQ(floor.size(), static_cast<std::size_t>(SkyLight::floor_px) * SkyLight::floor_px);
-    }
-  });
-}
-
 TEST(LostPositions, TheShadedFloorStaysInTheTile) {
   for_each_runaway([](const Runaway& cloth) {
-    const SurfaceView view = cloth.view();
-    const std::array casters{&view};
+    const std::array casters{cloth.view()};
     FrameView frame;
     frame.ground_height_m = cloth.positions[0].y;
     for (const Box& box : {bounding_box(cloth.positions), Box{glm::vec3{-1.0F}, glm::vec3{1.0F}}}) {
@@ -156,7 +108,7 @@ TEST_F(LostPicturesTest, CoveredSquaresStayInTheTile) {
   CoveredSquares squares;
   for_each_runaway([&](const Runaway& cloth) {
     surfaces.clear();
-    surfaces.add(cloth.view(), std::vector<glm::vec2>(4), -1, maps);
+    surfaces.add(cloth.view(), -1, maps);
     for (const glm::mat4& matrix : {to_clip, glm::mat4{1.0F}}) {
       squares.find(surfaces, matrix, {96, 64});
       for (const glm::vec2& corner : squares.corners()) {

@@ -302,6 +302,31 @@ TEST_F(SceneRendererTest, SkyDarkensTheFloorUnderneath) {
   EXPECT_LT(closed.at(below.x, below.y)[1], open.at(below.x, below.y)[1] - 10);
 }
 
+TEST_F(SceneRendererTest, SkyDarkensWhatIsBetweenTwoSheetsAndNothingAbove) {
+  const Sheet sheet;
+  FrameView frame = sheet.frame();
+  std::array<glm::vec3, 4> lower = sheet.positions;
+  for (glm::vec3& position : lower) position = {0.2F * position.x, 0.4F, 0.2F * position.z};
+  frame.surfaces.push_back(frame.surfaces[0]);
+  frame.surfaces[1].positions = lower;
+  frame.lighting = flat_light();
+  PictureSettings settings = small_picture();
+  settings.width_px = 480;
+  settings.height_px = 320;
+  const Image open = renderer.draw(frame, settings);
+  frame.camera.eye = {0.0F, 0.55F, 2.0F};  // looks between them
+  frame.camera.target = {0.0F, 0.4F, 0.0F};
+  const Image open_between = renderer.draw(frame, settings);
+  const glm::ivec2 between = project_to_pixel({0.0F, 0.4F, 0.0F}, frame.camera, settings);
+  settings.sky_directions = 12;
+  const Image closed_between = renderer.draw(frame, settings);
+  EXPECT_LT(closed_between.at(between.x, between.y)[2], open_between.at(between.x, between.y)[2] - 40);
+  frame.camera = sheet.frame().camera;
+  const Image closed = renderer.draw(frame, settings);
+  const glm::ivec2 above = project_to_pixel({0.0F, 0.6F, 0.0F}, frame.camera, settings);
+  EXPECT_NEAR(closed.at(above.x, above.y)[2], open.at(above.x, above.y)[2], 6);
+}
+
 TEST_F(SceneRendererTest, LitSheetHasNoAcne) {
   const Sheet sheet;
   FrameView frame = sheet.frame();
@@ -322,7 +347,7 @@ TEST_F(SceneRendererTest, SameBytesEveryTimeAndFromEveryRenderer) {
   const Sheet sheet;
   const FrameView frame = sheet.frame();
   PictureSettings settings = small_picture();
-  settings.sky_directions = 24;
+  settings.sky_directions = 12;
   const Image first = renderer.draw(frame, settings);
   EXPECT_EQ(renderer.draw(frame, settings).pixels, first.pixels);
   PictureSettings other = settings;

@@ -14,10 +14,10 @@ struct PictureQuality {
   int samples = 4;           ///< per pixel
   int shadow_map_px = 2048;  ///< width and height of the shadow map
   int shadow_taps = 16;      ///< samples of the shadow map per pixel
-  int sky_directions = 24;   ///< directions in which the sky's shadow is computed; 0: none
+  int sky_directions = 12;   ///< directions in which the sky's shadow is computed; 0: none
   int shading_px = 1;        ///< side of the squares that share one shading computation
   /// Edge length for GarmentPainter::look_from. The simulated edges of a T-shirt have 7 px in a small window.
-  float min_edge_px = 8.0F;
+  float min_edge_px = 12.0F;
   double cost = 1.0;  ///< cost of a whole frame, relative to the cheapest quality
 
   bool operator==(const PictureQuality&) const = default;
@@ -25,11 +25,11 @@ struct PictureQuality {
 
 /// Qualities from best to cheapest. The sky's shadow and the shadow map are reduced first, then samples, then the
 /// resolution of shading.
-inline constexpr std::array<PictureQuality, 6> picture_qualities = {{{4, 2048, 16, 24, 1, 8, 2.9},
-                                                                     {4, 1024, 16, 12, 1, 8, 2.6},
-                                                                     {1, 1024, 8, 6, 1, 12, 1.5},
-                                                                     {1, 512, 6, 6, 2, 24, 1.2},
-                                                                     {1, 256, 6, 4, 2, 24, 1.1},
+inline constexpr std::array<PictureQuality, 6> picture_qualities = {{{4, 2048, 16, 12, 1, 12, 2.9},
+                                                                     {4, 1024, 16, 8, 1, 12, 2.6},
+                                                                     {1, 1024, 8, 4, 1, 12, 1.5},
+                                                                     {1, 512, 6, 4, 2, 24, 1.2},
+                                                                     {1, 256, 6, 2, 2, 24, 1.1},
                                                                      {1, 256, 4, 0, 2, 24, 1.0}}};
 
 /// Chooses the best quality that still allows 30 frames per second. If drawing takes processors away from the
@@ -60,10 +60,10 @@ class QualityControl {
   double mean_ms_ = 0.0;
   double given_up_ = 0.0;  ///< mean fraction of simulated time that was given up
   double rest_ms_ = 0.0;
-  int frames_ = 0;                 ///< frames since the level changed
-  int slow_frames_ = 0;            ///< consecutive slow frames
+  int frames_ = 0;                        ///< frames since the level changed
+  int slow_frames_ = 0;                   ///< consecutive slow frames
   int trial_wait_frames_ = min_patience;  ///< frames that must be fast enough before a better level is tried
-  bool is_trial_ = false;          ///< the level is better than the one before and not yet proven
+  bool is_trial_ = false;                 ///< the level is better than the one before and not yet proven
 
   static constexpr int min_patience = 90;
 };

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
 #include <map>
@@ -13,7 +14,6 @@
 #include <random>
 
 #include "app/base/errors.hpp"
-#include "renderer/light/surface_buffers.hpp"
 #include "sim/mesh/elementary.hpp"
 #include "sim/simulation.hpp"
 
@@ -35,19 +35,32 @@ constexpr double air_drag_per_s = 6.0;
 /// has more folds at rest.
 constexpr double lowered_in_s = 3.0;
 
+/// Returns twice the area of a triangle, above 0 if it turns counter-clockwise.
+double doubled_area(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c) {
+  return (b.x - a.x) * (c.y - a.y) - (c.x - a.x) * (b.y - a.y);
+}
+
+/// Marks the squares whose middles lie in a triangle, whose corners are in squares.
+void mark_shadow(glm::dvec2 a, glm::dvec2 b, const glm::dvec2& c, std::vector<char>& squares) {
+  if (doubled_area(a, b, c) < 0.0) std::swap(a, b);
+  const glm::dvec2 lower = glm::clamp(glm::min(a, glm::min(b, c)), 0.0, side_squares - 1.0);
+  const glm::dvec2 upper = glm::clamp(glm::max(a, glm::max(b, c)), 0.0, side_squares - 1.0);
+  for (int row = static_cast<int>(lower.y); row <= static_cast<int>(upper.y); ++row) {
+    for (int column = static_cast<int>(lower.x); column <= static_cast<int>(upper.x); ++column) {
+      const glm::dvec2 middle(column + 0.5, row + 0.5);
+      const double inside =
+          std::min({doubled_area(a, b, middle), doubled_area(b, c, middle), doubled_area(c, a, middle)});
+      if (inside >= 0.0) squares[static_cast<std::size_t>(row * side_squares + column)] = 1;
+    }
+  }
+}
+
 std::vector<char> shadow_squares(std::span<const sim::Triangle> triangles, std::span<const sim::Vec3> positions_m) {
   std::vector<char> squares(static_cast<std::size_t>(side_squares) * side_squares, 0);
   const auto place = [&](sim::Index v) {
-    return glm::vec3(positions_m[v].x / square_m + 0.5 * side_squares, positions_m[v].z / square_m + 0.5 * side_squares,
-                     0.0);
+    return glm::dvec2(positions_m[v].x, positions_m[v].z) / square_m + 0.5 * side_squares;
   };
-  for (const sim::Triangle& t : triangles) {
-    renderer::rasterise_triangle(place(t[0]), place(t[1]), place(t[2]), side_squares,
-                                 [&](const renderer::TriangleSpan& span) {
-                                   const auto row = squares.begin() + span.row * side_squares;
-                                   std::fill(row + span.first, row + span.last + 1, 1);
-                                 });
-  }
+  for (const sim::Triangle& t : triangles) mark_shadow(place(t[0]), place(t[1]), place(t[2]), squares);
   return squares;
 }
 
@@ -159,10 +172,6 @@ void add_lattice(double inner_m, double radius_m, double edge_m, Random& random,
       }
     }
   }
-}
-
-double doubled_area(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c) {
-  return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
 
 /// Returns true if p lies in the circle through a, b and c, which are counter-clockwise.

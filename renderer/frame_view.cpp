@@ -87,7 +87,7 @@ Camera fit_camera(std::span<const glm::vec3> points, const glm::vec3& middle, co
 
 // Positions of the lamps relative to the camera: x right, y up, z from the scene towards the camera. Higher lamps make
 // shorter shadows; lamps farther to the side show more of the folds.
-constexpr glm::vec3 key_lamp{-0.80F, 1.10F, 0.45F};
+constexpr glm::vec3 key_lamp{-0.90F, 1.50F, 0.42F};
 constexpr glm::vec3 fill_lamp{0.95F, 0.30F, 0.55F};
 constexpr glm::vec3 rim_lamp{0.45F, 0.60F, -1.0F};
 

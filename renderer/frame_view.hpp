@@ -80,14 +80,14 @@ struct SurfaceStyle {
   /// Colour of the other side. None: derived from the outside colour (reverse_colour).
   std::optional<Colour> inside_colour;
   float roughness = 0.75F;        ///< width of the highlight; 0.05 glossy to 1 matt, clamped
-  float sheen = 0.35F;            ///< 0 to 1; fraction of light reflected by fibres that stand off
+  float sheen = 0.18F;            ///< 0 to 1; fraction of light reflected by fibres that stand off
   float sheen_roughness = 0.65F;  ///< width of the sheen, clamped to 0.4 to 1: low for a narrow fringe, high for a veil
-  float translucency = 0.12F;     ///< 0 to 1; fraction of the key light that passes through
+  float translucency = 0.2F;      ///< 0 to 1; fraction of the key light that passes through
   float weave = 1.0F;             ///< contrast of the weave, 0 for none; needs material coordinates
   /// Binding of the cloth. Twill shows threads of the other side's colour on each side.
   WeaveKind weave_kind = WeaveKind::knit;
   float threads_per_m = 1100.0F;  ///< or columns of stitches of a knit; the default is jersey
-  float unevenness = 0.14F;       ///< 0 to 1; variation of brightness between yarns and along them
+  float unevenness = 0.3F;        ///< 0 to 1; variation of brightness between yarns and along them
   /// Colour of the threads of hems and seams. None: a lighter shade of the cloth.
   std::optional<Colour> stitch_colour;
 };
@@ -208,15 +208,15 @@ struct PointView {
 };
 
 /// Three-point lighting: key, fill and rim light, all at infinity. Directions point from the scene to the light, in
-/// world space, with any length above 0. Strength 1 is the default key light.
+/// world space, with any length above 0. A matt white surface that faces a key light of strength 1 is white.
 struct Lighting {
   glm::vec3 towards_key{-0.55F, 0.95F, 0.75F};
   glm::vec3 towards_fill{0.90F, 0.25F, 0.60F};
   glm::vec3 towards_rim{0.35F, 0.60F, -1.0F};
-  float key = 1.0F;       ///< strength; the only light that casts shadows
-  float fill = 0.18F;     ///< strength
+  float key = 1.2F;       ///< strength; the only light that casts shadows
+  float fill = 0.12F;     ///< strength
   float rim = 0.30F;      ///< strength
-  float ambient = 0.34F;  ///< strength of ambient light: strong from above, weak from below
+  float ambient = 0.27F;  ///< strength of ambient light: strong from above, weak from below
 };
 
 /// Returns the default lighting turned around +y to the camera: key from the upper left of the picture, fill from the
@@ -226,8 +226,8 @@ Lighting studio_lighting(const Camera& camera);
 /// Background: a gradient from lower_colour at the middle of the picture to upper_colour above. The floor has
 /// lower_colour and blends into the background at its edge.
 struct Backdrop {
-  Colour upper_colour = rgb(0xDDE1E6);
-  Colour lower_colour = rgb(0xF4F4F2);
+  Colour upper_colour = rgb(0xB9BFC6);
+  Colour lower_colour = rgb(0xE2E1DE);
   bool plain = false;  ///< true: lower_colour everywhere, without a ground (a diagram)
   /// True: the picture has an alpha channel without a background. Only the floor's shadow is drawn, as black.
   bool transparent = false;

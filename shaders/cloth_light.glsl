@@ -10,7 +10,7 @@ const vec3 key_colour = vec3(1.02, 1.0, 0.97);
 const vec3 sky_colour = vec3(0.965, 1.0, 1.055);
 const vec3 floor_bounce = vec3(1.13, 1.10, 1.04);
 // Light of lit cloth on parts occluded from the sky, as a fraction of the key light.
-const float key_bounce = 0.22;
+const float key_bounce = 0.14;
 // Factor of the rim lamp on fibres, for which it is meant.
 const float rim_fringe = 2.0;
 // Largest reflectance: cloth that reflected all light would glow where it occludes the sky.
@@ -75,6 +75,7 @@ struct Finish {
 
 struct Light {
   vec3 diffuse;  // to be multiplied by the surface's own colour
+  vec3 through;  // light from behind, which passes more dyed fibres
   vec3 fringe;   // light of fibres that stand off
   vec3 gloss;
 };
@@ -105,7 +106,6 @@ Light gathered(vec3 normal, vec3 towards_eye, float key, Ambient around, Finish 
   vec3 ambient = around.light;
   float openness = around.openness;
   vec3 direct = key_reflected * key_light * wrapped(key_cosine, key_wrap);
-  vec3 through = key_reflected * key_light * finish.translucency * max(-key_cosine, 0.0);
   // The fill light has no shadow map; occlusion of the sky occludes it too.
   float fill = towards_fill.w * wrapped(dot(normal, towards_fill.xyz), fill_wrap) * openness;
   mat3 towards_lamps = mat3(towards_key.xyz, towards_fill.xyz, towards_rim.xyz);
@@ -113,10 +113,11 @@ Light gathered(vec3 normal, vec3 towards_eye, float key, Ambient around, Finish 
   float albedo = fringe_albedo(facing, finish.sheen_roughness);
   Light light;
   float satin = dot(finish.warp, finish.warp);
-  light.diffuse = (direct + through + fill + ambient) * (1.0 - finish.sheen * albedo) * (1.0 - satin_dark * satin);
+  light.through = 1.6 * key_light * finish.translucency * max(-key_cosine, 0.0);
+  light.diffuse = (direct + fill + ambient) * (1.0 - finish.sheen * albedo) * (1.0 - satin_dark * satin);
   float beside_key = openness * (towards_fill.w * lamps.y + rim_fringe * towards_rim.w * lamps.z);
   light.fringe = finish.sheen * (key_reflected * key_light * lamps.x + beside_key + albedo * ambient);
-  light.gloss = key_light * max(key_cosine, 0.0) *
+  light.gloss = smoothstep(0.8, 0.4, finish.roughness) * key_light * max(key_cosine, 0.0) *
                 highlight(normal, towards_key.xyz, towards_eye, finish.roughness, finish.warp);
   // Satin also mirrors the softer lamp and the sky.
   float mirrored = 2.0 * facing * normal.y - towards_eye.y;

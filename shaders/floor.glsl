@@ -3,9 +3,10 @@
 const float least_open = 0.2;
 // Tint of the darkest floor: shadows are slightly blue.
 const vec3 shadow_tint = vec3(0.96, 0.98, 1.03);
-// Start and end of the blend of floor and backdrop, as fractions of the floor's radius.
+// Start and end of the blend of floor and backdrop, and edge of the pool of light, as fractions of the floor's radius.
 const float blend_start = 0.35;
 const float blend_end = 0.95;
+const float pool_edge = 0.5;
 uniform sampler2D ground_light;  // visible fraction of the sky per spot of the floor
 
 float floor_openness(vec3 spot) {
@@ -25,7 +26,8 @@ float shadow_fading(vec2 place) {
 // `direction`: unit, from the eye to the spot.
 vec3 floor_colour(vec3 spot, vec3 direction, float lit, float open) {
   float light = key_share * lit + (1.0 - key_share) * mix(least_open, 1.0, open);
-  vec3 shaded = lower_colour.rgb * mix(shadow_tint, vec3(1.0), light) * light;
   float away = length(spot.xz - ground.xz) / ground.w;
+  vec3 pool = mix(lower_colour.rgb, upper_colour.rgb, far_floor * smoothstep(0.0, pool_edge, away));
+  vec3 shaded = pool * mix(shadow_tint, vec3(1.0), light) * light;
   return mix(shaded, backdrop_colour(direction), smoothstep(blend_start, blend_end, away));
 }

@@ -8,10 +8,17 @@ const int search_taps = 8;
 // Narrowest search and narrowest blur, texels of the map. With lower values the map's texels show.
 const float narrowest_search = 3.0;
 const float narrowest_blur = 1.2;
+// Widest blur, as a fraction of the widest on the floor, which has more samples.
+#ifdef FLOOR
+const float widest_blur = 1.0;
+#else
+const float widest_blur = 0.4;
+#endif
 // Smallest distance of a blocker in front of the point, texels. Lower values give acne.
-const float blocker_allowance = 0.5;
-// Tolerance of wide filters for a slanted surface itself, in texels per texel of radius.
-const float slope_allowance = 0.15;
+const float blocker_allowance = 0.8;
+// Steepest plane of a surface that its own samples follow, depth per width. Higher values give acne where the light
+// grazes, lower ones show the surface's own shadow.
+const float steepest = 4.0;
 
 // Returns the direction of the first sample. On the floor neighbours have four, which the filter of backdrop.frag
 // averages exactly.
@@ -25,10 +32,10 @@ vec2 first_direction() {
 #endif
 }
 
-// Returns the fraction of the key light at a place of the map, if `open`. `slope` is the sine of the angle between the
-// light and the surface's normal. A software rasteriser skips no branch but ends loops early; a test before the loop
+// Returns the fraction of the key light at a place of the map, if `open`. `tilt`: change of the surface's depth across
+// the map, so that a slanted surface does not count as its own blocker. A software rasteriser skips no branch but ends loops early; a test before the loop
 // would cost one more pass.
-float searched_visibility(vec3 place, float slope, float search_radius, float depth_to_uv, bool open) {
+float searched_visibility(vec3 place, vec2 tilt, float search_radius, float depth_to_uv, bool open) {
   vec2 first = first_direction();
   float blockers = 0.0;
   float depth_sum = 0.0;
@@ -36,19 +43,17 @@ float searched_visibility(vec3 place, float slope, float search_radius, float de
   int i = 0;
   do {
     // Samples are denser in the middle, for the narrow blur near casters.
-    vec2 tap = place.xy + search_radius * ((float(i) + 0.5) / float(search_taps)) * direction;
-    float depth = textureLod(key_depth, vec3(tap, 0.0), 0.0).r;
+    vec2 offset = search_radius * ((float(i) + 0.5) / float(search_taps)) * direction;
+    float depth = textureLod(key_depth, vec3(place.xy + offset, 0.0), 0.0).r;
     direction = golden_turn * direction;
-    float closer = step(depth, place.z - blocker_allowance * shadow.x / shadow.z);
+    float closer = step(depth, place.z + dot(tilt, offset) - blocker_allowance * shadow.x / shadow.z);
     blockers += closer;
     depth_sum += closer * depth;
     ++i;
   } while (i < (open ? search_taps : 0));
   blockers = open ? blockers : 0.0;
   float gap = place.z - depth_sum / max(blockers, 1.0);
-  float radius = clamp(gap * depth_to_uv, narrowest_blur * shadow.y, shadow_blur.x * shadow.y);
-  // The tolerance grows with the radius, as wide filters on a slanted surface would hit the surface itself.
-  float allowance = (radius / shadow.y) * slope_allowance * slope * shadow.x / shadow.z;
+  float radius = clamp(gap * depth_to_uv, narrowest_blur * shadow.y, widest_blur * shadow_blur.x * shadow.y);
 #ifdef FLOOR
   int filter_taps = int(shadow_blur.z);
 #else
@@ -61,9 +66,9 @@ float searched_visibility(vec3 place, float slope, float search_radius, float de
   direction = first;
   i = 0;
   do {
-    vec2 tap = place.xy + radius * disc_radius(i, filter_taps) * direction;
+    vec2 offset = radius * disc_radius(i, filter_taps) * direction;
     direction = golden_turn * direction;
-    lit += texture(key_map, vec4(tap, 0.0, place.z - allowance));
+    lit += texture(key_map, vec4(place.xy + offset, 0.0, min(place.z + dot(tilt, offset), 1.0)));
     ++i;
   } while (i < (mixed ? filter_taps : 0));
   return mixed ? lit / float(filter_taps) : 1.0 - step(0.5, blockers);
@@ -74,12 +79,13 @@ float key_visibility(vec3 position, vec3 normal, bool asked) {
   // The lift is along the normal, not towards the light: grazing surfaces need it most, and a thin cloth keeps its
   // shadow attached.
   float cosine = dot(normal, towards_key.xyz);
-  float slope = sqrt(max(1.0 - cosine * cosine, 0.0));
+  vec3 facing = mat3(world_to_shadow) * normal;
+  vec2 tilt = facing.xy / max(-facing.z, length(facing.xy) / steepest);
   vec3 place = (world_to_shadow * vec4(lifted(position, normal, cosine, shadow.x), 1.0)).xyz;
   place.z = min(place.z, 1.0);
   float depth_to_uv = shadow.z * shadow.w / shadow.x * shadow.y;  // blur radius per unit of the depth gap
-  float search_radius = clamp(place.z * depth_to_uv, narrowest_search * shadow.y, shadow_blur.x * shadow.y);
+  float search_radius = clamp(place.z * depth_to_uv, narrowest_search * shadow.y, widest_blur * shadow_blur.x * shadow.y);
   vec4 to_bounds = vec4(place.xy - shadow_bounds.xy, shadow_bounds.zw - place.xy);
   bool open = asked && shadow.w > 0.0 && all(greaterThan(to_bounds, vec4(-search_radius)));
-  return searched_visibility(place, slope, search_radius, depth_to_uv, open);
+  return searched_visibility(place, tilt, search_radius, depth_to_uv, open);
 }

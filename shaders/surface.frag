@@ -145,7 +145,8 @@ vec3 shaded(int triangle, bool front, vec3 ray) {
 #endif
   vec4 stitch = texelFetch(material_data, material + 4);
   base = mix(base * sewing.brightness, stitch.rgb, sewing.thread * stitch.w);
-  vec3 normal = normalize((front ? spot.normal : -spot.normal) - sewing.slope);
+  vec3 dented = normalize(spot.normal - weave.slope.x * weft - weave.slope.y * warp);
+  vec3 normal = normalize((front ? dented : -dented) - sewing.slope);
   // Interpolated normals near a silhouette can face away from the eye; they are turned to grazing.
   normal = normalize(normal - towards_eye * min(dot(normal, towards_eye), 0.0));
   vec3 lit_side = dot(normal, towards_key.xyz) >= 0.0 ? normal : -normal;
@@ -170,7 +171,7 @@ vec3 shaded(int triangle, bool front, vec3 ray) {
 #endif
   Ambient around = ambient_light(sky, far_side, surrounding, rest.x);
   Light light = gathered(normal, towards_eye, lit, around, Finish(outside.w, inside.w, thread.w, rest.x, warp));
-  vec3 cloth = (base * light.diffuse + mix(vec3(1.0), base, fringe_dyed) * light.fringe) * weave.brightness +
+  vec3 cloth = (base * light.diffuse + base * sqrt(base) * light.through + mix(vec3(1.0), base, fringe_dyed) * light.fringe) * weave.brightness +
                light.gloss * mix(vec3(1.0), satin_gloss * mix(vec3(1.0), base, satin_dyed), satin);
 #ifdef SCALARS
   // Data colours get enough shading to show the form, but little enough to read the number. A dark colour cannot show

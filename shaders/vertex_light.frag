@@ -10,7 +10,7 @@ vec2 light_on_side(vec3 position, vec3 normal) {
   Sky sky = sky_light(position, normal, all);
   // The ratio to the open light of the same directions hides that they are few.
   vec2 open = open_light(normal.y);
-  return sky_maps_shape.x > 0.0 ? open * sky.light / max(all.light, vec2(1e-3)) : open;
+  return sky_maps_shape.x > 0.0 ? open * pow(sky.light / max(all.light, vec2(1e-3)), vec2(1.25)) : open;
 }
 
 void main() {

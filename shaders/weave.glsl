@@ -1,8 +1,8 @@
 // Threads of cloth: they vary its brightness around 1 and mix in the colour of its other side. They are fixed in the
 // cloth's material. Each detail fades before its period gets shorter than two drawn pixels, so that nothing aliases and
 // the mean stays.
-const float thread_contrast = 0.15;
-const float thread_relief = 0.2;
+const float thread_contrast = 0.26;
+const float thread_relief = 0.32;
 // Arrays below are in the order of WeaveKind: knit, plain, twill, satin.
 const int satin_kind = 3;
 // Weights of a period's details: threads of the warp, of the weft, and their crossings.
@@ -16,11 +16,16 @@ const float dyed[4] = float[4](0.0, 0.0, 0.16, 0.0);
 // Width and length, m, over which fine and coarse yarn stays the same; weights of yarn along warp and weft.
 const vec4 yarn = vec4(0.0012, 0.014, 0.005, 0.045);
 const vec2 runs[4] = vec2[4](vec2(0.15, 0.85), vec2(0.5, 0.5), vec2(0.8, 0.2), vec2(0.7, 0.3));
-const float yarn_contrast = 0.3;
+const float yarn_contrast = 0.4;
+// Lengths, m, of dents that handled cloth keeps at any rest shape, and their slope for an unevenness of 1;
+// it grows with the root.
+const vec2 dents = vec2(0.017, 0.0052);
+const float dent_slope = 0.085;
 
 struct Weave {
   float brightness;
   float other_side;  // fraction of its colour; below 0 where it is less than elsewhere
+  vec2 slope;        // of dents, along weft and warp
 };
 
 // Returns a cheap cosine of period 1, -1 to 1, with mean 0.
@@ -53,12 +58,22 @@ float scattered(ivec2 cell) {
   return float((h ^ (h >> 13u)) & 0xFFFFu) / 32767.5 - 1.0;
 }
 
-float uneven(vec2 place) {
+// Returns smooth noise, -1 to 1, in x, and its slope in y and z.
+vec3 uneven(vec2 place) {
   ivec2 cell = ivec2(floor(place));
   vec2 part = fract(place);
+  vec2 rate = 6.0 * part * (1.0 - part);
   part *= part * (3.0 - 2.0 * part);
-  return mix(mix(scattered(cell), scattered(cell + ivec2(1, 0)), part.x),
-             mix(scattered(cell + ivec2(0, 1)), scattered(cell + ivec2(1, 1)), part.x), part.y);
+  vec4 at = vec4(scattered(cell), scattered(cell + ivec2(1, 0)), scattered(cell + ivec2(0, 1)), scattered(cell + ivec2(1, 1)));
+  vec2 row = mix(at.xz, at.yw, part.x);
+  return vec3(mix(row.x, row.y, part.y), rate.x * mix(at.y - at.x, at.w - at.z, part.y), rate.y * (row.y - row.x));
+}
+
+// Returns the slope of dents. Lengths in m.
+vec2 dented(vec2 place, vec2 extent) {
+  const mat2 turn = mat2(0.8, 0.6, -0.6, 0.8);  // the lattices of noise lie askew, so that none shows
+  vec2 shown = fade(max(extent.x, extent.y) / dents.xyxy).xy;
+  return shown.x * uneven(turn * place / dents.x).yz * turn + shown.y * uneven(place * turn / dents.y + 5.0).yz * transpose(turn);
 }
 
 // Returns the variation between yarns, -1 to 1. Lengths in m.
@@ -69,7 +84,7 @@ float yarns(int kind, vec2 place, vec2 extent) {
   for (int i = shown.x + shown.y > 0.0 ? 0 : 1; i < (shown.z + shown.w > 0.0 ? 2 : 0); ++i) {
     vec2 size = i == 0 ? yarn.xy : yarn.zw;
     vec2 share = runs[kind] * (i == 0 ? shown.xy : 0.5 * shown.zw);
-    sum += share.x * uneven(place / size + 0.5) + share.y * uneven(place.yx / size + 7.0);
+    sum += share.x * uneven(place / size + 0.5).x + share.y * uneven(place.yx / size + 7.0).x;
   }
   return sum;
 }
@@ -86,7 +101,7 @@ Weave weave_at(vec3 material, vec3 across, vec3 up, vec2 towards_key, int kind, 
   mat3x2 places = mat3x2(material.zy, material.xz, material.xy);
   vec3 extent = abs(across) + abs(up);
   mat3x2 extents = mat3x2(extent.zy, extent.xz, extent.xy);
-  Weave weave = Weave(1.0, 0.0);
+  Weave weave = Weave(1.0, 0.0, vec2(0.0));
   // A software rasteriser ends loops early but skips no branch: most places face one plane.
   for (int left = 3; left > 0 && share.x + share.y + share.z > 0.01; --left) {
     int plane = share.z > 0.01 ? 2 : share.x > 0.01 ? 0 : 1;
@@ -95,6 +110,7 @@ Weave weave_at(vec3 material, vec3 across, vec3 up, vec2 towards_key, int kind, 
     float part = share[plane];
     share[plane] = 0.0;
     weave.brightness += part * unevenness * yarn_contrast * yarns(kind, place, wide);
+    weave.slope += part * sqrt(unevenness) * dent_slope * dented(place, wide);
     for (int i = 0; i < (count * min(wide.x, wide.y) < (kind == 0 ? 0.5 : 2.0) ? 1 : 0); ++i) {
       vec2 height = threads(kind, count * place, count * wide);
       float lower = threads(kind, count * place + 0.25 * towards_key, count * wide).x;

@@ -1,7 +1,5 @@
 // Light of the studio reflected by cloth.
 
-// Fraction of the key light that cloth reflects.
-const float key_reflected = 1.0;
 // Cosine up to which light reaches around the edge of a form: larger lamps reach farther.
 const float key_wrap = 0.15;
 const float fill_wrap = 0.3;
@@ -105,7 +103,7 @@ Light gathered(vec3 normal, vec3 towards_eye, float key, Ambient around, Finish 
   float facing = max(dot(normal, towards_eye), 0.0);
   vec3 ambient = around.light;
   float openness = around.openness;
-  vec3 direct = key_reflected * key_light * wrapped(key_cosine, key_wrap);
+  vec3 direct = key_light * wrapped(key_cosine, key_wrap);
   // The fill light has no shadow map; occlusion of the sky occludes it too.
   float fill = towards_fill.w * wrapped(dot(normal, towards_fill.xyz), fill_wrap) * openness;
   mat3 towards_lamps = mat3(towards_key.xyz, towards_fill.xyz, towards_rim.xyz);
@@ -116,7 +114,7 @@ Light gathered(vec3 normal, vec3 towards_eye, float key, Ambient around, Finish 
   light.through = 1.6 * key_light * finish.translucency * max(-key_cosine, 0.0);
   light.diffuse = (direct + fill + ambient) * (1.0 - finish.sheen * albedo) * (1.0 - satin_dark * satin);
   float beside_key = openness * (towards_fill.w * lamps.y + rim_fringe * towards_rim.w * lamps.z);
-  light.fringe = finish.sheen * (key_reflected * key_light * lamps.x + beside_key + albedo * ambient);
+  light.fringe = finish.sheen * (key_light * lamps.x + beside_key + albedo * ambient);
   light.gloss = smoothstep(0.8, 0.4, finish.roughness) * key_light * max(key_cosine, 0.0) *
                 highlight(normal, towards_key.xyz, towards_eye, finish.roughness, finish.warp);
   // Satin also mirrors the softer lamp and the sky.

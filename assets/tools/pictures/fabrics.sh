@@ -7,7 +7,7 @@ trap 'rm -rf "$folder"' EXIT
 number=0
 for fabric in silk jersey cotton wool linen denim; do
   number=$((number + 1))
-  "$1" render tshirt-wind-1 --fabric $fabric --frames 45 --resolution 400x390 --set picture.supersampling=2 \
+  "$1" render tshirt-wind-1 --fabric $fabric --frames 45 --resolution 400x390 --quality final \
     --output "$folder/plain.png"
   ffmpeg -loglevel error -y -i "$folder/plain.png" -frames:v 1 \
     -vf "drawtext=text=$fabric:font=DejaVu Sans:fontsize=20:fontcolor=0x1c1c1c:x=(w-tw)/2:y=h-28" "$folder/$number.png"

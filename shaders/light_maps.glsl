@@ -54,18 +54,18 @@ struct Sky {
 // Returns the light of an open sky, as in Sky.
 vec2 open_light(float upwards) { return vec2(0.5 + 0.5 * upwards, 0.25 - 0.25 * upwards); }
 
-// Returns the light of all directions of the maps, not occluded by anything in `all`.
-Sky sky_light(vec3 position, vec3 normal, out Sky all) {
+// Returns the light of the first `pairs` pairs of directions of the maps, not occluded by anything in `all`.
+Sky sky_light(vec3 position, vec3 normal, int pairs, out Sky all) {
   Sky sky = Sky(vec2(0.0), 0.0);
   all = sky;
-  for (int i = 0; i < int(sky_maps_shape.x); ++i) {
+  for (int i = 0; i < pairs; ++i) {
     vec3 upwards = towards_sky[i].xyz;
     float cosine = dot(normal, upwards);
     bool lower = cosine < 0.0;
     vec3 spot = lifted(position, normal, cosine, sky_maps_shape.y);
     vec3 place = (world_to_sky[i] * vec4(spot, 1.0)).xyz;
     place.z = lower ? 1.0 - place.z : place.z;
-    float weight = 2.0 * abs(cosine) / sky_maps_shape.x;
+    float weight = 2.0 * abs(cosine) / float(pairs);
     float arrived = weight * open_share(place, 2 * i + int(lower), sky_maps_shape.z, sky_maps_shape.z > 0.0 ? surface_taps : 1);
     // A floor that is shown is darker in its shadow. A software rasteriser skips loops but no branch.
     float reflected = 0.5;

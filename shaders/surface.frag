@@ -161,8 +161,10 @@ vec3 shaded(int triangle, bool front, vec3 ray) {
   vec3 surrounding = rest.z < 0.0 ? base : vec3(0.0);
 #ifdef SAMPLED
   Sky all;
-  Sky sky = sky_light(spot.world, normal, all);
-  vec2 far_side = sky_light(spot.world, -normal, all).light;
+  int pairs = int(sky_maps_shape.x);
+  Sky sky = sky_light(spot.world, normal, pairs, all);
+  // Less light comes from the far side: one pair is enough.
+  vec2 far_side = sky_light(spot.world, -normal, min(pairs, 1), all).light;
 #else
   vec4 both = interpolated_sky(corners.xyz, spot.place[0]);
   both = front ? both : both.zwxy;

@@ -7,7 +7,7 @@ layout(location = 0) out vec4 light;
 
 vec2 light_on_side(vec3 position, vec3 normal) {
   Sky all;
-  Sky sky = sky_light(position, normal, all);
+  Sky sky = sky_light(position, normal, int(sky_maps_shape.x), all);
   // The ratio to the open light of the same directions hides that they are few.
   vec2 open = open_light(normal.y);
   return sky_maps_shape.x > 0.0 ? open * pow(sky.light / max(all.light, vec2(1e-3)), vec2(1.25)) : open;

@@ -1,5 +1,6 @@
 #include <chrono>
 
+#include "app/base/files.hpp"
 #include "app/base/words.hpp"
 #include "app/bodies/body_loading.hpp"
 #include "app/commands/options.hpp"
@@ -108,6 +109,8 @@ int run(const ViewOptions& options) {
   if (needs_headless && !options.headless) {
     throw UsageError("--script, --screenshot and --layout are for --headless: a window has a person instead");
   }
+  // Whatever cannot be written there is said before a picture is lost.
+  if (options.keep_folder != ".") prepare_parent_folder(options.keep_folder / "picture.png");
   const RecordedSession session = make_session(options);
   DrawnScene scene = find_scene(session.start.scene, session.start.overrides);
   print_body_remarks(scene, sew_and_load_bodies(scene, session.start.overrides), stdout);

@@ -60,12 +60,11 @@ void explain(ViewerState& state, const std::string& name) {
 
 constexpr ImU32 between_colour = IM_COL32(0, 0, 0, 56);
 
-// Describes a garment by the measures that the panel plots.
 std::string describe_measurement(const Snapshot& garment, const ViewerState& state) {
-  const bool of_springs = bound_kind(state.scene) == sim::BoundKind::springs;
   const FrameRecord& record = garment.record;
-  const double max_stretch = of_springs ? record.stretch.max : record.surface_stretch.max;
-  const std::string stretch = fmt::format("largest stretch {} %", short_number(100.0 * max_stretch, 2));
+  const std::string stretch =
+      fmt::format("largest stretch {} % of springs, {} % of the surface", short_number(100.0 * record.stretch.max, 2),
+                  short_number(100.0 * record.surface_stretch.max, 2));
   return state.measurements.shows_times
              ? fmt::format("{}, {} ms a frame", stretch, few_digits(static_cast<float>(record.sim_ms)))
              : stretch;

@@ -1,5 +1,6 @@
 #include <fmt/core.h>
 
+#include "app/base/words.hpp"
 #include "app/drawing/garment_surface.hpp"
 #include "app/scene/scene.hpp"
 #include "app/viewer/panel/panel_parts.hpp"
@@ -158,8 +159,9 @@ std::optional<std::pair<double, SlowedBy>> simulation_speed(const ViewerState& s
 
 std::string pictures_text(const ViewerState& state) {
   const Measurements& m = state.measurements;
-  return m.shows_times && m.real_time.factor() ? fmt::format("{:.0f} pictures a second", m.real_time.pictures_per_s())
-                                               : "pictures a second: not known here";
+  return m.shows_times && m.real_time.factor()
+             ? count_text(std::lround(m.real_time.pictures_per_s()), "picture") + " a second"
+             : "pictures a second: not known here";
 }
 
 bool stands_still(const ViewerState& state) { return state.newest->paused || has_stopped(*state.newest); }

@@ -37,6 +37,20 @@ TEST(Truth, ASheetHeldAtBothEndsFluttersAsAPanelDoes) {
   EXPECT_NEAR(panel.frequency, 5.162, 0.02);
 }
 
+TEST(TruthTable, SaysInWordsWhatDoesNotPass) {
+  TruthExperiment experiment;
+  experiment.name = "droop";
+  experiment.tolerance = 0.1;
+  const auto row = [&](double measured) {
+    return truth_html(std::span(&experiment, 1),
+                      std::array{TruthPoint{"droop", "", "9 x 33", 0.0, measured, 1.0, NAN}});
+  };
+  EXPECT_EQ(row(1.05).find("does not pass"), std::string::npos);
+  EXPECT_NE(row(1.2).find("<b>does not pass</b></td>"), std::string::npos);
+  experiment.known = 0.2;
+  EXPECT_NE(row(1.2).find("<b>does not pass</b>, a known flaw</td>"), std::string::npos);
+}
+
 class Experiment : public testing::TestWithParam<TruthExperiment> {};
 
 std::vector<TruthPoint> run(const TruthExperiment& experiment, double physics) {

@@ -198,12 +198,16 @@ std::string truth_html(std::span<const TruthExperiment> experiments, std::span<c
       "square</th><th>passes up to</th></tr>\n";
   for (const TruthExperiment& experiment : experiments) {
     const Deviation deviation = compute_deviation(experiment, points);
+    const bool passes = deviation.largest() <= experiment.tolerance;
     html += fmt::format(
         "<tr class=\"{}\"><td>{}</td><td>{}</td><td class=\"number\">{}</td><td class=\"number\">{}</td><td "
-        "class=\"number\">{}</td><td class=\"number\">{}</td></tr>\n",
-        deviation.largest() <= experiment.tolerance ? "holds" : "fails", experiment.title, experiment.source,
-        deviation.points, number_text(experiment, deviation.largest()), number_text(experiment, deviation.rms),
-        number_text(experiment, experiment.tolerance));
+        "class=\"number\">{}</td><td class=\"number\">{}{}</td></tr>\n",
+        passes ? "holds" : "fails", experiment.title, experiment.source, deviation.points,
+        number_text(experiment, deviation.largest()), number_text(experiment, deviation.rms),
+        number_text(experiment, experiment.tolerance),
+        passes                    ? ""
+        : experiment.known != 0.0 ? "; <b>does not pass</b>, a known flaw"
+                                  : "; <b>does not pass</b>");
   }
   return html + "</table>\n";
 }

@@ -406,6 +406,16 @@ std::string fill_in(std::string text) {
   return text;
 }
 
+/// Returns the name of the list, among those of a table, that holds a text; nothing if none does.
+std::optional<std::string> find_list(const toml::table& lists, const std::string& text) {
+  for (const auto& [name, list] : lists) {
+    for (const toml::node& entry : *list.as_array()) {
+      if (entry.value<std::string>() == text) return std::string(name.str());
+    }
+  }
+  return std::nullopt;
+}
+
 /// Sets the help texts, the names of values and the groups of a command and its options from assets/texts/help.toml. A
 /// text for this command comes before the text for any command.
 void describe(CLI::App& command, const std::string& name, const toml::table& texts) {
@@ -418,9 +428,11 @@ void describe(CLI::App& command, const std::string& name, const toml::table& tex
     const std::string key = option->get_name();
     const std::optional<std::string> own = text_of(name, key);
     if (const auto text = own ? own : text_of("any", key)) option->description(fill_in(*text));
-    const std::optional<std::string> own_value = text_of("value", name + ' ' + key);
-    if (const auto value = own_value ? own_value : text_of("value", key)) option->type_name(*value);
-    if (const auto group = text_of("group", key)) option->group(*group);
+    const std::optional<std::string> own_value = find_list(*texts["values"].as_table(), name + ' ' + key);
+    if (const auto value = own_value ? own_value : find_list(*texts["values"].as_table(), key)) {
+      option->type_name(*value);
+    }
+    if (const auto group = find_list(*texts["groups"].as_table(), key)) option->group(*group);
   }
   for (CLI::App* below : command.get_subcommands([](const CLI::App*) { return true; })) {
     describe(*below, below->get_name(), texts);

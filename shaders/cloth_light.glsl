@@ -9,6 +9,11 @@ const vec3 sky_colour = vec3(0.965, 1.0, 1.055);
 const vec3 floor_bounce = vec3(1.13, 1.10, 1.04);
 // Light of lit cloth on parts occluded from the sky, as a fraction of the key light.
 const float key_bounce = 0.14;
+// Factor of the light that passes through cloth, of which its colour then takes a part.
+const float through_gain = 1.6;
+// Roughness up to which cloth has its whole highlight, and from which it has none.
+const float glossy = 0.4;
+const float matt = 0.8;
 // Factor of the rim lamp on fibres, for which it is meant.
 const float rim_fringe = 2.0;
 // Largest reflectance: cloth that reflected all light would glow where it occludes the sky.
@@ -111,11 +116,11 @@ Light gathered(vec3 normal, vec3 towards_eye, float key, Ambient around, Finish 
   float albedo = fringe_albedo(facing, finish.sheen_roughness);
   Light light;
   float satin = dot(finish.warp, finish.warp);
-  light.through = 1.6 * key_light * finish.translucency * max(-key_cosine, 0.0);
+  light.through = through_gain * key_light * finish.translucency * max(-key_cosine, 0.0);
   light.diffuse = (direct + fill + ambient) * (1.0 - finish.sheen * albedo) * (1.0 - satin_dark * satin);
   float beside_key = openness * (towards_fill.w * lamps.y + rim_fringe * towards_rim.w * lamps.z);
   light.fringe = finish.sheen * (key_light * lamps.x + beside_key + albedo * ambient);
-  light.gloss = smoothstep(0.8, 0.4, finish.roughness) * key_light * max(key_cosine, 0.0) *
+  light.gloss = (1.0 - smoothstep(glossy, matt, finish.roughness)) * key_light * max(key_cosine, 0.0) *
                 highlight(normal, towards_key.xyz, towards_eye, finish.roughness, finish.warp);
   // Satin also mirrors the softer lamp and the sky.
   float mirrored = 2.0 * facing * normal.y - towards_eye.y;

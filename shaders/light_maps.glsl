@@ -66,7 +66,8 @@ Sky sky_light(vec3 position, vec3 normal, int pairs, out Sky all) {
     vec3 place = (world_to_sky[i] * vec4(spot, 1.0)).xyz;
     place.z = lower ? 1.0 - place.z : place.z;
     float weight = 2.0 * abs(cosine) / float(pairs);
-    float arrived = weight * open_share(place, 2 * i + int(lower), sky_maps_shape.z, sky_maps_shape.z > 0.0 ? surface_taps : 1);
+    int taps = sky_maps_shape.z > 0.0 ? surface_taps : 1;
+    float arrived = weight * open_share(place, 2 * i + int(lower), sky_maps_shape.z, taps);
     // A floor that is shown is darker in its shadow. A software rasteriser skips loops but no branch.
     float reflected = 0.5;
     for (int k = 0; k < int(sky_floor.x); ++k) {

@@ -33,8 +33,8 @@ vec2 first_direction() {
 }
 
 // Returns the fraction of the key light at a place of the map, if `open`. `tilt`: change of the surface's depth across
-// the map, so that a slanted surface does not count as its own blocker. A software rasteriser skips no branch but ends loops early; a test before the loop
-// would cost one more pass.
+// the map, so that a slanted surface does not count as its own blocker. A software rasteriser skips no branch but ends
+// loops early; a test before the loop would cost one more pass.
 float searched_visibility(vec3 place, vec2 tilt, float search_radius, float depth_to_uv, bool open) {
   vec2 first = first_direction();
   float blockers = 0.0;
@@ -84,7 +84,8 @@ float key_visibility(vec3 position, vec3 normal, bool asked) {
   vec3 place = (world_to_shadow * vec4(lifted(position, normal, cosine, shadow.x), 1.0)).xyz;
   place.z = min(place.z, 1.0);
   float depth_to_uv = shadow.z * shadow.w / shadow.x * shadow.y;  // blur radius per unit of the depth gap
-  float search_radius = clamp(place.z * depth_to_uv, narrowest_search * shadow.y, widest_blur * shadow_blur.x * shadow.y);
+  float widest = widest_blur * shadow_blur.x * shadow.y;
+  float search_radius = clamp(place.z * depth_to_uv, narrowest_search * shadow.y, widest);
   vec4 to_bounds = vec4(place.xy - shadow_bounds.xy, shadow_bounds.zw - place.xy);
   bool open = asked && shadow.w > 0.0 && all(greaterThan(to_bounds, vec4(-search_radius)));
   return searched_visibility(place, tilt, search_radius, depth_to_uv, open);

@@ -173,7 +173,9 @@ vec3 shaded(int triangle, bool front, vec3 ray) {
 #endif
   Ambient around = ambient_light(sky, far_side, surrounding, rest.x);
   Light light = gathered(normal, towards_eye, lit, around, Finish(outside.w, inside.w, thread.w, rest.x, warp));
-  vec3 cloth = (base * light.diffuse + base * sqrt(base) * light.through + mix(vec3(1.0), base, fringe_dyed) * light.fringe) * weave.brightness +
+  vec3 matt_light = base * light.diffuse + base * sqrt(base) * light.through +
+                    mix(vec3(1.0), base, fringe_dyed) * light.fringe;
+  vec3 cloth = matt_light * weave.brightness +
                light.gloss * mix(vec3(1.0), satin_gloss * mix(vec3(1.0), base, satin_dyed), satin);
 #ifdef SCALARS
   // Data colours get enough shading to show the form, but little enough to read the number. A dark colour cannot show

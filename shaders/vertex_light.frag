@@ -5,12 +5,16 @@
 // Light of the sky at the vertices of all surfaces, in the layout of vertex_light in surface_buffers.glsl.
 layout(location = 0) out vec4 light;
 
+// Exponent of the occlusion of a vertex. Higher values darken folds, which few directions leave too bright.
+const float fold_contrast = 1.25;
+
 vec2 light_on_side(vec3 position, vec3 normal) {
   Sky all;
   Sky sky = sky_light(position, normal, int(sky_maps_shape.x), all);
   // The ratio to the open light of the same directions hides that they are few.
   vec2 open = open_light(normal.y);
-  return sky_maps_shape.x > 0.0 ? open * pow(sky.light / max(all.light, vec2(1e-3)), vec2(1.25)) : open;
+  vec2 share = pow(sky.light / max(all.light, vec2(1e-3)), vec2(fold_contrast));
+  return sky_maps_shape.x > 0.0 ? open * share : open;
 }
 
 void main() {

@@ -17,8 +17,8 @@ const float dyed[4] = float[4](0.0, 0.0, 0.16, 0.0);
 const vec4 yarn = vec4(0.0012, 0.014, 0.005, 0.045);
 const vec2 runs[4] = vec2[4](vec2(0.15, 0.85), vec2(0.5, 0.5), vec2(0.8, 0.2), vec2(0.7, 0.3));
 const float yarn_contrast = 0.4;
-// Lengths, m, of dents that handled cloth keeps at any rest shape, and their slope for an unevenness of 1;
-// it grows with the root.
+// Lengths, m, of dents that handled cloth keeps, and their slope for an unevenness of 1. The slope grows with the root
+// of the unevenness.
 const vec2 dents = vec2(0.017, 0.0052);
 const float dent_slope = 0.085;
 
@@ -64,7 +64,8 @@ vec3 uneven(vec2 place) {
   vec2 part = fract(place);
   vec2 rate = 6.0 * part * (1.0 - part);
   part *= part * (3.0 - 2.0 * part);
-  vec4 at = vec4(scattered(cell), scattered(cell + ivec2(1, 0)), scattered(cell + ivec2(0, 1)), scattered(cell + ivec2(1, 1)));
+  vec4 at = vec4(scattered(cell), scattered(cell + ivec2(1, 0)), scattered(cell + ivec2(0, 1)),
+                 scattered(cell + ivec2(1, 1)));
   vec2 row = mix(at.xz, at.yw, part.x);
   return vec3(mix(row.x, row.y, part.y), rate.x * mix(at.y - at.x, at.w - at.z, part.y), rate.y * (row.y - row.x));
 }
@@ -73,7 +74,8 @@ vec3 uneven(vec2 place) {
 vec2 dented(vec2 place, vec2 extent) {
   const mat2 turn = mat2(0.8, 0.6, -0.6, 0.8);  // the lattices of noise lie askew, so that none shows
   vec2 shown = fade(max(extent.x, extent.y) / dents.xyxy).xy;
-  return shown.x * uneven(turn * place / dents.x).yz * turn + shown.y * uneven(place * turn / dents.y + 5.0).yz * transpose(turn);
+  return shown.x * uneven(turn * place / dents.x).yz * turn +
+         shown.y * uneven(place * turn / dents.y + 5.0).yz * transpose(turn);
 }
 
 // Returns the variation between yarns, -1 to 1. Lengths in m.

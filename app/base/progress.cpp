@@ -57,8 +57,7 @@ void Progress::draw() {
     line += fmt::format(" ({} s)", std::chrono::duration_cast<std::chrono::seconds>(since).count());
   }
   // A line that fills the terminal would scroll it.
-  line.resize(std::min(line.size(), terminal_columns(STDERR_FILENO, line.size() + 1) - 1));
-  fmt::print(stderr, "\r\033[K{}", line);
+  fmt::print(stderr, "\r\033[K{}", cut_line(line, terminal_columns(STDERR_FILENO, line.size() + 1) - 1));
   std::fflush(stderr);
   shown_ = true;
 }

@@ -38,6 +38,13 @@ std::size_t terminal_columns(int file_descriptor, std::size_t otherwise) {
   return is_known && size.ws_col > 0 ? size.ws_col : otherwise;
 }
 
+std::string_view cut_line(std::string_view line, std::size_t bytes) {
+  if (line.size() <= bytes) return line;
+  // Bytes of this form continue a letter.
+  while (bytes > 0 && (line[bytes] & 0xC0) == 0x80) --bytes;
+  return line.substr(0, bytes);
+}
+
 std::string wrap_lines(std::string_view text, std::size_t columns) {
   std::string wrapped;
   while (!text.empty()) {

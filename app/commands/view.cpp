@@ -109,7 +109,7 @@ int run(const ViewOptions& options) {
   if (needs_headless && !options.headless) {
     throw UsageError("--script, --screenshot and --layout are for --headless: a window has a person instead");
   }
-  // Whatever cannot be written there is said before a picture is lost.
+  // A folder that was named is made, or refused before a picture is lost. The default one may be read-only.
   if (options.keep_folder != ".") prepare_parent_folder(options.keep_folder / "picture.png");
   const RecordedSession session = make_session(options);
   DrawnScene scene = find_scene(session.start.scene, session.start.overrides);

@@ -188,11 +188,20 @@ def keeps_a_second_program_away():
         expect(done.returncode == 0, 'after the first one was killed: ' + done.stderr)
 
 
+def makes_the_folder_of_what_the_window_keeps():
+    done = run('view', 'pinned-9x9-5', '--headless', '--keep', 'kept/today')
+    expect(done.returncode == 0 and (folder / 'kept/today').is_dir(), 'no folder to keep in: ' + done.stderr)
+    refused = run('view', 'pinned-9x9-5', '--headless', '--keep', 'plain.obj/today')
+    expect(refused.returncode == 1 and "cannot make the output folder 'plain.obj/today'" in refused.stderr,
+           'kept below a file: %d %s' % (refused.returncode, refused.stderr))
+
+
 shutil.rmtree(folder, ignore_errors=True)
 folder.mkdir(parents=True)
 write_inputs()
 for check in (refuses_every_input, refuses_inputs_of_other_commands, chooses_free_names,
-              opens_nothing_outside_of_a_pictures_folder, keeps_a_second_program_away):
+              opens_nothing_outside_of_a_pictures_folder, keeps_a_second_program_away,
+              makes_the_folder_of_what_the_window_keeps):
     before = expecting.failures
     try:
         check()

@@ -24,6 +24,14 @@ TEST(Terminal, ATextColumnThatWouldBeTooNarrowGoesBeyond) {
             "                          twenty");
 }
 
+TEST(Terminal, ALineIsCutBetweenLetters) {
+  EXPECT_EQ(cut_line("frame 7", 40), "frame 7");
+  EXPECT_EQ(cut_line("frame 7", 5), "frame");
+  EXPECT_EQ(cut_line("caf\xC3\xA9.obj", 4), "caf");
+  EXPECT_EQ(cut_line("caf\xC3\xA9.obj", 5), "caf\xC3\xA9");
+  EXPECT_EQ(cut_line("\xC3\xA9", 1), "");
+}
+
 TEST(Terminal, AFileHasNoColumns) {
   const int file = ::fileno(std::tmpfile());
   EXPECT_EQ(terminal_columns(file, 77), 77U);

@@ -63,7 +63,8 @@ class Frame(NamedTuple):
 
 def _struct(**fields):
     def text(self):
-        return f'{type(self).__name__}(' + ', '.join(f'{name}={getattr(self, name)!r}' for name in fields if name != 'struct_size') + ')'
+        values = [f'{name}={getattr(self, name)!r}' for name in fields if name != 'struct_size']
+        return f'{type(self).__name__}({", ".join(values)})'
 
     return type('Struct', (ctypes.Structure,), {'_fields_': list(fields.items()), '__repr__': text})
 

@@ -26,15 +26,17 @@ class PointCells {
   explicit PointCells(double cell) : cell_(cell) {}
 
   void add(const Vec3& point, Index index) {
-    cells_.emplace(hash_numbers(number(point.x), number(point.y), number(point.z)), index);
+    cells_[hash_numbers(number(point.x), number(point.y), number(point.z))].push_back(index);
   }
 
-  /// Calls `visit` with the index of every point within a cell's width of the place, and of some farther ones.
+  /// Calls `visit` with the index of every point within a cell's width of the place, and of some farther ones. Points of
+  /// one cube come in the order in which they were added.
   template <class Visit> void visit_near(const Vec3& place, const Visit& visit) const {
     for (int k = 0; k < 27; ++k) {
-      const auto [begin, end] = cells_.equal_range(
+      const auto cell = cells_.find(
           hash_numbers(number(place.x) + k % 3 - 1, number(place.y) + k / 3 % 3 - 1, number(place.z) + k / 9 - 1));
-      for (auto near = begin; near != end; ++near) visit(near->second);
+      if (cell == cells_.end()) continue;
+      for (const Index near : cell->second) visit(near);
     }
   }
 
@@ -42,7 +44,7 @@ class PointCells {
   double number(double coordinate) const { return std::floor(coordinate / cell_); }
 
   double cell_;
-  std::unordered_multimap<std::size_t, Index> cells_;
+  std::unordered_map<std::size_t, std::vector<Index>> cells_;
 };
 
 }  // namespace taut::sim

@@ -16,7 +16,7 @@ file(WRITE ${DIR}/not_toml.toml "[garment.grid\n")
 
 string(REPLACE "@DIR@" "${DIR}" ARGUMENTS "${ARGUMENTS}")
 string(REPLACE "|" ";" arguments "${ARGUMENTS}")
-execute_process(COMMAND ${PROGRAM} ${arguments} WORKING_DIRECTORY ${DIR} TIMEOUT 30
+execute_process(COMMAND ${PROGRAM} ${arguments} WORKING_DIRECTORY ${DIR} TIMEOUT 90
   RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE errors)
 
 if(NOT result STREQUAL EXIT_CODE)

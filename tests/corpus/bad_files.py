@@ -7,6 +7,7 @@ import concurrent.futures
 import json
 import os
 import pathlib
+import random
 import re
 import struct
 import subprocess
@@ -87,8 +88,13 @@ def models():
     yield obj('long_line', 'v ' + '1 ' * 100_000 + '\nf 1 1 1\n', 'cannot read a model|no triangle|area')
     yield obj('long_polygon', ''.join('v %d %d 0\n' % (k % 60, k // 60) for k in range(3000)) + 'f ' +
               ' '.join(map(str, range(1, 3001))) + '\n', None)
-    yield obj('fan', 'v 0 0 0\nv 0 1 0\n' + ''.join('v 1 0 %g\n' % (0.001 * k) for k in range(3000)) +
-              ''.join('f 1 2 %d\n' % (k + 3) for k in range(3000)), None)
+    for count, complaint in ((1000, None), (3000, '3000 triangles meet at one edge, of vertices 0 and 1; expected at most 1000')):
+        yield obj('fan_%d' % count, 'v 0 0 0\nv 0 1 0\n' + ''.join('v 1 0 %g\n' % (0.001 * k) for k in range(count)) +
+                  ''.join('f 1 2 %d\n' % (k + 3) for k in range(count)), complaint)
+    chance = random.Random(1)
+    ends = [[[chance.uniform(-1, 1) for _ in 'xyz'] for _ in 'ab'] for _ in range(2000)]
+    yield obj('needles', ''.join('v %g %g %g\nv %g %g %g\nv %g %g %g\n' % (*a, *b, *(x + chance.uniform(-0.002, 0.002) for x in b))
+                                 for a, b in ends) + ''.join('f %d %d %d\n' % (3 * k + 1, 3 * k + 2, 3 * k + 3) for k in range(2000)), None)
     yield obj('single_triangles', ''.join('v %g 0 0\nv %g 1 0\nv %g 0 1\n' % ((3 * k,) * 3) for k in range(50)) +
               ''.join('f %d %d %d\n' % (3 * k + 1, 3 * k + 2, 3 * k + 3) for k in range(50)), None)
     yield obj('library_of_itself', 'mtllib library_of_itself.obj\n' + triangle + 'f 1 2 3\n', None)

@@ -28,18 +28,11 @@ double smoothness(const sim::Mesh& mesh, const sim::Edge& edge, const sim::Trian
   return lengths > 0.0 ? -glm::dot(x, y) / lengths : -2.0;
 }
 
-/// Limit of the triangles whose pairs are compared. Welded layers of cloth have some ten at one edge.
-constexpr std::size_t max_triangles_at_edge = 2000;
-
 /// Returns the pairs of these triangles across which the surface continues most smoothly, the smoothest first. Each
 /// triangle is in one pair at most.
 std::vector<std::array<sim::Index, 2>> smoothest_pairs(const sim::Mesh& mesh, const sim::Edge& edge,
                                                        std::span<const sim::Index> around) {
   if (around.size() == 2) return {{around[0], around[1]}};
-  if (around.size() > max_triangles_at_edge) {
-    throw std::invalid_argument(fmt::format("{} triangles meet at one edge, of vertices {} and {}; expected at most {}",
-                                            around.size(), edge[0], edge[1], max_triangles_at_edge));
-  }
   struct WallPair {
     bool is_turned;  ///< true if the two face different sides: a surface of such pairs may be one-sided
     double roughness;

@@ -33,11 +33,9 @@ std::vector<OpeningEdge> border_edges(const sim::Mesh& mesh, const sim::Adjacenc
 }
 
 /// Returns whether the edges face each other, so that the cloth continues beyond the gap between them.
-bool are_face_to_face(const OpeningEdge& a, const OpeningEdge& b, double min_distance_m) {
-  const sim::Vec3 between = b.middle_m - a.middle_m;
+bool are_face_to_face(const OpeningEdge& a, const OpeningEdge& b) {
   constexpr double opposite = -0.5;
-  return glm::length(between) <= min_distance_m && glm::dot(a.outwards, b.outwards) < opposite &&
-         glm::dot(a.outwards, between) >= 0.0;
+  return glm::dot(a.outwards, b.outwards) < opposite && glm::dot(a.outwards, b.middle_m - a.middle_m) >= 0.0;
 }
 
 /// Returns, per edge of the border, the edge of its part across the gap of a seam; itself if there is none.
@@ -46,16 +44,18 @@ std::vector<sim::Index> across_seams(const std::vector<OpeningEdge>& border, sim
   for (const OpeningEdge& edge : border) max_length_m = std::max(max_length_m, edge.length_m);
   std::vector<sim::Index> across(border.size());
   std::iota(across.begin(), across.end(), sim::Index{0});
-  sim::PointCells middles(border.empty() ? 1.0 : seam_gap * max_length_m);
-  for (sim::Index k = 0; k < border.size(); ++k) middles.add(border[k].middle_m, k);
+  std::map<sim::Index, sim::PointCells> middles_by_part;
+  const auto middles = [&](const OpeningEdge& edge) -> sim::PointCells& {
+    return middles_by_part.try_emplace(parts.find(edge.ends[0]), seam_gap * max_length_m).first->second;
+  };
+  for (sim::Index k = 0; k < border.size(); ++k) middles(border[k]).add(border[k].middle_m, k);
   for (sim::Index k = 0; k < border.size(); ++k) {
     double min_distance_m = std::numeric_limits<double>::infinity();
-    middles.visit_near(border[k].middle_m, [&](sim::Index other) {
+    middles(border[k]).visit_near(border[k].middle_m, [&](sim::Index other) {
       const double reach_m = seam_gap * std::max(border[k].length_m, border[other].length_m);
       const double distance_m = glm::distance(border[k].middle_m, border[other].middle_m);
       const bool is_nearer = distance_m < min_distance_m || (distance_m == min_distance_m && other < across[k]);
-      if (other != k && is_nearer && parts.find(border[k].ends[0]) == parts.find(border[other].ends[0]) &&
-          are_face_to_face(border[k], border[other], reach_m)) {
+      if (distance_m <= reach_m && other != k && is_nearer && are_face_to_face(border[k], border[other])) {
         min_distance_m = distance_m;
         across[k] = other;
       }

@@ -1,14 +1,11 @@
-// Any bytes as a file of the kind that TAUT_FUZZ_KIND names. They pass its reader and the code that uses the result.
+// Any bytes as a file of some kind. They pass its reader and the code that uses the result.
 // Only errors that people are shown may come of them.
 #include <unistd.h>
 
-#include <cstddef>
-#include <cstdint>
 #include <filesystem>
 #include <fstream>
 #include <stdexcept>
 #include <string>
-#include <string_view>
 
 #include "app/base/errors.hpp"
 #include "app/bodies/frame_source.hpp"
@@ -18,6 +15,7 @@
 #include "app/runs/run_checkpoint.hpp"
 #include "app/scene/scene_format.hpp"
 #include "app/viewer/session/session.hpp"
+#include "fuzz.hpp"
 
 namespace {
 
@@ -93,42 +91,29 @@ void use_checkpoint(const fs::path& file) {
   simulation.advance_frame();
 }
 
-#define TAUT_TEXT(kind) #kind
-#define TAUT_TEXT_OF(kind) TAUT_TEXT(kind)
-
-struct Kind {
-  const char* name;
-  const char* ending;
-  void (*use)(const fs::path& file);
-};
-
-constexpr Kind kinds[] = {{"bvh", ".bvh", use_bvh},         {"checkpoint", ".checkpoint", use_checkpoint},
-                          {"fabric", ".toml", use_fabric},  {"pattern", ".json", use_pattern},
-                          {"pc2", ".pc2", use_pc2},         {"picture", ".png", use_scene_in_picture},
-                          {"session", ".txt", use_session}};
-
-constexpr Kind find_kind(std::string_view name) {
-  for (const Kind& kind : kinds) {
-    if (kind.name == name) return kind;
-  }
-  throw "there is no such kind";
-}
-
-constexpr Kind kind = find_kind(TAUT_TEXT_OF(TAUT_FUZZ_KIND));
-
-}  // namespace
-
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  static const fs::path file =
-      fs::temp_directory_path() / ("taut-fuzz-" + std::to_string(::getpid()) + kind.ending);
+void pass(const char* ending, void (*use)(const fs::path&), const std::uint8_t* data, std::size_t size) {
+  const fs::path file = fs::temp_directory_path() / ("taut-fuzz-" + std::to_string(::getpid()) + ending);
   std::ofstream(file, std::ios::binary).write(reinterpret_cast<const char*>(data), static_cast<std::streamsize>(size));
   try {
-    kind.use(file);
+    use(file);
   } catch (const InputError&) {
   } catch (const UsageError&) {
   } catch (const std::invalid_argument&) {
   } catch (const sim::Diverged&) {
   } catch (const sim::ContactBlocked&) {
   }
-  return 0;
 }
+
+}  // namespace
+
+namespace taut::test {
+
+void fuzz_bvh(const std::uint8_t* data, std::size_t size) { pass(".bvh", use_bvh, data, size); }
+void fuzz_checkpoint(const std::uint8_t* data, std::size_t size) { pass(".checkpoint", use_checkpoint, data, size); }
+void fuzz_fabric(const std::uint8_t* data, std::size_t size) { pass(".toml", use_fabric, data, size); }
+void fuzz_pattern(const std::uint8_t* data, std::size_t size) { pass(".json", use_pattern, data, size); }
+void fuzz_pc2(const std::uint8_t* data, std::size_t size) { pass(".pc2", use_pc2, data, size); }
+void fuzz_picture(const std::uint8_t* data, std::size_t size) { pass(".png", use_scene_in_picture, data, size); }
+void fuzz_session(const std::uint8_t* data, std::size_t size) { pass(".txt", use_session, data, size); }
+
+}  // namespace taut::test

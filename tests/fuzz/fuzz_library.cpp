@@ -1,7 +1,5 @@
 #include "../library/any_calls.hpp"
+#include "fuzz.hpp"
 
 // Calls of the library in any order and with any arguments.
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  taut::test::make_any_calls({data, size});
-  return 0;
-}
+void taut::test::fuzz_library(const std::uint8_t* data, std::size_t size) { taut::test::make_any_calls({data, size}); }

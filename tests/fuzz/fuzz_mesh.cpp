@@ -1,12 +1,11 @@
 // Any bytes as flat arrays, through the mesh pipeline to springs and a few steps. Only std::invalid_argument,
 // ContactBlocked and Diverged may be thrown. Coordinates that are not finite must throw Diverged.
-#include <cstddef>
-#include <cstdint>
 #include <cstdlib>
 #include <cstring>
 #include <stdexcept>
 #include <vector>
 
+#include "fuzz.hpp"
 #include "sim/blocked_contact.hpp"
 #include "sim/measures.hpp"
 #include "sim/mesh/mesh.hpp"
@@ -22,8 +21,7 @@ class Bytes {
   Bytes(const std::uint8_t* data, std::size_t size) : data_(data), size_(size) {}
 
   /// Zeros where the bytes are used up.
-  template <class T>
-  T take() {
+  template <class T> T take() {
     T value{};
     const std::size_t there = size_ < sizeof(T) ? size_ : sizeof(T);
     std::memcpy(&value, data_, there);
@@ -73,14 +71,13 @@ Faces take_faces(Bytes& bytes) {
 void run(const Mesh& mesh, std::uint8_t choice) {
   SimulationSettings settings;
   const double max_stretch = choice % 3 == 0 ? 0.0 : 0.05;
-  const std::array<SolverMethod, 7> methods = {
-      IdealSettings{},
-      ProvotSettings{{}, max_stretch},
-      StrongSettings{},
-      BoundedSettings{.max_stretch = max_stretch, .allow_exceeding = true},
-      VassilevSettings{{}, max_stretch},
-      FastProjectionSettings{{}, max_stretch},
-      ImplicitSettings{}};
+  const std::array<SolverMethod, 7> methods = {IdealSettings{},
+                                               ProvotSettings{{}, max_stretch},
+                                               StrongSettings{},
+                                               BoundedSettings{.max_stretch = max_stretch, .allow_exceeding = true},
+                                               VassilevSettings{{}, max_stretch},
+                                               FastProjectionSettings{{}, max_stretch},
+                                               ImplicitSettings{}};
   settings.solver.method = methods[choice % methods.size()];
   settings.solver.substeps = 1 + choice % 8;
   const std::vector<Index> pins = choice % 2 == 0 ? std::vector<Index>{0} : std::vector<Index>{};
@@ -95,7 +92,7 @@ void run(const Mesh& mesh, std::uint8_t choice) {
 
 }  // namespace
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+void taut::test::fuzz_mesh(const std::uint8_t* data, std::size_t size) {
   Bytes bytes(data, size);
   const auto choice = bytes.take<std::uint8_t>();
   const auto weld = bytes.take<std::uint8_t>();
@@ -117,5 +114,4 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   } catch (const Diverged&) {
   } catch (const ContactBlocked&) {  // cloth as large as a planet, or nothing but touching primitives
   }
-  return 0;
 }

@@ -1,6 +1,4 @@
 // Any text as an OBJ file and as its materials. Only InputError may be thrown, and faces name vertices that exist.
-#include <cstddef>
-#include <cstdint>
 #include <cstdlib>
 #include <numeric>
 #include <string_view>
@@ -8,17 +6,18 @@
 #include "app/base/errors.hpp"
 #include "app/models/reading/garment_import.hpp"
 #include "app/models/reading/model_arrays.hpp"
+#include "fuzz.hpp"
 
 using namespace taut::app;
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+void taut::test::fuzz_obj(const std::uint8_t* data, std::size_t size) {
   const std::string_view text(reinterpret_cast<const char*>(data), size);
   SurfaceColours named{.materials = {{.name = "m"}}};
   read_mtl(text, named);
   try {
     const std::optional<ModelArrays> model = read_obj(text);
     if (!model) {
-      return 0;
+      return;
     }
     for (const taut::sim::Index corner : model->faces.corners) {
       if (corner >= model->positions.size()) {
@@ -36,5 +35,4 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     }
   } catch (const InputError&) {
   }
-  return 0;
 }

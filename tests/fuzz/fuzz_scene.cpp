@@ -1,15 +1,14 @@
 // Any text as a scene file. Only InputError may be thrown, and a scene that is written and read again is the same.
-#include <cstddef>
-#include <cstdint>
 #include <cstdlib>
 #include <string>
 
 #include "app/base/errors.hpp"
 #include "app/drawing/drawn_scene.hpp"
+#include "fuzz.hpp"
 
 using namespace taut::app;
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+void taut::test::fuzz_scene(const std::uint8_t* data, std::size_t size) {
   try {
     DrawnScene scene = read_scene_text({reinterpret_cast<const char*>(data), size}, "fuzzed.toml");
     // A record names its garment relative to the assets; a scene file looks for it elsewhere.
@@ -21,5 +20,4 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     }
   } catch (const InputError&) {
   }
-  return 0;
 }

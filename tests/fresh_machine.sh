@@ -88,7 +88,6 @@ make_base() {
 make_debian() {
   tar -C "$machine" -xf "$base" || return 1
   echo "$sources" >"$machine/etc/apt/sources.list"
-  echo force-unsafe-io >"$machine/etc/dpkg/dpkg.cfg.d/taut"  # the machine is not kept
   if [ "$preset" = package ]; then
     mkdir "$machine/root/taut"
     cpack --config "$source/build/release/CPackConfig.cmake" -G DEB -B "$machine/root/taut" >"$folder/log.txt" 2>&1 ||

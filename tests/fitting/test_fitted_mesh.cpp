@@ -317,15 +317,13 @@ TEST(Sheets, BothOfTwoGoOnWhereTheyCross) {
   EXPECT_EQ(std::count(sheets.beyond.begin(), sheets.beyond.end(), sim::no_vertex), 2 * 80);
 }
 
-TEST(Sheets, ManyTrianglesAtOneEdgeAreRefused) {
+TEST(Sheets, ManyTrianglesAtOneEdgeAreTwoByTwo) {
   sim::Mesh fan{{{0.0, 0.0, 0.0}, {0.0, 1.0, 0.0}}, {}, {}};
-  for (Index k = 0; k < 3000; ++k) {
+  for (Index k = 0; k < 500; ++k) {
     const double angle = 0.002 * k;
     fan.positions.emplace_back(std::cos(angle), 0.5, std::sin(angle));
     fan.triangles.push_back({0, 1, k + 2});
   }
-  EXPECT_THROW(cut_into_sheets(fan), std::invalid_argument);
-  fan.triangles.resize(500);
   EXPECT_EQ(cut_into_sheets(fan).count, 250U);
 }
 

@@ -109,10 +109,13 @@ void add_wind(CLI::App& command, std::vector<Override>& overrides) {
   });
 }
 
-/// Returns the length of a unit in metres for its symbol, and any other text unchanged.
-std::string unit_value(const std::string& text) {
+/// Returns the length of a unit in metres for its symbol, and a number unchanged. Throws UsageError for any other text.
+std::string unit_value(const std::string& option, const std::string& text) {
   const auto* const unit = std::ranges::find(units, text, &Unit::symbol);
-  return unit != units.end() ? std::to_string(unit->metres) : text;
+  if (unit != units.end()) return std::to_string(unit->metres);
+  if (text.find_first_of("0123456789") != std::string::npos) return text;
+  throw UsageError(option + ": found '" + text + "', expected " + join(list_names(units, &Unit::symbol)) +
+                   " or the unit's length in m");
 }
 
 /// An option that sets a key of the scene.
@@ -131,7 +134,7 @@ void add_keys(CLI::App& command, std::vector<Override>& overrides, std::initiali
     }
     const bool is_unit = std::string_view(o.key).ends_with(".scale");
     const auto set = [&overrides, o, is_unit](const std::string& text) {
-      overrides.push_back({o.key, is_unit ? unit_value(text) : text, o.option + (' ' + text)});
+      overrides.push_back({o.key, is_unit ? unit_value(o.option, text) : text, o.option + (' ' + text)});
     };
     command.add_option_function<std::string>(o.option, set);
   }
@@ -456,7 +459,7 @@ void show_help_first(CLI::App& app) {
 
 int run_command_line(std::span<const char* const> arguments) {
   CLI::App app("", "taut");
-  app.set_version_flag("--version", "taut " + program_version());
+  app.set_version_flag("-V,--version", "taut " + program_version());
   app.require_subcommand(1);
   RenderOptions rendering;
   rendering.arguments.assign(arguments.begin() + 1, arguments.end());

@@ -11,6 +11,8 @@ namespace {
 
 // Time that a stage must last before its line appears. A smaller value makes the line flicker.
 constexpr std::chrono::milliseconds show_after{300};
+// Time between two lines in a pipe or a file, which keep all of them.
+constexpr std::chrono::seconds line_every{10};
 // Time after which the line also shows the elapsed time.
 constexpr std::chrono::seconds show_time_after{2};
 
@@ -18,11 +20,10 @@ constexpr std::chrono::seconds show_time_after{2};
 
 Progress::Progress(std::string what)
     : what_(std::move(what)), on_terminal_(::isatty(STDERR_FILENO) != 0), began_(Clock::now()) {
-  if (on_terminal_) ticker_ = std::thread([this] { keep_drawing(); });
+  ticker_ = std::thread([this] { keep_drawing(); });
 }
 
 Progress::~Progress() {
-  if (!on_terminal_) return;
   {
     const std::lock_guard lock(mutex_);
     is_ended_ = true;
@@ -56,6 +57,10 @@ void Progress::draw() {
   if (since >= show_time_after) {
     line += fmt::format(" ({} s)", std::chrono::duration_cast<std::chrono::seconds>(since).count());
   }
+  if (!on_terminal_) {
+    fmt::print(stderr, "{}\n", line);
+    return;
+  }
   // A line that fills the terminal would scroll it.
   fmt::print(stderr, "\r\033[K{}", cut_line(line, terminal_columns(STDERR_FILENO, line.size() + 1) - 1));
   std::fflush(stderr);
@@ -79,8 +84,10 @@ std::string time_left(double elapsed_s, int done, int all) {
 
 void Progress::keep_drawing() {
   std::unique_lock lock(mutex_);
-  while (!ended_.wait_for(lock, show_after, [this] { return is_ended_; })) {
-    if (!stage_.empty() && Clock::now() - began_ >= show_after) draw();
+  const std::chrono::milliseconds pause = on_terminal_ ? show_after : line_every;
+  while (!ended_.wait_for(lock, pause, [this] { return is_ended_; })) {
+    const bool is_due = !on_terminal_ || Clock::now() - began_ >= show_after;
+    if (is_due && !stage_.empty()) draw();
   }
 }
 

@@ -46,8 +46,8 @@ inline double median(std::vector<double> values) {
   return 0.5 * (values[(values.size() - 1) / 2] + values[values.size() / 2]);
 }
 
-/// A line on the terminal that says what the program is doing and, for a long stage, since when. Prints nothing if
-/// standard error is not a terminal. All functions may be called from any thread.
+/// A line on the terminal that says what the program is doing and, for a long stage, since when. If standard error is
+/// not a terminal, a line every ten seconds. All functions may be called from any thread.
 class Progress {
  public:
   /// `what` begins the line.

@@ -1,3 +1,5 @@
+#include <unistd.h>
+
 #include "app/base/words.hpp"
 #include "app/commands/run.hpp"
 #include "app/models/mending/model_fitting.hpp"
@@ -8,13 +10,28 @@
 namespace taut::app {
 namespace {
 
+constexpr std::string_view standard_output = "-";
+
 // A picture to draw, from a scene or from an earlier picture.
 struct RenderJob {
   DrawnScene scene;
   std::vector<int> frames;
   std::string output;
   std::optional<PictureRecord> again;  ///< record of the earlier picture
+  Descriptor pipe;                     ///< standard output, if the picture goes there
 };
+
+/// Takes standard output for the picture. What the program says goes to standard error from now on.
+Descriptor take_standard_output() {
+  if (::isatty(STDOUT_FILENO) != 0) {
+    throw UsageError("--output -: standard output is a terminal; expected a file or a pipe");
+  }
+  Descriptor pipe(::dup(STDOUT_FILENO));
+  if (pipe.number() < 0 || ::dup2(STDERR_FILENO, STDOUT_FILENO) < 0) {
+    throw InputError("cannot write to standard output: " + std::generic_category().message(errno));
+  }
+  return pipe;
+}
 
 std::vector<int> frames_to_draw(const RenderOptions& options, const RenderJob& job) {
   const int last = job.again ? job.again->frame : job.scene.frames;
@@ -39,6 +56,7 @@ void print_files(const std::string& picture, const DrawnScene& scene) {
 
 RenderJob make_render_job(const RenderOptions& options) {
   RenderJob job;
+  if (options.output == standard_output) job.pipe = take_standard_output();
   if (is_picture(options.scene)) {
     job.again = read_picture_record(options.scene, options.overrides, options.is_trusted);
     job.scene = job.again->scene;
@@ -56,8 +74,13 @@ RenderJob make_render_job(const RenderOptions& options) {
 // Writes one file for each picture, or one video.
 class PictureOutput {
  public:
-  explicit PictureOutput(const RenderJob& job) : name_(job.output) {
+  explicit PictureOutput(const RenderJob& job) : name_(job.output), pipe_(job.pipe.number()) {
     const std::filesystem::path file = job.output;
+    if (file == standard_output) {
+      if (job.frames.size() == 1) return;
+      throw UsageError("--output -: found {}, expected one picture for standard output",
+                       count_text(job.frames.size(), "frame"));
+    }
     if (is_video(file)) {
       if (job.scene.picture.background.kind == BackgroundKind::transparent) {
         throw UsageError("output '" + job.output + "': a video has no transparency; choose another picture.background");
@@ -70,7 +93,7 @@ class PictureOutput {
       return;
     }
     if (file.extension() != ".png") {
-      throw UsageError("output '" + job.output + "': expected a file name that ends in .png or .mp4");
+      throw UsageError("output '" + job.output + "': expected a file name that ends in .png, .mp4, .gif or .webp");
     }
     pattern_.emplace(job.output, ".png");
     pattern_->require_distinct_names(job.frames.size());
@@ -81,6 +104,7 @@ class PictureOutput {
   std::vector<std::filesystem::path> files(std::span<const int> frames) const {
     std::vector<std::filesystem::path> files;
     if (video_) return {name_};
+    if (!pattern_) return {};
     for (const int frame : frames) files.push_back(pattern_->path_of(frame));
     return files;
   }
@@ -88,8 +112,11 @@ class PictureOutput {
   void write(const PictureOrigin& origin, const FrameRecord& record, const renderer::Image& picture) {
     if (video_) {
       video_->add(picture);
-    } else {
-      write_file(pattern_->path_of(record.frame), renderer::encode_png(picture, picture_texts(origin, record)));
+    } else if (const std::vector<std::uint8_t> png = renderer::encode_png(picture, picture_texts(origin, record));
+               pattern_) {
+      write_file(pattern_->path_of(record.frame), png);
+    } else if (!write_bytes(pipe_, png)) {
+      fail_to_write(name_, std::generic_category().message(errno));
     }
     written_.push_back(record.frame);
   }
@@ -105,13 +132,14 @@ class PictureOutput {
 
   /// Completes the output and returns a message about it.
   std::string finish() {
-    if (!video_) return describe_written(*pattern_, written_);
-    video_->finish();
+    if (pattern_) return describe_written(*pattern_, written_);
+    if (video_) video_->finish();
     return fmt::format("wrote {}, {}", name_, count_text(written_.size(), "frame"));
   }
 
  private:
   std::string name_;
+  int pipe_ = -1;  ///< descriptor for the picture if it has no file
   std::optional<OutputPattern> pattern_;
   std::unique_ptr<VideoWriter> video_;
   std::vector<int> written_;
@@ -151,7 +179,9 @@ class Render {
                                      .frames = {job_.frames.front(), job_.frames.back()},
                                      .frame_rate_hz = run_.scene.simulation.frame_rate_hz,
                                      .look = run_.scene.picture.cloth};
-    run_.require_outputs(exported, output_.files(job_.frames), {job_.output});
+    std::vector<std::filesystem::path> claimed;
+    if (job_.output != standard_output) claimed.emplace_back(job_.output);
+    run_.require_outputs(exported, output_.files(job_.frames), std::move(claimed));
     // Starts OpenGL meanwhile: that and compiling shaders take as long as reading a model.
     run_.load([this] {
       offscreen_.emplace(options_.backend);

@@ -15,15 +15,36 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The options keep date and library version out of the file, so that equal pictures give equal files.
-std::vector<std::string> ffmpeg_arguments(const fs::path& temporary, const VideoSettings& settings) {
-  std::istringstream words(fmt::format(
-      "ffmpeg -nostdin -hide_banner -loglevel error -y "
-      "-f rawvideo -pix_fmt rgb24 -video_size {}x{} -framerate {} -i pipe:0 "
-      "-c:v libx264 -preset {} -crf 18 -pix_fmt yuv420p -colorspace bt709 "
-      "-vf scale=out_color_matrix=bt709 -color_primaries bt709 -color_trc iec61966-2-1 "
-      "-movflags +faststart -f mp4 -fflags +bitexact -flags:v +bitexact",
-      settings.width_px, settings.height_px, settings.frame_rate_hz, settings.is_live ? "veryfast" : "medium"));
+// How ffmpeg writes the kinds of film. GIF and WebP are for pages that show pictures alone: they play for ever, GIF at
+// 25 pictures a second, as its delays are hundredths of a second, and with the best 256 colours of the film. The
+// options of MP4 keep date and library version out of the file, so that equal pictures give equal files.
+struct VideoKind {
+  std::string_view ending;
+  std::string_view options;
+};
+constexpr std::array video_kinds = {
+    VideoKind{".mp4",
+              "-c:v libx264 -preset {} -crf 18 -pix_fmt yuv420p -colorspace bt709 -vf scale=out_color_matrix=bt709 "
+              "-color_primaries bt709 -color_trc iec61966-2-1 -movflags +faststart -f mp4"},
+    VideoKind{".gif",
+              "-vf fps=25,split[a][b];[a]palettegen=stats_mode=diff[p];[b][p]paletteuse=dither=bayer:bayer_scale=3 "
+              "-loop 0 -f gif"},
+    VideoKind{".webp", "-c:v libwebp_anim -quality 80 -loop 0 -f webp"}};
+
+const VideoKind* find_kind(const fs::path& file) {
+  const auto* const kind = std::ranges::find(video_kinds, file.extension().string(), &VideoKind::ending);
+  return kind == video_kinds.end() ? nullptr : kind;
+}
+
+std::vector<std::string> ffmpeg_arguments(const fs::path& file, const fs::path& temporary,
+                                          const VideoSettings& settings) {
+  const std::string options =
+      fmt::format(fmt::runtime(find_kind(file)->options), settings.is_live ? "veryfast" : "medium");
+  std::istringstream words(
+      fmt::format("ffmpeg -nostdin -hide_banner -loglevel error -y "
+                  "-f rawvideo -pix_fmt rgb24 -video_size {}x{} -framerate {} -i pipe:0 {} "
+                  "-fflags +bitexact -flags:v +bitexact",
+                  settings.width_px, settings.height_px, settings.frame_rate_hz, options));
   std::vector<std::string> arguments(std::istream_iterator<std::string>(words), {});
   arguments.push_back("file:" + temporary.string());
   return arguments;
@@ -31,9 +52,10 @@ std::vector<std::string> ffmpeg_arguments(const fs::path& temporary, const Video
 
 }  // namespace
 
-bool is_video(const fs::path& file) { return file.extension() == ".mp4"; }
+bool is_video(const fs::path& file) { return find_kind(file) != nullptr; }
 
 void require_video_size(const fs::path& file, const VideoSettings& settings) {
+  if (file.extension() != ".mp4") return;
   const bool is_even = settings.width_px % 2 == 0 && settings.height_px % 2 == 0;
   if (!is_even) {
     throw UsageError("output '{}': an MP4 needs an even width and height, found {} x {}; choose another --resolution",
@@ -46,6 +68,7 @@ VideoWriter::VideoWriter(fs::path file, const VideoSettings& settings)
       temporary_(temporary_name(file_)),
       picture_bytes_(static_cast<std::size_t>(settings.width_px) * 3U * static_cast<std::size_t>(settings.height_px)),
       is_live_(settings.is_live) {
+  assert(is_video(file_));
   require_video_size(file_, settings);
   // A socket instead of a pipe: only writing to a socket can be told not to raise SIGPIPE after ffmpeg has ended.
   std::array<int, 2> ends{};
@@ -57,7 +80,7 @@ VideoWriter::VideoWriter(fs::path file, const VideoSettings& settings)
   const Descriptor its_input(ends[1]);
   create_file(temporary_, file_);
   try {
-    ffmpeg_.emplace(ChildCommand{.arguments = ffmpeg_arguments(temporary_, settings),
+    ffmpeg_.emplace(ChildCommand{.arguments = ffmpeg_arguments(file_, temporary_, settings),
                                  .input = its_input.number(),
                                  .output = messages_.number(),
                                  .errors = messages_.number(),

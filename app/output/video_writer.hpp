@@ -7,7 +7,7 @@
 
 namespace taut::app {
 
-/// Returns true if the file name ends in .mp4.
+/// Returns true if the file name ends in .mp4, .gif or .webp.
 bool is_video(const std::filesystem::path& file);
 
 /// Size and rate of a video.
@@ -20,7 +20,7 @@ struct VideoSettings {
   bool is_live = false;
 };
 
-/// Throws UsageError unless width and height are even, which H.264 with colour at half resolution needs.
+/// Throws UsageError unless width and height are even for an MP4, as its colour has half the resolution.
 void require_video_size(const std::filesystem::path& file, const VideoSettings& settings);
 
 /// Makes a video with the program ffmpeg, which reads raw RGB pictures from its standard input. Equal pictures give

@@ -109,9 +109,11 @@ std::vector<Key<Fabric>> own_keys() {
 
 [[noreturn]] void fail_unknown(const std::string& name, const Source& source, int line) {
   const std::vector<std::string> names = built_in_fabrics();
-  fail(source, line,
-       "cloth.fabric: there is no " + (is_file_name(name) ? "file '" + name : "fabric '" + name) + '\'' +
-           did_you_mean(name, names) + " (fabrics: " + join(names) + "; a file that ends in .toml does as well)");
+  const std::string message = "there is no " + (is_file_name(name) ? "file '" + name : "fabric '" + name) + '\'' +
+                              did_you_mean(name, names) + " (fabrics: " + join(names) +
+                              "; a file that ends in .toml does as well)";
+  if (source.name.empty()) throw InputError(message);
+  fail(source, line, "cloth.fabric: " + message);
 }
 
 }  // namespace

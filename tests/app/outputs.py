@@ -196,12 +196,26 @@ def makes_the_folder_of_what_the_window_keeps():
            'kept below a file: %d %s' % (refused.returncode, refused.stderr))
 
 
+def writes_a_picture_to_a_pipe():
+    render = [program, 'render', 'plain.obj', '--resolution', '64,64', '-o', '-']
+    done = subprocess.run([*render, '--frames', '1', '--stats', 'piped.csv'], cwd=folder, capture_output=True, timeout=120)
+    whole = done.stdout.startswith(b'\x89PNG') and done.stdout.endswith(b'IEND\xae\x42\x60\x82')
+    expect(done.returncode == 0 and whole and b'wrote -, 1 frame' in done.stderr and (folder / 'piped.csv').exists(),
+           'piped: %d, %d bytes, %s' % (done.returncode, len(done.stdout), done.stderr))
+    done = subprocess.run([*render, '--frames', '1:2'], cwd=folder, capture_output=True, text=True, timeout=120)
+    expect(done.returncode == 2 and 'found 2 frames, expected one picture' in done.stderr and not done.stdout,
+           'two frames: %d %s' % (done.returncode, done.stderr))
+    with open('/dev/full', 'wb') as full:
+        done = subprocess.run([*render, '--frames', '1'], cwd=folder, stdout=full, stderr=subprocess.PIPE, text=True, timeout=120)
+    expect(done.returncode == 1 and "cannot write '-': No space left" in done.stderr, 'full: %d %s' % (done.returncode, done.stderr))
+
+
 shutil.rmtree(folder, ignore_errors=True)
 folder.mkdir(parents=True)
 write_inputs()
 for check in (refuses_every_input, refuses_inputs_of_other_commands, chooses_free_names,
               opens_nothing_outside_of_a_pictures_folder, keeps_a_second_program_away,
-              makes_the_folder_of_what_the_window_keeps):
+              makes_the_folder_of_what_the_window_keeps, writes_a_picture_to_a_pipe):
     before = expecting.failures
     try:
         check()

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""A terminal is told what takes long while a model is read; a pipe is not.   progress.py PROGRAM FOLDER"""
+"""A terminal is told what takes long while a model is read; a pipe is told after ten seconds.   progress.py PROGRAM FOLDER"""
 import os
 import pathlib
 import pty
@@ -37,7 +37,7 @@ shutil.rmtree(folder, ignore_errors=True)
 folder.mkdir(parents=True)
 (folder / 'triangle.obj').write_text('v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n')
 importer = folder / 'slow_importer'
-importer.write_text('#!/bin/sh\nsleep 2.5\nexec "%s" "$@"\n' % program)
+importer.write_text('#!/bin/sh\nsleep ${SLEEP_S:-2.5}\nexec "%s" "$@"\n' % program)
 importer.chmod(0o755)
 os.environ['TAUT_IMPORTER'] = str(importer)
 
@@ -50,4 +50,9 @@ for words in ('inspect triangle.obj', 'simulate triangle.obj --frames 2',
         if code != 0 or tells != wanted or ('\r\033' in said) != wanted:
             failures += 1
             print('taut %s, to %s: exit code %d, %r' % (words, where, code, said))
+os.environ['SLEEP_S'] = '11'
+code, said = said_to_pipe([program, 'inspect', 'triangle.obj'])
+if code != 0 or len(re.findall(r'(?m)^.*reading triangle\.obj \(1\d s\)$', said)) != 1:
+    failures += 1
+    print('taut inspect triangle.obj, to a pipe: exit code %d, %r' % (code, said))
 sys.exit(1 if failures else 0)

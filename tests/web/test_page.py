@@ -157,7 +157,9 @@ def test_hand(page, expected):
 
 def test_colours(page):
     before = page.find('stage').screenshot_as_png
+    assert not page.find('legend').is_displayed()
     page.find('colours').click()
+    assert page.text('legend-end') == '1 %' and page.find('legend').is_displayed()
     page.run_to(int(page.data()['frame']) + 3)
     page.picture('colours')
     assert page.find('stage').screenshot_as_png != before

@@ -334,6 +334,15 @@ class AddOn(unittest.TestCase):
         with self.assertRaisesRegex(RuntimeError, text):
             self.simulate(obj)
 
+    def test_frames_are_the_scenes_until_they_are_set(self):
+        bpy.ops.mesh.primitive_grid_add()
+        settings = bpy.context.object.taut
+        bpy.context.scene.frame_start, bpy.context.scene.frame_end = 3, 10
+        self.assertEqual((settings.frame_start, settings.frame_end), (3, 10))
+        settings.frame_end = 20
+        bpy.context.scene.frame_end = 30
+        self.assertEqual((settings.frame_start, settings.frame_end), (3, 20))
+
     def test_what_cannot_be_used_is_said(self):
         obj = self.cloth()
         with self.assertRaisesRegex(RuntimeError, 'Save the .blend file first'):

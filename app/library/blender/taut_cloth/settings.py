@@ -6,6 +6,12 @@ from bpy.props import (BoolProperty, EnumProperty, FloatProperty, FloatVectorPro
 from . import library, live
 
 
+def frame_or_scenes(name):
+    """The access to a frame that is the scene's of this name until it is set."""
+    return {'get': lambda settings: settings.get(name, getattr(bpy.context.scene, name)),
+            'set': lambda settings, frame: settings.__setitem__(name, frame)}
+
+
 class TautPreferences(bpy.types.AddonPreferences):
     bl_idname = __package__
     library: StringProperty(name='Library', subtype='FILE_PATH', update=lambda _self, _context: library.forget(),
@@ -37,9 +43,10 @@ class TautSettings(bpy.types.PropertyGroup):
     wind: FloatVectorProperty(name='Wind', subtype='XYZ', description='Velocity of the air in m/s; may be animated')
     bodies: PointerProperty(name='Bodies', type=bpy.types.Collection,
                             description='Meshes that the cloth stays out of: closed, and moved by whatever moves them')
-    frame_start: IntProperty(name='Start', default=1, options=set(),
-                             description='The cloth is as it is modelled or posed here')
-    frame_end: IntProperty(name='End', default=250, options=set())
+    frame_start: IntProperty(name='Start', options=set(), description='The cloth is as it is modelled or posed here; '
+                             'the first frame of the scene until it is set', **frame_or_scenes('frame_start'))
+    frame_end: IntProperty(name='End', options=set(), description='The last frame of the scene until it is set',
+                           **frame_or_scenes('frame_end'))
     live: BoolProperty(name='Live', update=live.switched, options=set(),
                        description='Simulates while the timeline plays, from the start frame on')
     message: StringProperty(options={'SKIP_SAVE'})

@@ -2,7 +2,7 @@
 import fabrics from 'generated/fabrics.json';
 import natives from 'generated/hashes.json';
 import { Promises } from './promises.js';
-import { Stage } from './stage.js';
+import { STRETCH_COLOURS, Stage } from './stage.js';
 
 const byId = (id) => document.getElementById(id);
 window.addEventListener('error', ({ message }) => notice(message));
@@ -157,10 +157,15 @@ byId('fabric').addEventListener('change', () => {
 });
 byId('bound').addEventListener('change', ({ target }) => {
   promises.bound = Number(target.value);
+  byId('legend-end').textContent = `${100 * promises.bound} %`;
   if (stage.bound) stage.colourBy(promises.bound);
   steer({ do: 'set', key: 'solver.max_stretch', value: target.value });
 });
-byId('colours').addEventListener('change', ({ target }) => stage.colourBy(target.checked ? promises.bound : undefined));
+byId('colours').addEventListener('change', ({ target }) => {
+  stage.colourBy(target.checked ? promises.bound : undefined);
+  byId('legend').hidden = !target.checked;
+});
+byId('legend').querySelector('i').style.background = `linear-gradient(to right, ${STRETCH_COLOURS})`;
 byId('restart').addEventListener('click', start);
 
 // The hand: on the cloth it pulls, beside it it turns the picture; two fingers move nearer.

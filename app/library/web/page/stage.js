@@ -197,8 +197,10 @@ export class Stage {
   }
 }
 
-// From blue over white to red, as the program colours its pictures.
-const STEPS = [[0.05, 0.12, 0.42], [0.2, 0.5, 0.8], [0.86, 0.86, 0.84], [0.92, 0.42, 0.16], [0.6, 0.03, 0.06]];
+// The colours of the program's pictures (viridis: van der Walt and Smith 2015, CC0), from no stretch to the bound.
+export const STRETCH_COLOURS = ['#440154', '#482878', '#3e4989', '#31688e', '#26828e', '#1f9e89', '#35b779', '#6ece58', '#b5de2b',
+                                '#fde725'];
+const STEPS = STRETCH_COLOURS.map((colour) => new THREE.Color(colour).convertGammaToLinear(2.2).toArray());
 
 function stretchColours(stretch, bound) {
   const colours = new Float32Array(3 * stretch.length);

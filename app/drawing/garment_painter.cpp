@@ -103,9 +103,10 @@ std::optional<sim::Garment> followed_model(const DrawnColours& colours, const si
 
 }  // namespace
 
-SurfaceClearances::SurfaceClearances(const DrawnScene& scene, const sim::Garment& garment, float edge_m)
+SurfaceClearances::SurfaceClearances(const DrawnScene& scene, const sim::Garment& garment, float edge_m,
+                                     float rim_radius_m)
     : freedom_{max_bulge_fraction * edge_m, std::min(max_fairing_fraction * edge_m, max_fairing_m)},
-      max_clearance_m_(max_clearance_fraction * edge_m),
+      max_clearance_m_(max_clearance_fraction * edge_m + renderer::rim_depth_radii * rim_radius_m / clearance_share),
       bodies_(scene.surroundings.bodies),
       garment_vertices_(garment.mesh.positions.size()),
       positions_m_(garment.mesh.positions) {
@@ -157,7 +158,7 @@ GarmentPainter::GarmentPainter(renderer::SceneRenderer& renderer, const DrawnSce
       simulated_(garment.mesh.triangles),
       model_(followed_model(colours_, garment)),
       surface_(model_ ? *model_ : garment, colours_.corner_coordinates, colours_.base_colour_of_triangle),
-      surface_clearances_(scene, model_ ? *model_ : garment, surface_.edge_m()),
+      surface_clearances_(scene, model_ ? *model_ : garment, surface_.edge_m(), surface_.rim_radius_m()),
       structural_edges_(garment.springs.ends.begin(),
                         garment.springs.ends.begin() + static_cast<std::ptrdiff_t>(garment.springs.structural_count)),
       line_width_px_(line_width_px(style_.settings)),

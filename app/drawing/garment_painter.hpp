@@ -28,8 +28,8 @@ class OffscreenRenderer {
 /// simulation keeps apart.
 class SurfaceClearances {
  public:
-  /// `edge_m`: mean edge length of the garment.
-  SurfaceClearances(const DrawnScene& scene, const sim::Garment& garment, float edge_m);
+  /// `edge_m`: mean edge length of the garment. `rim_radius_m`: of the lip along its borders.
+  SurfaceClearances(const DrawnScene& scene, const sim::Garment& garment, float edge_m, float rim_radius_m);
 
   /// Returns the limits for cloth that nothing is near.
   const renderer::SurfaceFreedom& freedom() const { return freedom_; }

@@ -43,6 +43,7 @@ class GarmentSurface {
 
   /// Returns the mean length of the simulated edges at rest.
   float edge_m() const { return edge_m_; }
+  float rim_radius_m() const { return sewing_.rim_radius_m; }
 
   /// Makes the surface, hems and seams as fine as a picture with this resolution can show. Edges shorter than
   /// min_edge_px are not halved; empty: only the simulated triangles, without hems. A change takes some milliseconds.

@@ -1,4 +1,5 @@
-# Completion for bash. What there is to choose from is asked of the program itself, which alone knows.
+# Completion for bash, and through _taut_choices for zsh and fish. What there is to choose from is asked of the program
+# itself, which alone knows.
 _taut() {
   local program=${COMP_WORDS[0]} command=${COMP_WORDS[1]}
   local previous=${COMP_WORDS[COMP_CWORD - 1]} word=${COMP_WORDS[COMP_CWORD]}
@@ -25,3 +26,10 @@ _taut() {
   mapfile -t COMPREPLY < <(compgen -W "$choices" -- "$word")
 }
 complete -o default -F _taut taut  # default: names of files where nothing else fits
+
+# _taut_choices INDEX WORD...: prints what the word of that index, from 0, may become.
+_taut_choices() {
+  COMP_CWORD=$1 COMP_WORDS=("${@:2}")
+  _taut
+  printf '%s\n' "${COMPREPLY[@]}"
+}

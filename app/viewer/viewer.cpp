@@ -412,7 +412,10 @@ void Viewer::note_changes(const SessionFrame& frame) {
 void Viewer::note_times(double draw_ms, double panel_ms, double simulate_ms, double busy_s) {
   busy_s_ += busy_s;
   ++pictures_;
-  state_.measurements.worked_ms = simulate_ms;
+  // Single frames differ so much that the reason of a slow simulation would change with each.
+  constexpr double newest_weight = 0.05;
+  double& worked_ms = state_.measurements.worked_ms;
+  worked_ms = worked_ms > 0.0 ? std::lerp(worked_ms, simulate_ms, newest_weight) : simulate_ms;
   state_.measurements.draw_ms.add(static_cast<float>(draw_ms));
   state_.measurements.panel_ms.add(static_cast<float>(panel_ms));
 }

@@ -258,7 +258,7 @@ void Rim::add_triangles(const Edge& edge, std::uint32_t at_triangle) {
   }
 }
 
-void Rim::place(std::span<glm::vec3> positions, std::span<glm::vec3> normals) {
+void Rim::place(std::span<glm::vec3> positions, std::span<glm::vec3> normals, std::span<const float> slacks) {
   std::ranges::fill(ways_, glm::vec3{0.0F});
   for (const Edge& edge : edges_) {
     const glm::vec3 way = normalise(positions[edge.ends[1]] - positions[edge.ends[0]]);
@@ -269,8 +269,9 @@ void Rim::place(std::span<glm::vec3> positions, std::span<glm::vec3> normals) {
     const glm::vec3& place = positions[bases_[i]];
     const glm::vec3& up = normals[bases_[i]];
     const glm::vec3 out = normalise(glm::cross(ways_[i], up));
+    const float radius = std::min(radius_, slacks[bases_[i]] / rim_depth_radii);
     for (const RingVertex& own : ring) {
-      positions[vertex] = place + radius_ * (own.up * up + own.out * out);
+      positions[vertex] = place + radius * (own.up * up + own.out * out);
       normals[vertex] = normalise(own.facing_up * up + own.facing_out * out);
       ++vertex;
     }

@@ -117,6 +117,9 @@ int refinement_levels(float edge_px, std::size_t triangles, float min_edge_px = 
 std::vector<VertexPair> seam_edges(std::span<const glm::vec3> rest_positions, std::span<const std::uint32_t> triangles,
                                    std::span<const glm::vec2> corner_coordinates = {});
 
+/// Largest distance of a rim from the border that it is at, in its radii.
+inline constexpr float rim_depth_radii = 2.0F;
+
 /// Rounded lip along the border of a mesh, which shows the thickness of the cloth. It turns from the outside to the
 /// inside, with added rings of vertices.
 class Rim {
@@ -131,8 +134,9 @@ class Rim {
   /// Mesh triangle at whose border each triangle is.
   const std::vector<std::uint32_t>& at_triangles() const { return at_triangles_; }
 
-  /// Fills the entries after the mesh vertices.
-  void place(std::span<glm::vec3> positions, std::span<glm::vec3> normals);
+  /// Fills the entries after the mesh vertices. `slacks`: largest distance of the lip from each vertex of the mesh,
+  /// where it becomes smaller.
+  void place(std::span<glm::vec3> positions, std::span<glm::vec3> normals, std::span<const float> slacks);
 
  private:
   struct Edge {

@@ -81,6 +81,7 @@ SmoothSurface::SmoothSurface(std::span<const glm::vec3> rest_positions, std::spa
   normals_.resize(positions_.size());
   first_parted_ = positions_.size();
   clearances_.resize(mesh_.vertex_count());
+  slacks_.resize(mesh_.vertex_count());
   find_neighbours(rest_positions);
 }
 
@@ -149,19 +150,12 @@ void SmoothSurface::fair(std::span<const glm::vec3> coarse_positions) {
   }
 }
 
-// Flat positions and clearances of fine vertices are interpolated from their parents.
-void SmoothSurface::raise(std::span<const glm::vec3> coarse_positions, std::span<const float> clearances,
-                          std::span<const float> heights) {
+void SmoothSurface::raise(std::span<const float> heights) {
   const std::size_t count = mesh_.vertex_count();
-  flat_.assign(coarse_positions.begin(), coarse_positions.end());
-  free_.assign(coarse_positions.size(), std::numeric_limits<float>::infinity());
-  if (!clearances.empty()) free_.assign(clearances.begin(), clearances.end());
-  interpolate(std::span(mesh_.parents()), flat_);
-  for (const auto& [a, b] : mesh_.parents()) free_.push_back(std::min(free_[a], free_[b]));
   raised_.resize(count);
   for (std::size_t v = 0; v < count; ++v) {
-    const float left = std::max(free_[v] - glm::distance(positions_[v], flat_[v]), 0.0F);
-    raised_[v] = std::clamp(heights[v], -left, left);
+    raised_[v] = std::clamp(heights[v], -slacks_[v], slacks_[v]);
+    slacks_[v] -= std::abs(raised_[v]);
   }
   // Slopes are height gradients weighted by area, so that a vertex gets their mean.
   slopes_.assign(count, glm::vec3{0.0F});
@@ -195,12 +189,16 @@ void SmoothSurface::place(std::span<const glm::vec3> coarse_positions, std::span
     std::ranges::copy(clearances, clearances_.begin());
   }
   fair(coarse_positions);
-  for (std::size_t v = 0; v < count; ++v) clearances_[v] = std::clamp(clearances_[v], 0.0F, freedom_.max_bulge);
+  for (std::size_t v = 0; v < count; ++v) {
+    clearances_[v] = std::max(clearances_[v], 0.0F);
+    slacks_[v] = clearances.empty() ? std::numeric_limits<float>::infinity() : clearances_[v];
+    clearances_[v] = std::min(clearances_[v], freedom_.max_bulge);
+  }
   const std::span<glm::vec3> coarse = std::span(positions_).first(count);
   vertex_normals(coarse, coarse_triangles_, std::span(normals_).first(count));
   for (const RefinedMesh::SplitLevel& level : mesh_.levels()) place(level);
-  if (!heights.empty()) raise(coarse_positions, clearances, heights);
-  if (rim_) rim_->place(positions_, normals_);
+  if (!heights.empty()) raise(heights);
+  if (rim_) rim_->place(positions_, normals_, slacks_);
   for (std::size_t v = first_parted_; v < positions_.size(); ++v) {
     const std::uint32_t first = parents_[v - count][0];
     positions_[v] = positions_[first];
@@ -217,23 +215,27 @@ void SmoothSurface::place(const RefinedMesh::SplitLevel& level) {
     const glm::vec3 way = positions_[edge[1]] - positions_[edge[0]];
     const glm::vec3& from = normals_[edge[0]];
     const glm::vec3& to = normals_[edge[1]];
-    const glm::vec3 bulge = (glm::dot(way, to) * to - glm::dot(way, from) * from) / 8.0F;
-    positions_[middle] = 0.5F * positions_[edge[0]] + 0.5F * positions_[edge[1]] + limit_length(bulge, max_bulge);
+    const glm::vec3 curved = (glm::dot(way, to) * to - glm::dot(way, from) * from) / 8.0F;
+    const glm::vec3 bulge = limit_length(curved, max_bulge);
+    positions_[middle] = 0.5F * positions_[edge[0]] + 0.5F * positions_[edge[1]] + bulge;
+    slacks_[middle] = std::max(std::min(slacks_[edge[0]], slacks_[edge[1]]) - glm::length(bulge), 0.0F);
     // Normals are linear: normals that follow the curve show every unevenness of simulated cloth as a wrinkle.
     normals_[middle] = normalise_or(from + to, from);
     ++middle;
   }
   for (const RefinedMesh::BorderCurve& curve : level.curves) {
     const float max_bulge = share_of_split * std::min(clearances_[curve.start], clearances_[curve.end]);
+    const float slack = std::min(slacks_[curve.start], slacks_[curve.end]);
     const glm::vec3& normal = normals_[curve.middle];
-    const glm::vec3 shift = limit_length(border_shift(curve, positions_), max_squarable_length);
-    const float bulge = glm::dot(shift, normal);
+    const glm::vec3 curved = limit_length(border_shift(curve, positions_), max_squarable_length);
+    const float bulge = glm::dot(curved, normal);
     const glm::vec3& start = positions_[curve.start];
     const glm::vec3& end = positions_[curve.end];
-    positions_[curve.middle] =
-        0.5F * start + 0.5F * end + std::clamp(bulge, -max_bulge, max_bulge) * normal +
-        limit_length(shift - bulge * normal,
-                     max_border_shift_ratio * std::min(glm::distance(start, end), max_squarable_length));
+    const float max_shift = max_border_shift_ratio * std::min(glm::distance(start, end), max_squarable_length);
+    const glm::vec3 shift = limit_length(
+        std::clamp(bulge, -max_bulge, max_bulge) * normal + limit_length(curved - bulge * normal, max_shift), slack);
+    positions_[curve.middle] = 0.5F * start + 0.5F * end + shift;
+    slacks_[curve.middle] = std::max(slack - glm::length(shift), 0.0F);
   }
 }
 

@@ -6,7 +6,7 @@ namespace taut::renderer {
 
 /// Largest distances of a smooth surface from the triangles of its mesh, in the unit of positions.
 struct SurfaceFreedom {
-  float max_bulge = 0.0F;  ///< bulge between vertices; along a border within the surface it may be more
+  float max_bulge = 0.0F;  ///< bulge between vertices; along a border, where nothing is near, it may be more
   /// Largest fairing of vertices, which hides unevenness from edge to edge: steps of folds, teeth of borders.
   float max_fairing = 0.0F;
 };
@@ -38,10 +38,10 @@ class SmoothSurface {
   /// Two earlier vertices per added vertex, in this order; twice the same for the rim and for split vertices.
   const std::vector<VertexPair>& parents() const { return parents_; }
 
-  /// Fills positions and normals for these coarse positions. `rooms`: slack around each coarse vertex, the largest
-  /// distance of the surface from its triangles by fairing and bulge together; none: the freedom of the surface. Layers
-  /// do not meet if their distance at each vertex exceeds twice this slack. `heights`: motion of the vertices of mesh()
-  /// along their normals, limited to the remaining slack; none: no motion.
+  /// Fills positions and normals for these coarse positions. `clearances`: the largest distance of the surface, its rim
+  /// included, from its triangles around each coarse vertex; none: the freedom of the surface. Layers do not meet if
+  /// their distance at each vertex exceeds twice this. `heights`: motion of the vertices of mesh() along their normals,
+  /// limited to what the clearances leave; none: no motion.
   void place(std::span<const glm::vec3> coarse_positions, std::span<const float> clearances = {},
              std::span<const float> heights = {});
   /// One per vertex of mesh(), then of the rim, then of part_vertices(); normals have unit length.
@@ -52,8 +52,7 @@ class SmoothSurface {
   void find_neighbours(std::span<const glm::vec3> rest_positions);
   void fair(std::span<const glm::vec3> coarse_positions);
   void place(const RefinedMesh::SplitLevel& level);
-  void raise(std::span<const glm::vec3> coarse_positions, std::span<const float> clearances,
-             std::span<const float> heights);
+  void raise(std::span<const float> heights);
 
   std::vector<std::uint32_t> coarse_triangles_;
   RefinedMesh mesh_;
@@ -67,9 +66,10 @@ class SmoothSurface {
   std::size_t first_parted_ = 0;  // index of the first split vertex
   std::vector<glm::vec3> positions_;
   std::vector<glm::vec3> normals_;
-  std::vector<float> clearances_;                          // remaining slack per vertex of mesh_
-  std::vector<glm::vec3> faired_, means_, flat_, slopes_;  // scratch
-  std::vector<float> free_, raised_, areas_;               // scratch
+  std::vector<float> clearances_;                   // remaining bulge per vertex of mesh_
+  std::vector<float> slacks_;                       // what the clearances leave, per vertex of mesh_
+  std::vector<glm::vec3> faired_, means_, slopes_;  // scratch
+  std::vector<float> raised_, areas_;               // scratch
 };
 
 /// Small folds of shortened cloth that the edges of its mesh are too long to show. Waves fixed in the material run

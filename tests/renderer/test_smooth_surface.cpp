@@ -154,6 +154,27 @@ TEST(SmoothSurface, NeverLeavesItsRooms) {
   EXPECT_GT(farthest, 0.002F);
 }
 
+// Another layer may be as near as the clearances say, below and beside the border.
+TEST(SmoothSurface, BorderAndRimNeverLeaveTheirClearances) {
+  constexpr float clearance = 0.004F;
+  const Disc disc(9);
+  SmoothSurface smooth(disc.positions, disc.triangles, 2, {1.0F, 1.0F}, 0.1F);
+  smooth.place(disc.positions, std::vector<float>(disc.positions.size(), clearance));
+  std::vector<glm::vec3> flat = disc.positions;
+  interpolate(std::span(smooth.mesh().parents()), flat);
+  for (std::size_t v = 0; v < flat.size(); ++v) {
+    EXPECT_LE(glm::distance(flat[v], smooth.positions()[v]), 1.001F * clearance) << v;
+  }
+  float depth = 0.0F;
+  for (const glm::vec3& place : smooth.positions()) depth = std::max(depth, -place.z);
+  EXPECT_LE(depth, 1.001F * clearance);
+  SmoothSurface alone(disc.positions, disc.triangles, 2, {1.0F, 1.0F}, 0.1F);
+  alone.place(disc.positions);
+  float lowest = 0.0F;
+  for (const glm::vec3& place : alone.positions()) lowest = std::min(lowest, place.z);
+  EXPECT_NEAR(lowest, -0.2F, 1e-6F);
+}
+
 TEST(SmoothSurface, LostClothStaysFinite) {
   const Disc disc(7);
   SmoothSurface smooth(disc.positions, disc.triangles, 2, {0.001F, 0.001F}, 0.001F);

@@ -77,3 +77,17 @@ completes taut render tshirt-gravity --fabric '' 'denim jersey silk'
 completes taut render tshirt-gravity --backend '' 'auto osmesa egl'
 completes taut help '' "$commands scene stats"
 completes taut help st stats
+# The other shells, where they are there.
+share=$folder/usr/share
+if command -v zsh >/dev/null; then
+  becomes=$(zsh -fc 'compadd() { print -r -- $choices }; words=(taut render tshirt-wi); CURRENT=3; source $0' \
+    "$share/zsh/vendor-completions/_taut")
+  [ "$becomes" = 'tshirt-wind-1 tshirt-wind-10' ] || fail "in zsh 'taut render tshirt-wi' becomes '$becomes'"
+fi
+if command -v fish >/dev/null; then
+  becomes=$(fish -Nc "source $share/fish/vendor_completions.d/taut.fish; complete -C'taut render tshirt-wi'" | xargs)
+  [ "$becomes" = 'tshirt-wind-1 tshirt-wind-10' ] || fail "in fish 'taut render tshirt-wi' becomes '$becomes'"
+fi
+if command -v desktop-file-validate >/dev/null; then
+  desktop-file-validate "$share/applications/taut.desktop" || fail "the desktop file is not valid"
+fi

@@ -291,6 +291,13 @@ TEST(Window, WorkOfAPauseSlowsNothingLater) {
   EXPECT_EQ(person.viewer.state().measurements.real_time.busy_share(), 0.0);
 }
 
+// The reason of a slow simulation would change with it.
+TEST(Window, OneQuickFrameDoesNotMakeASlowSimulationQuick) {
+  Person person("pinned-9x9-5");
+  for (const double simulate_ms : {40.0, 42.0, 10.0}) person.viewer.note_times(1.0, 1.0, simulate_ms, 0.0);
+  EXPECT_NEAR(person.viewer.state().measurements.worked_ms, 38.6, 0.1);
+}
+
 // Springs diverge, the window reports it, and the person chooses another solver from the list.
 TEST(Window, AnySolverOfTheListGoesOnAfterADivergence) {
   for (const sim::SolverKind solver : sim::all_solver_kinds) {

@@ -22,7 +22,14 @@ METADATA = '''Metadata-Version: 2.1
 Name: taut-cloth
 Version: {version}
 Summary: Cloth that keeps a bound on its stretch and crosses nothing
+Author: The Taut authors
+Keywords: cloth, garment, simulation, physics
 License: MIT
+Classifier: Intended Audience :: Science/Research
+Classifier: Operating System :: POSIX :: Linux
+Classifier: Programming Language :: Python :: 3
+Classifier: Topic :: Scientific/Engineering :: Physics
+Classifier: Typing :: Typed
 Requires-Python: >=3.9
 Provides-Extra: arrays
 Requires-Dist: numpy; extra == 'arrays'

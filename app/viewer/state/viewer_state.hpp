@@ -149,7 +149,7 @@ struct Measurements {
   RecentValues draw_ms;
   RecentValues panel_ms;
   RealTime real_time;
-  double worked_ms = 0.0;  ///< CPU time of the last simulated frame
+  double worked_ms = 0.0;  ///< smoothed CPU time of a simulated frame
   bool shows_times = true;
 
   /// Appends the measurements of a simulated frame.

@@ -245,7 +245,7 @@ const renderer::FrameView& GarmentPainter::view(const std::vector<sim::Vec3>& po
   const std::vector<sim::Vec3> shown_m = model_ ? colours_.following->shown_m(positions, simulated_) : positions;
   positions_ = to_float(shown_m);
   const std::span<const float> rooms_m =
-      surface_.is_refined() ? surface_clearances_.find(shown_m, time_s) : std::span<const float>();
+      surface_.leaves_triangles() ? surface_clearances_.find(shown_m, time_s) : std::span<const float>();
   const std::size_t own_count = std::min(rooms_m.size(), shown_m.size());
   surface_.place(positions_, rooms_m.first(own_count));
   place_bodies(time_s, rooms_m.subspan(own_count));

@@ -50,6 +50,8 @@ class GarmentSurface {
   void set_detail(float pixels_per_m, std::optional<float> min_edge_px);
   /// Returns true if the surface is finer than the simulated mesh.
   bool is_refined() const { return detail_.levels > 0; }
+  /// Returns true if the surface leaves the simulated triangles, so that it needs clearances.
+  bool leaves_triangles() const { return is_refined() || detail_.rim; }
   /// Moves the surface to these positions of the simulated vertices, in metres. `rooms_m`: see renderer::SmoothSurface.
   void place(std::span<const glm::vec3> positions, std::span<const float> rooms_m = {});
   /// Returns the drawn surface without a style. It is valid until the next call of any other function.

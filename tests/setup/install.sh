@@ -77,17 +77,11 @@ completes taut render tshirt-gravity --fabric '' 'denim jersey silk'
 completes taut render tshirt-gravity --backend '' 'auto osmesa egl'
 completes taut help '' "$commands scene stats"
 completes taut help st stats
-# The other shells, where they are there.
+# What the completions of other shells ask for.
 share=$folder/usr/share
-if command -v zsh >/dev/null; then
-  becomes=$(zsh -fc 'compadd() { print -r -- $choices }; words=(taut render tshirt-wi); CURRENT=3; source $0' \
-    "$share/zsh/vendor-completions/_taut")
-  [ "$becomes" = 'tshirt-wind-1 tshirt-wind-10' ] || fail "in zsh 'taut render tshirt-wi' becomes '$becomes'"
-fi
-if command -v fish >/dev/null; then
-  becomes=$(fish -Nc "source $share/fish/vendor_completions.d/taut.fish; complete -C'taut render tshirt-wi'" | xargs)
-  [ "$becomes" = 'tshirt-wind-1 tshirt-wind-10' ] || fail "in fish 'taut render tshirt-wi' becomes '$becomes'"
-fi
-if command -v desktop-file-validate >/dev/null; then
-  desktop-file-validate "$share/applications/taut.desktop" || fail "the desktop file is not valid"
-fi
+becomes=$(bash -c 'source "$0"; _taut_choices "$@"' "$share/bash-completion/completions/taut" 2 taut render tshirt-wi 2>/dev/null | xargs)
+[ "$becomes" = 'tshirt-wind-1 tshirt-wind-10' ] || fail "in other shells 'taut render tshirt-wi' becomes '$becomes'"
+for file in zsh/vendor-completions/_taut fish/vendor_completions.d/taut.fish applications/taut.desktop \
+  thumbnailers/taut.thumbnailer icons/hicolor/scalable/apps/taut.svg; do
+  [ -s "$share/$file" ] || fail "there is no share/$file"
+done

@@ -48,6 +48,12 @@ void require_one_size(const sim::Mesh& mesh) {
 constexpr std::size_t max_triangles_at_edge = 1000;
 
 void require_few_at_edges(const sim::Mesh& mesh) {
+  // Edges are searched only where so many triangles meet at a vertex.
+  std::vector<std::size_t> counts(mesh.positions.size(), 0);
+  for (const sim::Triangle& t : mesh.triangles) {
+    for (const sim::Index v : t) ++counts[v];
+  }
+  if (*std::ranges::max_element(counts) <= max_triangles_at_edge) return;
   const sim::Adjacency adjacency = sim::make_adjacency(mesh);
   for (std::size_t e = 0; e < adjacency.edges.size(); ++e) {
     const std::size_t count = adjacency.edge_triangles[e].size();

@@ -15,8 +15,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// How ffmpeg writes the kinds of film. GIF and WebP are for pages that show pictures alone: they play for ever, GIF at
-// 25 pictures a second, as its delays are hundredths of a second, and with the best 256 colours of the film. The
+// How ffmpeg writes the kinds of video. GIF and WebP are for pages that show pictures alone: they play for ever, GIF at
+// 25 pictures a second, as its delays are hundredths of a second, and with the best 256 colours of the video. The
 // options of MP4 keep date and library version out of the file, so that equal pictures give equal files.
 struct VideoKind {
   std::string_view ending;

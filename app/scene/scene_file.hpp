@@ -108,7 +108,7 @@ bool is_fabric_key(const std::string& key);
 bool is_passed_over(const std::string& key);
 
 /// Reads a built-in fabric by its name, or the user's file, which ends in .toml. Throws by `fail`, with the names of
-/// all fabrics, if there is none; throws InputError if the file is not valid, or without a source.
+/// all fabrics, if there is none; without a source it throws InputError. Throws InputError if the file is not valid.
 Fabric find_fabric(const std::string& name, const Source& source = {}, int line = 0);
 
 /// Returns the key that names the scene's fabric. It sets only the name; see apply_fabric() in scene_format.hpp.

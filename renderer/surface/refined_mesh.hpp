@@ -134,8 +134,8 @@ class Rim {
   /// Mesh triangle at whose border each triangle is.
   const std::vector<std::uint32_t>& at_triangles() const { return at_triangles_; }
 
-  /// Fills the entries after the mesh vertices. `slacks`: largest distance of the lip from each vertex of the mesh,
-  /// where it becomes smaller.
+  /// Fills the entries after the mesh vertices. `slacks`: largest distance of the lip from each vertex of the mesh.
+  /// The lip is thinner where its own depth would be more.
   void place(std::span<glm::vec3> positions, std::span<glm::vec3> normals, std::span<const float> slacks);
 
  private:

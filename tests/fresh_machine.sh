@@ -4,8 +4,9 @@
 # proof that setup.sh names all that is needed. With `package`, installs what cpack makes of build/release there, without
 # the sources, and runs it. --before runs a command in the clone between setup.sh and the README's.
 # Needs root, debootstrap and a mirror of Debian in apt's sources; ends with 77 where no bare Debian can be made. Takes up
-# to half an hour and 5 GB in FOLDER (default: a new one in $TMPDIR or /tmp), which it removes. The bare system and the
-# packages it installs are kept for a month in $XDG_CACHE_HOME/taut or ~/.cache/taut. A summary of ctest is printed last.
+# to half an hour and 5 GB in FOLDER (default: a new one in $TMPDIR or /tmp), which it removes. Kept for a month, in 4 GB
+# of $XDG_CACHE_HOME/taut or ~/.cache/taut: the bare system, the packages it installs, and the system that this very
+# setup.sh made of it, with which the next run begins. A summary of ctest is printed last.
 set -euo pipefail
 
 fail() {
@@ -26,7 +27,7 @@ while [ $# -gt 1 ]; do
   shift 2
 done
 if [ $# -ne 1 ]; then
-  sed -n '2,8s/^# //p' "$0" >&2
+  sed -n '2,9s/^# //p' "$0" >&2
   exit 2
 fi
 preset=$1
@@ -52,6 +53,8 @@ mkdir -p "$machine"
 cache=${XDG_CACHE_HOME:-${HOME:-/root}/.cache}/taut
 mkdir -p "$cache/archives/partial"
 base=$cache/$release.tar
+ready=$cache/$release-$(sha256sum "$source/setup.sh" | cut -c 1-16).tar
+[ "$preset" != package ] || ready=
 
 # Mounts are there for the processes of the machine alone, and they end with their first one: nothing is left to
 # be unmounted, however this script ends.
@@ -61,7 +64,7 @@ clean_up() {
     wait "$child" 2>/dev/null || true  # which would tell that it was killed
     sleep 1  # the kernel ends the others
   fi
-  rm -rf "$machine" "$folder/log.txt" "$base.part-$$"
+  rm -rf "$machine" "$folder/log.txt" "$base.part-$$" ${ready:+"$ready.part-$$"}
   rmdir --ignore-fail-on-non-empty "$folder"
 }
 trap clean_up EXIT
@@ -86,7 +89,12 @@ make_base() {
 }
 
 make_debian() {
-  tar -C "$machine" -xf "$base" || return 1
+  local system=$base
+  if [ -n "$ready" ] && [ -e "$ready" ]; then
+    system=$ready
+    echo "fresh_machine.sh: begins with the system that this setup.sh made of a bare Debian before ($ready)"
+  fi
+  tar -C "$machine" -xf "$system" || return 1
   echo "$sources" >"$machine/etc/apt/sources.list"
   if [ "$preset" = package ]; then
     mkdir "$machine/root/taut"
@@ -95,6 +103,13 @@ make_debian() {
   else
     git clone --quiet --no-local "$source" "$machine/root/taut"
   fi
+}
+
+keep_ready() {
+  [ ! -e "$ready" ] || return 0
+  find "$cache" -maxdepth 1 -name "$release-*.tar" -delete
+  tar -C "$machine" --one-file-system --exclude=./root/taut -cf "$ready.part-$$" . &&
+    mv "$ready.part-$$" "$ready"
 }
 
 # on_the_machine COMMAND [OPTION of unshare...]
@@ -130,6 +145,7 @@ timed() {
     exit
   fi
   timed ./setup.sh on_the_machine './setup.sh >/tmp/setup.log 2>&1 || { tail -n 30 /tmp/setup.log; exit 1; }'
+  keep_ready || fail "cannot keep the system in $cache"
   # Without a network: setup.sh has nothing left to do, and nothing else may need one.
   [ -z "$before" ] || timed "$before" on_the_machine "$before" --net
   timed "$command" on_the_machine "set -o pipefail; { $command; } 2>&1 | tee /tmp/run.log" --net

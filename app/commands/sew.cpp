@@ -97,6 +97,9 @@ int run(const SewOptions& asked) {
                                  options.outer_fabrics.size(), options.outer_patterns.size()));
   }
   scene.files_read.insert(scene.files_read.end(), options.outer_patterns.begin(), options.outer_patterns.end());
+  // Errors in patterns are reported before bodies are loaded, which takes longer.
+  read_sewing_pattern(options.pattern);
+  for (const std::filesystem::path& pattern : options.outer_patterns) read_sewing_pattern(pattern);
   std::FILE* const remarks = options.json ? stderr : stdout;
   print_body_remarks(scene, load_bodies(scene, static_cast<int>(options.outer_patterns.size()) + 1), remarks);
   std::vector<std::filesystem::path> written = {options.output, landmarks_path(options.output), options.picture,

@@ -3,6 +3,7 @@
 #include "app/base/errors.hpp"
 #include "app/base/words.hpp"
 #include "app/bodies/body_mesh.hpp"
+#include "app/scene/scene_key.hpp"
 #include "sim/contact/crossing_pairs.hpp"
 #include "sim/mesh/topology.hpp"
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <nlohmann/json_fwd.hpp>
+
 #include "app/garments/dressing/dressing.hpp"
 #include "app/scene/scene_file.hpp"
 
@@ -59,6 +61,6 @@ void print_body_remarks(const Scene& scene, const std::vector<std::string>& rema
 /// girths of the stored pose, the joints that vertices follow, the motion or the clip that is played, the examined
 /// frames in which the body crosses itself, and the guesses and repairs. The examined frames are spread over the
 /// motion. Throws InputError as load_bodies() does.
-Json inspect_body(const BodySource& source);
+nlohmann::ordered_json inspect_body(const BodySource& source);
 
 }  // namespace taut::app

@@ -2,6 +2,7 @@
 
 #include "app/base/errors.hpp"
 #include "app/base/progress.hpp"
+#include "app/base/words.hpp"
 #include "app/bodies/body_loading.hpp"
 #include "app/commands/options.hpp"
 

@@ -6,6 +6,7 @@
 #include "app/drawing/inspection_picture.hpp"
 #include "app/garments/dressing/wearing.hpp"
 #include "app/garments/sewing/sewing.hpp"
+#include "app/models/inspecting/remarks.hpp"
 #include "app/runs/run_checkpoint.hpp"
 
 namespace taut::app {

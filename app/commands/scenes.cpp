@@ -1,6 +1,7 @@
 #include "app/base/errors.hpp"
 #include "app/base/files.hpp"
 #include "app/commands/options.hpp"
+#include "app/scene/fabric.hpp"
 
 namespace taut::app {
 namespace {

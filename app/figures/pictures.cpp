@@ -2,6 +2,7 @@
 
 #include "app/figures/figures.hpp"
 #include "app/runs/csv.hpp"
+#include "app/scene/fabric.hpp"
 
 namespace taut::app {
 namespace {

@@ -4,7 +4,7 @@
 #include "app/garments/dressing/wearing.hpp"
 #include "app/garments/sewing/sewing.hpp"
 #include "app/library/border.hpp"
-#include "app/models/inspecting/inspection.hpp"
+#include "app/models/inspecting/remarks.hpp"
 #include "app/models/mending/model_fitting.hpp"
 #include "app/scene/scene_format.hpp"
 #include "sim/mesh/welding.hpp"

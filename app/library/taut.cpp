@@ -1,5 +1,5 @@
 #include "app/library/border.hpp"
-#include "app/scene/scene_file.hpp"
+#include "app/scene/fabric.hpp"
 
 namespace taut::library {
 namespace {

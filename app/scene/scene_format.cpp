@@ -47,6 +47,13 @@ Key<Scene> allow_key() {
 
 }  // namespace
 
+toml::table read_landmarks_file(const std::filesystem::path& garment) {
+  const std::filesystem::path path = landmarks_path(garment);
+  std::error_code error;
+  if (is_sewing_pattern(garment) || !std::filesystem::exists(path, error)) return {};
+  return read_toml_text(read_text_file(path), path.string());
+}
+
 std::vector<Key<Scene>> scene_keys() {
   return {
       text_key<Scene>("title", MEMBER(title)),

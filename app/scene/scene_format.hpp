@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/base/files.hpp"
-#include "app/scene/scene_file.hpp"
+#include "app/scene/fabric.hpp"
 
 namespace taut::app {
 
@@ -28,6 +28,10 @@ sim::Material find_fabric_material(const std::string& fabric, const std::string&
 /// Sets a key of one body. "body.file" adds a mesh body, named after its file. Other keys "body.KEY" set KEY of
 /// [[bodies]] for the last mesh body. Returns false if the name does not begin with "body.". Throws by `fail`.
 bool set_body_key(const std::string& name, const toml::node& value, const Source& source, Scene& scene);
+
+/// Returns the table of the file beside a garment (landmarks_path()). Empty if there is no file, and for a pattern, because the file describes the garment
+/// that was sewn from it. Throws InputError if the file is not TOML.
+toml::table read_landmarks_file(const std::filesystem::path& garment);
 
 /// Requires that the file names exactly one garment: a model or a grid. Throws by `fail` (scene_key.hpp).
 void require_one_garment(const toml::table& file, const Source& source);

@@ -11,6 +11,7 @@
 #include "app/garments/dressing/body_girths.hpp"
 #include "app/garments/dressing/dressing.hpp"
 #include "app/models/hanging/garment_measures.hpp"
+#include "app/scene/scene_key.hpp"
 #include "loading.hpp"
 
 namespace taut::app {

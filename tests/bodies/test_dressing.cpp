@@ -8,7 +8,7 @@
 #include "app/drawing/drawn_scene.hpp"
 #include "app/garments/dressing/dressing.hpp"
 #include "app/models/garment_loading.hpp"
-#include "app/models/inspecting/inspection.hpp"
+#include "app/models/inspecting/remarks.hpp"
 #include "app/models/inspecting/scene_crossings.hpp"
 #include "app/runs/run_checkpoint.hpp"
 #include "gltf_text.hpp"

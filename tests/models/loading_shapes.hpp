@@ -3,7 +3,7 @@
 #include <string>
 
 #include "app/models/garment_loading.hpp"
-#include "app/models/inspecting/inspection.hpp"
+#include "app/models/inspecting/remarks.hpp"
 #include "app/models/reading/file_mesh.hpp"
 #include "temporary_folder.hpp"
 

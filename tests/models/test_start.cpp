@@ -6,7 +6,7 @@
 
 #include "app/base/errors.hpp"
 #include "app/models/garment_loading.hpp"
-#include "app/models/inspecting/inspection.hpp"
+#include "app/models/inspecting/remarks.hpp"
 #include "app/models/reading/file_mesh.hpp"
 #include "app/scene/scene_file.hpp"
 #include "temporary_folder.hpp"

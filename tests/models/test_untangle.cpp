@@ -8,7 +8,7 @@
 #include <numbers>
 
 #include "app/models/garment_loading.hpp"
-#include "app/models/inspecting/inspection.hpp"
+#include "app/models/inspecting/remarks.hpp"
 #include "app/models/reading/file_mesh.hpp"
 #include "app/runs/frame_verifier.hpp"
 #include "app/verify/crossing_pairs.hpp"

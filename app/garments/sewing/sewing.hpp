@@ -3,7 +3,6 @@
 #include "app/base/errors.hpp"
 #include "app/garments/sewing/closing.hpp"
 #include "app/scene/scene_file.hpp"
-#include "app/scene/scene_key.hpp"
 
 namespace taut::app {
 

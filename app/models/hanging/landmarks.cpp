@@ -3,8 +3,7 @@
 #include "app/base/errors.hpp"
 #include "app/base/files.hpp"
 #include "app/base/words.hpp"
-#include "app/scene/scene_file.hpp"
-#include "app/scene/scene_key.hpp"
+#include "app/scene/scene_format.hpp"
 
 namespace taut::app {
 namespace {

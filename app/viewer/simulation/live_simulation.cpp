@@ -2,8 +2,9 @@
 
 #include "app/base/errors.hpp"
 #include "app/base/progress.hpp"
+#include "app/base/words.hpp"
 #include "app/garments/dressing/wearing.hpp"
-#include "app/models/inspecting/inspection.hpp"
+#include "app/models/inspecting/remarks.hpp"
 #include "app/runs/run_checkpoint.hpp"
 
 namespace taut::app {

@@ -8,6 +8,7 @@
 
 #include "app/base/job_runner.hpp"
 #include "app/figures/pictures.hpp"
+#include "app/scene/fabric.hpp"
 #include "sim/garment.hpp"
 #include "sim/mesh/mesh.hpp"
 

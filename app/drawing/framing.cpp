@@ -72,14 +72,13 @@ void add_hook(const sim::Capsule& bar, std::vector<renderer::TriangleMesh>& mesh
 
 // Wind speed that gets the longest arrows.
 constexpr float max_arrow_wind_m_per_s = 20.0F;
-// Fractions of the box's radius: shortest and longest arrow, distance between arrows, gap between arrow heads and box.
-constexpr float min_arrow_ratio = 0.4F;
-constexpr float max_arrow_ratio = 1.0F;
+// Fractions of the box's radius: shortest arrow, distance between arrows, gap between arrow heads and box, and length of
+// an arrow head; the head's half width as a fraction of its length.
+constexpr float min_arrow_ratio = 0.25F;
 constexpr float arrow_spacing_ratio = 0.4F;
-constexpr float arrow_gap_ratio = 0.15F;
-// Length of an arrow head as a fraction of the box's radius; its half width as a fraction of its length.
+constexpr float arrow_gap_ratio = 0.1F;
 constexpr float arrow_head_ratio = 0.12F;
-constexpr float arrow_head_width_ratio = 0.4F;
+constexpr float arrow_head_width_ratio = 0.5F;
 
 // Gap between cloth and floor, as a fraction of the height of everything shown. Without it hanging cloth seems to
 // stand.
@@ -234,29 +233,27 @@ std::vector<renderer::SurfaceView> DrawnBodies::views() const {
   return views;
 }
 
-std::vector<glm::vec3> wind_arrows(const sim::Wind& wind, const std::vector<sim::Vec3>& positions) {
+std::vector<glm::vec3> wind_arrows(const sim::Wind& wind, const std::vector<sim::Vec3>& positions,
+                                   const renderer::Camera& camera) {
   std::vector<glm::vec3> lines;
   const auto speed = static_cast<float>(wind.speed_m_per_s);
   if (speed <= 0.0F) return lines;
   const glm::vec3 along = glm::normalize(glm::vec3(wind.direction));
-  const glm::vec3 up_ish = std::abs(along.y) < 0.9F ? glm::vec3{0, 1, 0} : glm::vec3{0, 0, 1};
-  const glm::vec3 right = glm::normalize(glm::cross(along, up_ish));
-  const glm::vec3 up = glm::cross(right, along);
+  const glm::mat3 view_axes = glm::transpose(glm::mat3(camera.view()));  // right, up and towards the eye
+  const glm::vec3 aside = glm::dot(view_axes[0], along) > 0.0F ? -view_axes[0] : view_axes[0];
+  const glm::vec3 across = glm::cross(along, view_axes[2]);
+  const glm::vec3 head_side = glm::length(across) > 1e-3F ? glm::normalize(across) : aside;
   const renderer::Box around = renderer::bounding_box(to_float(positions));
-  const glm::vec3 middle = 0.5F * (around.lower + around.upper);
   const glm::vec3 half = 0.5F * (around.upper - around.lower);
   const float radius = glm::length(half);
-  const float reach = glm::dot(glm::abs(along), half);
-  const float length =
-      radius * std::clamp(max_arrow_ratio * speed / max_arrow_wind_m_per_s, min_arrow_ratio, max_arrow_ratio);
+  const float length = radius * std::clamp(speed / max_arrow_wind_m_per_s, min_arrow_ratio, 1.0F);
+  const float gap = glm::dot(glm::abs(aside), half) + arrow_gap_ratio * radius;
   for (const float row : {-1.0F, 0.0F, 1.0F}) {
-    for (const float column : {-0.5F, 0.5F}) {
-      const glm::vec3 tip = middle - along * (reach + arrow_gap_ratio * radius) +
-                            arrow_spacing_ratio * radius * (row * up + column * right);
-      lines.insert(lines.end(), {tip - length * along, tip});
-      for (const glm::vec3& side : {right, -right, up, -up}) {
-        lines.insert(lines.end(), {tip, tip - arrow_head_ratio * radius * (along - arrow_head_width_ratio * side)});
-      }
+    const glm::vec3 tip = 0.5F * (around.lower + around.upper) + gap * aside +
+                          glm::vec3(0.0F, arrow_spacing_ratio * radius * row, 0.0F);
+    lines.insert(lines.end(), {tip - length * along, tip});
+    for (const float side : {-arrow_head_width_ratio, arrow_head_width_ratio}) {
+      lines.insert(lines.end(), {tip, tip - arrow_head_ratio * radius * (along + side * head_side)});
     }
   }
   return lines;
@@ -385,11 +382,13 @@ void FittedView::add(const std::vector<sim::Vec3>& positions, const std::vector<
 void FittedView::place_camera(DrawnScene& scene) const {
   if (outermost_.empty()) return;
   std::vector<glm::vec3> points = outermost_;
+  renderer::Camera camera = renderer::fit_camera_to_points(points, framing_, aspect_);
   if (scene_.picture.show_wind) {
-    const std::vector<glm::vec3> arrows = wind_arrows(scene_.surroundings.forces.wind, garment_.mesh.positions);
+    const std::vector<glm::vec3> arrows =
+        wind_arrows(scene_.surroundings.forces.wind, garment_.mesh.positions, camera);
     points.insert(points.end(), arrows.begin(), arrows.end());
+    camera = renderer::fit_camera_to_points(points, framing_, aspect_);
   }
-  const renderer::Camera camera = renderer::fit_camera_to_points(points, framing_, aspect_);
   scene.camera.eye = camera.eye;
   scene.camera.target = camera.target;
   Ground& ground = scene.picture.ground;

@@ -38,9 +38,10 @@ class DrawnBodies {
 };
 
 /// Returns arrows of a wind that blows at a garment with these positions in metres: line segments of two points each,
-/// on the windward side. Their length is proportional to the speed, up to the size of the garment. There are none
-/// without wind. Gusts are not shown.
-std::vector<glm::vec3> wind_arrows(const sim::Wind& wind, const std::vector<sim::Vec3>& positions);
+/// beside the garment, on the side of the picture that the wind comes from. Their length is proportional to the speed,
+/// up to the size of the garment. There are none without wind. Gusts are not shown.
+std::vector<glm::vec3> wind_arrows(const sim::Wind& wind, const std::vector<sim::Vec3>& positions,
+                                   const renderer::Camera& camera);
 
 /// Returns the three vertices of each triangle, in one list.
 inline std::vector<std::uint32_t> flat(const std::vector<sim::Triangle>& triangles) {

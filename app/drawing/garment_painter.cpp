@@ -38,7 +38,8 @@ void append_mesh_positions(std::span<const sim::Body> bodies, double time_s, std
 }
 
 const renderer::Colour outline_colour = renderer::rgb(0xC0392B);
-const renderer::Colour wind_colour = renderer::rgb(0x6B7785);
+const renderer::Colour wind_colour = renderer::rgb(0x24303C);
+const renderer::Colour wind_rim_colour = renderer::rgb(0xFFFFFF);
 
 // Picture height in pixels up to which lines are one pixel wide. In larger pictures line widths grow in proportion, so
 // that a large picture looks like a small one.
@@ -195,11 +196,11 @@ void GarmentPainter::add_rest_outline(const sim::Garment& garment) {
 }
 
 void GarmentPainter::add_wind(const DrawnScene& scene, const sim::Garment& garment) {
-  wind_arrows_ = wind_arrows(scene.surroundings.forces.wind, garment.mesh.positions);
-  if (!wind_arrows_.empty()) {
+  wind_arrows_ = wind_arrows(scene.surroundings.forces.wind, garment.mesh.positions, camera_);
+  for (const bool is_rim : {true, false}) {
     frame_.lines.push_back({.points = wind_arrows_,
-                            .colours = std::span(&wind_colour, 1),
-                            .width_px = 3.0F * line_width_px_,
+                            .colours = std::span(is_rim ? &wind_rim_colour : &wind_colour, 1),
+                            .width_px = (is_rim ? 8.0F : 5.0F) * line_width_px_,
                             .hidden_by_surfaces = false});
   }
 }

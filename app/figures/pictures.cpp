@@ -29,28 +29,21 @@ DrawnScene scene_for_print(const PrintedMoment& moment, const glm::ivec2& size) 
   return scene;
 }
 
-// Adds points that the camera has to see: every vertex, and its shadow of the key light on the floor.
-void add_points(const PrintedMoment& moment, const glm::vec3& towards_light, std::optional<float> ground_m,
-                std::vector<glm::vec3>& points) {
-  for (const glm::vec3& point : to_float(moment.moment->positions)) {
-    points.push_back(point);
-    if (ground_m) points.push_back(point - towards_light * ((point.y - *ground_m) / towards_light.y));
-  }
-}
-
+// Returns a camera that sees every vertex and every arrow of the moments. Shadows may fade at the border.
 renderer::Camera camera_for(std::span<const PrintedMoment> moments, const glm::ivec2& size) {
   DrawnScene scene = scene_for_print(moments.front(), size);
   scene.camera.framing.margin = print_margin_fraction;
   const renderer::Box reach =
       expected_reach(scene, *moments.front().recording->garment, moments.front().recording->pins);
   const float aspect = scene.picture.settings.aspect();
-  const glm::vec3 towards_light = renderer::studio_lighting(scene_camera(scene, reach, aspect)).towards_key;
+  const renderer::Camera near = scene_camera(scene, reach, aspect);
   std::vector<glm::vec3> points;
   for (const PrintedMoment& moment : moments) {
+    const std::vector<glm::vec3> seen = to_float(moment.moment->positions);
     const std::vector<glm::vec3> arrows =
-        wind_arrows(moment.recording->scene.surroundings.forces.wind, moment.recording->garment->mesh.positions);
+        wind_arrows(moment.recording->scene.surroundings.forces.wind, moment.recording->garment->mesh.positions, near);
+    points.insert(points.end(), seen.begin(), seen.end());
     points.insert(points.end(), arrows.begin(), arrows.end());
-    add_points(moment, towards_light, ground_height(scene, reach), points);
   }
   return renderer::fit_camera_to_points(points, choose_framing(scene, reach), aspect);
 }
@@ -248,7 +241,7 @@ Drawing draw_figure2(const Results& results, LazyOffscreenRenderer& offscreen) {
   const auto caption_of = [](const PrintedMoment& moment, char letter) -> Caption {
     const FrameRecord& record = moment.moment->record;
     return {letter, fmt::format("{:.2f} s{}", record.time_s, record.asleep ? ", at rest" : ""),
-            fmt::format("largest stretch {:.4g} %", 100.0 * record.stretch.max)};
+            fmt::format("largest stretch {:.3f} %", 100.0 * record.stretch.max)};
   };
   return make_sheet(make_panels(prints, moments, caption_of), prints.size_px,
                     {.columns = 4, .caption = {.text_px = 48.0F, .measured_px = 42.0F}},
@@ -290,11 +283,11 @@ Drawing draw_figure5(const Results& results, LazyOffscreenRenderer& offscreen) {
     const double speed_m_per_s = moment.recording->scene.surroundings.forces.wind.speed_m_per_s;
     const std::string wind = speed_m_per_s == 0.0 ? "gravity alone" : fmt::format("wind {:.1f} m/s", speed_m_per_s);
     return {letter, fmt::format("{}, after {:.1f} s", wind, record.time_s),
-            fmt::format("largest stretch {:.3f} %, surface {:.3f} %", 100.0 * record.stretch.max,
+            fmt::format("largest stretch: springs {:.3f} %, surface {:.3f} %", 100.0 * record.stretch.max,
                         100.0 * record.surface_stretch.max)};
   };
   return make_sheet(make_panels(prints, moments, caption_of), prints.size_px,
-                    {.columns = 3, .caption = {.text_px = 50.0F, .measured_px = 43.0F}},
+                    {.columns = 3, .caption = {.text_px = 50.0F, .measured_px = 38.0F}},
                     {0.2F * prints.metre_px, "20 cm"});
 }
 

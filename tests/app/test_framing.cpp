@@ -157,16 +157,21 @@ TEST(WindArrows, ComeFromWhereItBlowsAndGrowWithIt) {
   sim::Wind wind;
   wind.direction = {2, 0, 0};
   wind.speed_m_per_s = 0.0;
-  EXPECT_TRUE(wind_arrows(wind, box).empty());
+  renderer::Camera camera;
+  camera.eye = {0, 0, 9};
+  camera.target = {0, 0, 0};
+  EXPECT_TRUE(wind_arrows(wind, box, camera).empty());
   const auto length_at = [&](double speed_m_per_s) {
     wind.speed_m_per_s = speed_m_per_s;
-    const std::vector<glm::vec3> arrows = wind_arrows(wind, box);
-    EXPECT_LT(arrows[1].x, -1.0F) << "before the box";
+    const std::vector<glm::vec3> arrows = wind_arrows(wind, box, camera);
+    EXPECT_LT(arrows[1].x, -1.0F) << "beside the box";
     EXPECT_EQ(arrows[0].y, arrows[1].y);
     return arrows[1].x - arrows[0].x;
   };
   EXPECT_NEAR(length_at(20.0), 2.0F * length_at(10.0), 1e-5F);
   EXPECT_EQ(length_at(50.0), length_at(20.0));
+  wind.direction = {0, 0, 1};  // towards the eye
+  for (const glm::vec3& point : wind_arrows(wind, box, camera)) EXPECT_GT(std::abs(point.x), 1.0F) << "beside the box";
 }
 
 TEST(SpringLines, ShowOneKindOrAllInAColourEach) {

@@ -252,18 +252,16 @@ std::vector<Job> experiments(Results& results, Checking checking) {
       {fall_scene, 10.0,
        [&results, checking](const ProgressCallback& report) { results.fall = record_fall(report, checking); }},
       {"methods", 0.3, [&results](const ProgressCallback& report) { run_methods(results, report); }}};
-  // Adds a run that keeps its last frame: frame `frames`, or else the scene's last frame.
-  const auto add = [&jobs, checking](const char* name, double cost, std::optional<int> frames,
-                                     std::optional<Recording>& place) {
+  // Adds a run that keeps the scene's last frame.
+  const auto add = [&jobs, checking](const char* name, double cost, std::optional<Recording>& place) {
     jobs.push_back({name, cost, [=, &place](const ProgressCallback& report) {
                       const DrawnScene scene = find_scene(name, {});
-                      place = record_frames(scene, std::array{frames.value_or(scene.frames)}, report, checking);
+                      place = record_frames(scene, std::array{scene.frames}, report, checking);
                     }});
   };
-  for (std::size_t i = 0; i < pinned_scenes.size(); ++i) add(pinned_scenes[i], 0.1, {}, results.pinned[i]);
-  add(shirt_scenes[0], 16.0, {}, results.shirts[0]);
-  add(shirt_scenes[1], 16.0, {}, results.shirts[1]);
-  add(shirt_scenes[2], 26.0, strong_wind_frames, results.shirts[2]);
+  for (std::size_t i = 0; i < pinned_scenes.size(); ++i) add(pinned_scenes[i], 0.1, results.pinned[i]);
+  const std::array costs = {16.0, 16.0, 62.0};
+  for (std::size_t i = 0; i < shirt_scenes.size(); ++i) add(shirt_scenes[i], costs[i], results.shirts[i]);
   return jobs;
 }
 

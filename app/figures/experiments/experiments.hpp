@@ -73,10 +73,6 @@ inline constexpr std::array fall_frames = {0, 12, 21, 30, 40, 54, 80, 900};
 inline constexpr double fall_rest_m = 1e-4;
 inline constexpr double fall_rest_s = 0.5;
 
-/// Frames of the scene tshirt-wind-10 in figure 5. A shirt in this wind never comes to rest, so a longer run would only
-/// cost more.
-inline constexpr int strong_wind_frames = 100;
-
 /// Line y = offset + slope * x.
 struct StraightLine {
   double slope = 0.0;

@@ -17,9 +17,10 @@ join() {
   ffmpeg -nostdin -y -loglevel error $inputs -filter_complex "$2" -frames:v 1 -pix_fmt rgb24 -pred mixed "$pictures/$1.png"
 }
 
-"$taut" render flag --frames 200 --resolution 560x400 --set 'camera.box=[[-0.05, 1.6, -0.1], [1.0, 2.52, 0.1]]' \
-  --output "$folder/1.png"
-"$taut" render washing-line --frames 150 --resolution 870x400 --output "$folder/2.png"
+"$taut" render flag --frames 440 --quality final --resolution 560x400 --set camera.azimuth=48 \
+  --set 'camera.box=[[-0.05, 1.6, -0.1], [1.0, 2.52, 0.1]]' --output "$folder/1.png"
+"$taut" render washing-line --frames 440 --quality final --resolution 870x400 \
+  --set 'camera.box=[[-1.62, 1.28, -0.2], [1.62, 2.05, 0.4]]' --output "$folder/2.png"
 join wind hstack=2 2
 
 print=$assets/textures/print.png

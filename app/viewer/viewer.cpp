@@ -49,7 +49,7 @@ DrawnScene kept_scene(const ViewerState& state, const ViewArea& area) {
   const Snapshot& shown = *state.shown;
   const std::vector<sim::Index>& pins = *shown.pins;
   if (pins != shown.loaded->pins) scene.pins = numbered_in_file(pins, shown.loaded->file_vertices);
-  const renderer::Camera camera = state.camera.camera();
+  const renderer::Camera camera = camera_at_rest(state, shown);
   scene.camera.eye = camera.eye;
   scene.camera.target = camera.target;
   scene.camera.framing.vertical_fov_rad = camera.vertical_fov_rad;
@@ -292,7 +292,20 @@ void Viewer::note_snapshot(SnapshotPtr newest) {
   }
   note_measurements();
   choose_shown();
-  if (is_new_garment || has_other_area) state_.camera = OrbitCamera(first_camera());
+  if (is_new_garment || has_other_area) {
+    state_.camera = OrbitCamera(first_camera());
+    followed_m_ = glm::vec3(0.0F);
+    follows_ = state_.scene.camera.follow;
+  }
+  follow();
+}
+
+// Moves the view with the shown garment. A view that begins to follow stays where it is.
+void Viewer::follow() {
+  const bool begins = state_.scene.camera.follow && !follows_;
+  follows_ = state_.scene.camera.follow;
+  const glm::vec3 before_m = std::exchange(followed_m_, followed_m(state_, *state_.shown));
+  if (follows_ && !begins) state_.camera.move(followed_m_ - before_m);
 }
 
 void Viewer::adopt_scene() {

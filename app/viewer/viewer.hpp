@@ -156,6 +156,7 @@ class Viewer {
   Pointer pointer_over_one();
   void adopt_scene();
   renderer::Camera first_camera() const;
+  void follow();
   void note_measurements();
   void choose_shown();
   SnapshotPtr within_present_bound(const SnapshotPtr& past);
@@ -198,6 +199,8 @@ class Viewer {
   double told_speed_ = 1.0;
   std::optional<sim::SolverKind> told_compared_;
   std::uint64_t told_notice_ = 0;
+  glm::vec3 followed_m_{0.0F};  ///< how far the view has moved with the garment
+  bool follows_ = false;
   std::optional<int> noted_frame_;
   // A past frame, and how it looks under the bound that was set since.
   SnapshotPtr past_;

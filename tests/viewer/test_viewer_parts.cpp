@@ -149,10 +149,10 @@ TEST(Measurements, SayBothStretches) {
   record.stretch.max = 0.0097;
   record.stretch.p99 = 0.005;
   record.surface_stretch = {0.223, 0.034};
-  EXPECT_EQ(other_stretches(record, sim::BoundKind::springs), "p99 0.50 %, surface 22.30 %, p99 3.40 %");
-  EXPECT_EQ(other_stretches(record, sim::BoundKind::surface), "p99 3.40 %, springs 0.97 %, p99 0.50 %");
+  EXPECT_EQ(other_stretches(record, sim::BoundKind::springs), "largest of the surface 22.30 %\n99 of 100: surface 3.40 %, springs 0.50 %");
+  EXPECT_EQ(other_stretches(record, sim::BoundKind::surface), "largest of springs 0.97 %\n99 of 100: surface 3.40 %, springs 0.50 %");
   record.surface_stretch.max = 1e30;
-  EXPECT_EQ(other_stretches(record, sim::BoundKind::springs), "p99 0.50 %, surface 1.0e+32 %, p99 3.40 %");
+  EXPECT_EQ(other_stretches(record, sim::BoundKind::springs), "largest of the surface 1.0e+32 %\n99 of 100: surface 3.40 %, springs 0.50 %");
   Measurements measured;
   measured.add(record);
   EXPECT_EQ(measured.max_stretch.last(), 0.0097F);

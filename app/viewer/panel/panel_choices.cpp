@@ -126,22 +126,14 @@ void lay_out_solver_list(ViewerState& state) {
   solver = with_solver(solver, kind, state.newest->loaded->scene.simulation.solver);
 }
 
-// Draws two sliders side by side. The second one's label describes both.
-void slider_pair(ViewerState& state, const Slider& left, const Slider& right) {
-  const Halves halves;
-  halves.begin_left();
-  number_slider(state, left);
-  halves.begin_right();
-  number_slider(state, right);
-}
-
 // Draws the sliders of the fabric's bending and compression stiffness.
 void lay_out_stiffness(ViewerState& state) {
   sim::Material& fabric = state.scene.material;
   const double before_un_m = 1e6 * fabric.bending_rigidity_n_m;
   double bending_un_m = before_un_m;
-  slider_pair(state, {"##flexural", "fabric.bending", bending_un_m, 0.0, 200.0, "%.1f µN m", true},
-              {"stiffness", "fabric.compression", fabric.compression_stiffness_n_per_m, 0.0, 500.0, "%.0f N/m"});
+  number_slider(state, {"bending", "fabric.bending", bending_un_m, 0.0, 200.0, "%.1f µN m", true});
+  number_slider(state, {"compression", "fabric.compression", fabric.compression_stiffness_n_per_m, 0.0, 500.0,
+                        "%.0f N/m"});
   if (bending_un_m != before_un_m) fabric.bending_rigidity_n_m = 1e-6 * bending_un_m;
 }
 
@@ -164,15 +156,14 @@ void lay_out_solver(ViewerState& state) {
   if (solver.kind == sim::SolverKind::bounded) lay_out_stiffness(state);
   if (hooke) {
     sim::SpringStiffness& springs = solver.ideal.stiffness;
-    slider_pair(state,
-                {"##flexural", "solver.stiffness.flexural", springs.flexural_n_per_m, 0.0, 100.0, "%.1f N/m", true},
-                {"bend, damp", "solver.stiffness.damping", springs.damping_n_s_per_m, 0.0, 0.2, "%.3f N s/m"});
+    number_slider(state, {"bending", "solver.stiffness.flexural", springs.flexural_n_per_m, 0.0, 100.0, "%.1f N/m",
+                          true});
+    number_slider(state, {"damping", "solver.stiffness.damping", springs.damping_n_s_per_m, 0.0, 0.2, "%.3f N s/m"});
   }
   if (solver.kind == sim::SolverKind::implicit) {
-    slider_pair(state,
-                {"##stretch stiffness", "solver.implicit.stretch", solver.implicit.stretch_n_per_m, 1.0, 10000.0,
-                 "%.0f N/m", true},
-                {"stretch, damp", "solver.implicit.damping", solver.implicit.damping_s, 0.0, 0.05, "%.4f s"});
+    number_slider(state, {"stretching", "solver.implicit.stretch", solver.implicit.stretch_n_per_m, 1.0, 10000.0,
+                          "%.0f N/m", true});
+    number_slider(state, {"damping", "solver.implicit.damping", solver.implicit.damping_s, 0.0, 0.05, "%.4f s"});
   }
   number_slider(state, {"air drag", "air.drag", state.scene.surroundings.forces.air_drag_per_s, 0.0, 10.0, "%.2f /s"});
 }
@@ -188,7 +179,6 @@ struct Colours {
   ImU32 ink = ImGui::GetColorU32(ImGuiCol_Text);
   ImU32 faint = ImGui::GetColorU32(ImGuiCol_TextDisabled);
   ImU32 knob = IM_COL32(255, 255, 255, 255);
-  ImU32 mark = IM_COL32(192, 57, 43, 255);
 };
 
 double snap_speed(double speed) {
@@ -208,12 +198,11 @@ void draw_scale(ImDrawList& list, const Colours& colours, const ImVec2& left, fl
     list.AddText({x - 0.5F * ImGui::CalcTextSize(text.c_str()).x, left.y + 5.0F * scale}, colours.faint, text.c_str());
   }
   for (const double speed : paper_values) {
-    std::array<char, 8> text{};
-    std::snprintf(text.data(), text.size(), "%.1f", speed);
+    const std::string text = fmt::format("{:.0f}", speed);
     const float x = x_of(speed);
-    list.AddTriangleFilled({x, left.y}, {x + 4.0F * scale, left.y + 7.0F * scale},
-                           {x - 4.0F * scale, left.y + 7.0F * scale}, colours.mark);
-    list.AddText({x - 0.5F * ImGui::CalcTextSize(text.data()).x, left.y + 7.0F * scale}, colours.mark, text.data());
+    list.AddTriangleFilled({x, left.y}, {x + 4.0F * scale, left.y + 6.0F * scale},
+                           {x - 4.0F * scale, left.y + 6.0F * scale}, colours.ink);
+    list.AddText({x - 0.5F * ImGui::CalcTextSize(text.c_str()).x, left.y + 5.0F * scale}, colours.ink, text.c_str());
   }
 }
 
@@ -293,8 +282,11 @@ void gust_and_gravity(ViewerState& state) {
   sim::ExternalForces& forces = state.scene.surroundings.forces;
   sim::Wind& wind = forces.wind;
   ImGui::PushItemWidth(-0.38F * ImGui::GetContentRegionAvail().x);
-  number_slider(state, {"gusts", "wind.gust_amplitude", wind.gust_amplitude, 0.0, 1.0, "%.2f"});
-  number_slider(state, {"period", "wind.gust_period", wind.gust_period_s, 0.1, 10.0, "%.1f s", true});
+  double gust_percent = 100.0 * wind.gust_amplitude;
+  if (number_slider(state, {"gusts", "wind.gust_amplitude", gust_percent, 0.0, 100.0, "%.0f %%"})) {
+    wind.gust_amplitude = gust_percent / 100.0;
+  }
+  number_slider(state, {"gust period", "wind.gust_period", wind.gust_period_s, 0.1, 10.0, "%.1f s", true});
   double down = 0.0 - forces.gravity_m_per_s2.y;  // 0 instead of -0
   if (number_slider(state, {"gravity", "gravity", down, 0.0, 20.0, "%.2f m/s²"})) {
     forces.gravity_m_per_s2.y = -down;
@@ -338,7 +330,9 @@ void lay_out_looks(ViewerState& state) {
   ImGui::SetNextItemWidth(third);
   kind_list(state, "##springs", "look.springs", all_which_springs, picture.springs,
             picture.springs == WhichSprings::none ? "springs" : nullptr);
+  check("follow", state.scene.camera.follow, "camera.follow");
   if (picture.surface == SurfaceLook::stretch) {
+    ImGui::SameLine(start + third);
     kind_list(state, "stretch of", "look.stretch_of", all_stretch_of, picture.stretch_of);
   }
 }

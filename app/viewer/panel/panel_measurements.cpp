@@ -56,6 +56,12 @@ float plot_height(float value, const ItemPlace& place, float highest) {
   return place.upper_px.y - 1.0F - part * (place.upper_px.y - place.lower_px.y - 2.0F);
 }
 
+// Writes the upper end of a plot's scale at its left end, behind the curve.
+void draw_plot_top(const ItemPlace& place, const std::string& text) {
+  ImGui::GetWindowDrawList()->AddText({place.lower_px.x + 3.0F, place.lower_px.y},
+                                      ImGui::GetColorU32(ImGuiCol_TextDisabled), text.c_str());
+}
+
 void draw_curve(std::span<const float> values, const ItemPlace& place, float highest, ImU32 colour, float scale) {
   if (values.size() < 2) return;
   const float step = (place.upper_px.x - place.lower_px.x) / static_cast<float>(RecentValues::max_count - 1);
@@ -72,11 +78,20 @@ void draw_curve(std::span<const float> values, const ItemPlace& place, float hig
 
 float max_value(std::span<const float> values) { return values.empty() ? 0.0F : *std::ranges::max_element(values); }
 
-// Returns the maximum of a scale in powers of 2, so that the scale does not change with every value.
+// Returns the value that 95 of 100 do not exceed. Few frames take much longer than all others.
+float usual_value(std::span<const float> values) {
+  std::vector<float> sorted(values.begin(), values.end());
+  std::ranges::sort(sorted);
+  return sorted.empty() ? 0.0F : sorted[sorted.size() * 95 / 100];
+}
+
+// Returns the maximum of a scale, 1, 2 or 5 times a power of 10, so that the scale does not change with every value.
 float rounded_up(float value, float least) {
-  float limit = least;
-  while (limit < value) limit *= 2.0F;
-  return limit;
+  const float limit = std::max(value, least), power = std::pow(10.0F, std::floor(std::log10(limit)));
+  for (const float step : {1.0F, 2.0F, 5.0F}) {
+    if (limit <= 1.0001F * step * power) return step * power;
+  }
+  return 10.0F * power;
 }
 
 // Draws a line as wide as the panel, so that the pointer stays over it when the text becomes shorter.
@@ -106,8 +121,10 @@ void plot_stretch(ViewerState& state, float scale) {
                                      {holds_springs ? "Stretch of springs" : "Stretch of the surface", {words}}, scale);
   if (bound) {
     const float y = plot_height(limit, place, highest);
-    ImGui::GetWindowDrawList()->AddLine({place.lower_px.x, y}, {place.upper_px.x, y}, bound_colour, scale);
+    const float right_of_top = place.lower_px.x + 3.5F * ImGui::GetFontSize();
+    ImGui::GetWindowDrawList()->AddLine({right_of_top, y}, {place.upper_px.x, y}, bound_colour, scale);
   }
+  draw_plot_top(place, fmt::format("{:.3g} %", 100.0F * highest));
   draw_curve(stretch.values(), place, highest, curve_colour, scale);
   reading_line(state, "measured.stretches", other_stretches(state.newest->record, kind_kept));
   reading_line(state, "measured.contact", contact_text(state.newest->record.contact));
@@ -117,7 +134,8 @@ void plot_convergence(ViewerState& state, float scale) {
   const RecentValues& moved = state.measurements.convergence_mm;
   const float highest = rounded_up(max_value(moved.values()), 0.01F);
   const ItemPlace place = plot_frame(state, "measured.convergence",
-                                     {"Convergence", {{short_number(moved.last(), 3) + " mm a frame"}}}, scale);
+                                     {"Largest movement", {{short_number(moved.last(), 2) + " mm a frame"}}}, scale);
+  draw_plot_top(place, fmt::format("{:.3g} mm", highest));
   draw_curve(moved.values(), place, highest, curve_colour, scale);
 }
 
@@ -127,11 +145,13 @@ void plot_times(ViewerState& state, float scale) {
     plot_frame(state, "measured.times", {"Milliseconds", {{"not shown here"}}}, scale);
     return;
   }
-  const float highest = rounded_up(std::max(max_value(m.simulate_ms.values()), max_value(m.draw_ms.values())), 10.0F);
+  const float usual_ms = std::max(usual_value(m.simulate_ms.values()), usual_value(m.draw_ms.values()));
+  const float highest = rounded_up(usual_ms, 10.0F);
   const std::vector<Words> reading = {{"simulate " + few_digits(m.simulate_ms.last()), curve_colour},
                                       {"draw " + few_digits(m.draw_ms.last()), second_colour},
                                       {"panel " + few_digits(m.panel_ms.last())}};
-  const ItemPlace place = plot_frame(state, "measured.times", {"ms", reading}, scale);
+  const ItemPlace place = plot_frame(state, "measured.times", {"Milliseconds", reading}, scale);
+  draw_plot_top(place, fmt::format("{:.0f} ms", highest));
   draw_curve(m.simulate_ms.values(), place, highest, curve_colour, scale);
   draw_curve(m.draw_ms.values(), place, highest, second_colour, scale);
 }

@@ -148,8 +148,8 @@ bool ScenePicture::draw(unsigned framebuffer, const GarmentSight& sight, std::si
 ScenePicture::PaintedAs ScenePicture::painted_as(const GarmentSight& sight) {
   const DrawnScene& scene = sight.state.scene;
   const PictureStyle& picture = scene.picture;
-  return {sight.garment.loaded, sight.garment.pins, picture.surface, picture.stretch_of,  shown_stretch_range(scene),
-          scene.fabric,         picture.wireframe,  picture.springs, sight.area.height_px};
+  return {sight.garment.loaded, sight.garment.pins, picture.surface,     picture.stretch_of, shown_stretch_range(scene),
+          scene.fabric,         picture.wireframe,  scene.camera.follow, picture.springs,    sight.area.height_px};
 }
 
 GarmentPainter& ScenePicture::painter_for(const GarmentSight& sight) {
@@ -191,7 +191,8 @@ void ScenePicture::draw_anew(unsigned framebuffer, const GarmentSight& sight, co
   const ViewerState& state = sight.state;
   const ViewArea& area = sight.area;
   GarmentPainter& painter = painter_for(sight);
-  painter.look_from(state.camera.camera(), quality.min_edge_px);
+  // The painter follows its garment itself, as it does for a saved scene.
+  painter.look_from(camera_at_rest(state, sight.garment), quality.min_edge_px);
   renderer::FrameView frame = painter.view(sight.garment.positions(), sight.garment.checkpoint->state.time_s);
   frame.backdrop.transparent = false;
   if (state.show_normals) add_normals(sight.garment, frame);

@@ -23,14 +23,14 @@ struct PictureQuality {
   bool operator==(const PictureQuality&) const = default;
 };
 
-/// Qualities from best to cheapest. The sky's shadow and the shadow map are reduced first, then samples, then the
-/// resolution of shading.
+/// Qualities from best to cheapest. All have smooth outlines. The sky's shadow and the shadow map are reduced first,
+/// then the resolution of shading.
 inline constexpr std::array<PictureQuality, 6> picture_qualities = {{{4, 2048, 16, 12, 1, 12, 2.9},
-                                                                     {4, 1024, 16, 8, 1, 12, 2.6},
-                                                                     {1, 1024, 8, 4, 1, 12, 1.5},
-                                                                     {1, 512, 6, 4, 2, 24, 1.2},
-                                                                     {1, 256, 6, 2, 2, 24, 1.1},
-                                                                     {1, 256, 4, 0, 2, 24, 1.0}}};
+                                                                     {4, 1024, 16, 8, 1, 12, 2.7},
+                                                                     {4, 1024, 8, 4, 2, 12, 1.8},
+                                                                     {4, 512, 6, 4, 2, 24, 1.3},
+                                                                     {4, 256, 6, 2, 2, 24, 1.1},
+                                                                     {4, 256, 4, 0, 2, 24, 1.0}}};
 
 /// Chooses the best quality that still allows 30 frames per second. If drawing takes processors away from the
 /// simulation, it reduces the quality further, and finally the frame rate.
@@ -101,7 +101,7 @@ class ScenePicture {
  private:
   // Inputs of a painter; see painted_as().
   using PaintedAs = std::tuple<std::shared_ptr<const LoadedScene>, std::shared_ptr<const std::vector<sim::Index>>,
-                               SurfaceLook, StretchOf, std::array<double, 2>, std::string, bool, WhichSprings, int>;
+                               SurfaceLook, StretchOf, std::array<double, 2>, std::string, bool, bool, WhichSprings, int>;
   // Inputs of the scene's picture; see look_of().
   using SceneLook = std::tuple<PaintedAs, std::shared_ptr<const sim::Checkpoint>, OrbitCamera, bool, bool,
                                std::optional<HandThread>, int, int>;

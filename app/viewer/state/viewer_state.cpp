@@ -275,14 +275,26 @@ std::string short_number(double value, int decimals) {
   return std::abs(value) < 1e5 ? fmt::format("{:.{}f}", value, decimals) : fmt::format("{:.1e}", value);
 }
 
+glm::vec3 followed_m(const ViewerState& state, const Snapshot& garment) {
+  if (!state.scene.camera.follow) return glm::vec3(0.0F);
+  return mean_position(garment.positions()) - mean_position(garment.loaded->garment->mesh.positions);
+}
+
+renderer::Camera camera_at_rest(const ViewerState& state, const Snapshot& garment) {
+  renderer::Camera camera = state.camera.camera();
+  const glm::vec3 shift = followed_m(state, garment);
+  camera.eye -= shift;
+  camera.target -= shift;
+  return camera;
+}
+
 std::string other_stretches(const FrameRecord& record, sim::BoundKind plotted) {
   const auto percent = [](double stretch) { return short_number(100.0 * stretch, 2); };
   const bool plots_springs = plotted == sim::BoundKind::springs;
-  const double p99 = plots_springs ? record.stretch.p99 : record.surface_stretch.p99;
-  const double other = plots_springs ? record.surface_stretch.max : record.stretch.max;
-  const double other_p99 = plots_springs ? record.surface_stretch.p99 : record.stretch.p99;
-  return fmt::format("p99 {} %, {} {} %, p99 {} %", percent(p99), plots_springs ? "surface" : "springs", percent(other),
-                     percent(other_p99));
+  return fmt::format("largest of {} {} %\n99 of 100: surface {} %, springs {} %",
+                     plots_springs ? "the surface" : "springs",
+                     percent(plots_springs ? record.surface_stretch.max : record.stretch.max),
+                     percent(record.surface_stretch.p99), percent(record.stretch.p99));
 }
 
 std::string contact_text(const sim::ContactReport& contact) {

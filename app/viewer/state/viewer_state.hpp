@@ -38,6 +38,8 @@ class OrbitCamera {
   void pan(const glm::vec2& way_px, const ViewArea& area);
   /// Moves nearer for positive notches of the wheel. The point seen at `point_px` stays there.
   void zoom(float notches, const glm::vec2& point_px, const ViewArea& area);
+  /// Moves eye and target.
+  void move(const glm::vec3& by_m) { move_target(target_ + by_m); }
   /// Moves so that the whole box is visible, without turning.
   void fit(const renderer::Box& box, const ViewArea& area);
 
@@ -132,8 +134,8 @@ SlowedBy find_slowdown(double factor, double asked, double simulate_ms, double f
 /// Returns a number as a text that fits into the panel for any value.
 std::string short_number(double value, int decimals);
 
-/// Returns the stretches that the panel shows in addition to the plotted maximum of the bounded kind: its 99th
-/// percentile, and maximum and 99th percentile of the other kind.
+/// Returns the stretches that the panel shows in addition to the plotted maximum of the bounded kind, in two lines:
+/// the maximum of the other kind, and the 99th percentiles of both.
 std::string other_stretches(const FrameRecord& record, sim::BoundKind plotted);
 
 /// Returns the panel's text about the smallest distance and crossings.
@@ -264,6 +266,10 @@ struct ViewerState {
   std::map<std::string, ItemPlace> places;
 };
 
+/// Returns how far a camera that follows the garment has moved with it; 0 if the scene's does not.
+glm::vec3 followed_m(const ViewerState& state, const Snapshot& garment);
+/// Returns the camera without what it has followed, for GarmentPainter and saved scenes.
+renderer::Camera camera_at_rest(const ViewerState& state, const Snapshot& garment);
 /// Returns the picture's second garment; null if there is none.
 const Snapshot* compared_garment(const ViewerState& state);
 /// Returns the name of a garment's solver.

@@ -149,7 +149,7 @@ for (const key of ['scene', 'size']) {
     start();
   });
 }
-byId('fabric').append(new Option('as it was made', ''), ...Object.keys(fabrics).filter((name) => name)
+byId('fabric').append(new Option('own fabric', ''), ...Object.keys(fabrics).filter((name) => name)
   .map((name) => new Option(name, name)));
 byId('fabric').addEventListener('change', () => {
   stage.dress(fabrics[byId('fabric').value]);

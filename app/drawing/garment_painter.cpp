@@ -206,7 +206,7 @@ void GarmentPainter::add_wind(const DrawnScene& scene, const sim::Garment& garme
 }
 
 void GarmentPainter::look_from(const renderer::Camera& camera, float min_edge_px) {
-  frame_.camera = camera;
+  camera_ = frame_.camera = camera;
   frame_.lighting = renderer::studio_lighting(camera);
   const float seen_m = 2.0F * glm::distance(camera.eye, camera.target) * std::tan(0.5F * camera.vertical_fov_rad);
   // Spring lines lie on the simulated triangles.

@@ -260,7 +260,7 @@ struct PictureSettings {
   bool shadows = true;    ///< shadows of the key light
   /// Side of the square shadow map in texels, 256 to 8192. A small picture uses a smaller map. Larger is sharper.
   int shadow_map_px = 2048;
-  /// 1, or 2 to shade squares of 2 by 2 pixels as one; outlines keep their samples.
+  /// 1, or 2 to shade squares of 2 by 2 pixels as one, with outlines spread over three pixels. Only with one sample.
   int shading_px = 1;
   /// Shadow map look-ups per pixel in a soft shadow's edge, 1 to 64. Fewer give grainy edges.
   int shadow_taps = 16;

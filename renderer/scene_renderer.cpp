@@ -21,12 +21,12 @@ bool has_marks(const FrameView& frame) {
 
 // Blended light has to be encoded after blending, which only the renderer's own target ensures.
 bool is_blended(const FrameView& frame, const PictureSettings& settings) {
-  return (settings.samples > 1 && settings.shading_px == 1) || settings.supersampling > 1 || settings.passes > 1 || has_marks(frame);
+  return settings.samples > 1 || settings.supersampling > 1 || settings.passes > 1 || has_marks(frame);
 }
 
 BackdropGrid choose_grid(const PictureSettings& settings) {
-  if (settings.shading_px > 1) return BackdropGrid::coarsest;
-  return settings.samples > 1 ? BackdropGrid::fine : BackdropGrid::coarse;
+  if (settings.samples > 1) return BackdropGrid::fine;
+  return settings.shading_px > 1 ? BackdropGrid::coarsest : BackdropGrid::coarse;
 }
 
 // Returns the colour of a plain backdrop in linear light, premultiplied.

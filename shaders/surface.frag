@@ -187,7 +187,7 @@ vec3 shaded(int triangle, bool front, vec3 ray) {
 #endif
 }
 
-#if defined(MULTISAMPLED) && !defined(HALVED)
+#ifdef MULTISAMPLED
 bool share_a_corner(uvec3 a, uvec3 b) {
   return any(equal(a, b)) || any(equal(a, b.yzx)) || any(equal(a, b.zxy));
 }
@@ -218,34 +218,28 @@ void main() {
   colour = sum;
 }
 #else
-// Returns the first surface in a pixel; 0: none.
-uint first_in(ivec2 pixel) {
-  uint visible = texelFetch(visibility_buffer, pixel, 0).r;
-#ifdef MULTISAMPLED
-  for (int i = 1; i < 4; ++i) visible = visible == 0u ? texelFetch(visibility_buffer, pixel, i).r : visible;
-#endif
-  return visible;
-}
-
 void main() {
   ivec2 pixel = ivec2(gl_FragCoord.xy) - corner.xy;
 #ifdef HALVED
   // The first non-empty pixel of the four represents all of them; surface_halved.frag keeps their outline.
   pixel *= 2;
-  uvec4 four = uvec4(first_in(pixel), first_in(pixel + ivec2(1, 0)), first_in(pixel + ivec2(0, 1)),
-                     first_in(pixel + ivec2(1, 1)));
+  uvec4 four = uvec4(texelFetch(visibility_buffer, pixel, 0).r, texelFetch(visibility_buffer, pixel + ivec2(1, 0), 0).r,
+                     texelFetch(visibility_buffer, pixel + ivec2(0, 1), 0).r, texelFetch(visibility_buffer, pixel + ivec2(1, 1), 0).r);
   bvec3 none = equal(four.xyz, uvec3(0u));
   int i = !none.x ? 0 : !none.y ? 1 : !none.z ? 2 : 3;
   uint visible = four[i];
   pixel += ivec2(i & 1, i >> 1);
 #else
-  uint visible = first_in(pixel);
+  uint visible = texelFetch(visibility_buffer, pixel, 0).r;
 #endif
   if (visible == 0u) discard;
   vec3 ray = ray_through(vec2(pixel) + 0.5);
   vec3 light = shaded(triangle_of(visible), is_front(visible), ray);
 #ifdef SAMPLED
   colour = vec4(light, 1.0);
+#elif defined(HALVED)
+  // Less than opaque beside an outline, where surface_halved.frag has more to do.
+  colour = (any(equal(four, uvec4(0u))) ? 0.5 : 1.0) * vec4(linear_to_srgb_fast(light), 1.0);
 #else
   colour = vec4(linear_to_srgb_fast(light), 1.0);
 #endif

@@ -65,6 +65,7 @@ constexpr float under_marks_units = 4.0F;
 // Flags of the shading variants; a variant is their sum.
 constexpr std::size_t several_samples = 1;
 constexpr std::size_t scalars = 2;
+// Excludes several samples.
 constexpr std::size_t halved = 4;
 constexpr std::size_t base_colour_maps = 8;
 // Excludes several samples and halving.
@@ -179,7 +180,6 @@ SurfacePass::SurfacePass(const GladGLContext& context)
       square_arrays_(context),
       square_corners_(context),
       upscaling_(context, "squares.vert", "surface_halved.frag"),
-      smooth_upscaling_(context, "squares.vert", "surface_halved.frag", {"MULTISAMPLED"}),
       halved_(context, GL_RGBA8, halved_unit) {
   for (std::size_t variant = 0; variant < variants; ++variant) {
     shading_.emplace_back(context, "squares.vert", "surface.frag", defines(variant));
@@ -239,16 +239,15 @@ void SurfacePass::shade_halved(const VisibilityBuffer& visibility, GLuint frameb
   halved_.begin({place.width_px / 2, place.height_px / 2});
   gl_->ClearColor(0.0F, 0.0F, 0.0F, 0.0F);
   gl_->Clear(GL_COLOR_BUFFER_BIT);
-  const bool several = visibility.samples() > 1;
-  shade_squares(halved + (several ? several_samples : 0), visibility, {0, 0});
+  shade_squares(halved, visibility, {0, 0});
   gl_->BindFramebuffer(GL_FRAMEBUFFER, framebuffer);
   gl_->Viewport(place.x_px, place.y_px, place.width_px, place.height_px);
   halved_.bind();
-  const Program& program = (several ? smooth_upscaling_ : upscaling_).use();
+  const Program& program = upscaling_.use();
   program.set("corner", glm::ivec4{place.x_px, place.y_px, 0, 0});
   program.set("halved_part", glm::vec4{0.5F / glm::vec2{halved_.size_px()}, 0.0F, 0.0F});
   // Encoded colours are blended as they are, which is cheaper; they are only at outlines.
-  if (several) gl_->Enable(GL_BLEND);
+  gl_->Enable(GL_BLEND);
   gl_->BlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
   draw_squares();
   gl_->Disable(GL_BLEND);
@@ -274,7 +273,7 @@ void SurfacePass::shade(const VisibilityBuffer& visibility, GLuint framebuffer, 
   if (surface_buffers_.empty()) return;
   begin_shading(visibility, framebuffer, block, place);
   const bool several = visibility.samples() > 1;
-  if (halve && place.width_px % 2 == 0 && place.height_px % 2 == 0) {
+  if (halve && !several && place.width_px % 2 == 0 && place.height_px % 2 == 0) {
     shade_halved(visibility, framebuffer, place);
   } else {
     // Single samples cover their pixel or not, so the shader encodes them, which is cheaper.

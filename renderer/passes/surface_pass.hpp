@@ -56,7 +56,7 @@ class SurfacePass {
   void draw_visibility(bool under_marks);
   /// Shades the visibility buffer and blends it over a framebuffer, which is bound. `place`: the tile's rectangle
   /// there, which becomes the viewport. `block`: the tile's. `halve`: squares of 2 by 2 pixels are shaded as one if
-  /// the tile's sides are even.
+  /// there is one sample and the tile's sides are even; outlines are then spread over three pixels.
   void shade(const VisibilityBuffer& visibility, GLuint framebuffer, const FrameBlock& block, const PixelRect& place,
              bool halve);
   /// Adds one pass of many to the lower left of a framebuffer, in linear light; otherwise like shade().
@@ -85,7 +85,6 @@ class SurfacePass {
   VertexArray square_arrays_;
   Buffer square_corners_;
   LazyProgram upscaling_;
-  LazyProgram smooth_upscaling_;  // several samples
   GrowingTarget halved_;
   bool any_scalars_ = false;
 };

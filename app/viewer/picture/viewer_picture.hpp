@@ -23,14 +23,14 @@ struct PictureQuality {
   bool operator==(const PictureQuality&) const = default;
 };
 
-/// Qualities from best to cheapest. All have smooth outlines. The sky's shadow and the shadow map are reduced first,
-/// then the resolution of shading.
+/// Qualities from best to cheapest, all with smooth outlines. The sky's shadow and the shadow map are reduced first,
+/// then samples and the resolution of shading.
 inline constexpr std::array<PictureQuality, 6> picture_qualities = {{{4, 2048, 16, 12, 1, 12, 2.9},
                                                                      {4, 1024, 16, 8, 1, 12, 2.7},
-                                                                     {4, 1024, 8, 4, 2, 12, 1.8},
-                                                                     {4, 512, 6, 4, 2, 24, 1.3},
-                                                                     {4, 256, 6, 2, 2, 24, 1.1},
-                                                                     {4, 256, 4, 0, 2, 24, 1.0}}};
+                                                                     {1, 1024, 8, 4, 2, 12, 1.7},
+                                                                     {1, 512, 6, 4, 2, 24, 1.3},
+                                                                     {1, 256, 6, 2, 2, 24, 1.1},
+                                                                     {1, 256, 4, 0, 2, 24, 1.0}}};
 
 /// Chooses the best quality that still allows 30 frames per second. If drawing takes processors away from the
 /// simulation, it reduces the quality further, and finally the frame rate.

@@ -270,19 +270,27 @@ std::string report_html(std::span<const Claim> claims, const std::vector<Promise
   const auto put = [&html](const std::string& place, const std::string& text) {
     html.replace(html.find(place), place.size(), text);
   };
-  std::string claims_html = summary_html(claims);
-  for (const Claim& claim : claims) claims_html += claim_html(claim);
-  // The first figure comes before the claims.
-  std::string first_html, figures_html;
-  for (const DrawnFigure& figure : figures) (first_html.empty() ? first_html : figures_html) += figure_html(figure);
+  // Each figure stands where it is first spoken of, the rest with the promises.
+  std::vector<DrawnFigure> left(figures.begin(), figures.end());
+  const auto take = [&left](const std::string& name) {
+    const auto found = std::ranges::find(left, name, &DrawnFigure::name);
+    if (found == left.end()) return std::string();
+    const std::string figure = figure_html(*found);
+    left.erase(found);
+    return figure;
+  };
+  const std::string first_html = take("fig1");
+  std::string claims_html = summary_html(claims), figures_html;
+  for (const Claim& claim : claims) claims_html += claim_html(claim) + take(claim.text.figure);
   put("<!--machine-->\n", machine_html(machine));
   put("<!--first-->\n", first_html);
   put("<!--claims-->\n", claims_html);
   put("<!--promises-->\n", promises_html(promises));
-  put("<!--figures-->\n", figures_html);
   put("<!--methods-->\n", methods);
-  put("<!--truth-->\n", truth);
-  put("<!--wind-->\n", wind);
+  put("<!--truth-->\n", truth + take("truth"));
+  put("<!--wind-->\n", wind + take("fig9"));
+  for (const DrawnFigure& figure : left) figures_html += figure_html(figure);
+  put("<!--figures-->\n", figures_html);
   return html;
 }
 

@@ -195,19 +195,19 @@ Figure make_figure9(std::vector<TruthPoint>& points) {
 std::string truth_html(std::span<const TruthExperiment> experiments, std::span<const TruthPoint> points) {
   std::string html =
       "<table>\n<tr><th>experiment</th><th>published</th><th>numbers</th><th>largest deviation</th><th>root mean "
-      "square</th><th>passes up to</th></tr>\n";
+      "square</th><th>passes up to</th><th></th></tr>\n";
   for (const TruthExperiment& experiment : experiments) {
     const Deviation deviation = compute_deviation(experiment, points);
     const bool passes = deviation.largest() <= experiment.tolerance;
     html += fmt::format(
         "<tr class=\"{}\"><td>{}</td><td>{}</td><td class=\"number\">{}</td><td class=\"number\">{}</td><td "
-        "class=\"number\">{}</td><td class=\"number\">{}{}</td></tr>\n",
+        "class=\"number\">{}</td><td class=\"number\">{}</td><td>{}</td></tr>\n",
         passes ? "holds" : "fails", experiment.title, experiment.source, deviation.points,
         number_text(experiment, deviation.largest()), number_text(experiment, deviation.rms),
         number_text(experiment, experiment.tolerance),
-        passes                    ? ""
-        : experiment.known != 0.0 ? "; <b>does not pass</b>, a known flaw"
-                                  : "; <b>does not pass</b>");
+        passes                    ? "<b>passes</b>"
+        : experiment.known != 0.0 ? "<b>does not pass</b>, a known flaw"
+                                  : "<b>does not pass</b>");
   }
   return html + "</table>\n";
 }

@@ -56,10 +56,12 @@ float plot_height(float value, const ItemPlace& place, float highest) {
   return place.upper_px.y - 1.0F - part * (place.upper_px.y - place.lower_px.y - 2.0F);
 }
 
-// Writes the upper end of a plot's scale at its left end, behind the curve.
-void draw_plot_top(const ItemPlace& place, const std::string& text) {
+// Writes the upper end of a plot's scale at its left end. Returns the rectangle that is left for the curves.
+ItemPlace draw_plot_top(ItemPlace place, const std::string& text) {
   ImGui::GetWindowDrawList()->AddText({place.lower_px.x + 3.0F, place.lower_px.y},
                                       ImGui::GetColorU32(ImGuiCol_TextDisabled), text.c_str());
+  place.lower_px.x += 4.0F * ImGui::GetFontSize();
+  return place;
 }
 
 void draw_curve(std::span<const float> values, const ItemPlace& place, float highest, ImU32 colour, float scale) {
@@ -117,14 +119,13 @@ void plot_stretch(ViewerState& state, float scale) {
   const float highest = rounded_up(max_value(stretch.values()), std::max(1.25F * limit, 0.001F));
   const bool is_exceeded = bound && !state.newest->record.bound_kept;
   const Words words = is_exceeded ? Words{reading, bound_colour} : Words{reading};
-  const ItemPlace place = plot_frame(state, "measured.stretch",
+  const ItemPlace frame = plot_frame(state, "measured.stretch",
                                      {holds_springs ? "Stretch of springs" : "Stretch of the surface", {words}}, scale);
+  const ItemPlace place = draw_plot_top(frame, fmt::format("{:.3g} %", 100.0F * highest));
   if (bound) {
     const float y = plot_height(limit, place, highest);
-    const float right_of_top = place.lower_px.x + 3.5F * ImGui::GetFontSize();
-    ImGui::GetWindowDrawList()->AddLine({right_of_top, y}, {place.upper_px.x, y}, bound_colour, scale);
+    ImGui::GetWindowDrawList()->AddLine({place.lower_px.x, y}, {place.upper_px.x, y}, bound_colour, scale);
   }
-  draw_plot_top(place, fmt::format("{:.3g} %", 100.0F * highest));
   draw_curve(stretch.values(), place, highest, curve_colour, scale);
   reading_line(state, "measured.stretches", other_stretches(state.newest->record, kind_kept));
   reading_line(state, "measured.contact", contact_text(state.newest->record.contact));
@@ -133,10 +134,9 @@ void plot_stretch(ViewerState& state, float scale) {
 void plot_convergence(ViewerState& state, float scale) {
   const RecentValues& moved = state.measurements.convergence_mm;
   const float highest = rounded_up(max_value(moved.values()), 0.01F);
-  const ItemPlace place = plot_frame(state, "measured.convergence",
+  const ItemPlace frame = plot_frame(state, "measured.convergence",
                                      {"Largest movement", {{short_number(moved.last(), 2) + " mm a frame"}}}, scale);
-  draw_plot_top(place, fmt::format("{:.3g} mm", highest));
-  draw_curve(moved.values(), place, highest, curve_colour, scale);
+  draw_curve(moved.values(), draw_plot_top(frame, fmt::format("{:.3g} mm", highest)), highest, curve_colour, scale);
 }
 
 void plot_times(ViewerState& state, float scale) {
@@ -150,8 +150,8 @@ void plot_times(ViewerState& state, float scale) {
   const std::vector<Words> reading = {{"simulate " + few_digits(m.simulate_ms.last()), curve_colour},
                                       {"draw " + few_digits(m.draw_ms.last()), second_colour},
                                       {"panel " + few_digits(m.panel_ms.last())}};
-  const ItemPlace place = plot_frame(state, "measured.times", {"Milliseconds", reading}, scale);
-  draw_plot_top(place, fmt::format("{:.0f} ms", highest));
+  const ItemPlace frame = plot_frame(state, "measured.times", {"Milliseconds", reading}, scale);
+  const ItemPlace place = draw_plot_top(frame, fmt::format("{:.0f} ms", highest));
   draw_curve(m.simulate_ms.values(), place, highest, curve_colour, scale);
   draw_curve(m.draw_ms.values(), place, highest, second_colour, scale);
 }

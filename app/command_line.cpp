@@ -1,13 +1,8 @@
 #include "app/command_line.hpp"
 
-#include <toml++/toml.h>
-#include <unistd.h>
-
-#include <CLI/CLI.hpp>
-
 #include "app/base/errors.hpp"
-#include "app/base/terminal.hpp"
 #include "app/caches/frame_sink.hpp"
+#include "app/command_help.hpp"
 #include "app/commands/options.hpp"
 #include "app/garments/dressing/fit.hpp"
 #include "app/output/run_report.hpp"
@@ -350,7 +345,7 @@ std::string help_about(CLI::App& app, const std::string& topic) {
     throw UsageError("there is no help about '" + topic + '\'' + did_you_mean(topic, topics) +
                      " (topics: " + join(topics) + ')');
   }
-  return app.get_subcommand(topic)->help(app.get_name());
+  return app.get_subcommand(topic)->help(app.get_name(), CLI::AppFormatMode::All);
 }
 
 /// Throws UsageError, with a list of the commands, unless the first argument is a command or an option.
@@ -393,65 +388,19 @@ std::string parse_error_text(const CLI::App& app, const CLI::ParseError& error,
   return "not expected: " + name + did_you_mean(option, options) + "; see " + help;
 }
 
-/// Replaces each kind in braces, such as "{solvers}", by the list of its names.
-std::string fill_in(std::string text) {
-  const std::array<std::pair<const char*, std::string>, 6> lists = {
-      {{"{figures}", join(figure_names(), ",")},
-       {"{solvers}", join(solvers())},
-       {"{sides}", side_names()},
-       {"{backends}", join(backends(), " or ")},
-       {"{units}", join(list_names(units, &Unit::symbol))},
-       {"{thresholds}", fit_thresholds()}}};
-  for (const auto& [kind, names] : lists) {
-    const std::size_t at = text.find(kind);
-    if (at != std::string::npos) text.replace(at, std::strlen(kind), names);
-  }
-  return text;
-}
-
-/// Returns the name of the list, among those of a table, that holds a text; nothing if none does.
-std::optional<std::string> find_list(const toml::table& lists, const std::string& text) {
-  for (const auto& [name, list] : lists) {
-    for (const toml::node& entry : *list.as_array()) {
-      if (entry.value<std::string>() == text) return std::string(name.str());
-    }
-  }
-  return std::nullopt;
-}
-
-/// Sets the help texts, the names of values and the groups of a command and its options from assets/texts/help.toml. A
-/// text for this command comes before the text for any command.
-void describe(CLI::App& command, const std::string& name, const toml::table& texts) {
-  const auto text_of = [&](const std::string& section, const std::string& key) {
-    return texts[section][key].value<std::string>();
-  };
-  command.description(text_of(name, "about").value_or(""));
-  command.footer(fill_in(text_of(name, "footer").value_or("")));
-  for (CLI::Option* option : command.get_options()) {
-    const std::string key = option->get_name();
-    const std::optional<std::string> own = text_of(name, key);
-    if (const auto text = own ? own : text_of("any", key)) option->description(fill_in(*text));
-    const std::optional<std::string> own_value = find_list(*texts["values"].as_table(), name + ' ' + key);
-    if (const auto value = own_value ? own_value : find_list(*texts["values"].as_table(), key)) {
-      option->type_name(*value);
-    }
-    if (const auto group = find_list(*texts["groups"].as_table(), key)) option->group(*group);
-  }
-  for (CLI::App* below : command.get_subcommands([](const CLI::App*) { return true; })) {
-    describe(*below, below->get_name(), texts);
-  }
-}
-
-void print_help(const std::string& text) {
-  constexpr std::size_t columns_of_files = 100;
-  fmt::print("{}", wrap_lines(text, terminal_columns(STDOUT_FILENO, columns_of_files)));
+/// Returns the names of each kind that help texts have in braces.
+std::array<std::pair<const char*, std::string>, 4> name_lists() {
+  return {{{"{solvers}", join(solvers())},
+           {"{sides}", side_names()},
+           {"{units}", join(list_names(units, &Unit::symbol))},
+           {"{thresholds}", fit_thresholds()}}};
 }
 
 // Shows help immediately when the user asks for it, before any value is checked: a bad value may be the reason to ask.
 void show_help_first(CLI::App& app) {
-  const auto show = [](const std::string&) { throw CLI::CallForHelp(); };
   for (CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
-    command->get_help_ptr()->each(show)->trigger_on_parse();
+    command->get_help_ptr()->each([](const auto&) { throw CLI::CallForHelp(); })->trigger_on_parse();
+    command->get_option("--help-all")->each([](const auto&) { throw CLI::CallForAllHelp(); })->trigger_on_parse();
   }
 }
 
@@ -459,7 +408,9 @@ void show_help_first(CLI::App& app) {
 
 int run_command_line(std::span<const char* const> arguments) {
   CLI::App app("", "taut");
-  app.set_version_flag("-V,--version", "taut " + program_version());
+  app.set_help_flag("-h,--help", "print common options and examples");
+  app.set_help_all_flag("--help-all", "print all options");
+  app.set_version_flag("-V,--version", "taut " + program_version(), "print the version");
   app.require_subcommand(1);
   RenderOptions rendering;
   rendering.arguments.assign(arguments.begin() + 1, arguments.end());
@@ -478,7 +429,7 @@ int run_command_line(std::span<const char* const> arguments) {
                                                         print_help(help_about(app, topic));
                                                         return 0;
                                                       })};
-  describe(app, "taut", toml::parse(help_texts));
+  add_help(app, "taut", toml::parse(help_texts), name_lists());
   show_help_first(app);
   require_command(app, arguments);
   try {

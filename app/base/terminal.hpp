@@ -4,7 +4,8 @@
 
 namespace taut::app {
 
-/// Returns the columns of the terminal that a file descriptor writes to; `otherwise` if it is none.
+/// Returns the environment variable COLUMNS, or else the columns of the terminal that a file descriptor writes to;
+/// `otherwise` if it is none.
 std::size_t terminal_columns(int file_descriptor, std::size_t otherwise);
 
 /// Returns the start of a line in UTF-8 that has at most so many bytes, without a part of a letter.

@@ -1,7 +1,8 @@
 #!/bin/sh
-# man_page.sh TAUT: the manual page, made of what the program says with --help.
+# man_page.sh TAUT: the manual page, made of what the program says with --help-all.
 set -eu
 taut=$1
+export COLUMNS=999  # a line for each option
 
 # In the language of man pages; in lists of options and commands, what stands left and what stands right of two spaces.
 formatted() {
@@ -14,7 +15,8 @@ formatted() {
     }
     /^Examples?:$/ { print ".PP\n" $0 "\n.nf"; is_example = 1; next }
     is_example { if ($0 == "") { print ".fi"; is_example = 0 } else print escaped($0); next }
-    /^(Positionals|Options):$/ || /-h,--help/ { next }
+    /^(Positionals|Options):$/ || /^  (-h,)?--help/ { next }
+    /^(Garment|Body|Picture|Output|Run):$/ { print ".PP\n.I " $0; next }
     /^Subcommands:$/ { is_list_of_commands = 1 }
     is_list_of_commands { is_list_of_commands = $0 != ""; next }
     /^Usage: / { print ".PP\n.B " escaped(substr($0, 8)); next }
@@ -35,7 +37,7 @@ printf '.SH DESCRIPTION\n'
 printf '.SH COMMANDS\n'
 for command in $("$taut" --help | sed -n '/^Subcommands:/,/^$/s/^  \([a-z][a-z-]*\) .*/\1/p'); do
   printf '.SS taut %s\n' "$command"
-  "$taut" "$command" --help | formatted
+  "$taut" "$command" --help-all | formatted
 done
 cat <<'END'
 .SH ENVIRONMENT

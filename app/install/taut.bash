@@ -6,7 +6,7 @@ _taut() {
   local choices help commands
   commands='/^Subcommands:/,/^$/s/^  \([a-z][a-z-]*\) .*/\1/p'
   if ((COMP_CWORD == 1)); then
-    choices="--help --version $("$program" --help | sed -n "$commands")"
+    choices="--help --help-all --version $("$program" --help | sed -n "$commands")"
   elif [[ $command == help ]]; then
     choices="scene stats $("$program" --help | sed -n "$commands")"
   elif [[ $previous == --set ]]; then
@@ -15,8 +15,8 @@ _taut() {
   elif [[ $previous == --fabric ]]; then
     choices=$("$program" fabrics | sed -n '3,$s/ .*//p')
   else
-    help=$("$program" "$command" --help)
-    choices=$(sed -n "s/^  $previous [A-Z]*:{\([^}]*\)}.*/\1/p" <<<"$help" | tr , ' ')
+    help=$(COLUMNS=999 "$program" "$command" --help-all)
+    choices=$(sed -n "s/^  $previous {\([^}]*\)}.*/\1/p" <<<"$help" | tr , ' ')
     if [[ -z $choices && $word == -* ]]; then
       choices=$(sed -n 's/^  \(-[a-z],\)\{0,1\}\(--[a-z-]*\).*/\2/p' <<<"$help")
     elif [[ -z $choices && $previous != --* ]] && grep -q '^  SCENE' <<<"$help"; then

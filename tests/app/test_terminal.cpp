@@ -18,10 +18,10 @@ TEST(Terminal, AWordThatIsTooLongStaysWhole) {
   EXPECT_EQ(wrap_lines(path, 10), path);
 }
 
-TEST(Terminal, ATextColumnThatWouldBeTooNarrowGoesBeyond) {
-  EXPECT_EQ(wrap_lines("  an option that is long  its text of several words, more than twenty", 10),
-            "  an option that is long  its text of several\n                          words, more than\n"
-            "                          twenty");
+TEST(Terminal, ATextColumnThatWouldBeTooNarrowIsGivenUp) {
+  EXPECT_EQ(wrap_lines("  an option that is long  its text of several words, more than twenty", 30),
+            "  an option that is long  its\n  text of several words, more\n  than twenty");
+  EXPECT_EQ(wrap_lines("  taut view              a window", 24), "  taut view\n  a window");
 }
 
 TEST(Terminal, ALineIsCutBetweenLetters) {
@@ -32,9 +32,17 @@ TEST(Terminal, ALineIsCutBetweenLetters) {
   EXPECT_EQ(cut_line("\xC3\xA9", 1), "");
 }
 
-TEST(Terminal, AFileHasNoColumns) {
+TEST(Terminal, AFileHasTheColumnsOfTheEnvironment) {
   const int file = ::fileno(std::tmpfile());
+  ::unsetenv("COLUMNS");
   EXPECT_EQ(terminal_columns(file, 77), 77U);
+  ::setenv("COLUMNS", "40", 1);
+  EXPECT_EQ(terminal_columns(file, 77), 40U);
+  for (const char* nonsense : {"0", "", "-3", "wide"}) {
+    ::setenv("COLUMNS", nonsense, 1);
+    EXPECT_EQ(terminal_columns(file, 77), 77U) << nonsense;
+  }
+  ::unsetenv("COLUMNS");
 }
 
 }  // namespace

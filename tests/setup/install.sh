@@ -52,7 +52,8 @@ page=$folder/usr/share/man/man1/taut.1
 for command in $commands; do
   grep -qx ".SS taut $command" "$page" || fail "the manual page lacks taut $command"
 done
-grep -q '^\.B \\-\\-supersampling' "$page" || fail "the manual page lacks options"
+grep -q '^\.B \\-\\-supersampling NUMBER$' "$page" || fail "the manual page lacks options"
+grep -qx '\.I Picture:' "$page" || fail "the manual page lacks the groups of options"
 [ -s "$folder/usr/share/doc/taut/LICENSE" ] || fail "there is no licence"
 
 # A stand-in for what bash has in an interactive shell alone.
@@ -68,13 +69,14 @@ completes() {
     [[ " ${COMPREPLY[*]} " == *" $choice "* ]] || fail "'${COMP_WORDS[*]}' becomes '${COMPREPLY[*]}', without $choice"
   done
 }
-completes taut '' "$commands --help --version"
+completes taut '' "$commands --help --help-all --version"
 completes taut rend render
 completes taut render tshirt-w 'tshirt-wind-1 tshirt-wind-10'
 completes taut render tshirt-gravity --s '--set --stats --stretch --samples --supersampling'
 completes taut render tshirt-gravity --set wind. 'wind.speed= wind.direction='
 completes taut render tshirt-gravity --fabric '' 'denim jersey silk'
 completes taut render tshirt-gravity --backend '' 'auto osmesa egl'
+completes taut figures --only '' 'fig1 fig7'
 completes taut help '' "$commands scene stats"
 completes taut help st stats
 # What the completions of other shells ask for.

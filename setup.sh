@@ -54,7 +54,10 @@ packages=(
   abigail-tools       # whether its interface has changed
   dpkg-dev            # packages, and
   file                # what of them needs libraries
-  lintian             # judges them
+  lintian             # judges them,
+  appstream           # what software centres say of the program,
+  desktop-file-utils  # and what desktops start
+  apt-utils           # makes a folder of packages that apt reads
   git                 # tests/fresh_machine.sh clones with it
   debootstrap         # and makes a bare Debian
   patchelf            # has the libraries of a wheel find each other

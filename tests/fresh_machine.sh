@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
 # fresh_machine.sh [--folder FOLDER] [--before COMMAND] test|figures|package
 # Runs that command of the README, as it is written there, on a bare Debian 12 with a clone of what is committed: the
-# proof that setup.sh names all that is needed. With `package`, installs what cpack makes of build/release there, without
-# the sources, and runs it. --before runs a command in the clone between setup.sh and the README's.
+# proof that setup.sh names all that is needed. With `package`, apt-get installs what build/release makes there, without
+# the sources; the program, its manual page and its completion work. --before runs a command in the clone between setup.sh
+# and the README's.
 # Needs root, debootstrap and a mirror of Debian in apt's sources; ends with 77 where no bare Debian can be made. Takes up
 # to half an hour and 5 GB in FOLDER (default: a new one in $TMPDIR or /tmp), which it removes. Kept for a month, in 4 GB
 # of $XDG_CACHE_HOME/taut or ~/.cache/taut: the bare system, the packages it installs, and the system that this very
@@ -98,8 +99,8 @@ make_debian() {
   echo "$sources" >"$machine/etc/apt/sources.list"
   if [ "$preset" = package ]; then
     mkdir "$machine/root/taut"
-    cpack --config "$source/build/release/CPackConfig.cmake" -G DEB -B "$machine/root/taut" >"$folder/log.txt" 2>&1 ||
-      { tail -n 30 "$folder/log.txt"; return 1; }
+    "$source/app/install/apt_folder.sh" "$source/build/release" "$machine/srv/taut" || return 1
+    echo "deb [trusted=yes] file:/srv/taut ./" >"$machine/etc/apt/sources.list.d/taut.list"
   else
     git clone --quiet --no-local "$source" "$machine/root/taut"
   fi
@@ -137,8 +138,13 @@ timed() {
   timed "a bare Debian" make_debian
   if [ "$preset" = package ]; then
     timed "installing the package" on_the_machine \
-      'export DEBIAN_FRONTEND=noninteractive; { apt-get update && apt-get install -y ./*.deb; } >/tmp/setup.log 2>&1 ||
+      'export DEBIAN_FRONTEND=noninteractive; { apt-get update && apt-get install -y taut &&
+         apt-get install -y python3-taut man-db bash-completion; } >/tmp/setup.log 2>&1 ||
        { tail -n 30 /tmp/setup.log; exit 1; }'
+    timed "asking for help" on_the_machine \
+      'man taut | grep -m1 "^ *taut render \[OPTIONS\]" &&
+       . /usr/share/bash-completion/bash_completion && { _completion_loader taut || complete -p taut; } &&
+       _taut_choices 1 taut rend 2>/dev/null | grep -x render' --net
     timed "running it" on_the_machine \
       'cd / && taut render tshirt-wind-10 --resolution 320x240 --output /tmp/a.png &&
        python3 -c "import taut; print(taut.Cloth(scene=\"tshirt\").step().max_surface_stretch)"' --net

@@ -41,9 +41,12 @@ set(CPACK_DEBIAN_ADDON_PACKAGE_RECOMMENDS blender)
 set(CPACK_DEBIAN_PYTHON_PACKAGE_ARCHITECTURE all)
 set(CPACK_DEBIAN_ADDON_PACKAGE_ARCHITECTURE all)
 file(WRITE ${PROJECT_BINARY_DIR}/debian/triggers "activate-noawait ldconfig\n")
-set(CPACK_DEBIAN_LIBRARY_PACKAGE_CONTROL_EXTRA ${PROJECT_BINARY_DIR}/debian/triggers)
+# CPack would add scripts that call ldconfig, which the trigger does: it leaves out those that it is to find and does not.
+set(CPACK_DEBIAN_LIBRARY_PACKAGE_CONTROL_EXTRA ${PROJECT_BINARY_DIR}/debian/triggers
+  ${PROJECT_BINARY_DIR}/debian/absent/postinst ${PROJECT_BINARY_DIR}/debian/absent/postrm)
 # Debian's own files beside what every installation has.
 set(CPACK_PRE_BUILD_SCRIPTS ${CMAKE_CURRENT_LIST_DIR}/debian_files.cmake)
+set(CPACK_LIBRARY_ARCHITECTURE ${CMAKE_LIBRARY_ARCHITECTURE})
 set(CPACK_PROJECT_SOURCE_DIR ${PROJECT_SOURCE_DIR})
 set(CPACK_SOURCE_GENERATOR TGZ)
 set(CPACK_SOURCE_IGNORE_FILES "^${PROJECT_SOURCE_DIR}/build/;/\\\\.git/;/__pycache__/;\\\\.swp$")

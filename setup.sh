@@ -2,7 +2,8 @@
 # Installs every system package Taut needs, on Debian 12 or newer and its relatives. Run it again at any
 # time: when all is there it does nothing. With --blender also Blender, for the tests behind TAUT_BLENDER_TESTS, and F3D,
 # both for pictures beside ours; with --bench Bullet, for the race behind TAUT_BENCH; with --sweeps Snakemake,
-# for assets/sweeps; with --web emscripten and Chromium, for the page; with --image podman, for the image of containers.
+# for assets/sweeps; with --web emscripten and Chromium, for the page; with --image podman, for the image of containers;
+# with --docs MkDocs, for the documentation as a site.
 set -euo pipefail
 
 packages=(
@@ -80,6 +81,9 @@ packages_of_web=(
   chromium-driver
   python3-selenium
 )
+packages_of_docs=(
+  mkdocs-material     # the documentation as a site
+)
 packages_of_image=(
   mmdebstrap          # makes the file system of a container's image
   podman              # and the tests run it
@@ -94,11 +98,12 @@ for wanted in "$@"; do
   case $wanted in
     --blender) packages+=("${packages_of_blender[@]}") ;;
     --bench) packages+=("${packages_of_bench[@]}") ;;
+    --docs) packages+=("${packages_of_docs[@]}") ;;
     --image) packages+=("${packages_of_image[@]}") ;;
     --sweeps) packages+=("${packages_of_sweeps[@]}") ;;
     --web) packages+=("${packages_of_web[@]}") ;;
     *)
-      echo "usage: setup.sh [--blender] [--bench] [--image] [--sweeps] [--web]" >&2
+      echo "usage: setup.sh [--blender] [--bench] [--docs] [--image] [--sweeps] [--web]" >&2
       exit 2
       ;;
   esac

@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
 """Makes the documentation as a folder of static pages: those of the sources, and pages of what the program, the headers and
-the Python module say of themselves. Needs MkDocs.
-    docs.py SOURCES TAUT FOLDER"""
+the Python module say of themselves, with the report of the figures where its folder is there. Needs MkDocs.
+    docs.py SOURCES TAUT FOLDER [FIGURES]"""
 import ast
+import json
 import os
 import pathlib
 import re
@@ -13,6 +14,8 @@ import tempfile
 import tomllib
 
 LINK = re.compile(r'(?<!!)\[([^\]]+)\]\(([^)#\s]+)(#[^)\s]*)?\)')
+# What a compiler needs of a header and readers do not.
+GUARDS = re.compile(r'(?m)^(#(ifndef|ifdef|if|else|endif|include|define TAUT_H|define TAUT_API).*|extern "C" \{|\}(  // extern.*)?)\n')
 PICTURE = re.compile(r'!\[[^\]]*\]\(([^)\s]+)\)')
 
 
@@ -61,6 +64,7 @@ def c_page(header):
     text = header.read_text()
     parts = ['# The C interface\n\nAll of `taut.h`.\n']
     for comment, code in re.findall(r'/\*(.*?)\*/(.*?)(?=^/\*|\Z)', text, re.S | re.M):
+        code = re.sub(GUARDS, '', code)
         prose = re.sub(r'(?m)^ ?\* ?', '', comment).strip('*\n ')
         parts.append(re.sub(r'(?m)^  (?=\s*\S)', '    ', prose) + '\n')
         parts.append(fenced(code, 'c') if code.strip() else '')
@@ -77,7 +81,7 @@ def python_page(module):
             return
         is_class = isinstance(node, ast.ClassDef)
         signature = within + node.name + ('' if is_class else '(%s)' % ast.unparse(node.args))
-        parts.append('%s %s\n\n%s' % ('#' * depth, node.name, fenced(signature, 'python')))
+        parts.append('%s `%s`\n\n%s' % ('#' * depth, node.name, fenced(signature, 'python')))
         parts.append(ast.get_docstring(node) or '')
         for below in node.body if is_class else []:
             if isinstance(below, ast.FunctionDef):
@@ -97,10 +101,30 @@ def gallery_page(sources, site):
                                        for name, command in commands.items())
 
 
+def title_of(page):
+    """The first heading, without the marks of code."""
+    return re.search(r'(?m)^# (.+)$', page.read_text())[1].replace('`', '')
+
+
+def navigation(site, pages):
+    """Lists pages by the folder they are in, as MkDocs reads it."""
+    parts = {}
+    for page in pages:
+        parts.setdefault(page.parts[0] if len(page.parts) > 1 else '', []).append(page)
+    lines = []
+    for part, within in parts.items():
+        lines += ['  - %s:' % part] if part else []
+        for page in within:
+            title = title_of(site / page)
+            named = title if [title_of(site / other) for other in pages].count(title) == 1 else '%s (%s)' % (title, page.parent)
+            lines.append('%s  - %s: %s' % ('    ' if part else '', json.dumps(named), page))
+    return '\n'.join(lines) + '\n'
+
+
 def main():
-    if len(sys.argv) != 4:
+    if len(sys.argv) not in (4, 5):
         sys.exit(__doc__)
-    sources, taut, folder = (pathlib.Path(word).resolve() for word in sys.argv[1:])
+    sources, taut, folder, *figures = (pathlib.Path(word).resolve() for word in sys.argv[1:])
     with tempfile.TemporaryDirectory() as name:
         root = pathlib.Path(name)
         site = root / 'pages'
@@ -117,12 +141,16 @@ def main():
             'python': python_page(sources / 'app/library/python/taut/__init__.py')}
         for name, text in reference.items():
             (site / 'reference' / (name + '.md')).write_text(text)
-        ordered = ['README.md', *('reference/%s.md' % name for name in reference),
-                   *(str(page) for page in pages if str(page) != 'README.md')]
+        start = pathlib.Path('README.md')
+        ordered = [start, *(pathlib.Path('reference/%s.md' % name) for name in reference),
+                   *(page for page in pages if page != start)]
+        for report in (folder / 'report.html' for folder in figures):
+            shutil.copy(report, site / 'report.html')
         (root / 'mkdocs.yml').write_text(
             'site_name: Taut\nsite_url: ""\ndocs_dir: pages\nuse_directory_urls: false\nplugins: []\n'
             'theme:\n  name: material\n  font: false\n  palette: {primary: blue grey}\n'
-            'markdown_extensions: [sane_lists]\nnav:\n' + ''.join('  - %s\n' % page for page in ordered))
+            'markdown_extensions: [sane_lists]\nnav:\n' + navigation(site, ordered) +
+            ('  - The report: report.html\n' if figures else ''))
         shutil.rmtree(folder, ignore_errors=True)
         subprocess.run(['mkdocs', 'build', '--quiet', '--config-file', root / 'mkdocs.yml', '--site-dir', folder], check=True)
     (folder / '404.html').unlink()  # which only a server shows

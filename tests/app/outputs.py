@@ -16,6 +16,7 @@ from expecting import expect
 
 program, folder = os.path.abspath(sys.argv[1]), pathlib.Path(sys.argv[2])
 is_whole = sys.argv[3:] == ['all']
+ASSETS = pathlib.Path(__file__).resolve().parents[2] / 'assets'
 
 
 def run(*arguments):
@@ -62,10 +63,13 @@ def write_inputs():
           '[cloth]\nfabric = "own.toml"\n[picture]\nwidth = 64\nheight = 64\ntexture = "print.png"\n'
           '[[bodies]]\nshape = "mesh"\nfile = "box.obj"\nscale = 1\nup = "y"\n'.replace('frames = 3\n', ''))
     write('script.session', 'taut session 1\n')
+    write('body.glb', (ASSETS / 'bodies/mannequin_male_40.glb').read_bytes())
+    write('pattern.json', (ASSETS / 'patterns/wardrobe/skirt.json').read_bytes())
 
 
 INPUTS = ['scene.toml', 'dress.obj', 'dress.mtl', 'dress.png', 'dress.landmarks.toml', 'start.obj', 'print.png', 'box.obj',
           'own.toml']
+FILES = [*INPUTS, 'body.glb', 'pattern.json']
 
 # Options that name an output, with the ending that its name must have; of each, the whole command without the name.
 OUTPUTS = [(['render', 'scene.toml', '--frames', '1', '-o'], '.png'),
@@ -84,7 +88,7 @@ OUTPUTS = [(['render', 'scene.toml', '--frames', '1', '-o'], '.png'),
 
 
 def content():
-    return {name: (folder / name).read_bytes() for name in INPUTS}
+    return {name: (folder / name).read_bytes() for name in FILES}
 
 
 def is_kept(command, name, before, refusal='it would replace'):
@@ -116,10 +120,16 @@ def refuses_every_input():
 
 def refuses_inputs_of_other_commands():
     before = content()
-    for input in ('dress.obj', 'dress.mtl', 'dress.png'):
-        os.link(folder / input, folder / 'link.png')
-        is_kept(['inspect', 'dress.obj', '-o'], 'link.png', before)
-        (folder / 'link.png').unlink()
+    sew = ['sew', 'pattern.json', '--body', 'body.glb']
+    for command, inputs, name in ((['inspect', 'dress.obj', '-o'], ('dress.obj', 'dress.mtl', 'dress.png'), 'link.png'),
+                                  (['fit', 'dress.obj', '--body', 'body.glb', '-o'], ('dress.png', 'body.glb'), 'link.png'),
+                                  ([*sew, '-o'], ('pattern.json', 'body.glb'), 'link.obj'),
+                                  ([*sew, '-o', 'new.obj', '--picture'], ('pattern.json', 'body.glb'), 'link.png'),
+                                  ([*sew, '-o', 'new.obj', '--steps'], ('pattern.json', 'body.glb'), 'link.png')):
+        for input in inputs:
+            os.link(folder / input, folder / name)
+            is_kept(command, name, before)
+            (folder / name).unlink()
     run('simulate', 'scene.toml', '--frames', '1', '--checkpoint', 'start.checkpoint')
     is_kept(['simulate', 'scene.toml', '--frames', '2', '--set', 'start.checkpoint=start.checkpoint', '--checkpoint'],
             'start.checkpoint', before)

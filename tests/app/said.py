@@ -192,9 +192,9 @@ def helps():
     expect(overview == run('--help').stdout and 'simulate' in overview, 'taut help is not taut --help')
     for command in ('figures', 'render', 'simulate', 'view', 'inspect', 'bench', 'scenes', 'help'):
         expect(re.search('^  %s ' % command, overview, re.M), 'taut help does not list ' + command)
-        expect(run('help', command).stdout == run(command, '--help').stdout,
-               'taut help %s is not taut %s --help' % (command, command))
-    for command in re.findall('^  ([a-z]+) ', overview, re.M):
+        expect(run('help', command).stdout == run(command, '--help-all').stdout,
+               'taut help %s is not taut %s --help-all' % (command, command))
+    for command in re.findall('^  ([a-z]+) ', overview.partition('Examples:')[0], re.M):
         without = untold(run('help', command).stdout)
         expect(not without, 'taut help %s says nothing of %s' % (command, without))
     for command in ('render', 'simulate'):

@@ -34,7 +34,7 @@ class ShelterCells {
 
   /// Blocks an area at a place in the cells.
   void block(const Vec3& place, double area_m2) {
-    const Neighbours near = neighbours(place);
+    const NearCells near = near_cells(place);
     const auto fraction = static_cast<float>(area_m2 / (cell_m_ * cell_m_));
     for (std::size_t row = 0; row < 4; ++row) {
       float* cell = &blocked_[near.first[row]];
@@ -65,7 +65,7 @@ class ShelterCells {
 
   /// Returns the blocked fraction, from 0 to 1, at a place in the cells.
   float blocked(const Vec3& place) const {
-    const Neighbours near = neighbours(place);
+    const NearCells near = near_cells(place);
     float sum = 0.0F;
     for (std::size_t row = 0; row < 4; ++row) {
       const float* cell = &blocked_[near.first[row]];
@@ -90,7 +90,7 @@ class ShelterCells {
 
  private:
   /// The eight cells around a place, two in each of four rows, with weights of linear interpolation.
-  struct Neighbours {
+  struct NearCells {
     std::array<std::size_t, 4> first;
     std::array<float, 4> weight;
     float along;  ///< weight of the second cell of each row
@@ -101,7 +101,7 @@ class ShelterCells {
     return glm::floor(highest_m / cell_m_) - origin_ + 2.0;
   }
 
-  Neighbours neighbours(const Vec3& place) const {
+  NearCells near_cells(const Vec3& place) const {
     const auto x = static_cast<std::size_t>(place.x), y = static_cast<std::size_t>(place.y);
     const auto z = static_cast<std::size_t>(place.z);
     assert(x + 1 < counts_[0] && y + 1 < counts_[1] && z + 1 < counts_[2]);
@@ -228,13 +228,12 @@ std::vector<float> find_wind_fractions(const Garment& garment, std::span<const V
   return fractions;
 }
 
-WindLoad measure_wind(const Garment& garment, const State& state, const Surroundings& surroundings) {
-  if (!blows(surroundings.forces.wind)) return {};
+WindLoad measure_wind(const Garment& garment, const State& state, const Wind& wind, std::span<const float> fractions) {
+  if (!blows(wind)) return {};
   // An implicit step of almost no time gives the force now.
   constexpr double no_time_s = 1e-12;
   std::vector<Vec3> forces_n(state.current.size(), Vec3(0.0));
-  const std::vector<float> fractions = find_wind_fractions(garment, state.current, surroundings, state.time_s);
-  add_wind_forces(garment, state, surroundings.forces.wind, fractions, no_time_s, forces_n);
+  add_wind_forces(garment, state, wind, fractions, no_time_s, forces_n);
   WindLoad load;
   for (std::size_t v = 0; v < forces_n.size(); ++v) {
     load.force_n += forces_n[v];

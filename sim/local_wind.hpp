@@ -37,7 +37,8 @@ struct WindLoad {
   double power_w = 0.0;      ///< force times velocity, summed over all vertices; negative where air brakes the cloth
 };
 
-/// Measures the wind on the present shape. Zero without wind, though still air too brakes moving cloth.
-WindLoad measure_wind(const Garment& garment, const State& state, const Surroundings& surroundings);
+/// Measures the wind on the present shape, with the fractions of find_wind_fractions(). Zero without wind, though still
+/// air too brakes moving cloth.
+WindLoad measure_wind(const Garment& garment, const State& state, const Wind& wind, std::span<const float> fractions);
 
 }  // namespace taut::sim

@@ -174,13 +174,12 @@ void Simulation::advance_frame(const std::function<void()>& poll) {
     frame_report();
     before_m_ = state_.current;
     state_.time_s += frame_time_s();
+    wind_fractions_.reset();
     return;
   }
   State next = state_;
-  const std::vector<float> wind_fractions =
-      find_wind_fractions(*garment_, state_.current, surroundings_, state_.time_s);
   Frame next_frame = frame(poll);
-  next_frame.wind_fractions = wind_fractions;
+  next_frame.wind_fractions = wind_fractions();
   const FrameReport report = solver_->advance_frame(next_frame, next);
   const std::size_t lost = first_lost(next.current);
   if (lost < next.current.size()) throw Diverged(static_cast<Index>(lost), next.time_s);
@@ -189,6 +188,7 @@ void Simulation::advance_frame(const std::function<void()>& poll) {
   before_m_ = std::move(next.current);
   report_ = report;
   is_contact_measured_ = false;
+  wind_fractions_.reset();
   fall_asleep_at_rest();
 }
 
@@ -208,6 +208,13 @@ MeasuredContact Simulation::measure_contact() const {
     measure_.emplace(garment_->mesh.triangles, garment_->mesh.positions, surroundings_.bodies);
   }
   return measure_->measure(state_.current, state_.time_s, 2.0 * garment_->material.thickness_m);
+}
+
+const std::vector<float>& Simulation::wind_fractions() const {
+  if (!wind_fractions_) {
+    wind_fractions_ = find_wind_fractions(*garment_, state_.current, surroundings_, state_.time_s);
+  }
+  return *wind_fractions_;
 }
 
 void Simulation::start_solver() {
@@ -254,6 +261,7 @@ void Simulation::restore(const Checkpoint& checkpoint) {
   quiet_since_m_ = checkpoint.quiet_since_m;
   report_ = checkpoint.report;
   is_contact_measured_ = true;
+  wind_fractions_.reset();
 }
 
 void Simulation::set_time(double time_s) {
@@ -300,6 +308,7 @@ void Simulation::set_pins(std::vector<Index> pins) {
 }
 
 void Simulation::wake() {
+  wind_fractions_.reset();
   state_.asleep = false;
   state_.quiet_frames = 0;
 }

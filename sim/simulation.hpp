@@ -104,6 +104,8 @@ class Simulation {
   /// Measures contact in the present shape, up to twice the cloth's thickness. Reports nothing near and no crossing if
   /// the solver ignores contact and there are no bodies.
   MeasuredContact measure_contact() const;
+  /// Returns find_wind_fractions() of the present shape. They are found at the first call.
+  const std::vector<float>& wind_fractions() const;
   const Surroundings& surroundings() const { return surroundings_; }
   const SimulationSettings& settings() const { return settings_; }
   double frame_time_s() const { return 1.0 / settings_.frame_rate_hz; }
@@ -125,6 +127,7 @@ class Simulation {
   std::unique_ptr<Solver> solver_;
   mutable FrameReport report_;
   mutable bool is_contact_measured_ = true;
+  mutable std::optional<std::vector<float>> wind_fractions_;  ///< fractions for the present shape; empty until asked
   mutable std::optional<ContactMeasure> measure_;  ///< made once for these bodies; independent of the shape
 };
 

@@ -102,7 +102,8 @@ FrameRecord measure_frame(const sim::Simulation& simulation, int frame, Measured
   const sim::ShapeChange change = simulation.change();
   record.rms_speed_m_per_s = sim::rms_speed(change);
   record.energy = sim::measure_energy(garment, change, sim::gravity_at(simulation.surroundings().forces, state.time_s));
-  record.wind = sim::measure_wind(garment, state, simulation.surroundings());
+  record.wind = sim::measure_wind(garment, state, simulation.surroundings().forces.wind,
+                                 simulation.wind_fractions());
   record.convergence_m = sim::measure_convergence(change).max_m;
   record.state_hash = sim::hash(state);
   return record;

@@ -199,7 +199,7 @@ class Viewer {
   double told_speed_ = 1.0;
   std::optional<sim::SolverKind> told_compared_;
   std::uint64_t told_notice_ = 0;
-  glm::vec3 followed_m_{0.0F};  ///< how far the view has moved with the garment
+  glm::vec3 followed_m_{0.0F};  ///< movement of the view with the garment
   bool follows_ = false;
   std::optional<int> noted_frame_;
   // A past frame, and how it looks under the bound that was set since.

@@ -4,6 +4,7 @@
 
 #include "sim/local_wind.hpp"
 #include "sim/mesh/grid.hpp"
+#include "sim/simulation.hpp"
 
 namespace taut::sim {
 namespace {
@@ -158,6 +159,27 @@ TEST(WindFractions, AreThoseOfGusts) {
     const Vec3 middle_m = (corners[0] + corners[1] + corners[2]) / 3.0;
     ASSERT_NEAR(fractions[t], strength_at(surroundings.forces.wind, 1.25, middle_m), 1e-6);
   }
+}
+
+TEST(WindFractions, OfASimulationAreThoseOfItsPresentShapeAndWind) {
+  Surroundings gusts = in_wind();
+  gusts.forces.wind.gust_amplitude = 0.5;
+  Simulation simulation(share(make_sheets({{0, 0, 0}, {0.3, 0, -0.1}})), {0, 30}, {}, gusts);
+  const auto expect_present = [&](const char* when) {
+    const std::vector<float> expected = find_wind_fractions(simulation.garment(), simulation.state().current,
+                                                            simulation.surroundings(), simulation.state().time_s);
+    EXPECT_EQ(simulation.wind_fractions(), expected) << when;
+  };
+  expect_present("at the start");
+  const Checkpoint start = simulation.save();
+  simulation.advance_frame();
+  expect_present("after a frame");
+  simulation.set_time(0.5);
+  expect_present("at another time");
+  simulation.set_surroundings(in_wind(5.0));
+  expect_present("in another wind");
+  simulation.restore(start);
+  expect_present("restored");
 }
 
 }  // namespace

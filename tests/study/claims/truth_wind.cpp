@@ -70,7 +70,9 @@ TruthPoint fly_flag(const TruthExperiment& experiment, const Size& size, const F
   Vec3 force_n(0.0);
   for (int frame = 0; frame < flag_watched_frames; ++frame) {
     simulation.advance_frame();
-    const sim::WindLoad load = sim::measure_wind(simulation.garment(), simulation.state(), simulation.surroundings());
+    const sim::WindLoad load =
+        sim::measure_wind(simulation.garment(), simulation.state(), simulation.surroundings().forces.wind,
+                          simulation.wind_fractions());
     force_n += load.force_n / double{flag_watched_frames};
   }
   const double area_m2 = flag.length_m * flag.height_m;

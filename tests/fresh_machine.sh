@@ -151,7 +151,7 @@ timed() {
     exit
   fi
   timed ./setup.sh on_the_machine './setup.sh >/tmp/setup.log 2>&1 || { tail -n 30 /tmp/setup.log; exit 1; }'
-  keep_ready || fail "cannot keep the system in $cache"
+  keep_ready || { rm -f "$ready.part-$$"; echo "fresh_machine.sh: the system is not kept, $cache cannot hold it"; }
   # Without a network: setup.sh has nothing left to do, and nothing else may need one.
   [ -z "$before" ] || timed "$before" on_the_machine "$before" --net
   timed "$command" on_the_machine "set -o pipefail; { $command; } 2>&1 | tee /tmp/run.log" --net

@@ -72,8 +72,8 @@ void add_hook(const sim::Capsule& bar, std::vector<renderer::TriangleMesh>& mesh
 
 // Wind speed that gets the longest arrows.
 constexpr float max_arrow_wind_m_per_s = 20.0F;
-// Fractions of the box's radius: shortest arrow, distance between arrows, gap between arrow heads and box, and length of
-// an arrow head; the head's half width as a fraction of its length.
+// Fractions of the box's radius: shortest arrow, distance between arrows, gap between arrow heads and box, and length
+// of an arrow head; the head's half width as a fraction of its length.
 constexpr float min_arrow_ratio = 0.25F;
 constexpr float arrow_spacing_ratio = 0.4F;
 constexpr float arrow_gap_ratio = 0.1F;

@@ -3,6 +3,7 @@
 the Python module say of themselves, with the report of the figures where its folder is there. Needs MkDocs.
     docs.py SOURCES TAUT FOLDER [FIGURES]"""
 import ast
+import collections
 import json
 import os
 import pathlib
@@ -111,13 +112,14 @@ def navigation(site, pages):
     parts = {}
     for page in pages:
         parts.setdefault(page.parts[0] if len(page.parts) > 1 else '', []).append(page)
+    titles = {page: title_of(site / page) for page in pages}
+    counts = collections.Counter(titles.values())
     lines = []
     for part, within in parts.items():
         lines += ['  - %s:' % part] if part else []
         for page in within:
-            title = title_of(site / page)
-            named = title if [title_of(site / other) for other in pages].count(title) == 1 else '%s (%s)' % (title, page.parent)
-            lines.append('%s  - %s: %s' % ('    ' if part else '', json.dumps(named), page))
+            title = titles[page] if counts[titles[page]] == 1 else '%s (%s)' % (titles[page], page.parent)
+            lines.append('%s  - %s: %s' % ('    ' if part else '', json.dumps(title), page))
     return '\n'.join(lines) + '\n'
 
 

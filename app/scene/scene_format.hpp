@@ -29,8 +29,8 @@ sim::Material find_fabric_material(const std::string& fabric, const std::string&
 /// [[bodies]] for the last mesh body. Returns false if the name does not begin with "body.". Throws by `fail`.
 bool set_body_key(const std::string& name, const toml::node& value, const Source& source, Scene& scene);
 
-/// Returns the table of the file beside a garment (landmarks_path()). Empty if there is no file, and for a pattern, because the file describes the garment
-/// that was sewn from it. Throws InputError if the file is not TOML.
+/// Returns the table of the file beside a garment (landmarks_path()). Empty if there is no file, and for a pattern,
+/// because the file describes the garment that was sewn from it. Throws InputError if the file is not TOML.
 toml::table read_landmarks_file(const std::filesystem::path& garment);
 
 /// Requires that the file names exactly one garment: a model or a grid. Throws by `fail` (scene_key.hpp).

@@ -101,7 +101,8 @@ class ScenePicture {
  private:
   // Inputs of a painter; see painted_as().
   using PaintedAs = std::tuple<std::shared_ptr<const LoadedScene>, std::shared_ptr<const std::vector<sim::Index>>,
-                               SurfaceLook, StretchOf, std::array<double, 2>, std::string, bool, bool, WhichSprings, int>;
+                               SurfaceLook, StretchOf, std::array<double, 2>, std::string, bool, bool, WhichSprings,
+                               int>;
   // Inputs of the scene's picture; see look_of().
   using SceneLook = std::tuple<PaintedAs, std::shared_ptr<const sim::Checkpoint>, OrbitCamera, bool, bool,
                                std::optional<HandThread>, int, int>;

@@ -307,10 +307,12 @@ Tested test_others_stretch(const ClaimResults& results) {
   };
   Tested tested = {{}, {{"bounded", {percent("largest stretch", stretch_of(bounded))}}}};
   for (const sim::SolverKind kind : others) {
-    tested.cases.push_back(
-        {to_name(kind), {percent("largest stretch", stretch_of(kind))}, std::isfinite(stretch_of(kind)) && !keeps(stretch_of(kind))});
+    tested.cases.push_back({to_name(kind),
+                            {percent("largest stretch", stretch_of(kind))},
+                            std::isfinite(stretch_of(kind)) && !keeps(stretch_of(kind))});
   }
-  tested.cases.push_back({"the paper's own method", {percent("largest stretch", stretch_of(strong))}, false, false, false});
+  tested.cases.push_back(
+      {"the paper's own method", {percent("largest stretch", stretch_of(strong))}, false, false, false});
   return tested;
 }
 

@@ -1,13 +1,13 @@
 #!/usr/bin/env bash
-# fresh_machine.sh [--folder FOLDER] [--before COMMAND] test|figures|package
+# fresh_machine.sh [--folder FOLDER] [--before COMMAND] [--compiler-cache] test|figures|package
 # Runs that command of the README, as it is written there, on a bare Debian 12 with a clone of what is committed: the
 # proof that setup.sh names all that is needed. With `package`, apt-get installs what build/release makes there, without
-# the sources; the program, its manual page and its completion work. --before runs a command in the clone between setup.sh
-# and the README's.
-# Needs root, debootstrap and a mirror of Debian in apt's sources; ends with 77 where no bare Debian can be made. Takes up
-# to half an hour and 5 GB in FOLDER (default: a new one in $TMPDIR or /tmp), which it removes. Kept for a month, in 4 GB
-# of $XDG_CACHE_HOME/taut or ~/.cache/taut: the bare system, the packages it installs, and the system that this very
-# setup.sh made of it, with which the next run begins. A summary of ctest is printed last.
+# the sources; the program, its manual page and its completion work. --before runs a command in the clone between
+# setup.sh and the README's. With --compiler-cache the next run compiles what a commit has changed, and nothing else.
+# Needs root, debootstrap and a mirror of Debian in apt's sources; ends with 77 where no bare Debian can be made. Takes
+# up to half an hour and 5 GB in FOLDER (default: a new one in $TMPDIR or /tmp), which it removes. Kept for a month, in
+# 5 GB of $XDG_CACHE_HOME/taut or ~/.cache/taut: the bare system, the packages it installs, the system that this very
+# setup.sh made of it, with which the next run begins, and what was compiled. A summary of ctest is printed last.
 set -euo pipefail
 
 fail() {
@@ -18,22 +18,25 @@ cannot() {
   echo "fresh_machine.sh: no bare Debian can be made: $*" >&2
   exit 77
 }
-folder= before=
+folder= before= compiler_cache=
 while [ $# -gt 1 ]; do
   case $1 in
     --folder) folder=$2 ;;
     --before) before=$2 ;;
+    --compiler-cache) compiler_cache=1; shift; continue ;;
     *) break ;;
   esac
   shift 2
 done
 if [ $# -ne 1 ]; then
-  sed -n '2,9s/^# //p' "$0" >&2
+  sed -n '2,10s/^# //p' "$0" >&2
   exit 2
 fi
 preset=$1
 source=$(cd "$(dirname "$0")/.." && pwd)
 release=bookworm
+# Debian's own, and what is there before setup.sh: it clones, and compiles through ccache where that is asked for.
+packages=ca-certificates,git,ccache
 command=$(sed -En "s|^(\./setup\.sh && cmake --workflow --preset $preset)( .*)?\$|\1|p" "$source/README.md")
 [ -n "$command" ] || [ "$preset" = package ] || fail "README.md has no command for '$preset'; expected test, figures or package"
 
@@ -52,9 +55,9 @@ machine=$folder/machine
 [ ! -e "$machine" ] || fail "$machine is there already"
 mkdir -p "$machine"
 cache=${XDG_CACHE_HOME:-${HOME:-/root}/.cache}/taut
-mkdir -p "$cache/archives/partial"
-base=$cache/$release.tar
-ready=$cache/$release-$(sha256sum "$source/setup.sh" | cut -c 1-16).tar
+mkdir -p "$cache/archives/partial" "$cache/compiled"
+base=$cache/$release-with-$packages.tar
+ready=$cache/$release-made-$({ echo $packages; cat "$source/setup.sh"; } | sha256sum | cut -c 1-16).tar
 [ "$preset" != package ] || ready=
 
 # Mounts are there for the processes of the machine alone, and they end with their first one: nothing is left to
@@ -82,7 +85,7 @@ apart() {
 make_base() {
   find "$cache" -mindepth 1 -type f -mtime +30 -delete
   [ ! -e "$base" ] || return 0
-  apart debootstrap --variant=minbase --include=ca-certificates,git $release "$machine" "$mirror" \
+  apart debootstrap --variant=minbase --include=$packages $release "$machine" "$mirror" \
     >"$folder/log.txt" || { tail -n 30 "$folder/log.txt"; return 1; }
   rm -rf "$machine"/var/lib/apt/lists/* "$machine"/var/cache/apt/archives/*.deb  # as in the image of a container
   tar -C "$machine" --one-file-system -cf "$base.part-$$" . && mv "$base.part-$$" "$base" && rm -rf "$machine" &&
@@ -108,22 +111,30 @@ make_debian() {
 
 keep_ready() {
   [ ! -e "$ready" ] || return 0
-  find "$cache" -maxdepth 1 -name "$release-*.tar" -delete
+  find "$cache" -maxdepth 1 -name "$release-made-*.tar" -delete
   tar -C "$machine" --one-file-system --exclude=./root/taut -cf "$ready.part-$$" . &&
     mv "$ready.part-$$" "$ready"
 }
 
 # on_the_machine COMMAND [OPTION of unshare...]
 on_the_machine() {
+  local settings=
+  if [ -n "$compiler_cache" ]; then
+    # Sources are new in every clone, and precompiled headers as old as the build.
+    settings="CMAKE_C_COMPILER_LAUNCHER=ccache CMAKE_CXX_COMPILER_LAUNCHER=ccache CCACHE_DIR=/var/cache/compiled
+      CCACHE_MAXSIZE=1G CCACHE_SLOPPINESS=pch_defines,time_macros,include_file_mtime,include_file_ctime"
+  fi
   apart "${@:2}" bash -euc '
     mount -t proc proc "$0/proc"
     mount -t sysfs -o ro sysfs "$0/sys"
     mount --bind /dev "$0/dev"
     mount -t devpts -o newinstance,ptmxmode=0666,mode=620 devpts "$0/dev/pts"
     mount -t tmpfs tmpfs "$0/dev/shm"
-    mount --bind "$2" "$0/var/cache/apt/archives"
-    exec chroot "$0" env -i HOME=/root PATH=/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin \
-      bash -c "cd ~/taut && $1"' "$machine" "$1" "$cache/archives"
+    mount --bind "$2/archives" "$0/var/cache/apt/archives"
+    mkdir -p "$0/var/cache/compiled"
+    mount --bind "$2/compiled" "$0/var/cache/compiled"
+    exec chroot "$0" env -i $3 HOME=/root PATH=/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin \
+      bash -c "cd ~/taut && $1"' "$machine" "$1" "$cache" "$settings"
 }
 
 timed() {

@@ -13,18 +13,9 @@ struct Target {
   void (*run)(const std::uint8_t* data, std::size_t size);
 };
 
-constexpr Target targets[] = {{"arrays", taut::test::fuzz_arrays},
-                              {"bvh", taut::test::fuzz_bvh},
-                              {"checkpoint", taut::test::fuzz_checkpoint},
-                              {"fabric", taut::test::fuzz_fabric},
-                              {"library", taut::test::fuzz_library},
-                              {"mesh", taut::test::fuzz_mesh},
-                              {"obj", taut::test::fuzz_obj},
-                              {"pattern", taut::test::fuzz_pattern},
-                              {"pc2", taut::test::fuzz_pc2},
-                              {"picture", taut::test::fuzz_picture},
-                              {"scene", taut::test::fuzz_scene},
-                              {"session", taut::test::fuzz_session}};
+#define TAUT_NAME(name) Target{#name, taut::test::fuzz_##name},
+constexpr Target targets[] = {TAUT_EACH_TARGET(TAUT_NAME)};
+#undef TAUT_NAME
 
 // libFuzzer calls its entries without an argument for what is theirs.
 const Target* chosen = nullptr;

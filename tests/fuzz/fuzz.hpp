@@ -3,20 +3,16 @@
 #include <cstddef>
 #include <cstdint>
 
+// Every target has a folder of inputs in corpus.
+#define TAUT_EACH_TARGET(each) \
+  each(arrays) each(bvh) each(checkpoint) each(fabric) each(library) each(mesh) each(obj) each(pattern) \
+  each(pc2) each(picture) each(scene) each(session)
+
 namespace taut::test {
 
 // Each takes any bytes. A fault ends the process.
-void fuzz_arrays(const std::uint8_t* data, std::size_t size);
-void fuzz_bvh(const std::uint8_t* data, std::size_t size);
-void fuzz_checkpoint(const std::uint8_t* data, std::size_t size);
-void fuzz_fabric(const std::uint8_t* data, std::size_t size);
-void fuzz_library(const std::uint8_t* data, std::size_t size);
-void fuzz_mesh(const std::uint8_t* data, std::size_t size);
-void fuzz_obj(const std::uint8_t* data, std::size_t size);
-void fuzz_pattern(const std::uint8_t* data, std::size_t size);
-void fuzz_pc2(const std::uint8_t* data, std::size_t size);
-void fuzz_picture(const std::uint8_t* data, std::size_t size);
-void fuzz_scene(const std::uint8_t* data, std::size_t size);
-void fuzz_session(const std::uint8_t* data, std::size_t size);
+#define TAUT_DECLARE(name) void fuzz_##name(const std::uint8_t* data, std::size_t size);
+TAUT_EACH_TARGET(TAUT_DECLARE)
+#undef TAUT_DECLARE
 
 }  // namespace taut::test

@@ -6,10 +6,7 @@ cmake=$1 sources=$2 prefix=$3
 without_sources=("${@:4}")
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
-fail() {
-  echo "$*"
-  exit 1
-}
+. "$(dirname "$0")/../support/fail.sh"
 export PKG_CONFIG_PATH=$prefix/lib/pkgconfig LD_LIBRARY_PATH=$prefix/lib
 cp "$sources/tests/library/consumer.cpp" "$sources/assets/garments/tshirt_1028.obj" "$folder"
 cd "$folder"

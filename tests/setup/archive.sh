@@ -5,10 +5,7 @@ set -euo pipefail
 cpack=$1 cmake=$2 build=$3
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
-fail() {
-  echo "$*"
-  exit 1
-}
+. "$(dirname "$0")/../support/fail.sh"
 
 "$cpack" --config "$build/CPackSourceConfig.cmake" -B "$folder" >"$folder/log.txt" 2>&1 || fail "$(cat "$folder/log.txt")"
 mkdir "$folder/sources" "$folder/no_git"

@@ -4,10 +4,7 @@ set -euo pipefail
 taut=$1 sources=$2
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
-fail() {
-  echo "$*"
-  exit 1
-}
+. "$(dirname "$0")/../support/fail.sh"
 command -v mkdocs >/dev/null || {
   echo "SKIPPED: there is no MkDocs here; ./setup.sh --docs brings it"
   exit 77

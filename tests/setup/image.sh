@@ -5,10 +5,7 @@
 set -euo pipefail
 build=$1 sources=$2 image=${3-}
 max_bytes=150000000
-fail() {
-  echo "$*"
-  exit 1
-}
+. "$(dirname "$0")/../support/fail.sh"
 skip() {
   echo "SKIPPED: $*"
   exit 77

@@ -5,10 +5,7 @@ set -euo pipefail
 cmake=$1 build=$2 sources=$3
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
-fail() {
-  echo "$*"
-  exit 1
-}
+. "$(dirname "$0")/../support/fail.sh"
 
 hiding=()
 if [ "${4-}" = hidden ]; then

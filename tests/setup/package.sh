@@ -6,10 +6,7 @@ set -euo pipefail
 build=$1 sources=$2
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
-fail() {
-  echo "$*"
-  exit 1
-}
+. "$(dirname "$0")/../support/fail.sh"
 
 for tool in apt-ftparchive lintian appstreamcli desktop-file-validate; do
   command -v $tool >/dev/null || {

@@ -1,0 +1,5 @@
+# For tests to read: fail WORDS... says why the test fails, and ends it.
+fail() {
+  echo "$*"
+  exit 1
+}

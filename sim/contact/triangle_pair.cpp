@@ -128,11 +128,11 @@ bool is_flat_beside_edge(const Corners& a, const Corners& b) {
          min_fold_height_m;
 }
 
-/// Returns whether a plane through the common first corner separates the triangles.
-bool lie_apart(const Corners& a, const Corners& b) {
+/// Returns whether a plane through the common first corner separates the other corners, which are further from it.
+bool lie_apart(const Corners& a, const Corners& b, double distance_m) {
   const Vec3 u = a[1] - a[0], v = a[2] - a[0], x = b[1] - a[0], y = b[2] - a[0];
   const Vec3 axis = (u + v) - (x + y);
-  const double min_offset = touching_m * glm::length(axis);
+  const double min_offset = distance_m * glm::length(axis);
   return glm::dot(axis, u) > min_offset && glm::dot(axis, v) > min_offset && glm::dot(axis, x) < -min_offset &&
          glm::dot(axis, y) < -min_offset;
 }
@@ -190,11 +190,18 @@ TrianglePairMeasure measure_neighbours(Triangle s, Triangle t, std::span<const V
   return shared == 1 ? measure_with(1, a, b) : measure_beside_edge(a, b);
 }
 
+bool corner_neighbours_lie_apart(Triangle s, Triangle t, std::span<const Vec3> positions_m, double distance_m) {
+  assert(are_below(std::array{s, t}, positions_m.size()));
+  assert(distance_m >= 0.0);
+  return bring_shared_to_front(s, t) == 1 &&
+         lie_apart(corner_positions(s, positions_m), corner_positions(t, positions_m), distance_m);
+}
+
 bool neighbours_cross(Triangle s, Triangle t, std::span<const Vec3> positions_m) {
   assert(are_below(std::array{s, t}, positions_m.size()));
   const std::size_t shared = bring_shared_to_front(s, t);
   const Corners a = corner_positions(s, positions_m), b = corner_positions(t, positions_m);
-  return shared == 1 ? !lie_apart(a, b) && !has_on_one_side(a, b) && !has_on_one_side(b, a) &&
+  return shared == 1 ? !lie_apart(a, b, touching_m) && !has_on_one_side(a, b) && !has_on_one_side(b, a) &&
                            measure_with(1, a, b).is_crossing()
                      : !are_unfolded(a, b) && !is_flat_beside_edge(a, b) && measure_beside_edge(a, b).is_crossing();
 }

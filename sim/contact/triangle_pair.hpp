@@ -35,6 +35,10 @@ TrianglePairMeasure measure_pair(const Triangle& s, const Triangle& t, std::span
 /// cross if they are folded flat onto each other.
 TrianglePairMeasure measure_neighbours(Triangle s, Triangle t, std::span<const Vec3> positions_m);
 
+/// Returns whether the triangles share one vertex, and a plane through it is further than `distance_m` from the others,
+/// which it separates: then they do not cross, and `parts_m` of their measure exceeds the distance.
+bool corner_neighbours_lie_apart(Triangle s, Triangle t, std::span<const Vec3> positions_m, double distance_m);
+
 /// Returns whether two triangles that share a vertex or an edge cross.
 bool neighbours_cross(Triangle s, Triangle t, std::span<const Vec3> positions_m);
 

@@ -116,6 +116,26 @@ double sampled_distance_m(const Corners& a, const Corners& b) {
   return least;
 }
 
+// The quick answer about neighbours is never another than that of their measure, and is given to most.
+TEST(ContactMeasure, NeighboursThatLieApartAreMeasuredApart) {
+  std::mt19937 random(11);
+  int apart = 0;
+  for (int i = 0; i < 2000; ++i) {
+    std::vector<Vec3> positions_m;
+    for (int k = 0; k < 5; ++k) positions_m.push_back(random_in(0.01, random));
+    const double distance_m = std::pow(10.0, -6.0 + i % 4);
+    if (!corner_neighbours_lie_apart({0, 1, 2}, {3, 0, 4}, positions_m, distance_m)) continue;
+    ++apart;
+    const TrianglePairMeasure measured = measure_neighbours({0, 1, 2}, {3, 0, 4}, positions_m);
+    EXPECT_FALSE(measured.is_pierced);
+    EXPECT_GE(measured.parts_m, distance_m);
+    EXPECT_FALSE(neighbours_cross({0, 1, 2}, {3, 0, 4}, positions_m));
+  }
+  EXPECT_GT(apart, 400);
+  const std::vector<Vec3> square_m = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
+  EXPECT_FALSE(corner_neighbours_lie_apart({0, 1, 2}, {0, 2, 3}, square_m, 1e-6)) << "they share an edge";
+}
+
 TEST(ContactMeasure, FindsTheNearestPair) {
   for (unsigned seed = 0; seed < 20; ++seed) {
     const Shape3 triangles = soup(12, 0.05, 100 + seed);

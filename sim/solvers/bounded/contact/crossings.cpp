@@ -42,8 +42,15 @@ TrianglePairMeasure Crossings::measure(Index s, Index t, bool are_neighbours, st
                         : measure_pair(triangles_[s], triangles_[t], positions_m, positions_m);
 }
 
+// Nearly all neighbours do, which saves measuring them.
+bool Crossings::lie_apart(Index s, Index t, bool are_neighbours, std::span<const Vec3> positions_m) const {
+  return are_neighbours &&
+         corner_neighbours_lie_apart(triangles_[s], triangles_[t], positions_m, min_rest_distance_m);
+}
+
 bool Crossings::is_kept_apart(Index s, Index t, bool are_neighbours) const {
-  return std::max(s, t) >= cloth_count_ || measure(s, t, are_neighbours, rest_m_).parts_m >= min_rest_distance_m;
+  return std::max(s, t) >= cloth_count_ || lie_apart(s, t, are_neighbours, rest_m_) ||
+         measure(s, t, are_neighbours, rest_m_).parts_m >= min_rest_distance_m;
 }
 
 void Crossings::find_touching_at_rest() {
@@ -59,6 +66,7 @@ void Crossings::find_touching_at_rest() {
 // Primitives near at rest, as in the finest meshes, count as apart, as contact leaves them out anyway. Touching ones do
 // not, so that their group stays.
 bool Crossings::is_apart(Index s, Index t, bool are_neighbours, std::span<const Vec3> positions_m) const {
+  if (lie_apart(s, t, are_neighbours, positions_m)) return true;
   if (are_neighbours && neighbours_cross(triangles_[s], triangles_[t], positions_m)) return false;
   const TrianglePairMeasure now = measure(s, t, are_neighbours, positions_m);
   if (now.is_pierced || (!are_neighbours && now.is_crossing())) return false;

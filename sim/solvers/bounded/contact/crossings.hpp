@@ -51,6 +51,7 @@ class Crossings {
   };
 
   TrianglePairMeasure measure(Index s, Index t, bool are_neighbours, std::span<const Vec3> positions_m) const;
+  bool lie_apart(Index s, Index t, bool are_neighbours, std::span<const Vec3> positions_m) const;
   bool is_kept_apart(Index s, Index t, bool are_neighbours) const;
   bool is_apart(Index s, Index t, bool are_neighbours, std::span<const Vec3> positions_m) const;
   template <typename Each>

@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <unistd.h>
+
 #include <chrono>
 #include <cstdlib>
 #include <random>
@@ -40,6 +42,18 @@ TEST(ImportProcess, SurvivesACrash) {
   EXPECT_CONTAINS(error, "dress.obj': the library that reads models crashed on it (Segmentation fault)");
   EXPECT_CONTAINS(error_with("kill -ABRT $$"), "crashed on it (Aborted)");
   EXPECT_CONTAINS(error_with("exit 3"), "failed on it (exit code 3)");
+}
+
+// A terminal sends Ctrl-C to the whole group: a reader that it ended would look like a crash.
+TEST(ImportProcess, IsNotInterruptedByATerminal) {
+  const TemporaryFolder folder;
+  const auto group = folder / "group";
+  const ImporterInstead importer(folder, "cut -d ' ' -f 5 /proc/self/stat > '" + group.string() + "'");
+  EXPECT_THROW(import_garment(folder.write("dress.obj", "f 1 2 3\n"), {}), InputError);
+  std::ifstream stream(group);
+  pid_t found = 0;
+  ASSERT_TRUE(stream >> found);
+  EXPECT_NE(found, ::getpgrp());
 }
 
 TEST(ImportProcess, EndsWhatHangs) {

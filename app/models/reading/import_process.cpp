@@ -67,7 +67,8 @@ Importer start_importer(const fs::path& model, const ImportLimits& limits, ReadP
                                     std::to_string(limits.memory_mib), "--seconds", std::to_string(limits.seconds),
                                     "--parts", std::to_string(static_cast<int>(parts)), fs::absolute(model).string()},
                       .variable = std::string(nested) + "=1",
-                      .output = its.number()})};
+                      .output = its.number(),
+                      .own_group = true})};
   } catch (const std::system_error& error) {
     throw InputError("the importer '" + program.string() + "' does not start: " + error.code().message());
   }

@@ -220,17 +220,16 @@ std::string contact_row(const ContactTrial& trial) {
 }
 
 std::string contact_csv(std::span<const ContactTrial> trials) {
-  CsvTable table({"scene", "seed", "triangles", "bound", "frames", "median_ms", "second_ms", "p99_ms", "worst_ms",
-                  "search_share", "detections", "partial_detections", "contact_pairs", "smallest_distance_m",
-                  "max_stretch", "crossing_pairs", "broken_frames", "first_broken"});
+  CsvTable table(
+      "scene,seed,triangles,bound,frames,median_ms,second_ms,p99_ms,worst_ms,search_share,detections,"
+      "partial_detections,contact_pairs,smallest_distance_m,max_stretch,crossing_pairs,broken_frames,first_broken");
   for (const ContactTrial& trial : trials) {
     for (const ContactRun& run : trial.runs) {
       const ContactFacts facts = summarise_contact({&run, 1});
-      table.add({trial.scene, std::to_string(run.seed), std::to_string(trial.triangles), cell(trial.bound),
-                 std::to_string(facts.frames), cell(facts.median_ms), cell(facts.slowest_second_ms), cell(facts.p99_ms),
-                 cell(facts.worst_ms), cell(facts.search_share), cell(facts.detections), cell(facts.partial_detections),
-                 std::to_string(facts.max_pairs), cell(facts.min_distance_m), cell(facts.stretch),
-                 std::to_string(facts.crossing_pairs), std::to_string(facts.broken_frames), cell(run.first_broken)});
+      table.add(trial.scene, run.seed, trial.triangles, trial.bound, facts.frames, facts.median_ms,
+                facts.slowest_second_ms, facts.p99_ms, facts.worst_ms, facts.search_share, facts.detections,
+                facts.partial_detections, facts.max_pairs, facts.min_distance_m, facts.stretch, facts.crossing_pairs,
+                facts.broken_frames, run.first_broken);
     }
   }
   return table.text();

@@ -199,9 +199,9 @@ std::string unrest_text(const std::vector<MethodRun>& runs) {
 
 std::string figure3_csv(const Results& results) {
   const StepRecording& fall = *results.fall;
-  CsvTable table({"iteration", "time_s", "moved_m"});
+  CsvTable table(figure3_columns);
   for (std::size_t i = 0; i < fall.moved_m.size(); ++i) {
-    table.add({std::to_string(i + 1), cell(static_cast<double>(i + 1) * fall.time_step_s), cell(fall.moved_m[i])});
+    table.add(i + 1, static_cast<double>(i + 1) * fall.time_step_s, fall.moved_m[i]);
   }
   return table.text();
 }
@@ -224,11 +224,10 @@ Drawing draw_figure3(const Results& results, LazyOffscreenRenderer&) {
 }
 
 std::string figure6_csv(const Results& results) {
-  CsvTable table({"triangles", "substeps", "sweeps", "repeat", "frame_ms"});
+  CsvTable table(figure6_columns);
   for (const FrameTimes& time : results.frame_times) {
     for (std::size_t repeat = 0; repeat < time.frame_ms.size(); ++repeat) {
-      table.add({std::to_string(time.triangles), std::to_string(time.substeps), std::to_string(time.sweeps),
-                 std::to_string(repeat + 1), cell(time.frame_ms[repeat])});
+      table.add(time.triangles, time.substeps, time.sweeps, repeat + 1, time.frame_ms[repeat]);
     }
   }
   return table.text();
@@ -255,11 +254,11 @@ Drawing draw_figure6(const Results& results, LazyOffscreenRenderer&) {
 }
 
 std::string figure7_csv(const Results& results) {
-  CsvTable table({"method", "time_step_s", "time_s", "max_stretch", "moved_rms_m"});
+  CsvTable table(figure7_columns);
   for (const MethodRun& run : results.methods) {
     for (std::size_t i = 0; i < run.max_stretch.size(); ++i) {
-      table.add({to_name(run.kind), cell(run.time_step_s), cell(static_cast<double>(i + 1) * run.time_step_s),
-                 cell(run.max_stretch[i]), cell(run.moved_rms_m[i])});
+      table.add(to_name(run.kind), run.time_step_s, static_cast<double>(i + 1) * run.time_step_s, run.max_stretch[i],
+                run.moved_rms_m[i]);
     }
   }
   return table.text();

@@ -209,24 +209,22 @@ Drawing make_sheet(std::vector<Panel> panels, const glm::ivec2& size, const Shee
 }
 
 std::string moments_csv(std::span<const Recording* const> recordings) {
-  CsvTable table({"panel", "scene", "frame", "time_s", "at_rest", "max_stretch", "p99_stretch", "max_surface_stretch",
-                  "p99_surface_stretch", "mean_stretch"});
+  CsvTable table(moment_columns);
   for_each_panel(recordings, [&](const std::string& panel, const Recording& recording, const Moment& moment) {
     const FrameRecord& record = moment.record;
     const sim::SurfaceStretch& surface = moment.record.surface_stretch;
-    table.add({panel, cell(recording.scene.name), std::to_string(record.frame), cell(record.time_s),
-               record.asleep ? "1" : "0", cell(record.stretch.max), cell(record.stretch.p99), cell(surface.max),
-               cell(surface.p99), cell(record.stretch.mean)});
+    table.add(panel, recording.scene.name, record.frame, record.time_s, record.asleep, record.stretch.max,
+              record.stretch.p99, surface.max, surface.p99, record.stretch.mean);
   });
   return table.text();
 }
 
 std::string shapes_csv(std::span<const Recording* const> recordings) {
-  CsvTable table({"panel", "vertex", "x_m", "y_m", "z_m"});
+  CsvTable table(shape_columns);
   for_each_panel(recordings, [&](const std::string& panel, const Recording&, const Moment& moment) {
     for (std::size_t v = 0; v < moment.positions.size(); ++v) {
       const sim::Vec3& p = moment.positions[v];
-      table.add({panel, std::to_string(v), cell(p.x), cell(p.y), cell(p.z)});
+      table.add(panel, v, p.x, p.y, p.z);
     }
   });
   return table.text();

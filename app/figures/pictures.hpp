@@ -74,6 +74,14 @@ struct SheetStyle {
 /// Arranges the panels in rows. All pictures must have the size `size`. The scale bar is drawn into the first one.
 Drawing make_sheet(std::vector<Panel> panels, const glm::ivec2& size, const SheetStyle& style, const ScaleBar& bar);
 
+/// Names of the columns of figures' tables, separated by commas.
+inline constexpr const char* moment_columns =
+    "panel,scene,frame,time_s,at_rest,max_stretch,p99_stretch,max_surface_stretch,p99_surface_stretch,mean_stretch";
+inline constexpr const char* shape_columns = "panel,vertex,x_m,y_m,z_m";
+inline constexpr const char* figure3_columns = "iteration,time_s,moved_m";
+inline constexpr const char* figure6_columns = "triangles,substeps,sweeps,repeat,frame_ms";
+inline constexpr const char* figure7_columns = "method,time_step_s,time_s,max_stretch,moved_rms_m";
+
 /// Returns a table with one row per moment: its letter (from a), its scene and its measurements.
 std::string moments_csv(std::span<const Recording* const> recordings);
 

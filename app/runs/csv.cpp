@@ -4,10 +4,10 @@
 
 namespace taut::app {
 
-CsvTable::CsvTable(std::vector<std::string> columns) : width_(columns.size()), text_(join(columns, ",") + '\n') {}
+CsvTable::CsvTable(const std::string& columns) : width_(std::ranges::count(columns, ',') + 1), text_(columns + '\n') {}
 
-void CsvTable::add(std::vector<std::string> cells) {
-  if (cells.size() != width_) {
+void CsvTable::add_cells(const std::vector<std::string>& cells) {
+  if (std::ssize(cells) != width_) {
     throw std::invalid_argument(fmt::format("a row of {} cells in a table of {} columns", cells.size(), width_));
   }
   text_ += join(cells, ",") + '\n';

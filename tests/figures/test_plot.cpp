@@ -161,12 +161,12 @@ TEST(Plot, PlotsAreArrangedRowByRow) {
 }
 
 TEST(Csv, QuotesWhatNeedsItAndReadsBackExactly) {
-  CsvTable table({"name", "value"});
-  table.add({cell(std::string("a,\"b\"")), cell(0.1 + 0.2)});
+  CsvTable table("name,value");
+  table.add("a,\"b\"", 0.1 + 0.2);
   EXPECT_EQ(table.text(), "name,value\n\"a,\"\"b\"\"\",0.30000000000000004\n");
-  EXPECT_THROW(table.add({"one"}), std::invalid_argument);
-  CsvTable blank({"a", "b"});
-  blank.add({cell(NAN), "2"});
+  EXPECT_THROW(table.add("one"), std::invalid_argument);
+  CsvTable blank("a,b");
+  blank.add(NAN, 2);
   EXPECT_EQ(blank.text(), "a,b\n,2\n");
 }
 

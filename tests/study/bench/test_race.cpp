@@ -1,7 +1,5 @@
 #include <gtest/gtest.h>
 
-#include <cmath>
-
 #include "race.hpp"
 #include "sim/mesh/grid.hpp"
 #include "sim/simulation.hpp"

@@ -27,13 +27,13 @@ std::vector<std::string> split_cells(const std::string& line) {
 
 }  // namespace
 
-CsvFile::CsvFile(const std::filesystem::path& path, const std::vector<std::string>& columns)
-    : name_(path.string()), columns_(columns) {
+CsvFile::CsvFile(const std::filesystem::path& path, const std::string& columns)
+    : name_(path.string()), columns_(split_cells(columns)) {
   std::istringstream lines(read_text_file(path));
   std::string line;
   std::getline(lines, line);
   if (split_cells(line) != columns_) {
-    throw InputError("{}:1: found the columns {}, expected {}", name_, line, join(columns_, ","));
+    throw InputError("{}:1: found the columns {}, expected {}", name_, line, columns);
   }
   while (std::getline(lines, line)) {
     rows_.push_back(split_cells(line));
@@ -46,22 +46,22 @@ CsvFile::CsvFile(const std::filesystem::path& path, const std::vector<std::strin
 
 double CsvFile::number(std::size_t row, std::size_t column) const {
   const std::optional<double> number = number_in<double>(text(row, column));
-  if (!number || !std::isfinite(*number)) {
-    fail(row, fmt::format("{}: found '{}', expected a number", columns_[column], text(row, column)));
-  }
+  if (!number || !std::isfinite(*number)) fail_cell(row, column, "a number");
   return *number;
 }
 
 int CsvFile::whole_number(std::size_t row, std::size_t column) const {
   const std::optional<int> number = number_in<int>(text(row, column));
-  if (!number) {
-    fail(row, fmt::format("{}: found '{}', expected a whole number", columns_[column], text(row, column)));
-  }
+  if (!number) fail_cell(row, column, "a whole number");
   return *number;
 }
 
 void CsvFile::fail(std::size_t row, const std::string& what) const {
   throw InputError("{}:{}: {}", name_, row + 2, what);
+}
+
+void CsvFile::fail_cell(std::size_t row, std::size_t column, const std::string& expected) const {
+  fail(row, fmt::format("{}: found '{}', expected {}", columns_[column], text(row, column), expected));
 }
 
 }  // namespace taut::app

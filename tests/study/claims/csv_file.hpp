@@ -10,9 +10,9 @@ namespace taut::app {
 /// of names.
 class CsvFile {
  public:
-  /// Throws InputError that names the file and the line if the columns differ from `columns`, or if a row has another
-  /// number of cells.
-  CsvFile(const std::filesystem::path& path, const std::vector<std::string>& columns);
+  /// Throws InputError that names the file and the line if the columns differ from `columns`, which commas separate, or
+  /// if a row has another number of cells.
+  CsvFile(const std::filesystem::path& path, const std::string& columns);
 
   std::size_t rows() const { return rows_.size(); }
   const std::string& text(std::size_t row, std::size_t column) const { return rows_[row][column]; }
@@ -23,6 +23,8 @@ class CsvFile {
   int whole_number(std::size_t row, std::size_t column) const;
   /// Throws InputError with `what`, the file and the line of the row.
   [[noreturn]] void fail(std::size_t row, const std::string& what) const;
+  /// Throws InputError that says what was found in a cell, and what was expected.
+  [[noreturn]] void fail_cell(std::size_t row, std::size_t column, const std::string& expected) const;
 
  private:
   std::string name_;

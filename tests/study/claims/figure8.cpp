@@ -14,45 +14,37 @@ struct Look {
   Marker marker;
 };
 
-Look solver_look(sim::SolverKind kind) {
-  using enum sim::SolverKind;
-  switch (kind) {
-    case ideal:
-      return {"ideal springs",
-              "200 N/m; steps as short as these ask for",
-              {palette::orange, 4.5F, {1.2F, 1.8F}},
-              Marker::square};
-    case provot:
-      return {"Provot 1995",
-              "these springs; over-long ones pulled back once a step",
-              {palette::vermilion, 4.5F, {5.0F, 2.0F}},
-              Marker::square};
-    case implicit:
-      return {"Baraff and Witkin 1998",
-              "implicit; 1000 N/m, 1 step a frame if it may",
-              {palette::green, 4.5F, {}},
-              Marker::disc};
-    case vassilev:
-      return {"Vassilev 2001",
-              "these springs; over-long ones part no further",
-              {palette::purple, 4.5F, {3.0F, 1.5F}},
-              Marker::ring};
-    case fast_projection:
-      return {
-          "Goldenthal 2007", "fast projection of all edges; 5 steps a frame", {palette::sky, 4.5F, {}}, Marker::disc};
-    case strong:
-      return {"the paper, literally",
-              "strong constraint; 20 steps of 4 sweeps a frame",
-              {palette::blue, 4.5F, {}},
-              Marker::disc};
-    default:
-      return {
-          "bounded (this program)", "1 % of the surface; chooses its steps", {palette::ink, 9.0F, {}}, Marker::disc};
-  }
+/// Looks of trial_methods, in their order.
+const std::array<Look, trial_methods.size()> looks = {
+    {{"ideal springs",
+      "200 N/m; steps as short as these ask for",
+      {palette::orange, 4.5F, {1.2F, 1.8F}},
+      Marker::square},
+     {"Provot 1995",
+      "these springs; over-long ones pulled back once a step",
+      {palette::vermilion, 4.5F, {5.0F, 2.0F}},
+      Marker::square},
+     {"Baraff and Witkin 1998",
+      "implicit; 1000 N/m, 1 step a frame if it may",
+      {palette::green, 4.5F, {}},
+      Marker::disc},
+     {"Vassilev 2001",
+      "these springs; over-long ones part no further",
+      {palette::purple, 4.5F, {3.0F, 1.5F}},
+      Marker::ring},
+     {"Goldenthal 2007", "fast projection of all edges; 5 steps a frame", {palette::sky, 4.5F, {}}, Marker::disc},
+     {"the paper, literally",
+      "strong constraint; 20 steps of 4 sweeps a frame",
+      {palette::blue, 4.5F, {}},
+      Marker::disc},
+     {"bounded (this program)", "1 % of the surface; chooses its steps", {palette::ink, 9.0F, {}}, Marker::disc}}};
+
+const Look& solver_look(sim::SolverKind kind) {
+  return looks[static_cast<std::size_t>(std::ranges::find(trial_methods, kind) - trial_methods.begin())];
 }
 
 Curve make_curve(sim::SolverKind kind, bool has_markers) {
-  const Look look = solver_look(kind);
+  const Look& look = solver_look(kind);
   return {"", {}, look.stroke, has_markers ? look.marker : Marker::none};
 }
 
@@ -214,9 +206,9 @@ void draw_methods(renderer::Canvas& canvas, const Area& area, const PlotSheet& s
               text_style(sheet.caption.measured_px));
 }
 
-const std::vector<std::string> columns = {
-    "test",        "triangles",           "method",   "step_factor",       "substeps", "time_s", "frame_ms",
-    "max_stretch", "max_surface_stretch", "energy_j", "rms_speed_m_per_s", "sunk_m"};
+constexpr const char* columns =
+    "test,triangles,method,step_factor,substeps,time_s,frame_ms,max_stretch,max_surface_stretch,energy_j,"
+    "rms_speed_m_per_s,sunk_m";
 
 /// Returns the value whose name is in a cell.
 template <class Values>
@@ -226,8 +218,7 @@ auto find_named(const CsvFile& table, std::size_t row, std::size_t column, const
     if (table.text(row, column) == to_name(value)) return value;
     names.emplace_back(to_name(value));
   }
-  table.fail(row,
-             fmt::format("{}: found '{}', expected one of {}", columns[column], table.text(row, column), join(names)));
+  table.fail_cell(row, column, "one of " + join(names));
 }
 
 /// Adds a row to its trial, which is the last one or a new one.
@@ -284,10 +275,9 @@ std::string figure8_csv(const ClaimResults& results) {
   for (const MethodTest test : all_method_tests) {
     for (const MethodTrial& trial : results.trials_of(test)) {
       const auto add = [&](const TrialFrame& frame) {
-        table.add({to_name(test), std::to_string(trial.triangles), to_name(trial.kind),
-                   std::to_string(trial.step_factor), std::to_string(trial.substeps), cell(frame.time_s),
-                   cell(frame.frame_ms), cell(frame.stretch), cell(frame.surface_stretch), cell(frame.energy_j),
-                   cell(frame.speed_m_per_s), cell(frame.sunk_m)});
+        table.add(to_name(test), trial.triangles, to_name(trial.kind), trial.step_factor, trial.substeps, frame.time_s,
+                  frame.frame_ms, frame.stretch, frame.surface_stretch, frame.energy_j, frame.speed_m_per_s,
+                  frame.sunk_m);
       };
       std::ranges::for_each(trial.frames, add);
       if (trial.is_lost) {

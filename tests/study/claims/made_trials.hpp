@@ -1,7 +1,5 @@
 #pragma once
 
-#include <algorithm>
-
 #include "tests/study/claims/trials.hpp"
 
 namespace taut::test {

@@ -9,13 +9,18 @@
 namespace taut::app {
 namespace {
 
-// Draws figures from their tables, without experiments.
-void draw_from_tables(FiguresOptions options, const std::filesystem::path& folder) {
-  ClaimResults results;
+std::vector<Figure> list_figures(ClaimResults& results) {
   std::vector<Figure> figures = all_figures(results);
   figures.push_back(make_figure8(results));
   figures.push_back(truth_figure(results.truth));
   figures.push_back(make_figure9(results.truth));
+  return figures;
+}
+
+// Draws figures from their tables, without experiments.
+void draw_from_tables(FiguresOptions options, const std::filesystem::path& folder) {
+  ClaimResults results;
+  std::vector<Figure> figures = list_figures(results);
   for (Figure& figure : figures) {
     const bool is_asked_for = options.selected_names.empty() ||
                               std::ranges::find(options.selected_names, figure.name) != options.selected_names.end();
@@ -29,10 +34,7 @@ void draw_from_tables(FiguresOptions options, const std::filesystem::path& folde
 
 void draw_and_judge(const FiguresOptions& options) {
   ClaimResults results;
-  std::vector<Figure> figures = all_figures(results);
-  figures.push_back(make_figure8(results));
-  figures.push_back(truth_figure(results.truth));
-  figures.push_back(make_figure9(results.truth));
+  std::vector<Figure> figures = list_figures(results);
   std::vector<Job> jobs = experiments(results, Checking::promises);
   std::ranges::move(claim_experiments(results), std::back_inserter(jobs));
   std::ranges::move(truth_jobs(results.truth), std::back_inserter(jobs));

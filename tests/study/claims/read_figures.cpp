@@ -6,21 +6,6 @@
 namespace taut::app {
 namespace {
 
-const std::vector<std::string> moment_columns = {"panel",
-                                                 "scene",
-                                                 "frame",
-                                                 "time_s",
-                                                 "at_rest",
-                                                 "max_stretch",
-                                                 "p99_stretch",
-                                                 "max_surface_stretch",
-                                                 "p99_surface_stretch",
-                                                 "mean_stretch"};
-const std::vector<std::string> shape_columns = {"panel", "vertex", "x_m", "y_m", "z_m"};
-const std::vector<std::string> columns3 = {"iteration", "time_s", "moved_m"};
-const std::vector<std::string> columns6 = {"triangles", "substeps", "sweeps", "repeat", "frame_ms"};
-const std::vector<std::string> columns7 = {"method", "time_step_s", "time_s", "max_stretch", "moved_rms_m"};
-
 Moment read_moment(const CsvFile& moments, std::size_t row) {
   Moment moment;
   moment.record.frame = moments.whole_number(row, 2);
@@ -95,7 +80,7 @@ void read_shirts(Results& results, const std::filesystem::path& folder) {
 }
 
 void read_figure3(Results& results, const std::filesystem::path& folder) {
-  const CsvFile table(folder / "fig3.csv", columns3);
+  const CsvFile table(folder / "fig3.csv", figure3_columns);
   results.fall = results.fall ? std::move(results.fall) : StepRecording{};
   StepRecording& fall = *results.fall;
   fall.frames.scene = find_scene(fall_scene, {});
@@ -112,7 +97,7 @@ void read_figure3(Results& results, const std::filesystem::path& folder) {
 }
 
 void read_figure6(Results& results, const std::filesystem::path& folder) {
-  const CsvFile table(folder / "fig6.csv", columns6);
+  const CsvFile table(folder / "fig6.csv", figure6_columns);
   std::vector<FrameTimes>& times = results.frame_times;
   for (std::size_t row = 0; row < table.rows(); ++row) {
     const FrameTimes next{table.whole_number(row, 0), table.whole_number(row, 1), table.whole_number(row, 2), {}};
@@ -133,7 +118,7 @@ double number_or_infinity(const CsvFile& table, std::size_t row, std::size_t col
 }
 
 void read_figure7(Results& results, const std::filesystem::path& folder) {
-  const CsvFile table(folder / "fig7.csv", columns7);
+  const CsvFile table(folder / "fig7.csv", figure7_columns);
   std::size_t row = 0;
   for (const double rate_hz : method_rates_hz) {
     for (const sim::SolverKind kind : compared_methods) {

@@ -1,9 +1,5 @@
 #include <gtest/gtest.h>
 
-#include <cmath>
-#include <functional>
-#include <tuple>
-
 #include "app/base/words.hpp"
 #include "study/claims/made_trials.hpp"
 #include "temporary_folder.hpp"

@@ -1,7 +1,5 @@
 #include <gtest/gtest.h>
 
-#include <cmath>
-
 #include "app/base/errors.hpp"
 #include "app/base/files.hpp"
 #include "smallest_print.hpp"

@@ -1,7 +1,5 @@
 #include <gtest/gtest.h>
 
-#include <cmath>
-
 #include "app/base/errors.hpp"
 #include "app/base/files.hpp"
 #include "app/drawing/drawn_scene.hpp"
@@ -89,9 +87,7 @@ TEST(FigureTables, HaveTheStretchOfSpringsAndOfTheSurface) {
   const TemporaryFolder folder;
   const Recording recording = recording_of_a_diagonal_stretch();
   write_text_file(folder / "moments.csv", moments_csv(std::array{&recording}));
-  const CsvFile table(folder / "moments.csv",
-                      {"panel", "scene", "frame", "time_s", "at_rest", "max_stretch", "p99_stretch",
-                       "max_surface_stretch", "p99_surface_stretch", "mean_stretch"});
+  const CsvFile table(folder / "moments.csv", moment_columns);
   const double edge = std::sqrt(0.5 * (1.2 * 1.2 + 1.0)) - 1.0;
   for (const auto& [column, expected] : {std::pair(5U, edge), {6U, edge}, {7U, 0.2}, {8U, 0.2}, {9U, edge}}) {
     EXPECT_NEAR(table.number(0, column), expected, 1e-12) << column;

@@ -1,12 +1,9 @@
 #include <gtest/gtest.h>
 
-#include <array>
-#include <map>
-#include <set>
-
 #include "app/base/errors.hpp"
 #include "app/drawing/drawn_scene.hpp"
 #include "app/models/garment_loading.hpp"
+#include "sim/mesh/groups.hpp"
 #include "temporary_folder.hpp"
 #include "tests/study/claims/trials.hpp"
 
@@ -24,26 +21,6 @@ struct Shape {
   int euler_characteristic = 0;
 };
 
-std::size_t count_lines(const std::vector<std::array<sim::Index, 2>>& edges) {
-  std::map<sim::Index, sim::Index> onwards;
-  const auto end_index = [&](sim::Index vertex) {
-    while (onwards.contains(vertex)) {
-      vertex = onwards[vertex];
-    }
-    return vertex;
-  };
-  std::set<sim::Index> ends;
-  for (const auto& [a, b] : edges) {
-    if (end_index(a) != end_index(b)) {
-      onwards[end_index(a)] = end_index(b);
-    }
-  }
-  for (const auto& [a, b] : edges) {
-    ends.insert(end_index(a));
-  }
-  return ends.size();
-}
-
 Shape make_shape(const sim::Mesh& mesh) {
   std::map<std::array<sim::Index, 2>, int> uses;
   for (const sim::Triangle& t : mesh.triangles) {
@@ -55,13 +32,14 @@ Shape make_shape(const sim::Mesh& mesh) {
   shape.edges = uses.size();
   std::vector<std::array<sim::Index, 2>> border;
   for (const auto& [edge, count] : uses) {
-    if (count == 1) {
-      border.push_back(edge);
-    }
+    if (count == 1) border.push_back(edge);
     shape.crowded_edges += count > 2 ? 1 : 0;
   }
   shape.border_edges = border.size();
-  shape.borders = count_lines(border);
+  sim::Groups lines = sim::connect_vertices(mesh.positions.size(), border);
+  std::set<sim::Index> names;
+  for (const auto& edge : border) names.insert(lines.find(edge[0]));
+  shape.borders = names.size();
   shape.euler_characteristic =
       static_cast<int>(mesh.positions.size()) - static_cast<int>(shape.edges) + static_cast<int>(mesh.triangles.size());
   return shape;

@@ -1,7 +1,5 @@
 #include <gtest/gtest.h>
 
-#include <cmath>
-
 #include "tests/study/claims/trials.hpp"
 
 namespace taut::app {

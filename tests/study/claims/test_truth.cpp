@@ -2,8 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-
 #include "tests/study/claims/truth.hpp"
 
 namespace taut::app {
@@ -42,8 +40,7 @@ TEST(TruthTable, SaysInWordsWhatDoesNotPass) {
   experiment.name = "droop";
   experiment.tolerance = 0.1;
   const auto row = [&](double measured) {
-    return truth_html(std::span(&experiment, 1),
-                      std::array{TruthPoint{"droop", "", "9 x 33", 0.0, measured, 1.0, NAN}});
+    return truth_html({&experiment, 1}, std::array{TruthPoint{"", 0.0, measured, 1.0, NAN, "9 x 33", "droop"}});
   };
   EXPECT_NE(row(1.05).find("<b>passes</b>"), std::string::npos);
   EXPECT_NE(row(1.2).find("<b>does not pass</b></td>"), std::string::npos);
@@ -54,7 +51,7 @@ TEST(TruthTable, SaysInWordsWhatDoesNotPass) {
 class Experiment : public testing::TestWithParam<TruthExperiment> {};
 
 std::vector<TruthPoint> run(const TruthExperiment& experiment, double physics) {
-  return experiment.run(experiment, physics, [](double) {});
+  return run_experiment(experiment, physics, [](double) {});
 }
 
 double mean_measured(std::span<const TruthPoint> points) {

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <cmath>
-
 #include "app/drawing/plots/plot.hpp"
 #include "app/figures/figures.hpp"
 
@@ -9,13 +7,13 @@ namespace taut::app {
 
 /// A measured number beside the number of theory or a publication.
 struct TruthPoint {
-  std::string experiment;  ///< name of a TruthExperiment
-  std::string curve;       ///< points of one line: a load case, a fabric, a coefficient
-  std::string mesh;        ///< "9 x 33": vertices across and along
+  std::string curve;  ///< points of one line: a load case, a fabric, a coefficient
   double x = 0.0;
   double measured = 0.0;
-  double published = 0.0;     ///< NaN: nothing is published
-  double published_to = NAN;  ///< upper end of a published range
+  double published = 0.0;       ///< NaN: nothing is published
+  double published_to = NAN;    ///< upper end of a published range
+  std::string mesh = {};        ///< "9 x 33": vertices across and along
+  std::string experiment = {};  ///< name of a TruthExperiment
 };
 
 /// Measure of a deviation: fraction of the published number, difference in units of y, or only the excess above it.
@@ -34,7 +32,7 @@ struct TruthExperiment {
   double known = 0.0;      ///< worst deviation with its sign if the experiment does not pass: a flaw to mend; 0: it
                            ///< passes
   /// Runs the experiment with `physics` times the right law, friction, force or gravity in the program.
-  std::vector<TruthPoint> (*run)(const TruthExperiment& experiment, double physics, const ProgressCallback& report);
+  std::vector<TruthPoint> (*run)(double physics, const ProgressCallback& report);
   /// Mean of all measured numbers, for published ranges that are wider than the effect of a tenth of the physics; 0:
   /// not used.
   double mean = 0.0;
@@ -46,6 +44,10 @@ struct TruthExperiment {
 std::vector<TruthExperiment> calm_experiments();
 std::vector<TruthExperiment> wind_experiments();
 std::vector<TruthExperiment> truth_experiments();
+
+/// Runs an experiment, and names it in its points.
+std::vector<TruthPoint> run_experiment(const TruthExperiment& experiment, double physics,
+                                       const ProgressCallback& report);
 
 /// Largest and root mean square deviation of an experiment's points.
 struct Deviation {

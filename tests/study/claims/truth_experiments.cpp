@@ -1,12 +1,11 @@
-#include <array>
-#include <cmath>
-#include <glm/geometric.hpp>
-
 #include "drape_meter.hpp"
 #include "tests/contact/scenes.hpp"
 #include "tests/study/claims/truth_setups.hpp"
 
 namespace taut::app {
+
+static std::string to_name(const DiscMesh& mesh) { return fmt::format("edges of {:.0f} mm", 1e3 * mesh.edge_m); }
+
 namespace {
 
 using namespace truth;
@@ -34,8 +33,7 @@ double compliance_m_per_n(const Pull& pull) {
 }
 
 /// Measures the strain of the middle half of a strip of 10 x 40 cm that is pulled at its lower edge.
-TruthPoint pull(const TruthExperiment& experiment, const Pull& pull, const Size& size, double load_n_per_m,
-                double physics) {
+TruthPoint pull(const Pull& pull, const Size& size, double load_n_per_m, double physics) {
   constexpr double width_m = 0.1, length_m = 0.4;
   sim::Garment garment =
       sim::make_garment(rectangle(size, width_m, length_m, sim::GridPlane::vertical), {}, pull.material);
@@ -70,29 +68,23 @@ TruthPoint pull(const TruthExperiment& experiment, const Pull& pull, const Size&
     }
     return sum_m;
   };
-  return {experiment.name,
-          pull.curve,
-          to_name(size),
-          load_n_per_m,
-          100.0 * (length_of(simulation.state().current) / length_of(flat) - 1.0),
+  return {pull.curve, load_n_per_m, 100.0 * (length_of(simulation.state().current) / length_of(flat) - 1.0),
           100.0 * load_n_per_m * compliance_m_per_n(pull)};
 }
 
-std::vector<TruthPoint> run_extension(const TruthExperiment& experiment, double physics,
-                                      const ProgressCallback& report) {
+std::vector<TruthPoint> run_extension(double physics, const ProgressCallback& report) {
   const double bias = std::atan(1.0);
   const Material woven = with_law(2000.0, 1500.0, 60.0), knit = with_law(400.0, 200.0, 60.0);
   const std::array<Pull, 4> pulls = {{{"woven, along the warp", woven, 0.0},
                                       {"woven, on the bias", woven, bias},
                                       {"knit, along the warp", knit, 0.0},
                                       {"knit, on the bias", knit, bias}}};
-  return run_all(pulls, report, [&](const Pull& one) {
-    std::vector<TruthPoint> points;
-    for (const Size& size : {Size{5, 17}, Size{6, 21}, Size{9, 33}}) {
-      for (const double load : {2.0, 6.0, 18.0}) points.push_back(pull(experiment, one, size, load, physics));
-    }
-    return points;
-  });
+  return run_all(pulls, std::array{Size{5, 17}, Size{6, 21}, Size{9, 33}}, report,
+                 [&](const Pull& one, const Size& size) {
+                   std::vector<TruthPoint> points;
+                   for (const double load : {2.0, 6.0, 18.0}) points.push_back(pull(one, size, load, physics));
+                   return points;
+                 });
 }
 
 Vec3 compute_middle(std::span<const Vec3> positions) {
@@ -103,8 +95,7 @@ Vec3 compute_middle(std::span<const Vec3> positions) {
 
 /// Measures the acceleration of a sheet of 40 cm on a slope or, if `is_on_cloth`, on another sheet that is pinned
 /// everywhere. The sheets are level, and gravity is tilted instead.
-TruthPoint slide_sheet(const TruthExperiment& experiment, const Size& size, double friction, double slope,
-                       bool is_on_cloth, double physics) {
+TruthPoint slide_sheet(const Size& size, double friction, double slope, bool is_on_cloth, double physics) {
   constexpr double width_m = 0.4;
   constexpr int frames = 45;
   constexpr double time_s = frames / 60.0;
@@ -135,29 +126,27 @@ TruthPoint slide_sheet(const TruthExperiment& experiment, const Size& size, doub
   const double before_m = sliding();
   advance(simulation, frames);
   const double acceleration = 2.0 * (sliding() - before_m) / (time_s * time_s);
-  return {experiment.name, fmt::format("friction {:g}", friction),     to_name(size),
-          slope,           acceleration / (gravity_m_per_s2 * cosine), std::max(0.0, slope - friction)};
+  return {fmt::format("friction {:g}", friction), slope, acceleration / (gravity_m_per_s2 * cosine),
+          std::max(0.0, slope - friction)};
 }
 
-std::vector<TruthPoint> slide_all(const TruthExperiment& experiment, bool is_on_cloth, double physics,
-                                  const ProgressCallback& report) {
-  return run_all(std::array{0.1, 0.2, 0.3, 0.5, 0.8}, report, [&](double friction) {
-    std::vector<TruthPoint> points;
-    for (const double times : {0.8, 1.4, 2.0}) {
-      for (const Size& size : {Size{5, 5}, Size{9, 9}, Size{15, 15}}) {
-        points.push_back(slide_sheet(experiment, size, friction, times * friction, is_on_cloth, physics));
-      }
-    }
-    return points;
-  });
+std::vector<TruthPoint> slide_all(bool is_on_cloth, double physics, const ProgressCallback& report) {
+  std::vector<std::array<double, 2>> cases;
+  for (const double friction : {0.1, 0.2, 0.3, 0.5, 0.8}) {
+    for (const double times : {0.8, 1.4, 2.0}) cases.push_back({friction, times * friction});
+  }
+  return run_all(cases, std::array{Size{5, 5}, Size{9, 9}, Size{15, 15}}, report,
+                 [&](const auto& one, const Size& size) {
+                   return std::vector{slide_sheet(size, one[0], one[1], is_on_cloth, physics)};
+                 });
 }
 
-std::vector<TruthPoint> run_slope(const TruthExperiment& experiment, double physics, const ProgressCallback& report) {
-  return slide_all(experiment, false, physics, report);
+std::vector<TruthPoint> run_slope(double physics, const ProgressCallback& report) {
+  return slide_all(false, physics, report);
 }
 
-std::vector<TruthPoint> run_layers(const TruthExperiment& experiment, double physics, const ProgressCallback& report) {
-  return slide_all(experiment, true, physics, report);
+std::vector<TruthPoint> run_layers(double physics, const ProgressCallback& report) {
+  return slide_all(true, physics, report);
 }
 
 double mean_speed_down(const sim::State& state) {
@@ -168,8 +157,7 @@ double mean_speed_down(const sim::State& state) {
 
 /// Measures the fall of a level sheet through air. Drag on the whole area brings it to a terminal speed; before that v
 /// = v_t tanh(g t / v_t).
-std::vector<TruthPoint> drop_sheet(const TruthExperiment& experiment, const Size& size, double density,
-                                   double physics) {
+std::vector<TruthPoint> drop_sheet(const Size& size, double density, double physics) {
   Material material;
   material.areal_density_kg_per_m2 = density;
   material.bending_rigidity_n_m = 1e-2;  // softer cloth bends and turns over
@@ -184,25 +172,20 @@ std::vector<TruthPoint> drop_sheet(const TruthExperiment& experiment, const Size
   for (int tenth = 1; tenth <= 10; ++tenth) {
     advance(simulation, 6);
     const double time_s = simulation.state().time_s;
-    points.push_back({experiment.name, fmt::format("{:g} g/m2", 1e3 * density), to_name(size), time_s,
-                      mean_speed_down(simulation.state()), terminal * std::tanh(gravity_m_per_s2 * time_s / terminal)});
+    points.push_back({fmt::format("{:g} g/m2", 1e3 * density), time_s, mean_speed_down(simulation.state()),
+                      terminal * std::tanh(gravity_m_per_s2 * time_s / terminal)});
   }
   return points;
 }
 
-std::vector<TruthPoint> run_fall(const TruthExperiment& experiment, double physics, const ProgressCallback& report) {
-  return run_all(std::array{0.05, 0.15, 0.4}, report, [&](double density) {
-    std::vector<TruthPoint> points;
-    for (const Size& size : {Size{7, 7}, Size{9, 9}, Size{17, 17}}) {
-      std::ranges::move(drop_sheet(experiment, size, density, physics), std::back_inserter(points));
-    }
-    return points;
-  });
+std::vector<TruthPoint> run_fall(double physics, const ProgressCallback& report) {
+  return run_all(std::array{0.05, 0.15, 0.4}, std::array{Size{7, 7}, Size{9, 9}, Size{17, 17}}, report,
+                 [&](double density, const Size& size) { return drop_sheet(size, density, physics); });
 }
 
 /// Measures the momentum of two free sheets, one above the other. A force pushes the upper one onto the lower one, then
 /// both. Their momentum is force times time.
-std::vector<TruthPoint> collide_sheets(const TruthExperiment& experiment, const Size& size, double physics) {
+std::vector<TruthPoint> collide_sheets(double physics, const Size& size) {
   constexpr double force_n = 0.2, apart_m = 0.05;
   const sim::Mesh upper = rectangle(size, 0.4, 0.4, sim::GridPlane::horizontal);
   const std::size_t count = upper.positions.size();
@@ -228,22 +211,19 @@ std::vector<TruthPoint> collide_sheets(const TruthExperiment& experiment, const 
       momentum += one;
       of_lower += v < count ? 0.0 : one;
     }
-    points.push_back(
-        {experiment.name, "both", to_name(size), state.time_s, 1e3 * momentum, 1e3 * force_n * state.time_s});
-    points.push_back({experiment.name, "the lower one", to_name(size), state.time_s, 1e3 * of_lower, NAN});
+    points.push_back({"both", state.time_s, 1e3 * momentum, 1e3 * force_n * state.time_s});
+    points.push_back({"the lower one", state.time_s, 1e3 * of_lower, NAN});
   }
   return points;
 }
 
-std::vector<TruthPoint> run_collision(const TruthExperiment& experiment, double physics,
-                                      const ProgressCallback& report) {
-  return run_all(std::array<Size, 3>{{{6, 6}, {10, 10}, {16, 16}}}, report,
-                 [&](const Size& size) { return collide_sheets(experiment, size, physics); });
+std::vector<TruthPoint> run_collision(double physics, const ProgressCallback& report) {
+  return run_all(std::array{physics}, std::array{Size{6, 6}, Size{10, 10}, Size{16, 16}}, report, collide_sheets);
 }
 
 /// Measures the energy of a sheet that is released level, pinned at an edge, divided by the energy of its fall. Nothing
 /// brakes it.
-std::vector<TruthPoint> swing_sheet(const TruthExperiment& experiment, const Size& size, double physics) {
+std::vector<TruthPoint> swing_sheet(double physics, const Size& size) {
   constexpr double length_m = 0.4;
   constexpr int frames = 60 * 60;
   std::vector<Index> pins = vertices_from(0, size.across);
@@ -267,37 +247,33 @@ std::vector<TruthPoint> swing_sheet(const TruthExperiment& experiment, const Siz
       energy_j += garment->masses_kg[v] * (0.5 * glm::dot(moved, moved) / (state.time_step_s * state.time_step_s) +
                                            gravity_m_per_s2 * (state.current[v].y - flat[v].y));
     }
-    points.push_back({experiment.name, "sheet", to_name(size), state.time_s, energy_j / all_j, 0.0});
+    points.push_back({"sheet", state.time_s, energy_j / all_j, 0.0});
   }
   return points;
 }
 
-std::vector<TruthPoint> run_swing(const TruthExperiment& experiment, double physics, const ProgressCallback& report) {
-  return run_all(std::array<Size, 3>{{{7, 7}, {10, 10}, {14, 14}}}, report,
-                 [&](const Size& size) { return swing_sheet(experiment, size, physics); });
+std::vector<TruthPoint> run_swing(double physics, const ProgressCallback& report) {
+  return run_all(std::array{physics}, std::array{Size{7, 7}, Size{10, 10}, Size{14, 14}}, report, swing_sheet);
 }
 
 /// Measures discs in Cusick's drape meter, with the ranges that are published for such fabrics.
-std::vector<TruthPoint> run_drapes(const TruthExperiment& experiment, double physics, const ProgressCallback& report) {
-  return run_all(std::array{"jersey", "silk", "wool", "cotton", "denim"}, report, [&](const char* name) {
+std::vector<TruthPoint> run_drapes(double physics, const ProgressCallback& report) {
+  constexpr std::array meshes = {DiscMesh{0.012, 1}, DiscMesh{0.011, 2}, DiscMesh{0.010, 2}};
+  constexpr std::array names = {"jersey", "silk", "wool", "cotton", "denim"};
+  return run_all(names, meshes, report, [&](const char* name, const DiscMesh& mesh) {
     const auto range = find_fabric(name).published_drape_percent.value_or(std::array<double, 2>{NAN, NAN});
     Material fabric = set_fabric({}, name).material;
     const double bending_length_m =
         std::cbrt(fabric.bending_rigidity_n_m / (fabric.areal_density_kg_per_m2 * gravity_m_per_s2));
     fabric.bending_rigidity_n_m *= physics;
-    std::vector<TruthPoint> points;
-    for (const DiscMesh& mesh : {DiscMesh{0.012, 1}, DiscMesh{0.011, 2}, DiscMesh{0.010, 2}}) {
-      points.push_back({experiment.name, name, fmt::format("edges of {:.0f} mm", 1e3 * mesh.edge_m),
-                        100.0 * bending_length_m, 100.0 * run_drape(fabric, mesh).shadow.coefficient, range[0],
-                        range[1]});
-    }
-    return points;
+    return std::vector{TruthPoint{name, 100.0 * bending_length_m, 100.0 * run_drape(fabric, mesh).shadow.coefficient,
+                                  range[0], range[1]}};
   });
 }
 
 /// Measures the period of a narrow hanging sheet that swings a little, without bending: the period of a chain, from the
 /// first zero of Bessel's function J0.
-TruthPoint period(const TruthExperiment& experiment, const Size& size, double length_m, double physics) {
+std::vector<TruthPoint> measure_period(const Size& size, double length_m, double physics) {
   constexpr double zero_of_bessel = 2.404825557695773, pushed_s = 0.5, push_m_per_s2 = 0.3;
   constexpr int frames = 60 * 12;
   Material material;
@@ -323,17 +299,12 @@ TruthPoint period(const TruthExperiment& experiment, const Size& size, double le
   const double measured_s =
       crossed_s.size() < 2 ? 0.0 : (crossed_s.back() - crossed_s.front()) / static_cast<double>(crossed_s.size() - 1);
   const double expected_s = 4.0 * std::acos(-1.0) / zero_of_bessel * std::sqrt(length_m / gravity_m_per_s2);
-  return {experiment.name, "sheet", to_name(size), length_m, measured_s, expected_s};
+  return {{"sheet", length_m, measured_s, expected_s}};
 }
 
-std::vector<TruthPoint> run_chain(const TruthExperiment& experiment, double physics, const ProgressCallback& report) {
-  return run_all(std::array{0.2, 0.3, 0.45, 0.7, 1.0}, report, [&](double length_m) {
-    std::vector<TruthPoint> points;
-    for (const Size& size : {Size{3, 11}, Size{4, 16}, Size{5, 21}}) {
-      points.push_back(period(experiment, size, length_m, physics));
-    }
-    return points;
-  });
+std::vector<TruthPoint> run_chain(double physics, const ProgressCallback& report) {
+  return run_all(std::array{0.2, 0.3, 0.45, 0.7, 1.0}, std::array{Size{3, 11}, Size{4, 16}, Size{5, 21}}, report,
+                 [&](double length_m, const Size& size) { return measure_period(size, length_m, physics); });
 }
 
 }  // namespace

@@ -1,5 +1,3 @@
-#include <cmath>
-#include <map>
 #include <ranges>
 
 #include "app/drawing/plots/plot.hpp"
@@ -9,8 +7,7 @@
 namespace taut::app {
 namespace {
 
-const std::vector<std::string> truth_columns = {"experiment", "curve",     "mesh",        "x",
-                                                "measured",   "published", "published_to"};
+constexpr const char* truth_columns = "experiment,curve,mesh,x,measured,published,published_to";
 
 std::vector<TruthPoint> select_points(const TruthExperiment& experiment, std::span<const TruthPoint> points) {
   std::vector<TruthPoint> some;
@@ -118,8 +115,7 @@ std::string experiments_csv(std::span<const TruthExperiment> experiments, std::s
   CsvTable table(truth_columns);
   for (const TruthExperiment& experiment : experiments) {
     for (const TruthPoint& p : select_points(experiment, points)) {
-      table.add({cell(p.experiment), cell(p.curve), cell(p.mesh), cell(p.x), cell(p.measured), cell(p.published),
-                 cell(p.published_to)});
+      table.add(p.experiment, p.curve, p.mesh, p.x, p.measured, p.published, p.published_to);
     }
   }
   return table.text();
@@ -132,7 +128,7 @@ Job make_job(std::string name, double seconds, std::vector<TruthExperiment> expe
       const auto part = [&](double fraction) {
         report((static_cast<double>(i) + fraction) / static_cast<double>(experiments.size()));
       };
-      std::ranges::move(experiments[i].run(experiments[i], 1.0, part), std::back_inserter(points));
+      std::ranges::move(run_experiment(experiments[i], 1.0, part), std::back_inserter(points));
     }
   };
   return {std::move(name), seconds, run};
@@ -155,9 +151,16 @@ void read_truth(std::vector<TruthPoint>& points, const std::filesystem::path& fi
     const auto published = [&](std::size_t column) {
       return table.text(row, column).empty() ? NAN : table.number(row, column);
     };
-    points.push_back({table.text(row, 0), table.text(row, 1), table.text(row, 2), table.number(row, 3),
-                      table.number(row, 4), published(5), published(6)});
+    points.push_back({table.text(row, 1), table.number(row, 3), table.number(row, 4), published(5), published(6),
+                      table.text(row, 2), table.text(row, 0)});
   }
+}
+
+std::vector<TruthPoint> run_experiment(const TruthExperiment& experiment, double physics,
+                                       const ProgressCallback& report) {
+  std::vector<TruthPoint> points = experiment.run(physics, report);
+  for (TruthPoint& point : points) point.experiment = experiment.name;
+  return points;
 }
 
 Deviation compute_deviation(const TruthExperiment& experiment, std::span<const TruthPoint> points) {

@@ -160,7 +160,7 @@ constexpr std::array sheet_sizes = {Size{15, 23}, Size{17, 17}, Size{19, 19}};
 constexpr std::array rigidities_n_m = {1e-4, 1e-3, 1e-2};
 
 /// Measures the drag coefficient of a square plate that is let go: v / (U (U - v)) = 1/2 rho C t / m.
-TruthPoint drive_plate(const TruthExperiment& experiment, const Size& size, double speed_m_per_s, double physics) {
+std::vector<TruthPoint> drive_plate(const Size& size, double speed_m_per_s, double physics) {
   Material material;
   material.areal_density_kg_per_m2 = plate_density_kg_per_m2;
   material.bending_rigidity_n_m = plate_rigidity_n_m;
@@ -178,68 +178,51 @@ TruthPoint drive_plate(const TruthExperiment& experiment, const Size& size, doub
   const double plate_m_per_s = moved_m / static_cast<double>(state.current.size()) / state.time_step_s;
   const double drag = 2.0 * plate_density_kg_per_m2 * plate_m_per_s /
                       (sim::air_density_kg_per_m3 * state.time_s * speed_m_per_s * (speed_m_per_s - plate_m_per_s));
-  return {experiment.name, "square", to_name(size), speed_m_per_s, drag, min_plate_drag, max_plate_drag};
+  return {{"square", speed_m_per_s, drag, min_plate_drag, max_plate_drag}};
 }
 
 }  // namespace
 
-std::vector<TruthPoint> run_flutter(const TruthExperiment& experiment, double physics, const ProgressCallback& report) {
-  return run_all(std::array<Size, 3>{{{51, 31}, {61, 37}, {71, 43}}}, report, [&](const Size& size) {
+std::vector<TruthPoint> run_flutter(double physics, const ProgressCallback& report) {
+  constexpr std::array sizes = {Size{51, 31}, Size{61, 37}, Size{71, 43}};
+  return run_all(std::array{physics}, sizes, report, [](double factor, const Size& size) {
     std::vector<TruthPoint> points;
     double first_mm = 0.0;
     for (const double speed_m_per_s : {4.0, 6.0, 8.0, 12.0}) {
-      const Flutter flutter = watch_flag(size, speed_m_per_s, physics);
+      const Flutter flutter = watch_flag(size, speed_m_per_s, factor);
       const double amplitude_mm = 1e3 * flutter.amplitude_m;
       if (points.empty()) first_mm = amplitude_mm;
-      points.push_back({experiment.name, "frequency in Hz", to_name(size), speed_m_per_s, flutter.frequency_hz,
+      points.push_back({"frequency in Hz", speed_m_per_s, flutter.frequency_hz,
                         flag_reduced_frequency * speed_m_per_s / standard_flag.length_m});
-      points.push_back({experiment.name, "amplitude in mm", to_name(size), speed_m_per_s, amplitude_mm,
-                        min_amplitude_ratio * first_mm, first_mm / min_amplitude_ratio});
+      points.push_back({"amplitude in mm", speed_m_per_s, amplitude_mm, min_amplitude_ratio * first_mm,
+                        first_mm / min_amplitude_ratio});
     }
     return points;
   });
 }
 
-std::vector<TruthPoint> run_onset(const TruthExperiment& experiment, double physics, const ProgressCallback& report) {
-  return run_all(rigidities_n_m, report, [&](double rigidity_n_m) {
-    std::vector<TruthPoint> points;
-    for (const Size& size : sheet_sizes) {
-      const HeldSheet flag = {size, rigidity_n_m, true};
-      const Onset expected = expect_onset(flag), found = find_onset(flag, physics);
-      const auto add = [&](const char* curve, double measured, double published) {
-        points.push_back({experiment.name, curve, to_name(size), 1e3 * rigidity_n_m, measured, published});
-      };
-      add("begins, Pa", found.pressure_pa, expected.pressure_pa);
-      add("ends, Pa", find_end_pa(flag, physics), expected.pressure_pa);
-      add("frequency, Hz", found.frequency_hz, expected.frequency_hz);
-    }
-    return points;
+std::vector<TruthPoint> run_onset(double physics, const ProgressCallback& report) {
+  return run_all(rigidities_n_m, sheet_sizes, report, [&](double rigidity_n_m, const Size& size) {
+    const HeldSheet flag = {size, rigidity_n_m, true};
+    const Onset expected = expect_onset(flag), found = find_onset(flag, physics);
+    return std::vector<TruthPoint>{{"begins, Pa", 1e3 * rigidity_n_m, found.pressure_pa, expected.pressure_pa},
+                                   {"ends, Pa", 1e3 * rigidity_n_m, find_end_pa(flag, physics), expected.pressure_pa},
+                                   {"frequency, Hz", 1e3 * rigidity_n_m, found.frequency_hz, expected.frequency_hz}};
   });
 }
 
-std::vector<TruthPoint> run_line(const TruthExperiment& experiment, double physics, const ProgressCallback& report) {
-  return run_all(rigidities_n_m, report, [&](double rigidity_n_m) {
-    std::vector<TruthPoint> points;
-    for (const Size& size : sheet_sizes) {
-      const HeldSheet sheet = {size, rigidity_n_m, false};
-      const Onset expected = expect_onset(sheet), found = find_onset(sheet, physics);
-      points.push_back(
-          {experiment.name, "begins, Pa", to_name(size), 1e3 * rigidity_n_m, found.pressure_pa, expected.pressure_pa});
-      points.push_back({experiment.name, "frequency, Hz", to_name(size), 1e3 * rigidity_n_m, found.frequency_hz,
-                        expected.frequency_hz});
-    }
-    return points;
+std::vector<TruthPoint> run_line(double physics, const ProgressCallback& report) {
+  return run_all(rigidities_n_m, sheet_sizes, report, [&](double rigidity_n_m, const Size& size) {
+    const HeldSheet sheet = {size, rigidity_n_m, false};
+    const Onset expected = expect_onset(sheet), found = find_onset(sheet, physics);
+    return std::vector<TruthPoint>{{"begins, Pa", 1e3 * rigidity_n_m, found.pressure_pa, expected.pressure_pa},
+                                   {"frequency, Hz", 1e3 * rigidity_n_m, found.frequency_hz, expected.frequency_hz}};
   });
 }
 
-std::vector<TruthPoint> run_plate(const TruthExperiment& experiment, double physics, const ProgressCallback& report) {
-  return run_all(std::array{2.0, 4.0, 8.0, 12.0}, report, [&](double speed_m_per_s) {
-    std::vector<TruthPoint> points;
-    for (const Size& size : {Size{7, 7}, Size{9, 9}, Size{17, 17}}) {
-      points.push_back(drive_plate(experiment, size, speed_m_per_s, physics));
-    }
-    return points;
-  });
+std::vector<TruthPoint> run_plate(double physics, const ProgressCallback& report) {
+  return run_all(std::array{2.0, 4.0, 8.0, 12.0}, std::array{Size{7, 7}, Size{9, 9}, Size{17, 17}}, report,
+                 [&](double speed_m_per_s, const Size& size) { return drive_plate(size, speed_m_per_s, physics); });
 }
 
 }  // namespace taut::app::truth

@@ -1,6 +1,5 @@
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
-#include <cmath>
 
 #include "tests/study/claims/truth.hpp"
 

@@ -65,19 +65,22 @@ inline void advance(sim::Simulation& simulation, int frames) {
   for (int frame = 0; frame < frames; ++frame) simulation.advance_frame();
 }
 
-/// Calls run(case) for each case and reports the progress.
-template <class Cases, class Run>
-std::vector<TruthPoint> run_all(const Cases& cases, const ProgressCallback& report, const Run& run) {
+/// Calls run(case, mesh) for each case on each mesh, names the meshes in its points, and reports the progress.
+template <class Cases, class Meshes, class Run>
+std::vector<TruthPoint> run_all(const Cases& cases, const Meshes& meshes, const ProgressCallback& report,
+                                const Run& run) {
   std::vector<TruthPoint> points;
   double done = 0.0;
   for (const auto& one : cases) {
-    std::ranges::move(run(one), std::back_inserter(points));
-    report(++done / static_cast<double>(std::size(cases)));
+    for (const auto& mesh : meshes) {
+      for (TruthPoint& point : run(one, mesh)) points.emplace_back(std::move(point)).mesh = to_name(mesh);
+      report(++done / static_cast<double>(std::size(cases) * std::size(meshes)));
+    }
   }
   return points;
 }
 
-using Runs = std::vector<TruthPoint>(const TruthExperiment& experiment, double physics, const ProgressCallback& report);
+using Runs = std::vector<TruthPoint>(double physics, const ProgressCallback& report);
 // Experiments of truth_strips.cpp.
 Runs run_cantilever, run_buckling, run_slip;
 // Experiments of truth_wind.cpp and truth_flutter.cpp.

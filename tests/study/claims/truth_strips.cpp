@@ -1,14 +1,10 @@
-#include <array>
-#include <cmath>
-
 #include "tests/study/claims/truth_setups.hpp"
 
 namespace taut::app::truth {
 namespace {
 
 /// Measures a strip of 10 cm, clamped level, for weight times length^3 over rigidity.
-TruthPoint droop_strip(const TruthExperiment& experiment, const Size& size, double weight_over_rigidity,
-                       double physics) {
+TruthPoint droop_strip(const Size& size, double weight_over_rigidity, double physics) {
   constexpr double length_m = 0.1, width_m = 0.03;
   constexpr Index clamped_rows = 3;
   Material material;
@@ -25,11 +21,7 @@ TruthPoint droop_strip(const TruthExperiment& experiment, const Size& size, doub
   sim::Simulation simulation = begin(std::move(mesh), material, std::move(clamped), air);
   advance(simulation, 300);
   const Vec3 end_m = simulation.state().current.back();
-  return {experiment.name,
-          "strip",
-          to_name(size),
-          weight_over_rigidity,
-          (clamp_m.y - end_m.y) / (end_m.z - clamp_m.z),
+  return {"strip", weight_over_rigidity, (clamp_m.y - end_m.y) / (end_m.z - clamp_m.z),
           droop_of_elastica(weight_over_rigidity)};
 }
 
@@ -58,7 +50,7 @@ sim::Mesh even_strip(const Size& size, double width_m, double length_m) {
 
 /// Measures the weight at which a strip of 30 cm, clamped upright on its edge, buckles sideways. A 2000th of the weight
 /// acts sideways; under a load q the end moves by q / (1 - (q / q_c)^2).
-TruthPoint buckle_strip(const TruthExperiment& experiment, const Size& size, double width, double physics) {
+std::vector<TruthPoint> buckle_strip(const Size& size, double width, double physics) {
   constexpr double length_m = 0.3, aside = 0.0005;
   constexpr Index clamped_rows = 3;
   const double published = weight_that_buckles(width);
@@ -89,12 +81,12 @@ TruthPoint buckle_strip(const TruthExperiment& experiment, const Size& size, dou
     load = next;
     stiffness = then;
   }
-  return {experiment.name, "strip", to_name(size), width, published * critical, published};
+  return {{"strip", width, published * critical, published}};
 }
 
 /// Measures Coulomb's coefficient at which the end of a weightless strip slips while its clamp comes down on it. The
 /// clamp moves slightly sideways, so that the strip bends to the other side.
-TruthPoint slip_strip(const TruthExperiment& experiment, const Size& size, double friction, double physics) {
+std::vector<TruthPoint> slip_strip(const Size& size, double friction, double physics) {
   constexpr double length_m = 0.1, down = 0.4, aside = 0.01, time_s = 8.0;
   constexpr Index clamped_rows = 3;
   Material material;
@@ -116,23 +108,21 @@ TruthPoint slip_strip(const TruthExperiment& experiment, const Size& size, doubl
   const auto has_slipped = [&] { return std::abs(simulation.state().current.back().z) > 0.03 * length_m; };
   while (simulation.state().time_s < time_s && !has_slipped()) simulation.advance_frame();
   const double strain = down * simulation.state().time_s / time_s;
-  return {experiment.name, "strip", to_name(size), strain, friction, friction_that_sticks(strain)};
+  return {{"strip", strain, friction, friction_that_sticks(strain)}};
 }
 
 }  // namespace
 
-std::vector<TruthPoint> run_cantilever(const TruthExperiment& experiment, double physics,
-                                       const ProgressCallback& report) {
-  return run_all(std::array<Size, 3>{{{6, 21}, {9, 31}, {12, 41}}}, report, [&](const Size& size) {
+std::vector<TruthPoint> run_cantilever(double physics, const ProgressCallback& report) {
+  constexpr std::array sizes = {Size{6, 21}, Size{9, 31}, Size{12, 41}};
+  return run_all(std::array{physics}, sizes, report, [](double physics_factor, const Size& size) {
     std::vector<TruthPoint> points;
-    for (const double load : {3.0, 7.0, 16.0, 40.0, 100.0})
-      points.push_back(droop_strip(experiment, size, load, physics));
+    for (const double load : {3.0, 7.0, 16.0, 40.0, 100.0}) points.push_back(droop_strip(size, load, physics_factor));
     return points;
   });
 }
 
-std::vector<TruthPoint> run_buckling(const TruthExperiment& experiment, double physics,
-                                     const ProgressCallback& report) {
+std::vector<TruthPoint> run_buckling(double physics, const ProgressCallback& report) {
   struct Widths {
     double width;
     std::array<Size, 3> sizes;
@@ -142,21 +132,18 @@ std::vector<TruthPoint> run_buckling(const TruthExperiment& experiment, double p
                                       {0.35, {{{9, 27}, {10, 31}, {11, 32}}}},
                                       {0.4, {{{9, 24}, {10, 27}, {11, 30}}}},
                                       {0.5, {{{10, 22}, {11, 24}, {12, 27}}}}}};
-  return run_all(all, report, [&](const Widths& one) {
-    std::vector<TruthPoint> points;
-    for (const Size& size : one.sizes) points.push_back(buckle_strip(experiment, size, one.width, physics));
-    return points;
-  });
+  std::vector<TruthPoint> points;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const auto part = [&](double fraction) { report((static_cast<double>(i) + fraction) / all.size()); };
+    const auto run = [&](double width, const Size& size) { return buckle_strip(size, width, physics); };
+    std::ranges::move(run_all(std::array{all[i].width}, all[i].sizes, part, run), std::back_inserter(points));
+  }
+  return points;
 }
 
-std::vector<TruthPoint> run_slip(const TruthExperiment& experiment, double physics, const ProgressCallback& report) {
-  return run_all(std::array{0.18, 0.22, 0.26, 0.3, 0.34}, report, [&](double friction) {
-    std::vector<TruthPoint> points;
-    for (const Size& size : {Size{3, 15}, Size{3, 18}, Size{3, 22}}) {
-      points.push_back(slip_strip(experiment, size, friction, physics));
-    }
-    return points;
-  });
+std::vector<TruthPoint> run_slip(double physics, const ProgressCallback& report) {
+  return run_all(std::array{0.18, 0.22, 0.26, 0.3, 0.34}, std::array{Size{3, 15}, Size{3, 18}, Size{3, 22}}, report,
+                 [&](double friction, const Size& size) { return slip_strip(size, friction, physics); });
 }
 
 }  // namespace taut::app::truth

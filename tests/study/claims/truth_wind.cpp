@@ -2,8 +2,6 @@
 
 #include "tests/study/claims/truth_wind.hpp"
 
-#include <glm/geometric.hpp>
-
 #include "sim/local_wind.hpp"
 
 namespace taut::app::truth {
@@ -23,7 +21,7 @@ double hanging_angle(double speed_m_per_s, double density_kg_per_m2, double coef
 }
 
 /// Measures the angle of a sheet that hangs from a row of pins, once it is still.
-TruthPoint hang_sheet(const TruthExperiment& experiment, const Size& size, double speed_m_per_s, double physics) {
+std::vector<TruthPoint> hang_sheet(const Size& size, double speed_m_per_s, double physics) {
   const Material material;
   Surroundings windy;
   sim::Wind& wind = windy.forces.wind;
@@ -41,8 +39,7 @@ TruthPoint hang_sheet(const TruthExperiment& experiment, const Size& size, doubl
     const std::vector<Vec3>& now_m = simulation.state().current;
     below += (now_m[now_m.size() - 1 - size.across / 2] - now_m[size.across / 2]) / double{averaged_frames};
   }
-  return {experiment.name, "sheet", to_name(size), speed_m_per_s, std::atan2(-below.z, -below.y) * 180.0 / pi,
-          expected * 180.0 / pi};
+  return {{"sheet", speed_m_per_s, std::atan2(-below.z, -below.y) * 180.0 / pi, expected * 180.0 / pi}};
 }
 
 /// Returns a flag at rest beside its pole, a little uneven: nothing would start a flat one to flap.
@@ -58,27 +55,24 @@ std::vector<Vec3> uneven_flag(const std::vector<Vec3>& flat_m, double length_m) 
 /// Returns the drag coefficient of a free flag, whose dynamic part grows with its mass (AS/NZS 1170.2, appendix F).
 double flag_drag(const Flag& flag) {
   const double aspect = flag.length_m / flag.height_m;
-  return 0.05 +
-         0.7 * flag.density_kg_per_m2 / (sim::air_density_kg_per_m3 * flag.height_m) * std::pow(aspect, -1.25);
+  return 0.05 + 0.7 * flag.density_kg_per_m2 / (sim::air_density_kg_per_m3 * flag.height_m) * std::pow(aspect, -1.25);
 }
 
 /// Measures the mean force of the wind on a flag on its pole, over pressure of the wind and area.
-TruthPoint fly_flag(const TruthExperiment& experiment, const Size& size, const Flag& flag, double speed_m_per_s,
-                    double physics) {
+std::vector<TruthPoint> fly_flag(const Size& size, const Flag& flag, double speed_m_per_s, double physics) {
   sim::Simulation simulation = hoist_flag(size, flag, speed_m_per_s, physics);
   advance(simulation, flag_settling_frames);
   Vec3 force_n(0.0);
   for (int frame = 0; frame < flag_watched_frames; ++frame) {
     simulation.advance_frame();
-    const sim::WindLoad load =
-        sim::measure_wind(simulation.garment(), simulation.state(), simulation.surroundings().forces.wind,
-                          simulation.wind_fractions());
+    const sim::WindLoad load = sim::measure_wind(simulation.garment(), simulation.state(),
+                                                 simulation.surroundings().forces.wind, simulation.wind_fractions());
     force_n += load.force_n / double{flag_watched_frames};
   }
   const double area_m2 = flag.length_m * flag.height_m;
   const double pressure = 0.5 * sim::air_density_kg_per_m3 * speed_m_per_s * speed_m_per_s;
-  return {experiment.name, fmt::format("{:g} g/m2", 1e3 * flag.density_kg_per_m2), to_name(size), speed_m_per_s,
-          force_n.x / (pressure * area_m2), flag_drag(flag)};
+  return {{fmt::format("{:g} g/m2", 1e3 * flag.density_kg_per_m2), speed_m_per_s, force_n.x / (pressure * area_m2),
+           flag_drag(flag)}};
 }
 
 }  // namespace
@@ -98,26 +92,18 @@ sim::Simulation hoist_flag(const Size& size, const Flag& flag, double speed_m_pe
                false, std::move(start_m));
 }
 
-std::vector<TruthPoint> run_hanging(const TruthExperiment& experiment, double physics, const ProgressCallback& report) {
-  return run_all(std::array{0.5, 1.0, 1.5, 2.0, 3.0}, report, [&](double speed_m_per_s) {
-    std::vector<TruthPoint> points;
-    for (const Size& size : {Size{9, 9}, Size{13, 13}, Size{19, 19}}) {
-      points.push_back(hang_sheet(experiment, size, speed_m_per_s, physics));
-    }
-    return points;
-  });
+std::vector<TruthPoint> run_hanging(double physics, const ProgressCallback& report) {
+  return run_all(std::array{0.5, 1.0, 1.5, 2.0, 3.0}, std::array{Size{9, 9}, Size{13, 13}, Size{19, 19}}, report,
+                 [&](double speed_m_per_s, const Size& size) { return hang_sheet(size, speed_m_per_s, physics); });
 }
 
-std::vector<TruthPoint> run_flag(const TruthExperiment& experiment, double physics, const ProgressCallback& report) {
-  return run_all(std::array{0.1, 0.15, 0.22}, report, [&](double density) {
-    std::vector<TruthPoint> points;
-    for (const double speed_m_per_s : {6.0, 8.0, 12.0}) {
-      for (const Size& size : {Size{26, 16}, Size{36, 22}, Size{51, 31}}) {
-        points.push_back(fly_flag(experiment, size, {1.0, 0.6, density}, speed_m_per_s, physics));
-      }
-    }
-    return points;
-  });
+std::vector<TruthPoint> run_flag(double physics, const ProgressCallback& report) {
+  std::vector<std::pair<Flag, double>> cases;
+  for (const double density : {0.1, 0.15, 0.22}) {
+    for (const double speed_m_per_s : {6.0, 8.0, 12.0}) cases.push_back({{1.0, 0.6, density}, speed_m_per_s});
+  }
+  return run_all(cases, std::array{Size{26, 16}, Size{36, 22}, Size{51, 31}}, report,
+                 [&](const auto& one, const Size& size) { return fly_flag(size, one.first, one.second, physics); });
 }
 
 }  // namespace taut::app::truth

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <numbers>
-
 #include "tests/study/claims/truth_setups.hpp"
 
 /// Setups and numbers of the experiments in wind.

@@ -134,14 +134,6 @@ Key<DrawnScene> whole(std::string name, double lowest, double highest, auto acce
   return whole_key<DrawnScene>(std::move(name), {lowest, highest}, access);
 }
 
-std::optional<std::array<double, 2>> two_rising_numbers(const toml::node& value) {
-  const toml::array* list = value.as_array();
-  if (list == nullptr || list->size() != 2) return std::nullopt;
-  const auto low = finite_number(list->front());
-  const auto high = finite_number(list->back());
-  return low && high && *low < *high ? std::optional(std::array{*low, *high}) : std::nullopt;
-}
-
 glm::vec3 to_vec3(const std::array<double, 3>& numbers) {
   return {static_cast<float>(numbers[0]), static_cast<float>(numbers[1]), static_cast<float>(numbers[2])};
 }
@@ -166,8 +158,8 @@ Key<DrawnScene> auto_key(std::string name, std::string expected, Access access, 
 std::optional<renderer::Box> box_in(const toml::node& value) {
   const toml::array* list = value.as_array();
   if (list == nullptr || list->size() != 2) return std::nullopt;
-  const auto lower = three_numbers(list->front());
-  const auto upper = three_numbers(list->back());
+  const auto lower = numbers_in<3>(list->front());
+  const auto upper = numbers_in<3>(list->back());
   for (std::size_t i = 0; lower && upper && i < 3; ++i) {
     if ((*lower)[i] > (*upper)[i]) return std::nullopt;
   }
@@ -178,7 +170,7 @@ template <class Access> Key<DrawnScene> point_key(std::string name, Access acces
   return auto_key(
       std::move(name), "three numbers [x, y, z] or \"auto\"", access,
       [](const toml::node& value) {
-        const auto point = three_numbers(value);
+        const auto point = numbers_in<3>(value);
         return point ? std::optional(to_vec3(*point)) : std::nullopt;
       },
       to_json_list);
@@ -291,7 +283,10 @@ SceneFormat<DrawnScene> drawn_scene_format() {
        choice_key<DrawnScene>("picture.stretch_of", make_choices(all_stretch_of), MEMBER(picture.stretch_of)),
        member_key<DrawnScene>(
            "picture.stretch_range", "", "two numbers [low, high], the lower first", MEMBER(picture.stretch_range),
-           [](const toml::node& value, auto& range) { return store(two_rising_numbers(value), range); },
+           [](const toml::node& value, auto& range) {
+             const auto found = numbers_in<2>(value);
+             return found && found->front() < found->back() && store(found, range);
+           },
            [](const auto& range) { return range ? Json(*range) : Json(); }),
        colour_key<DrawnScene>("picture.outside_colour", MEMBER(picture.cloth.outside_colour)),
        colour_key<DrawnScene>("picture.inside_colour", MEMBER(picture.cloth.inside_colour)),

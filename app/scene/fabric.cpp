@@ -25,12 +25,9 @@ bool is_file_name(const std::string& name) { return fs::path(name).extension() =
 /// Returns the keys that describe the fabric itself.
 std::vector<Key<Fabric>> own_keys() {
   const auto read_band = [](const toml::node& value, const Source&, Fabric& fabric) {
-    const toml::array* list = value.as_array();
-    if (list == nullptr || list->size() != 2) return false;
-    const auto lowest = finite_number((*list)[0]);
-    const auto highest = finite_number((*list)[1]);
-    if (!lowest || !highest || *lowest < 0.0 || *highest > 100.0 || *lowest > *highest) return false;
-    fabric.published_drape_percent = {*lowest, *highest};
+    const auto band = numbers_in<2>(value);
+    if (!band || band->front() < 0.0 || band->back() > 100.0 || band->front() > band->back()) return false;
+    fabric.published_drape_percent = band;
     return true;
   };
   return {text_key<Fabric>("title", MEMBER(title)),

@@ -125,7 +125,7 @@ std::vector<Key<Scene>> scene_keys() {
       gravity_path_key(),
       number("air.drag", "1/s", moderate, MEMBER(surroundings.forces.air_drag_per_s)),
       number("wind.speed", "m/s", {0.0, 200.0}, MEMBER(surroundings.forces.wind.speed_m_per_s)),
-      vector_key<Scene>("wind.direction", "", MEMBER(surroundings.forces.wind.direction), {.may_be_zero = false}),
+      direction_key<Scene>("wind.direction", MEMBER(surroundings.forces.wind.direction)),
       number("wind.gust_amplitude", "", {0.0, 10.0}, MEMBER(surroundings.forces.wind.gust_amplitude)),
       number("wind.gust_period", "s", {1e-3, 1e6}, MEMBER(surroundings.forces.wind.gust_period_s)),
       number("wind.gust_turn", "", {0.0, 10.0}, MEMBER(surroundings.forces.wind.gust_turn)),

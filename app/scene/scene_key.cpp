@@ -87,17 +87,6 @@ std::string describe(const std::string& what, const Range& range) {
   return bounded_above ? fmt::format("{} of at most {}", what, range.highest) : what;
 }
 
-std::string describe(const VectorLimits& limits) {
-  return fmt::format("three numbers [x, y, z] from {:g} to {:g}{}", -limits.max_magnitude, limits.max_magnitude,
-                     limits.may_be_zero ? "" : ", not all zero");
-}
-
-bool allows(const VectorLimits& limits, const std::array<double, 3>& numbers) {
-  double size = 0.0;
-  for (const double number : numbers) size = std::max(size, std::abs(number));
-  return size <= limits.max_magnitude && (limits.may_be_zero || size > 0.0);
-}
-
 std::optional<double> finite_number(const toml::node& value) {
   if (const auto* whole = value.as_integer()) return static_cast<double>(whole->get());
   const auto* number = value.as_floating_point();
@@ -105,18 +94,6 @@ std::optional<double> finite_number(const toml::node& value) {
 }
 
 std::optional<std::int64_t> whole_number(const toml::node& value) { return value.value_exact<std::int64_t>(); }
-
-std::optional<std::array<double, 3>> three_numbers(const toml::node& value) {
-  const toml::array* list = value.as_array();
-  if (list == nullptr || list->size() != 3) return std::nullopt;
-  std::array<double, 3> numbers{};
-  for (std::size_t i = 0; i < 3; ++i) {
-    const std::optional<double> number = finite_number((*list)[i]);
-    if (!number) return std::nullopt;
-    numbers[i] = *number;
-  }
-  return numbers;
-}
 
 std::optional<glm::vec3> colour_value(const toml::node& value) {
   constexpr std::string_view digits = "0123456789abcdef";

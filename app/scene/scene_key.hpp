@@ -85,10 +85,19 @@ inline constexpr Range positive = {.lowest = 0.0, .above_lowest = true};  ///< a
 /// Describes the range: "a whole number from 1 to 1000". `what` is "a number" or "a whole number".
 std::string describe(const std::string& what, const Range& range);
 
-/// Return a finite number, a whole number, three finite numbers; empty if the value is anything else.
+/// Return a finite number, a whole number, a list of N finite numbers; empty if the value is anything else.
 std::optional<double> finite_number(const toml::node& value);
 std::optional<std::int64_t> whole_number(const toml::node& value);
-std::optional<std::array<double, 3>> three_numbers(const toml::node& value);
+template <std::size_t N> std::optional<std::array<double, N>> numbers_in(const toml::node& value) {
+  const toml::array* list = value.as_array();
+  std::array<double, N> numbers{};
+  for (std::size_t i = 0; i < N; ++i) {
+    const auto number = list != nullptr && list->size() == N ? finite_number((*list)[i]) : std::nullopt;
+    if (!number) return std::nullopt;
+    numbers[i] = *number;
+  }
+  return numbers;
+}
 
 /// Returns red, green and blue, 0 to 1, of a text "#rrggbb"; empty if the value is anything else.
 std::optional<glm::vec3> colour_value(const toml::node& value);
@@ -183,28 +192,30 @@ template <class T, class Access> Key<T> file_key(std::string name, Access access
   });
 }
 
-/// Range of a vector of three numbers.
-struct VectorLimits {
-  bool may_be_zero = true;  ///< all three numbers may be 0
-  /// Largest magnitude of each number: far more than any garment needs, and too small for overflow.
-  double max_magnitude = 1e6;
-};
+/// Largest magnitude of a coordinate: far more than any garment needs, and too small for overflow.
+inline constexpr double max_coordinate = 1e6;
 
-std::string describe(const VectorLimits& limits);
-bool allows(const VectorLimits& limits, const std::array<double, 3>& numbers);
-
-/// Makes a key for a point or a direction: a vector type with members x, y and z.
+/// Makes a key for a point: a vector type with members x, y and z.
 template <class T, class Access>
-Key<T> vector_key(std::string name, std::string unit, Access access, VectorLimits limits = {}) {
+Key<T> vector_key(std::string name, std::string unit, Access access, bool may_be_zero = true) {
   auto read = [=](const toml::node& value, auto& member) {
-    const auto numbers = three_numbers(value);
-    const bool is_allowed = numbers && allows(limits, *numbers);
+    const auto numbers = numbers_in<3>(value);
+    double size = 0.0;
+    for (const double number : numbers.value_or(std::array<double, 3>{})) size = std::max(size, std::abs(number));
+    const bool is_allowed = numbers && size <= max_coordinate && (may_be_zero || size > 0.0);
     if (is_allowed) member = {(*numbers)[0], (*numbers)[1], (*numbers)[2]};
     return is_allowed;
   };
-  return member_key<T>(std::move(name), unit, describe(limits), access, read, [](const auto& v) {
+  auto expected = fmt::format("three numbers [x, y, z] from {:g} to {:g}{}", -max_coordinate, max_coordinate,
+                              may_be_zero ? "" : ", not all zero");
+  return member_key<T>(std::move(name), unit, std::move(expected), access, read, [](const auto& v) {
     return Json::array({v.x, v.y, v.z});
   });
+}
+
+/// Makes a key for a direction: a vector that is not 0.
+template <class T, class Access> Key<T> direction_key(std::string name, Access access) {
+  return vector_key<T>(std::move(name), "", access, false);
 }
 
 /// Makes a key for a colour, or for an optional colour.
@@ -282,35 +293,23 @@ template <class T> class KeyReader {
 
   /// Reads the value of one key or section. Throws by `fail`.
   void read_value(const std::string& name, const toml::node& value) {
-    for (const Key<T>& key : keys_) {
-      if (key.name == name) {
-        if (!key.read(value, source_, target_)) {
-          fail(source_, line_number(value), name + ": found " + to_text(value) + ", expected " + expected(key));
-        }
-        return;
-      }
-    }
-    if (is_section(name)) {
-      if (!value.is_table()) {
-        fail(source_, line_number(value),
-             name + ": found " + to_text(value) + ", expected a table with the keys " + keys_of(name));
-      }
+    const auto key = std::ranges::find(keys_, name, &Key<T>::name);
+    if (key == keys_.end() && !is_section(name)) fail_unknown(name, line_number(value));
+    const auto fail_unless = [&](bool is_right, const std::string& expected) {
+      if (!is_right) fail(source_, line_number(value), name + ": found " + to_text(value) + ", expected " + expected);
+    };
+    if (key == keys_.end()) {
+      fail_unless(value.is_table(), "a table with the keys " + keys_of(name));
       read(*value.as_table(), name);
-      return;
+    } else {
+      fail_unless(key->read(value, source_, target_),
+                  key->expected + (key->unit.empty() ? "" : " (" + key->unit + ')'));
     }
-    fail_unknown(name, line_number(value));
   }
 
  private:
-  static std::string expected(const Key<T>& key) {
-    return key.unit.empty() ? key.expected : key.expected + " (" + key.unit + ')';
-  }
-
   bool is_section(const std::string& name) const {
-    for (const Key<T>& key : keys_) {
-      if (key.name.starts_with(name + '.')) return true;
-    }
-    return false;
+    return std::ranges::any_of(keys_, [&](const Key<T>& key) { return key.name.starts_with(name + '.'); });
   }
 
   /// Returns the names of keys and sections directly in this section.

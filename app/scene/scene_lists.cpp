@@ -9,13 +9,12 @@ namespace {
 
 constexpr Range body_length = {.lowest = 0.0, .highest = 1e4, .above_lowest = true};
 
-constexpr double max_offset_m = 1e6;
 constexpr Range friction = {.lowest = 0.0, .highest = 10.0};
 
 std::optional<NearestTo> parse_nearest(const toml::node& value) {
   const toml::table* table = value.as_table();
   const toml::node* nearest_node = table != nullptr && table->size() == 1 ? table->get("nearest") : nullptr;
-  const auto point = nearest_node != nullptr ? three_numbers(*nearest_node) : std::nullopt;
+  const auto point = nearest_node != nullptr ? numbers_in<3>(*nearest_node) : std::nullopt;
   return point ? std::optional(NearestTo{{(*point)[0], (*point)[1], (*point)[2]}}) : std::nullopt;
 }
 
@@ -70,15 +69,11 @@ std::vector<Key<sim::PointForce>> force_keys() {
 std::optional<std::vector<sim::PathPoint>> path_in(const toml::node& value) {
   std::vector<sim::PathPoint> path;
   for (const toml::node& item : value.is_array() ? *value.as_array() : toml::array{}) {
-    const toml::array* row = item.as_array();
-    std::array<double, 4> numbers{};
-    for (std::size_t k = 0; k < numbers.size(); ++k) {
-      const auto number = row != nullptr && row->size() == 4 ? finite_number((*row)[k]) : std::nullopt;
-      if (!number || std::abs(*number) > max_offset_m) return std::nullopt;
-      numbers[k] = *number;
-    }
-    if (!path.empty() && !(numbers[0] > path.back().time_s)) return std::nullopt;
-    path.push_back({numbers[0], {numbers[1], numbers[2], numbers[3]}});
+    const auto row = numbers_in<4>(item);
+    const auto is_far = [](double number) { return std::abs(number) > max_coordinate; };
+    if (!row || std::ranges::any_of(*row, is_far)) return std::nullopt;
+    if (!path.empty() && !((*row)[0] > path.back().time_s)) return std::nullopt;
+    path.push_back({(*row)[0], {(*row)[1], (*row)[2], (*row)[3]}});
   }
   return path.empty() ? std::nullopt : std::optional(path);
 }
@@ -135,7 +130,7 @@ template <class T, class Access> void add_motion(std::vector<Key<T>>& keys, Acce
        written_if(number_key<T>("shift.from", "s", time, MOTION(shift.from_s)), shifts),
        written_if(number_key<T>("shift.until", "s", time, MOTION(shift.until_s)), ends_shift),
        written_if(vector_key<T>("spin.about", "m", MOTION(spin.about_m)), spins),
-       written_if(vector_key<T>("spin.axis", "", MOTION(spin.axis), {.may_be_zero = false}), spins),
+       written_if(direction_key<T>("spin.axis", MOTION(spin.axis)), spins),
        written_if(number_key<T>("spin.turns_per_second", "", {-1000.0, 1000.0}, MOTION(spin.turns_per_s)), spins),
        written_if(number_key<T>("spin.from", "s", time, MOTION(spin.from_s)), spins),
        written_if(number_key<T>("spin.until", "s", time, MOTION(spin.until_s)), ends_spin),
@@ -197,7 +192,7 @@ std::vector<Key<BodyInScene>> shape_keys(const sim::Shape& shape) {
   using B = BodyInScene;
   if (std::holds_alternative<sim::Plane>(shape)) {
     return {vector_key<B>("point", "m", MEMBER_OF(Plane, point_m)),
-            vector_key<B>("normal", "", MEMBER_OF(Plane, normal), {.may_be_zero = false})};
+            direction_key<B>("normal", MEMBER_OF(Plane, normal))};
   }
   if (std::holds_alternative<sim::Sphere>(shape)) {
     return {vector_key<B>("centre", "m", MEMBER_OF(Sphere, centre_m)),

@@ -55,7 +55,7 @@ sim::Index vertex_at(const std::string& name, const toml::node& value, const sim
 }
 
 sim::Index find_vertex(const std::string& name, const toml::node& value, const LandmarkSearch& search) {
-  if (const auto point = three_numbers(value)) {
+  if (const auto point = numbers_in<3>(value)) {
     return vertex_at(name, value, {(*point)[0], (*point)[1], (*point)[2]}, search);
   }
   const std::optional<std::int64_t> number = whole_number(value);

@@ -121,7 +121,7 @@ void run_overlapped(const FrameStages& stages) {
     writing_failed = catch_error([&] {
       while (std::optional<FrameInWork> frame = drawn.pop()) stages.write(*frame);
     });
-    drawn.abandon();
+    drawn.close();
   });
   const std::exception_ptr drawing_failed = catch_error([&] {
     std::optional<FrameInWork> frame = simulated.pop();
@@ -131,7 +131,7 @@ void run_overlapped(const FrameStages& stages) {
     }
   });
   drawn.close();
-  simulated.abandon();
+  simulated.close();
   simulating.join();
   writing.join();
 

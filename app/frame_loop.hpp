@@ -15,49 +15,40 @@ template <class T> class BoundedQueue {
  public:
   explicit BoundedQueue(std::size_t capacity) : capacity_(capacity) {}
 
-  /// Waits until there is space. Returns false if the reader has called `abandon`; the writer may then stop.
+  /// Waits until there is space. Returns false if the queue is closed; the writer may then stop.
   bool push(T item) {
     std::unique_lock lock(mutex_);
-    not_full_.wait(lock, [this] { return items_.size() < capacity_ || abandoned_; });
-    if (abandoned_) return false;
+    changed_.wait(lock, [this] { return items_.size() < capacity_ || closed_; });
+    if (closed_) return false;
     items_.push_back(std::move(item));
-    not_empty_.notify_one();
+    changed_.notify_all();
     return true;
   }
 
-  /// Waits for an item. Returns nothing once the writer has called `close` and all items were taken.
+  /// Waits for an item. Returns nothing once the queue is closed and all items were taken.
   std::optional<T> pop() {
     std::unique_lock lock(mutex_);
-    not_empty_.wait(lock, [this] { return !items_.empty() || closed_; });
+    changed_.wait(lock, [this] { return !items_.empty() || closed_; });
     if (items_.empty()) return std::nullopt;
     std::optional<T> item(std::move(items_.front()));
     items_.pop_front();
-    not_full_.notify_one();
+    changed_.notify_all();
     return item;
   }
 
-  /// Says that the writer has no more items.
+  /// Says that the writer has no more items, or that the reader takes no more.
   void close() {
     const std::scoped_lock lock(mutex_);
     closed_ = true;
-    not_empty_.notify_all();
-  }
-
-  /// Says that the reader takes no more items.
-  void abandon() {
-    const std::scoped_lock lock(mutex_);
-    abandoned_ = true;
-    not_full_.notify_all();
+    changed_.notify_all();
   }
 
  private:
   const std::size_t capacity_;
   std::mutex mutex_;
-  std::condition_variable not_full_;
-  std::condition_variable not_empty_;
+  std::condition_variable changed_;
   std::deque<T> items_;
   bool closed_ = false;
-  bool abandoned_ = false;
 };
 
 /// A frame between two stages.

@@ -28,15 +28,9 @@ int main(int argument_count, char** arguments) {
   } catch (const Interrupted& interrupted) {
     report(interrupted, exit_bad_input);
     end_by_signal(interrupted.signal);
-  } catch (const UsageError& error) {
-    return report(error, exit_wrong_usage);
-  } catch (const taut::sim::Diverged& error) {
-    return report(error, exit_promise_broken);
-  } catch (const taut::sim::ContactBlocked& error) {
-    return report(error, exit_promise_broken);
-  } catch (const PromiseBroken& error) {
-    return report(error, exit_promise_broken);
   } catch (const std::exception& error) {
-    return report(error, exit_bad_input);
+    const bool is_broken = is_any<PromiseBroken, taut::sim::Diverged, taut::sim::ContactBlocked>(error);
+    const int other = is_any<UsageError>(error) ? exit_wrong_usage : exit_bad_input;
+    return report(error, is_broken ? exit_promise_broken : other);
   }
 }

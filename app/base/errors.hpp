@@ -45,6 +45,11 @@ struct Interrupted : std::runtime_error {
   int signal;
 };
 
+/// Returns true if the error is one of these.
+template <class... Errors> bool is_any(const std::exception& error) {
+  return (... || (dynamic_cast<const Errors*>(&error) != nullptr));
+}
+
 /// Records the first SIGINT or SIGTERM, so that a file being written can be finished; the second one ends the program
 /// at once. Call it once, at the program's start.
 void watch_for_interruption();

@@ -96,12 +96,9 @@ ContactRun run_contact(const Scene& scene, const GarmentInScene& cloth, int fram
       const double cpu_ms = processors.elapsed_ms();
       run.frames.push_back(judge(frame, is_alone ? cpu_ms : wall.elapsed_ms(), cpu_ms));
     }
-  } catch (const sim::Diverged& diverged) {
-    end_early(diverged, run);
-  } catch (const sim::ContactBlocked& blocked) {
-    end_early(blocked, run);
-  } catch (const PromiseBroken& undressed) {
-    end_early(undressed, run);
+  } catch (const std::exception& error) {
+    if (!is_any<PromiseBroken, sim::Diverged, sim::ContactBlocked>(error)) throw;
+    end_early(error, run);
   }
   return run;
 }

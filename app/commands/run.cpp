@@ -46,7 +46,6 @@ void SceneRun::require_outputs(const ExportSettings& settings, std::vector<std::
   for (const std::filesystem::path& name : claimed) claims.emplace_back(name);
 }
 
-
 void SceneRun::load(const std::function<void()>& meanwhile) {
   const auto read = [this] { return load_garment(scene, [this](const std::string& stage) { progress.begin(stage); }); };
   std::future<LoadedGarment> garment = std::async(meanwhile ? std::launch::async : std::launch::deferred, read);
@@ -90,15 +89,12 @@ std::vector<FrameRecord> SceneRun::go(int last_frame, const std::string& pattern
   } catch (const FrameBlocked& error) {
     end_early();
     end_blocked(error, scene, *simulation, pattern, offscreen);
-  } catch (const PromiseBroken&) {
-    end_early();
-    throw;
-  } catch (const sim::Diverged&) {
-    end_early();
-    throw;
-  } catch (const Interrupted&) {
-    progress.hide();
-    if (on_early_end) on_early_end();
+  } catch (const std::exception& error) {
+    if (is_any<PromiseBroken, sim::Diverged>(error)) end_early();
+    if (is_any<Interrupted>(error)) {
+      progress.hide();
+      if (on_early_end) on_early_end();
+    }
     throw;
   }
 }

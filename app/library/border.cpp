@@ -5,9 +5,7 @@
 namespace taut::library {
 namespace {
 
-template <class... Errors> bool is_any(const std::exception& error) {
-  return (... || (dynamic_cast<const Errors*>(&error) != nullptr));
-}
+using app::is_any;
 
 TautResult to_result(const std::exception& error) {
   if (is_any<app::UsageError, std::invalid_argument>(error)) return TAUT_ERROR_ARGUMENT;

@@ -115,24 +115,10 @@ double distance_to_nearest_pin(const sim::Garment& garment, std::span<const sim:
   return min_distance_m;
 }
 
-struct ShapeBox {
-  const sim::Body& body;
-  double time_s;
-
-  std::optional<renderer::Box> operator()(const sim::Plane&) const { return std::nullopt; }
-  std::optional<renderer::Box> operator()(const sim::BodyMesh&) const {
-    return renderer::bounding_box(to_float(mesh_positions_m(body, time_s)));
-  }
-  std::optional<renderer::Box> operator()(const sim::Sphere& ball) const {
-    const glm::vec3 centre(ball.centre_m);
-    const glm::vec3 half(static_cast<float>(ball.radius_m));
-    return renderer::Box{centre - half, centre + half};
-  }
-  std::optional<renderer::Box> operator()(const sim::Capsule& capsule) const {
-    return renderer::unite(*(*this)(sim::Sphere{capsule.start_m, capsule.start_radius_m}),
-                           *(*this)(sim::Sphere{capsule.end_m, capsule.end_radius_m}));
-  }
-};
+renderer::Box box_of_ball(const sim::Vec3& centre_m, double radius_m) {
+  const glm::vec3 centre(centre_m), half(static_cast<float>(radius_m));
+  return {centre - half, centre + half};
+}
 
 // Returns the aspect ratio without the legend at the left and an equal strip at the right, which keeps the garment
 // centred.
@@ -249,8 +235,8 @@ std::vector<glm::vec3> wind_arrows(const sim::Wind& wind, const std::vector<sim:
   const float length = radius * std::clamp(speed / max_arrow_wind_m_per_s, min_arrow_ratio, 1.0F);
   const float gap = glm::dot(glm::abs(aside), half) + arrow_gap_ratio * radius;
   for (const float row : {-1.0F, 0.0F, 1.0F}) {
-    const glm::vec3 tip = 0.5F * (around.lower + around.upper) + gap * aside +
-                          glm::vec3(0.0F, arrow_spacing_ratio * radius * row, 0.0F);
+    const glm::vec3 tip =
+        0.5F * (around.lower + around.upper) + gap * aside + glm::vec3(0.0F, arrow_spacing_ratio * radius * row, 0.0F);
     lines.insert(lines.end(), {tip - length * along, tip});
     for (const float side : {-arrow_head_width_ratio, arrow_head_width_ratio}) {
       lines.insert(lines.end(), {tip, tip - arrow_head_ratio * radius * (along + side * head_side)});
@@ -260,7 +246,14 @@ std::vector<glm::vec3> wind_arrows(const sim::Wind& wind, const std::vector<sim:
 }
 
 std::optional<renderer::Box> bounding_box(const sim::Body& body, double time_s) {
-  return std::visit(ShapeBox{body, time_s}, sim::shape_at(body, time_s));
+  const sim::Shape shape = sim::shape_at(body, time_s);
+  if (const auto* ball = std::get_if<sim::Sphere>(&shape)) return box_of_ball(ball->centre_m, ball->radius_m);
+  if (const auto* limb = std::get_if<sim::Capsule>(&shape)) {
+    return renderer::unite(box_of_ball(limb->start_m, limb->start_radius_m),
+                           box_of_ball(limb->end_m, limb->end_radius_m));
+  }
+  if (std::holds_alternative<sim::Plane>(shape)) return std::nullopt;
+  return renderer::bounding_box(to_float(mesh_positions_m(body, time_s)));
 }
 
 float azimuth_of_broad_side(const glm::vec3& size) {
@@ -384,8 +377,7 @@ void FittedView::place_camera(DrawnScene& scene) const {
   std::vector<glm::vec3> points = outermost_;
   renderer::Camera camera = renderer::fit_camera_to_points(points, framing_, aspect_);
   if (scene_.picture.show_wind) {
-    const std::vector<glm::vec3> arrows =
-        wind_arrows(scene_.surroundings.forces.wind, garment_.mesh.positions, camera);
+    const std::vector<glm::vec3> arrows = wind_arrows(scene_.surroundings.forces.wind, garment_.mesh.positions, camera);
     points.insert(points.end(), arrows.begin(), arrows.end());
     camera = renderer::fit_camera_to_points(points, framing_, aspect_);
   }

@@ -187,6 +187,9 @@ DrawnScene scene_of_side(const DrawnScene& asked, int height_px) {
   scene.picture.settings.supersampling = 3;
   scene.picture.settings.shadows = false;
   scene.picture.ground.kind = GroundKind::none;
+  scene.picture.smooth = false;
+  scene.picture.cloth.outside_colour = pale_outside;
+  scene.picture.cloth.inside_colour = pale_inside;
   scene.picture.cloth.weave = 0.0F;
   scene.picture.cloth.sheen = 0.0F;
   scene.picture.cloth.translucency = 0.0F;
@@ -267,15 +270,6 @@ constexpr std::size_t legend_columns = 3;
 constexpr float page_px = 2.0F * border_px + 2.0F * panel_px + gap_px;
 
 const renderer::Colour pin_colour = renderer::rgb(0xC0392B);
-
-renderer::Image draw_side(OffscreenRenderer& offscreen, DrawnScene& scene, const LoadedGarment& loaded,
-                          const std::vector<InspectionMarks>& all) {
-  scene.picture.cloth.outside_colour = pale_outside;
-  scene.picture.cloth.inside_colour = pale_inside;
-  scene.picture.smooth = false;
-  return draw_marked(offscreen.renderer(), scene, *loaded.garment, loaded.pins, loaded.garment->mesh.positions, 0.0,
-                     all, true);
-}
 
 // Returns the longest of 1, 2 and 5 times a power of ten that takes at most a quarter of a panel.
 double bar_length_m(float px_per_m) {
@@ -559,7 +553,10 @@ renderer::Image draw_inspection(const Inspection& inspection, const LoadedGarmen
   const renderer::TextStyle caption = text_style(text_px).with_alignment(renderer::HorizontalAlign::centre);
   for (std::size_t k = 0; k < views.sides.size(); ++k) {
     const float x_px = border_px + static_cast<float>(k) * (panel_px + gap_px);
-    canvas.image(x_px, header_px, draw_side(offscreen, views.sides[k].scene, shown[k], k == 0 ? all : simulated));
+    const sim::Garment& garment = *shown[k].garment;
+    canvas.image(x_px, header_px,
+                 draw_marked(offscreen.renderer(), views.sides[k].scene, garment, shown[k].pins, garment.mesh.positions,
+                             0.0, k == 0 ? all : simulated, true));
     canvas.text(x_px + 0.5F * panel_px, below_px + row_px, views.sides[k].name, caption);
   }
   draw_bar(canvas, border_px + 12.0F, below_px + row_px, views.px_per_m);

@@ -13,8 +13,6 @@ class SceneRenderer {
   /// Makes the context current. The context must outlive the renderer. Throws ContextError.
   explicit SceneRenderer(Context& context);
   ~SceneRenderer();
-  SceneRenderer(const SceneRenderer&) = delete;
-  SceneRenderer& operator=(const SceneRenderer&) = delete;
 
   /// Compiles the shaders that these settings need, so that the first picture does not wait for them. `scalars`: for
   /// surfaces with scalars instead of cloth. Throws as draw does.

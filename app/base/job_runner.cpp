@@ -27,8 +27,6 @@ class JobRunner {
     stop_ = true;
     threads_.clear();
   }
-  JobRunner(const JobRunner&) = delete;
-  JobRunner& operator=(const JobRunner&) = delete;
 
   void run(unsigned thread_count, const std::function<void(std::size_t)>& finished) {
     for (unsigned i = 0; i < std::min<std::size_t>(std::max(1U, thread_count), jobs_.size()); ++i) {

@@ -53,8 +53,6 @@ class Progress {
   /// `what` begins the line.
   explicit Progress(std::string what);
   ~Progress();
-  Progress(const Progress&) = delete;
-  Progress& operator=(const Progress&) = delete;
 
   /// Sets the text of the line, such as "reading dress.fbx". The line appears after a moment, so a short stage shows
   /// nothing.

@@ -29,9 +29,6 @@ class PointCacheSink final : public FrameSink {
     if (!settings_.can_be_resumed) fs::remove(incomplete_, ignored);
   }
 
-  PointCacheSink(const PointCacheSink&) = delete;
-  PointCacheSink& operator=(const PointCacheSink&) = delete;
-
   void write(int frame, std::span<const sim::Vec3> mesh_m) override {
     if (settings_.frames.contains(frame)) {
       put(frame_of(mesh_m));

@@ -31,8 +31,6 @@ class VideoWriter {
   VideoWriter(std::filesystem::path file, const VideoSettings& settings);
   /// Ends ffmpeg and removes an unfinished file.
   ~VideoWriter();
-  VideoWriter(const VideoWriter&) = delete;
-  VideoWriter& operator=(const VideoWriter&) = delete;
 
   /// Adds an RGB picture of the size in the settings. Throws InputError with ffmpeg's message if ffmpeg has ended.
   /// Throws Interrupted unless the video is live.

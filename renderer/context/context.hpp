@@ -15,8 +15,6 @@ struct ContextError : std::runtime_error {
 class Context {
  public:
   virtual ~Context() = default;
-  Context(const Context&) = delete;
-  Context& operator=(const Context&) = delete;
 
   /// Makes the context current in the calling thread. Throws ContextError when the system refuses.
   virtual void make_current() = 0;

@@ -21,8 +21,6 @@ template <auto Create, auto Delete> class GlObject {
     std::swap(object_, other.object_);
     return *this;
   }
-  GlObject(const GlObject&) = delete;
-  GlObject& operator=(const GlObject&) = delete;
 
   /// Returns the object's OpenGL name.
   GLuint name() const { return object_; }
@@ -101,9 +99,6 @@ class Program {
           std::string_view fragment_file, std::span<const std::string_view> defines = {});
   ~Program();
   Program(Program&& other) noexcept;
-  Program& operator=(Program&&) = delete;
-  Program(const Program&) = delete;
-  Program& operator=(const Program&) = delete;
 
   /// Makes this the program in use.
   void use() const { gl_->UseProgram(program_); }

@@ -116,8 +116,6 @@ class ColourTarget {
   /// Makes the context current. The context must outlive the target. Throws ContextError.
   explicit ColourTarget(Context& context);
   ~ColourTarget();
-  ColourTarget(const ColourTarget&) = delete;
-  ColourTarget& operator=(const ColourTarget&) = delete;
 
   /// Returns the framebuffer's name. Its texture is reallocated when the size differs. Throws ContextError.
   unsigned framebuffer(int width_px, int height_px);

@@ -34,8 +34,6 @@ class OverlayPass {
   /// Makes the context current. The context must outlive the pass. Throws ContextError and ShaderError.
   explicit OverlayPass(Context& context);
   ~OverlayPass();
-  OverlayPass(const OverlayPass&) = delete;
-  OverlayPass& operator=(const OverlayPass&) = delete;
 
   /// Sets the sheet: width_px * height_px pixels of four bytes, top row first. Throws ContextError.
   void set_sheet(int width_px, int height_px, std::span<const std::uint8_t> rgba);

@@ -64,8 +64,6 @@ class SimulationHost {
   SimulationHost(const DrawnScene& scene, Runs runs);
   /// Calls end().
   ~SimulationHost() { end(); }
-  SimulationHost(const SimulationHost&) = delete;
-  SimulationHost& operator=(const SimulationHost&) = delete;
 
   /// Returns the snapshot that this frame of the window shows. A simulation that runs by itself ignores both arguments;
   /// otherwise throws InputError if `pace` is not possible after the frames before it.

@@ -171,7 +171,7 @@ struct SceneRenderer::RendererResources {
       const PixelRect place = tile_rect(tile, settings);
       upload_tile(block, frame, settings, tile);
       draw_visibility(place, frame, settings);
-      shade_surfaces_and_marks(framebuffer, place, block, frame, settings);
+      shade_surfaces_and_marks(framebuffer, place, frame, settings);
     }
   }
 
@@ -185,7 +185,7 @@ struct SceneRenderer::RendererResources {
       draw_behind(large.framebuffer(), block, frame, settings);
       const PixelRect all{0, 0, large_px.x, large_px.y};
       draw_visibility(all, frame, settings);
-      shade_surfaces_and_marks(large.framebuffer(), all, block, frame, settings);
+      shade_surfaces_and_marks(large.framebuffer(), all, frame, settings);
       const PixelRect place = tile_rect(tile, settings);
       gl.BindFramebuffer(GL_FRAMEBUFFER, picture.framebuffer());
       gl.Viewport(place.x_px, place.y_px, place.width_px, place.height_px);
@@ -222,7 +222,7 @@ struct SceneRenderer::RendererResources {
     const PixelRect place{0, 0, tile.width_px, tile.height_px};
     if (!frame.backdrop.plain) sampling_pass.add_backdrop();
     draw_visibility(place, frame, settings);
-    surface_pass.add_sampled(visibility, sampling_pass.surfaces(), block, place);
+    surface_pass.add_sampled(visibility, sampling_pass.surfaces(), place);
     if (!has_marks(frame)) return;
     visibility.begin_marks();
     draw_marks(frame);
@@ -257,9 +257,9 @@ struct SceneRenderer::RendererResources {
 
   // Shades the surfaces of the last draw_visibility(). Marks have their own edges between pixels, so they are drawn
   // separately and blended over.
-  void shade_surfaces_and_marks(GLuint framebuffer, const PixelRect& place, const FrameBlock& block,
-                                const FrameView& frame, const PictureSettings& settings) {
-    surface_pass.shade(visibility, framebuffer, block, place, settings.shading_px > 1);
+  void shade_surfaces_and_marks(GLuint framebuffer, const PixelRect& place, const FrameView& frame,
+                                const PictureSettings& settings) {
+    surface_pass.shade(visibility, framebuffer, place, settings.shading_px > 1);
     if (!has_marks(frame)) return;
     visibility.begin_marks();
     draw_marks(frame);

@@ -203,7 +203,7 @@ void main() {
   uvec4 left = uvec4(texelFetch(visibility_buffer, pixel, 0).r, texelFetch(visibility_buffer, pixel, 1).r,
                      texelFetch(visibility_buffer, pixel, 2).r, texelFetch(visibility_buffer, pixel, 3).r);
   vec4 sum = vec4(0.0);
-  do {
+  while (left != uvec4(0u)) {
     bvec3 none = equal(left.xyz, uvec3(0u));
     int i = !none.x ? 0 : !none.y ? 1 : !none.z ? 2 : 3;
     uint first = left[i];
@@ -214,7 +214,8 @@ void main() {
                        continues(left.z, first, corners.xyz), continues(left.w, first, corners.xyz));
     sum += 0.25 * dot(vec4(same), vec4(1.0)) * vec4(shaded(max(triangle_of(first), 0), is_front(first), ray), 1.0);
     left *= uvec4(not(same));
-  } while (left != uvec4(0u));
+  }
+  if (sum.a == 0.0) discard;
   colour = sum;
 }
 #else
@@ -233,8 +234,11 @@ void main() {
   uint visible = texelFetch(visibility_buffer, pixel, 0).r;
 #endif
   if (visible == 0u) discard;
-  vec3 ray = ray_through(vec2(pixel) + 0.5);
-  vec3 light = shaded(triangle_of(visible), is_front(visible), ray);
+  vec3 light = vec3(0.0);
+  // A loop instead of a branch, as in weave.glsl.
+  for (int shown = 0; shown < (visible == 0u ? 0 : 1); ++shown) {
+    light = shaded(triangle_of(visible), is_front(visible), ray_through(vec2(pixel) + 0.5));
+  }
 #ifdef SAMPLED
   colour = vec4(light, 1.0);
 #elif defined(HALVED)

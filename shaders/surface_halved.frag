@@ -15,7 +15,7 @@ void main() {
   float covered = whole ? 1.0 : 0.0;
   ivec2 last = textureSize(visibility_buffer, 0) - 1;
   // A loop instead of a branch, as in weave.glsl: a tent over three by three pixels.
-  for (int i = 0; i < (whole ? 0 : 9); ++i) {
+  for (int i = 0; i < (whole || sum.a == 0.0 ? 0 : 9); ++i) {
     ivec2 step = ivec2(i % 3, i / 3) - 1;
     bool seen = texelFetch(visibility_buffer, clamp(pixel + step, ivec2(0), last), 0).r != 0u;
     covered += seen ? 0.25 / float((1 + abs(step.x)) * (1 + abs(step.y))) : 0.0;

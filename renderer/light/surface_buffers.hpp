@@ -45,13 +45,6 @@ class ColourMapTexture {
 /// All surfaces of one frame in buffer textures, in the layout of shaders/surface_buffers.glsl.
 class SurfaceBuffers {
  public:
-  /// Three texels of the vertex buffer.
-  struct Vertex {
-    glm::vec4 place;     ///< position, metres
-    glm::vec4 facing;    ///< normal
-    glm::vec4 material;  ///< material coordinate, metres, or x: scalar
-  };
-
   /// The context must be current and outlive this object.
   explicit SurfaceBuffers(const GladGLContext& context);
 
@@ -70,12 +63,16 @@ class SurfaceBuffers {
   /// Returns whether there are no triangles.
   bool empty() const { return triangles_.empty(); }
 
-  /// Returns the vertices of all surfaces.
-  std::span<const Vertex> all_vertices() const { return vertices_; }
-  /// Returns one element per triangle: xyz its vertices, w see shaders/surface_buffers.glsl.
-  std::span<const glm::uvec4> all_triangles() const { return triangles_; }
+  /// Returns the number of vertices of all surfaces.
+  std::size_t vertex_count() const { return vertices_.size(); }
 
  private:
+  // Three texels of the vertex buffer.
+  struct Vertex {
+    glm::vec4 place;     // position, metres
+    glm::vec4 facing;    // normal
+    glm::vec4 material;  // material coordinate, metres, or x: scalar
+  };
   // Trim of one triangle.
   struct Trim {
     std::array<glm::vec4, 3> corners;
@@ -106,7 +103,7 @@ class SurfaceBuffers {
   BufferTexture corner_data_;
   BufferTexture trim_data_;
   std::vector<Vertex> vertices_;
-  std::vector<glm::uvec4> triangles_;
+  std::vector<glm::uvec4> triangles_;  // xyz: vertices, w: see shaders/surface_buffers.glsl
   std::vector<MaterialTexels> materials_;
   std::vector<glm::vec2> corners_;  // three per triangle, up to the last triangle with a map
   std::vector<Trim> trims_;

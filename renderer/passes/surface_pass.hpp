@@ -14,32 +14,6 @@ Tile screen_bounds(const FrameView& frame, std::span<const SurfaceView> surfaces
 /// Returns whether any surface or mark has a point below y = height_m, metres.
 bool reaches_below(float height_m, const FrameView& frame, std::span<const SurfaceView> surfaces);
 
-/// Squares of a tile's grid that surfaces may touch. Only these are shaded: a software rasteriser takes as long for a
-/// pixel without a surface as for any other.
-class CoveredSquares {
- public:
-  /// Marks the squares that the bounding rectangles of the triangles touch. `world_to_clip` belongs to the tile,
-  /// size_px is its size in drawn pixels.
-  void find(const SurfaceBuffers& surfaces, const glm::mat4& world_to_clip, const glm::ivec2& size_px);
-
-  /// Returns triangles in clip space, three corners each, that cover the marked squares. Valid until the next call.
-  const std::vector<glm::vec2>& corners();
-
-  /// Side of a square, drawn pixels. Lower values shade fewer pixels without a surface but draw more squares.
-  static constexpr int side_px = 16;
-
- private:
-  void mark(const glm::ivec4& box);
-  void mark_all();
-  void add_run(int first, int end, int row);
-
-  glm::ivec2 tile_px_{0};
-  glm::ivec2 squares_{0};
-  std::vector<std::uint8_t> are_covered_;  // one per square
-  std::vector<glm::vec3> projected_;       // scratch: pixels, z: 0 behind the eye
-  std::vector<glm::vec2> triangles_;       // scratch
-};
-
 /// Draws surfaces: first their triangles into a visibility buffer, then the shading of visible ones. The block `Frame`
 /// and the light's textures must be bound.
 class SurfacePass {
@@ -50,26 +24,22 @@ class SurfacePass {
   /// Uploads all surfaces and binds their buffers. Throws ContextError.
   void upload(std::span<const SurfaceView> surfaces);
   /// Returns the number of vertices of all surfaces.
-  std::size_t vertex_count() const { return surface_buffers_.all_vertices().size(); }
+  std::size_t vertex_count() const { return surface_buffers_.vertex_count(); }
   /// Draws the triangle numbers into the bound visibility buffer. `under_marks` pushes surfaces back slightly, so that
   /// marks on them are in front.
   void draw_visibility(bool under_marks);
   /// Shades the visibility buffer and blends it over a framebuffer, which is bound. `place`: the tile's rectangle
-  /// there, which becomes the viewport. `block`: the tile's. `halve`: squares of 2 by 2 pixels are shaded as one if
-  /// there is one sample and the tile's sides are even; outlines are then spread over three pixels.
-  void shade(const VisibilityBuffer& visibility, GLuint framebuffer, const FrameBlock& block, const PixelRect& place,
-             bool halve);
+  /// there, which becomes the viewport. `halve`: squares of 2 by 2 pixels are shaded as one if there is one sample and
+  /// the tile's sides are even; outlines are then spread over three pixels.
+  void shade(const VisibilityBuffer& visibility, GLuint framebuffer, const PixelRect& place, bool halve);
   /// Adds one pass of many to the lower left of a framebuffer, in linear light; otherwise like shade().
-  void add_sampled(const VisibilityBuffer& visibility, GLuint framebuffer, const FrameBlock& block,
-                   const PixelRect& place);
+  void add_sampled(const VisibilityBuffer& visibility, GLuint framebuffer, const PixelRect& place);
   /// Returns whether a surface shows data colours.
   bool has_data_colours() const { return any_scalars_; }
 
  private:
-  void begin_shading(const VisibilityBuffer& visibility, GLuint framebuffer, const FrameBlock& block,
-                     const PixelRect& place);
-  void draw_squares();
-  void shade_squares(std::size_t kind, const VisibilityBuffer& visibility, const glm::ivec2& corner_px);
+  void begin_shading(const VisibilityBuffer& visibility, GLuint framebuffer, const PixelRect& place);
+  void shade_tile(std::size_t kind, const VisibilityBuffer& visibility, const glm::ivec2& corner_px);
   void shade_halved(const VisibilityBuffer& visibility, GLuint framebuffer, const PixelRect& place);
 
   const GladGLContext* gl_;
@@ -81,9 +51,6 @@ class SurfacePass {
   ColourMapTexture colour_maps_;
   BaseColourMapTexture base_colour_maps_;
   SurfaceBuffers surface_buffers_;
-  CoveredSquares squares_;
-  VertexArray square_arrays_;
-  Buffer square_corners_;
   LazyProgram upscaling_;
   GrowingTarget halved_;
   bool any_scalars_ = false;

@@ -3,7 +3,6 @@
 #include <limits>
 
 #include "renderer/frame_view.hpp"
-#include "renderer/light/surface_buffers.hpp"
 #include "renderer/passes/backdrop_pass.hpp"
 #include "renderer/passes/mark_pass.hpp"
 #include "renderer/passes/surface_pass.hpp"
@@ -97,26 +96,7 @@ TEST(LostPositions, ACameraFitsOrTheBoxIsRefused) {
   });
 }
 
-struct LostPicturesTest : SceneRendererTest {
-  SurfaceBuffers surfaces{context->gl()};
-  BaseColourMapTexture maps{context->gl()};
-};
-
-TEST_F(LostPicturesTest, CoveredSquaresStayInTheTile) {
-  const Camera camera = front_camera();
-  const glm::mat4 to_clip = camera.projection(1.5F) * camera.view();
-  CoveredSquares squares;
-  for_each_runaway([&](const Runaway& cloth) {
-    surfaces.clear();
-    surfaces.add(cloth.view(), -1, maps);
-    for (const glm::mat4& matrix : {to_clip, glm::mat4{1.0F}}) {
-      squares.find(surfaces, matrix, {96, 64});
-      for (const glm::vec2& corner : squares.corners()) {
-        EXPECT_TRUE(std::abs(corner.x) <= 1.0F && std::abs(corner.y) <= 1.0F);
-      }
-    }
-  });
-}
+using LostPicturesTest = SceneRendererTest;
 
 // Whole pictures with everything that a picture may contain. A position that is not finite is refused by name; a far
 // one is drawn, and things near the camera stay visible.

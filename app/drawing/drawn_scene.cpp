@@ -127,13 +127,6 @@ constexpr double degree = 0.017453292519943295;
 constexpr Range fraction = {.lowest = 0.0, .highest = 1.0};
 constexpr Range acute = {.lowest = -89.0, .highest = 89.0};
 
-Key<DrawnScene> number(std::string name, std::string unit, const Range& range, auto access, double factor = 1.0) {
-  return number_key<DrawnScene>(std::move(name), std::move(unit), range, access, factor);
-}
-Key<DrawnScene> whole(std::string name, double lowest, double highest, auto access) {
-  return whole_key<DrawnScene>(std::move(name), {lowest, highest}, access);
-}
-
 glm::vec3 to_vec3(const std::array<double, 3>& numbers) {
   return {static_cast<float>(numbers[0]), static_cast<float>(numbers[1]), static_cast<float>(numbers[2])};
 }
@@ -246,10 +239,11 @@ SceneFormat<DrawnScene> drawn_scene_format() {
   }
   keys.insert(
       keys.end(),
-      {number("camera.azimuth", "degrees", {-360.0, 360.0}, MEMBER(camera.framing.azimuth_rad), degree),
-       number("camera.elevation", "degrees", acute, MEMBER(camera.framing.elevation_rad), degree),
-       number("camera.margin", "", {0.0, 0.45}, MEMBER(camera.framing.margin)),
-       number("camera.field_of_view", "degrees", {1.0, 120.0}, MEMBER(camera.framing.vertical_fov_rad), degree),
+      {number_key<DrawnScene>("camera.azimuth", "degrees", {-360.0, 360.0}, MEMBER(camera.framing.azimuth_rad), degree),
+       number_key<DrawnScene>("camera.elevation", "degrees", acute, MEMBER(camera.framing.elevation_rad), degree),
+       number_key<DrawnScene>("camera.margin", "", {0.0, 0.45}, MEMBER(camera.framing.margin)),
+       number_key<DrawnScene>("camera.field_of_view", "degrees", {1.0, 120.0}, MEMBER(camera.framing.vertical_fov_rad),
+                              degree),
        switch_key<DrawnScene>("camera.follow", MEMBER(camera.follow)),
        auto_key("camera.box", "two corners [[x, y, z], [x, y, z]], the smaller coordinates first, or \"auto\"",
                 MEMBER(camera.box), box_in,
@@ -258,17 +252,17 @@ SceneFormat<DrawnScene> drawn_scene_format() {
                 }),
        point_key("camera.eye", MEMBER(camera.eye)),
        point_key("camera.target", MEMBER(camera.target)),
-       whole("picture.width", 16, 16384, MEMBER(picture.settings.width_px)),
-       whole("picture.height", 16, 16384, MEMBER(picture.settings.height_px)),
+       whole_key<DrawnScene>("picture.width", {16, 16384}, MEMBER(picture.settings.width_px)),
+       whole_key<DrawnScene>("picture.height", {16, 16384}, MEMBER(picture.settings.height_px)),
        choice_key<DrawnScene, DrawingQuality>("picture.quality",
                                               {{"draft", DrawingQuality::draft},
                                                {"normal", DrawingQuality::normal},
                                                {"high", DrawingQuality::high},
                                                {"final", DrawingQuality::final}},
                                               MEMBER(picture.quality)),
-       whole("picture.passes", 1, renderer::max_passes, MEMBER(picture.passes)),
-       whole("picture.samples", 1, 16, MEMBER(picture.settings.samples)),
-       whole("picture.supersampling", 1, 8, MEMBER(picture.settings.supersampling)),
+       whole_key<DrawnScene>("picture.passes", {1, renderer::max_passes}, MEMBER(picture.passes)),
+       whole_key<DrawnScene>("picture.samples", {1, 16}, MEMBER(picture.settings.samples)),
+       whole_key<DrawnScene>("picture.supersampling", {1, 8}, MEMBER(picture.settings.supersampling)),
        switch_key<DrawnScene>("picture.shadows", MEMBER(picture.settings.shadows)),
        ground_key(),
        background_key(),
@@ -290,15 +284,15 @@ SceneFormat<DrawnScene> drawn_scene_format() {
            [](const auto& range) { return range ? Json(*range) : Json(); }),
        colour_key<DrawnScene>("picture.outside_colour", MEMBER(picture.cloth.outside_colour)),
        colour_key<DrawnScene>("picture.inside_colour", MEMBER(picture.cloth.inside_colour)),
-       number("picture.roughness", "", {0.05, 1.0}, MEMBER(picture.cloth.roughness)),
-       number("picture.sheen", "", fraction, MEMBER(picture.cloth.sheen)),
-       number("picture.sheen_roughness", "", {0.4, 1.0}, MEMBER(picture.cloth.sheen_roughness)),
-       number("picture.translucency", "", fraction, MEMBER(picture.cloth.translucency)),
+       number_key<DrawnScene>("picture.roughness", "", {0.05, 1.0}, MEMBER(picture.cloth.roughness)),
+       number_key<DrawnScene>("picture.sheen", "", fraction, MEMBER(picture.cloth.sheen)),
+       number_key<DrawnScene>("picture.sheen_roughness", "", {0.4, 1.0}, MEMBER(picture.cloth.sheen_roughness)),
+       number_key<DrawnScene>("picture.translucency", "", fraction, MEMBER(picture.cloth.translucency)),
        choice_key<DrawnScene>("picture.weave", make_choices(renderer::all_weave_kinds),
                               MEMBER(picture.cloth.weave_kind)),
-       number("picture.threads", "1/m", {1.0, 1e6}, MEMBER(picture.cloth.threads_per_m)),
-       number("picture.weave_contrast", "", {0.0, 10.0}, MEMBER(picture.cloth.weave)),
-       number("picture.unevenness", "", fraction, MEMBER(picture.cloth.unevenness)),
+       number_key<DrawnScene>("picture.threads", "1/m", {1.0, 1e6}, MEMBER(picture.cloth.threads_per_m)),
+       number_key<DrawnScene>("picture.weave_contrast", "", {0.0, 10.0}, MEMBER(picture.cloth.weave)),
+       number_key<DrawnScene>("picture.unevenness", "", fraction, MEMBER(picture.cloth.unevenness)),
        colour_key<DrawnScene>("picture.stitch_colour", MEMBER(picture.cloth.stitch_colour)),
        texture_key(),
        switch_key<DrawnScene>("picture.rest_outline", MEMBER(picture.rest_outline)),

@@ -143,13 +143,10 @@ void OrbitCamera::turn_to(float azimuth_rad, float elevation_rad) {
 }
 
 void OrbitCamera::pan(const glm::vec2& way_px, const ViewArea& area) {
-  const renderer::Camera seen = camera();
-  const glm::vec3 forward = glm::normalize(seen.target - seen.eye);
-  const glm::vec3 right = glm::normalize(glm::cross(forward, seen.up));
-  const glm::vec3 up = glm::cross(right, forward);
+  const glm::mat3 axes = glm::transpose(glm::mat3(camera().view()));  // right, up and towards the eye
   const float m_per_px =
       2.0F * distance_m_ * std::tan(0.5F * vertical_fov_rad_) / static_cast<float>(std::max(area.height_px, 1));
-  move_target(target_ + m_per_px * (up * way_px.y - right * way_px.x));
+  move_target(target_ + m_per_px * (axes[1] * way_px.y - axes[0] * way_px.x));
 }
 
 void OrbitCamera::move_target(const glm::vec3& target) {
@@ -183,13 +180,11 @@ renderer::Camera OrbitCamera::camera() const {
 
 Ray OrbitCamera::ray_through(const glm::vec2& point_px, const ViewArea& area) const {
   const renderer::Camera seen = camera();
-  const glm::vec3 forward = glm::normalize(seen.target - seen.eye);
-  const glm::vec3 right = glm::normalize(glm::cross(forward, seen.up));
-  const glm::vec3 up = glm::cross(right, forward);
+  const glm::mat3 axes = glm::transpose(glm::mat3(seen.view()));  // right, up and towards the eye
   const float tangent = std::tan(0.5F * vertical_fov_rad_);
   const float x = (2.0F * point_px.x / static_cast<float>(area.width_px) - 1.0F) * tangent * area.aspect();
   const float y = (1.0F - 2.0F * point_px.y / static_cast<float>(area.height_px)) * tangent;
-  return {seen.eye, glm::normalize(forward + x * right + y * up)};
+  return {seen.eye, glm::normalize(-axes[2] + x * axes[0] + y * axes[1])};
 }
 
 std::optional<glm::vec2> OrbitCamera::project_to_pixel(const glm::vec3& point, const ViewArea& area) const {

@@ -18,22 +18,11 @@ void time_strong_shirts(Results& results, const ProgressCallback& report_progres
   measure_frame_times(frame_time_repeats, report_progress, results);
 }
 
-std::vector<const Recording*> fall_recordings(const Results& results) { return {&results.fall->frames}; }
-
-std::vector<const Recording*> pinned_recordings(const Results& results) {
-  return {&*results.pinned[0], &*results.pinned[1]};
-}
-
-std::vector<const Recording*> shirt_recordings(const Results& results) {
-  return {&*results.shirts[0], &*results.shirts[1], &*results.shirts[2]};
-}
-
-template <auto select_recordings> std::string write_moments(const Results& results) {
-  return moments_csv(select_recordings(results));
-}
-
-template <auto select_recordings> std::string write_shapes(const Results& results) {
-  return shapes_csv(select_recordings(results));
+/// Writes a table of the recordings that are a member of the results.
+template <auto write, auto member> std::string write_all(const Results& results) {
+  std::vector<const Recording*> recordings;
+  for (const std::optional<Recording>& recording : results.*member) recordings.push_back(&*recording);
+  return write(recordings);
 }
 
 constexpr float panel_px = 1150.0F;
@@ -198,21 +187,21 @@ std::vector<Figure> all_figures(Results& results) {
        "A cloth falls under gravity, held by two corners",
        {fall_scene},
        of(draw_figure2),
-       of(write_moments<fall_recordings>),
-       of(write_shapes<fall_recordings>)},
+       of([](const Results& all) { return moments_csv(std::array{&all.fall->frames}); }),
+       of([](const Results& all) { return shapes_csv(std::array{&all.fall->frames}); })},
       {"fig3", "One mass point converges", {fall_scene}, of(draw_figure3), of(figure3_csv)},
       {"fig4",
        "Over-stretch of up to 5 % and up to 20 %, and where it is",
        {pinned_scenes.begin(), pinned_scenes.end()},
        of(draw_figure4),
-       of(write_moments<pinned_recordings>),
-       of(write_shapes<pinned_recordings>)},
+       of(write_all<moments_csv, &Results::pinned>),
+       of(write_all<shapes_csv, &Results::pinned>)},
       {"fig5",
        "The T-shirt under gravity and in two winds",
        {shirt_scenes.begin(), shirt_scenes.end()},
        of(draw_figure5),
-       of(write_moments<shirt_recordings>),
-       of(write_shapes<shirt_recordings>)},
+       of(write_all<moments_csv, &Results::shirts>),
+       of(write_all<shapes_csv, &Results::shirts>)},
       {"fig6",
        "What a frame costs for models of different precision",
        {},

@@ -27,6 +27,14 @@ TEST(FigureTables, HaveTheirColumnsAndARowForEveryMeasurement) {
   EXPECT_EQ(figure7_csv(results), "method,time_step_s,time_s,max_stretch,moved_rms_m\nprovot,0.5,0.5,0.125,0.25\n");
 }
 
+std::vector<MethodRun> short_runs() {
+  std::vector<MethodRun> runs;
+  for (const double rate_hz : method_rates_hz) {
+    for (const sim::SolverKind kind : compared_methods) runs.push_back(run_method(kind, rate_hz, 0.1));
+  }
+  return runs;
+}
+
 ClaimResults small_results() {
   ClaimResults results;
   const auto nothing = [](double) {};
@@ -35,11 +43,7 @@ ClaimResults small_results() {
   }
   results.fall = record_steps(find_scene(fall_scene, {}), std::array{0, 2}, 5, nothing);
   results.frame_times = {{1028, 1, 10, {1.5, 2.5}}, {5280, 1, 10, {3.0}}, {1028, 100, 1, {0.1}}};
-  for (const double rate_hz : method_rates_hz) {
-    for (const sim::SolverKind kind : compared_methods) {
-      results.methods.push_back(run_method(kind, rate_hz, 0.1));
-    }
-  }
+  results.methods = short_runs();
   return results;
 }
 
@@ -130,11 +134,7 @@ TEST(FigureTables, WhatIsWrongWithOneIsSaidWithItsLine) {
 TEST(Figures, TextsAreLargeEnoughInPrint) {
   ClaimResults results;
   experiments(results).front().work([](double) {});
-  for (const double rate_hz : method_rates_hz) {
-    for (const sim::SolverKind kind : compared_methods) {
-      results.methods.push_back(run_method(kind, rate_hz, 0.1));
-    }
-  }
+  results.methods = short_runs();
   LazyOffscreenRenderer offscreen("auto", 0.02F);
   for (const Figure& figure : all_figures(results)) {
     if (figure.name != "fig7") {

@@ -26,13 +26,6 @@ constexpr std::array<NamedSize, 6> named_sizes = {{{"720p", {1280, 720}},
                                                    {"4K", {3840, 2160}},
                                                    {"8K", {7680, 4320}}}};
 
-// Returns the name of each entry. `name` is a member or a function of an entry.
-template <class Entries, class Name> std::vector<std::string> list_names(const Entries& entries, Name name) {
-  std::vector<std::string> names;
-  for (const auto& entry : entries) names.emplace_back(std::invoke(name, entry));
-  return names;
-}
-
 // Returns the entry with this name, whatever its case, or null.
 template <class Names> auto find_named(const Names& entries, std::string_view text) {
   const auto found = std::ranges::find_if(
@@ -58,7 +51,7 @@ renderer::Resized parse_size(const std::string& text, const std::string& option)
   const auto is_side = [](std::optional<int> side) { return side && *side >= 1 && *side <= max_side_px; };
   if (!is_side(width) || !is_side(height)) {
     throw UsageError("{} {}: expected WIDTHxHEIGHT in pixels, such as 1280x720, or a name: {}", option, text,
-                     join(list_names(named_sizes, &NamedSize::name)));
+                     join(collect<std::string>(named_sizes, &NamedSize::name)));
   }
   return {*width, *height};
 }
@@ -74,7 +67,7 @@ void add_resolution(CLI::App& command, std::vector<Override>& overrides) {
   });
 }
 
-std::string side_names() { return join(list_names(sides, &ViewSide::name)); }
+std::string side_names() { return join(collect<std::string>(sides, &ViewSide::name)); }
 
 /// Adds `--view NAME`, a side to look from.
 void add_side(CLI::App& command, std::vector<Override>& overrides) {
@@ -109,7 +102,7 @@ std::string unit_value(const std::string& option, const std::string& text) {
   const auto* const unit = std::ranges::find(units, text, &Unit::symbol);
   if (unit != units.end()) return std::to_string(unit->metres);
   if (text.find_first_of("0123456789") != std::string::npos) return text;
-  throw UsageError(option + ": found '" + text + "', expected " + join(list_names(units, &Unit::symbol)) +
+  throw UsageError(option + ": found '" + text + "', expected " + join(collect<std::string>(units, &Unit::symbol)) +
                    " or the unit's length in m");
 }
 
@@ -226,7 +219,7 @@ void define_simulate(CLI::App& command, SimulateOptions& options) {
 }
 
 std::vector<std::string> solvers() {
-  return list_names(sim::all_solver_kinds, [](sim::SolverKind kind) { return sim::to_name(kind); });
+  return collect<std::string>(sim::all_solver_kinds, [](sim::SolverKind kind) { return sim::to_name(kind); });
 }
 
 void add_compare(CLI::App& command, std::optional<sim::SolverKind>& compared_with) {
@@ -330,7 +323,7 @@ void define_bench(CLI::App& command, BenchOptions& options) {
 // Returns the names of the commands that help shows. Hidden commands belong to no group.
 std::vector<std::string> command_names(const CLI::App& app) {
   const auto is_shown = [](const CLI::App* command) { return !command->get_group().empty(); };
-  return list_names(app.get_subcommands(is_shown), &CLI::App::get_name);
+  return collect<std::string>(app.get_subcommands(is_shown), &CLI::App::get_name);
 }
 
 std::string help_about(CLI::App& app, const std::string& topic) {
@@ -392,7 +385,7 @@ std::string parse_error_text(const CLI::App& app, const CLI::ParseError& error,
 std::array<std::pair<const char*, std::string>, 4> name_lists() {
   return {{{"{solvers}", join(solvers())},
            {"{sides}", side_names()},
-           {"{units}", join(list_names(units, &Unit::symbol))},
+           {"{units}", join(collect<std::string>(units, &Unit::symbol))},
            {"{thresholds}", fit_thresholds()}}};
 }
 

@@ -36,6 +36,13 @@ inline constexpr std::size_t max_printed_bytes = 2000;
 /// longer than `max_printed_bytes` loses its middle.
 std::string printable(std::string_view text);
 
+/// Returns the function or the member `of` of each item.
+template <class Result, class Items, class Of> std::vector<Result> collect(const Items& items, const Of& of) {
+  std::vector<Result> results;
+  for (const auto& item : items) results.emplace_back(std::invoke(of, item));
+  return results;
+}
+
 /// Joins the names: "a, b, c".
 std::string join(std::span<const std::string> names, std::string_view separator = ", ");
 

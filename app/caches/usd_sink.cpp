@@ -10,12 +10,7 @@ namespace {
 
 /// Returns the items as a list in one line.
 template <class Items, class TextOf> std::string join_list(const Items& items, const TextOf& to_usd_tuple) {
-  std::string text = "[";
-  for (const auto& item : items) {
-    if (text.size() > 1) text += ", ";
-    text += to_usd_tuple(item);
-  }
-  return text + ']';
+  return '[' + join(collect<std::string>(items, to_usd_tuple)) + ']';
 }
 
 template <class Numbers> std::string numbers_text(const Numbers& numbers) {

@@ -11,8 +11,7 @@ namespace {
 
 std::vector<ContactCase> wanted_cases(const BenchOptions& options) {
   std::vector<ContactCase> cases = options.contact && !options.quick ? all_contact_cases() : quick_contact_cases();
-  std::vector<std::string> all;
-  std::ranges::transform(cases, std::back_inserter(all), [](const ContactCase& one) { return one.name; });
+  const std::vector<std::string> all = collect<std::string>(cases, &ContactCase::name);
   for (const std::string& name : options.scenes) {
     if (std::ranges::find(all, name) == all.end()) {
       throw UsageError("--scenes: found '" + name + '\'' + did_you_mean(name, all) + "; expected some of " +
@@ -28,9 +27,7 @@ std::vector<ContactCase> wanted_cases(const BenchOptions& options) {
 ContactTrial run_trial(const ContactCase& one, const BenchOptions& options, Progress* progress) {
   ContactTrial trial = {one.name, 0.0, 0, {}};
   for (const std::vector<std::string>& settings : one.runs) {
-    std::vector<Override> overrides;
-    std::ranges::transform(settings, std::back_inserter(overrides), parse_override);
-    Scene scene = find_scene(one.scene, overrides);
+    Scene scene = find_scene(one.scene, collect<Override>(settings, parse_override));
     scene.simulation.solver.bounded.vector_unit = measured_vector_unit();
     scene.simulation.solver.bounded.threads = options.threads;
     load_bodies(scene);

@@ -1,3 +1,4 @@
+#include "app/base/words.hpp"
 #include "app/drawing/plots/plot.hpp"
 #include "app/figures/figures.hpp"
 #include "app/runs/csv.hpp"
@@ -126,11 +127,11 @@ Plot frame_time_plot(const std::vector<FrameTimes>& times) {
 }
 
 std::string describe_medians(const std::vector<FrameTimes>& times) {
-  std::string text;
-  for (const FrameTimes& time : times) {
-    text += fmt::format("{}{:.{}f}", text.empty() ? "" : ", ", time.median_ms(), time.median_ms() < 10.0 ? 1 : 0);
-  }
-  return text + " ms";
+  return join(collect<std::string>(times,
+                                   [](const FrameTimes& time) {
+                                     return fmt::format("{:.{}f}", time.median_ms(), time.median_ms() < 10.0 ? 1 : 0);
+                                   })) +
+         " ms";
 }
 
 // Returns the stroke of one of compared_methods.

@@ -4,6 +4,7 @@
 
 #include "app/base/errors.hpp"
 #include "app/base/files.hpp"
+#include "app/base/words.hpp"
 #include "app/drawing/plots/plot.hpp"
 #include "app/output/picture_record.hpp"
 
@@ -20,9 +21,7 @@ void time_strong_shirts(Results& results, const ProgressCallback& report_progres
 
 /// Writes a table of the recordings that are a member of the results.
 template <auto write, auto member> std::string write_all(const Results& results) {
-  std::vector<const Recording*> recordings;
-  for (const std::optional<Recording>& recording : results.*member) recordings.push_back(&*recording);
-  return write(recordings);
+  return write(collect<const Recording*>(results.*member, [](const auto& recording) { return &*recording; }));
 }
 
 constexpr float panel_px = 1150.0F;
@@ -219,9 +218,7 @@ std::vector<Figure> all_figures(Results& results) {
 
 std::vector<std::string> figure_names() {
   Results none;
-  std::vector<std::string> names;
-  for (const Figure& figure : all_figures(none)) names.push_back(figure.name);
-  return names;
+  return collect<std::string>(all_figures(none), &Figure::name);
 }
 
 // Figure 1: the mass-spring model and its three types of springs on a regular grid and on a patch of a triangle model.

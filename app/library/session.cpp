@@ -65,11 +65,9 @@ std::vector<sim::Index> caller_vertices(const app::GarmentInScene& loaded, const
   const sim::Mesh& model = loaded.following->mesh;
   const std::vector<sim::Index> of_model =
       first_vertices(loaded.following->file_vertices.mesh_vertex, model.positions.size());
-  std::vector<sim::Index> own_indices;
-  for (const app::Bond& bond : app::bonds_to(mesh_m, model)) {
-    own_indices.push_back(of_model[app::find_nearest_corner(bond, model.triangles)]);
-  }
-  return own_indices;
+  return app::collect<sim::Index>(app::bonds_to(mesh_m, model), [&](const app::Bond& bond) {
+    return of_model[app::find_nearest_corner(bond, model.triangles)];
+  });
 }
 
 std::string trim(const std::string& text) {
@@ -190,10 +188,8 @@ const CallerBody& Session::lent_body(std::size_t body) const {
 
 std::vector<sim::Vec3> Session::to_body_positions(const CallerBody& lent,
                                                   const std::vector<sim::Vec3>& positions_m) const {
-  std::vector<sim::Vec3> in_body_m;
-  for (const std::size_t vertex : lent.places.file_vertex) {
-    in_body_m.push_back(lent.places.placement(positions_m[vertex]));
-  }
+  const auto in_body_m = app::collect<sim::Vec3>(
+      lent.places.file_vertex, [&](std::size_t vertex) { return lent.places.placement(positions_m[vertex]); });
   const std::size_t lost = sim::first_lost(in_body_m);
   if (lost < in_body_m.size()) {
     throw ArgumentError("found vertex {} beyond all bounds", lent.places.file_vertex[lost]);
@@ -375,15 +371,12 @@ void Session::set_forces(const std::vector<sim::Index>& vertices, const std::vec
 }
 
 void Session::set_pins(const std::vector<sim::Index>& vertices) {
-  std::vector<sim::Index> pins;
-  for (const sim::Index vertex : vertices) pins.push_back(mesh_vertex(vertex));
-  simulation_.set_pins(std::move(pins));
+  simulation_.set_pins(app::collect<sim::Index>(vertices, [this](sim::Index vertex) { return mesh_vertex(vertex); }));
   pin_targets_m_.clear();
 }
 
 std::vector<sim::Index> Session::pins() const {
-  std::vector<sim::Index> pins;
-  for (const sim::Index pin : simulation_.pins().vertices) pins.push_back(vertex_of(pin));
+  auto pins = app::collect<sim::Index>(simulation_.pins().vertices, [this](sim::Index pin) { return vertex_of(pin); });
   std::ranges::sort(pins);
   return pins;
 }
@@ -417,9 +410,7 @@ std::vector<sim::Vec3> Session::to_mesh_positions(const std::vector<sim::Vec3>& 
   if (scene_.garment.given && loaded_.following) {
     return app::simulated_m(*loaded_.following, loaded_.garment->mesh, positions_m);
   }
-  std::vector<sim::Vec3> in_mesh_m;
-  for (const sim::Index vertex : own_vertex_) in_mesh_m.push_back(positions_m[vertex]);
-  return in_mesh_m;
+  return app::collect<sim::Vec3>(own_vertex_, [&](sim::Index vertex) { return positions_m[vertex]; });
 }
 
 std::vector<sim::Vec3> Session::positions_m() const {

@@ -43,13 +43,11 @@ TautInfo to_info(const Session& session) {
 
 std::string list_names(std::int32_t kind) {
   require(kind == TAUT_SCENES || kind == TAUT_FABRICS, "found an unknown kind of names");
-  std::string names;
-  if (kind == TAUT_FABRICS) {
-    for (const std::string& name : app::built_in_fabrics()) names += name + '\n';
-    return names;
-  }
-  for (const app::BuiltInScene& scene : app::built_in_scenes()) names += scene.name + '\n';
-  return names;
+  const auto names = kind == TAUT_FABRICS ? app::built_in_fabrics()
+                                          : app::collect<std::string>(app::built_in_scenes(), &app::BuiltInScene::name);
+  std::string lines;
+  for (const std::string& name : names) lines += name + '\n';
+  return lines;
 }
 
 std::vector<sim::Vec3> points_for(const Session& session, std::int32_t body, const TautPoints* points) {

@@ -37,15 +37,17 @@ std::filesystem::path find_file(const std::filesystem::path& recorded, const Pic
   const std::filesystem::path folder = std::filesystem::absolute(picture.file).parent_path();
   const std::filesystem::path asset = assets_folder() / recorded, beside = folder / recorded.filename();
   std::error_code ignored;
-  if (recorded.is_relative() && is_inside(asset, assets_folder()) && std::filesystem::exists(asset, ignored)) return asset;
+  if (recorded.is_relative() && is_inside(asset, assets_folder()) && std::filesystem::exists(asset, ignored))
+    return asset;
   for (const std::filesystem::path& candidate : {recorded, beside}) {
     if (!std::filesystem::exists(candidate, ignored)) continue;
     if (picture.is_trusted || is_inside(candidate, folder)) return candidate;
   }
   if (std::filesystem::exists(recorded, ignored)) {
-    throw InputError("the scene in '{}' names '{}', which is not in the picture's folder; expected '{}', or --trust, "
-                     "which opens any file that a picture names",
-                     picture.file.string(), recorded.string(), beside.string());
+    throw InputError(
+        "the scene in '{}' names '{}', which is not in the picture's folder; expected '{}', or --trust, "
+        "which opens any file that a picture names",
+        picture.file.string(), recorded.string(), beside.string());
   }
   return recorded;
 }
@@ -102,12 +104,7 @@ Number parse_number(const std::string& text, int base, const char* keyword, cons
 }  // namespace
 
 std::string shell_line(std::span<const std::string> words) {
-  std::string text;
-  for (const std::string& word : words) {
-    if (!text.empty()) text += ' ';
-    text += shell_word(word);
-  }
-  return text;
+  return join(collect<std::string>(words, shell_word), " ");
 }
 
 std::string command_text(std::span<const std::string> arguments) {

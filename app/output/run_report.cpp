@@ -141,11 +141,8 @@ std::string statistics_header(StatisticsFormat format, const RunDescription& run
 
 std::string statistics_line(StatisticsFormat format, const FrameRecord& record) {
   if (format == StatisticsFormat::json_lines) return to_line(record_json(record));
-  std::string row;
-  for (const Json& value : record_json(record)) {
-    row += (row.empty() ? "" : ",") + (value.is_string() ? value.get<std::string>() : value.dump());
-  }
-  return row + '\n';
+  const auto to_cell = [](const Json& value) { return value.is_string() ? value.get<std::string>() : value.dump(); };
+  return join(collect<std::string>(record_json(record), to_cell), ",") + '\n';
 }
 
 std::string statistics_end(StatisticsFormat format, const RunSummary& summary) {

@@ -50,8 +50,7 @@ Assets find_assets() {
 [[noreturn]] void fail_unknown(const std::string& name) {
   const bool looks_like_file = name.find('/') != std::string::npos || fs::path(name).has_extension();
   if (looks_like_file) throw InputError("there is no file '" + name + "'");
-  std::vector<std::string> names;
-  for (const BuiltInScene& scene : built_in_scenes()) names.push_back(scene.name);
+  const auto names = collect<std::string>(built_in_scenes(), &BuiltInScene::name);
   throw InputError("there is no scene '" + name + '\'' + did_you_mean(name, names) +
                    " (built-in scenes: " + join(names) + "; a scene file or a garment file does as well)");
 }

@@ -125,9 +125,7 @@ Json to_json_value(const toml::node& node) {
       for (const auto& [key, item] : list_entries(value)) object[key] = to_json_value(*item);
       return object;
     } else if constexpr (toml::is_array<Type>) {
-      Json list = Json::array();
-      for (const toml::node& item : value) list.push_back(to_json_value(item));
-      return list;
+      return collect<Json>(value, [](const toml::node& item) { return to_json_value(item); });
     } else if constexpr (toml::is_chronological<Type>) {
       return *text_in(value);
     } else {

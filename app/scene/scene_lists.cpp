@@ -49,15 +49,11 @@ std::optional<std::vector<PinSelector>> pins_in(const toml::node& value) {
 }
 
 Json to_json_value(const std::vector<PinSelector>& pins) {
-  Json list = Json::array();
-  for (const PinSelector& pin : pins) list.push_back(std::visit(PinWriter{}, pin));
-  return list;
+  return collect<Json>(pins, [](const PinSelector& pin) { return std::visit(PinWriter{}, pin); });
 }
 
 template <class T> Json write_list(const std::vector<Key<T>>& keys, const std::vector<T>& entries) {
-  Json list = Json::array();
-  for (const T& entry : entries) list.push_back(write_entry(keys, entry));
-  return list;
+  return collect<Json>(entries, [&](const T& entry) { return write_entry(keys, entry); });
 }
 
 /// Returns the keys of an entry of [[forces]].

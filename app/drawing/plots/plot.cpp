@@ -1,6 +1,6 @@
 #include "app/drawing/plots/plot.hpp"
 
-#include <fmt/core.h>
+#include "app/base/words.hpp"
 
 namespace taut::app {
 namespace {
@@ -75,11 +75,9 @@ constexpr double max_labelled_decades = 8.0;
 
 std::vector<Tick> linear_ticks(const Axis& axis) {
   const double step = renderer::round_step(axis.maximum - axis.minimum);
-  std::vector<Tick> ticks;
-  for (const double value : renderer::multiples_within(axis.minimum, axis.maximum, step)) {
-    ticks.push_back({value, renderer::tick_text(value, step) + axis.suffix});
-  }
-  return ticks;
+  return collect<Tick>(renderer::multiples_within(axis.minimum, axis.maximum, step), [&](double value) {
+    return Tick{value, renderer::tick_text(value, step) + axis.suffix};
+  });
 }
 
 std::vector<Tick> logarithmic_ticks(const Axis& axis) {
@@ -307,9 +305,9 @@ std::vector<glm::vec2> thin_out(std::span<const glm::vec2> points) {
 
 std::vector<Tick> make_ticks(const Axis& axis) {
   if (!axis.chosen.empty()) {
-    std::vector<Tick> ticks;
-    for (const double value : axis.chosen) ticks.push_back({value, fmt::format("{:g}", value) + axis.suffix});
-    return ticks;
+    return collect<Tick>(axis.chosen, [&](double value) {
+      return Tick{value, fmt::format("{:g}", value) + axis.suffix};
+    });
   }
   return axis.logarithmic ? logarithmic_ticks(axis) : linear_ticks(axis);
 }

@@ -357,10 +357,8 @@ constexpr std::array<Rule, 15> rules = {{{"stretch-bound", Quorum::all, test_str
 
 // Returns the case in a sentence, with the digits of the tables.
 std::string describe_case(const Case& one) {
-  std::string text;
-  for (const MeasuredNumber& number : one.numbers) {
-    text += (text.empty() ? "" : ", ") + number.name + ' ' + number_text(number);
-  }
+  const auto describe = [](const MeasuredNumber& number) { return number.name + ' ' + number_text(number); };
+  const std::string text = join(collect<std::string>(one.numbers, describe));
   return one.name + (one.name.empty() || text.empty() ? "" : ": ") + text;
 }
 

@@ -173,9 +173,7 @@ double MethodTrial::max_stretch_seen() const { return max_measure(*this, &TrialF
 double MethodTrial::max_surface_stretch() const { return max_measure(*this, &TrialFrame::surface_stretch); }
 
 double MethodTrial::ranked_ms(double fraction) const {
-  std::vector<double> all_ms;
-  for (const TrialFrame& frame : frames) all_ms.push_back(frame.frame_ms);
-  return quantile(all_ms, fraction);
+  return quantile(collect<double>(frames, &TrialFrame::frame_ms), fraction);
 }
 
 double MethodTrial::last_speed_m_per_s() const {

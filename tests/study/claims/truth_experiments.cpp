@@ -81,9 +81,8 @@ std::vector<TruthPoint> run_extension(double physics, const ProgressCallback& re
                                       {"knit, on the bias", knit, bias}}};
   return run_all(pulls, std::array{Size{5, 17}, Size{6, 21}, Size{9, 33}}, report,
                  [&](const Pull& one, const Size& size) {
-                   std::vector<TruthPoint> points;
-                   for (const double load : {2.0, 6.0, 18.0}) points.push_back(pull(one, size, load, physics));
-                   return points;
+                   return collect<TruthPoint>(std::array{2.0, 6.0, 18.0},
+                                              [&](double load) { return pull(one, size, load, physics); });
                  });
 }
 

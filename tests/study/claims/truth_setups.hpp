@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/base/words.hpp"
 #include "sim/mesh/grid.hpp"
 #include "sim/simulation.hpp"
 #include "tests/study/claims/truth.hpp"

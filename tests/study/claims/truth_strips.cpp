@@ -116,9 +116,8 @@ std::vector<TruthPoint> slip_strip(const Size& size, double friction, double phy
 std::vector<TruthPoint> run_cantilever(double physics, const ProgressCallback& report) {
   constexpr std::array sizes = {Size{6, 21}, Size{9, 31}, Size{12, 41}};
   return run_all(std::array{physics}, sizes, report, [](double physics_factor, const Size& size) {
-    std::vector<TruthPoint> points;
-    for (const double load : {3.0, 7.0, 16.0, 40.0, 100.0}) points.push_back(droop_strip(size, load, physics_factor));
-    return points;
+    return collect<TruthPoint>(std::array{3.0, 7.0, 16.0, 40.0, 100.0},
+                               [&](double load) { return droop_strip(size, load, physics_factor); });
   });
 }
 

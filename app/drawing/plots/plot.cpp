@@ -128,35 +128,23 @@ float max_label_width_px(const Canvas& canvas, const Axis& axis, const PlotStyle
   return max_width_px;
 }
 
-void draw_x_ticks(Canvas& canvas, const PlotAxes& axes, const PlotStyle& style) {
-  const renderer::TextStyle text =
-      text_style(style.text_px).with_alignment(HorizontalAlign::centre, VerticalAlign::top);
-  const float bottom_px = axes.area.y_px + axes.area.height_px;
-  for (const Tick& tick : make_ticks(axes.plot.x)) {
-    const float x_px = axes.x_of(tick.value);
+/// Draws the ticks of the axis below the data, or of the one to its left, with their labels and lines across the data.
+void draw_ticks(Canvas& canvas, const PlotAxes& axes, const PlotStyle& style, bool is_below) {
+  const renderer::TextStyle text = text_style(style.text_px)
+                                       .with_alignment(is_below ? HorizontalAlign::centre : HorizontalAlign::right,
+                                                       is_below ? VerticalAlign::top : VerticalAlign::middle);
+  const auto [left_px, top_px, width_px, height_px] = axes.area;
+  const glm::vec2 outwards = is_below ? glm::vec2(0.0F, 1.0F) : glm::vec2(-1.0F, 0.0F);
+  const float gap_px = style.tick_px + (is_below ? 0.15F : 0.3F) * style.text_px;
+  for (const Tick& tick : make_ticks(is_below ? axes.plot.x : axes.plot.y)) {
+    const glm::vec2 at =
+        is_below ? glm::vec2(axes.x_of(tick.value), top_px + height_px) : glm::vec2(left_px, axes.y_of(tick.value));
+    const glm::vec2 across = is_below ? glm::vec2(at.x, top_px) : glm::vec2(left_px + width_px, at.y);
     const float length_px = tick.label.empty() ? 0.5F * style.tick_px : style.tick_px;
-    if (!tick.label.empty()) {
-      canvas.line(x_px, axes.area.y_px, x_px, bottom_px, palette::hairline, 0.6F * style.line_px);
-    }
-    canvas.line(x_px, bottom_px, x_px, bottom_px + length_px, palette::ink, style.line_px);
-    canvas.text(x_px, bottom_px + style.tick_px + 0.15F * style.text_px, tick.label, text);
-  }
-  canvas.text(axes.area.x_px + 0.5F * axes.area.width_px, bottom_px + style.tick_px + 1.5F * style.text_px,
-              axes.plot.x.label, text);
-}
-
-void draw_y_ticks(Canvas& canvas, const PlotAxes& axes, const PlotStyle& style) {
-  const renderer::TextStyle text =
-      text_style(style.text_px).with_alignment(HorizontalAlign::right, VerticalAlign::middle);
-  const float left_px = axes.area.x_px;
-  for (const Tick& tick : make_ticks(axes.plot.y)) {
-    const float y_px = axes.y_of(tick.value);
-    const float length_px = tick.label.empty() ? 0.5F * style.tick_px : style.tick_px;
-    if (!tick.label.empty()) {
-      canvas.line(left_px, y_px, left_px + axes.area.width_px, y_px, palette::hairline, 0.6F * style.line_px);
-    }
-    canvas.line(left_px - length_px, y_px, left_px, y_px, palette::ink, style.line_px);
-    canvas.text(left_px - style.tick_px - 0.3F * style.text_px, y_px, tick.label, text);
+    if (!tick.label.empty()) canvas.line(at.x, at.y, across.x, across.y, palette::hairline, 0.6F * style.line_px);
+    const glm::vec2 end = at + length_px * outwards, text_at = at + gap_px * outwards;
+    canvas.line(at.x, at.y, end.x, end.y, palette::ink, style.line_px);
+    canvas.text(text_at.x, text_at.y, tick.label, text);
   }
 }
 
@@ -389,8 +377,11 @@ Area compute_data_area(const Canvas& canvas, const Plot& plot, const Area& area,
 
 void draw_plot(Canvas& canvas, const Plot& plot, const Area& area, const PlotStyle& style) {
   const PlotAxes axes{plot, compute_data_area(canvas, plot, area, style)};
-  draw_x_ticks(canvas, axes, style);
-  draw_y_ticks(canvas, axes, style);
+  draw_ticks(canvas, axes, style, true);
+  draw_ticks(canvas, axes, style, false);
+  canvas.text(axes.area.x_px + 0.5F * axes.area.width_px,
+              axes.area.y_px + axes.area.height_px + style.tick_px + 1.5F * style.text_px, plot.x.label,
+              text_style(style.text_px).with_alignment(HorizontalAlign::centre, VerticalAlign::top));
   // The label is horizontal above the axis, to be read without turning the head.
   canvas.text(area.x_px, axes.area.y_px - 0.75F * style.text_px, plot.y.label, text_style(style.text_px));
   draw_levels(canvas, axes, style);

@@ -12,18 +12,16 @@ constexpr double rounding = 1e-9;
 
 using Pairs = std::vector<sim::CrossingPair>;
 
-struct Enters {
-  const Corners& triangle;
-
-  bool operator()(const sim::Plane& plane) const { return enters_half_space(triangle, plane.point_m, plane.normal); }
-  bool operator()(const sim::Sphere& ball) const {
-    return enters_limb(triangle, {ball.centre_m, ball.centre_m, ball.radius_m, ball.radius_m});
+bool enters_shape(const Corners& triangle, const sim::Shape& shape) {
+  if (const auto* plane = std::get_if<sim::Plane>(&shape)) {
+    return enters_half_space(triangle, plane->point_m, plane->normal);
   }
-  bool operator()(const sim::Capsule& limb) const {
-    return enters_limb(triangle, {limb.start_m, limb.end_m, limb.start_radius_m, limb.end_radius_m});
+  if (const auto* ball = std::get_if<sim::Sphere>(&shape)) {
+    return enters_limb(triangle, {ball->centre_m, ball->centre_m, ball->radius_m, ball->radius_m});
   }
-  bool operator()(const sim::BodyMesh&) const { return false; }
-};
+  const auto& limb = std::get<sim::Capsule>(shape);
+  return enters_limb(triangle, {limb.start_m, limb.end_m, limb.start_radius_m, limb.end_radius_m});
+}
 
 Pairs judge_body(const sim::Surface& cloth, const sim::Body& body, double time_s) {
   if (const auto* mesh = std::get_if<sim::BodyMesh>(&body.shape)) {
@@ -35,7 +33,7 @@ Pairs judge_body(const sim::Surface& cloth, const sim::Body& body, double time_s
   for (sim::Index t = 0; t < cloth.triangles.size(); ++t) {
     const sim::Triangle& v = cloth.triangles[t];
     const Corners corners = {cloth.positions_m[v[0]], cloth.positions_m[v[1]], cloth.positions_m[v[2]]};
-    if (std::visit(Enters{corners}, shape)) entries.push_back({t, 0, (corners[0] + corners[1] + corners[2]) / 3.0});
+    if (enters_shape(corners, shape)) entries.push_back({t, 0, (corners[0] + corners[1] + corners[2]) / 3.0});
   }
   return entries;
 }

@@ -55,15 +55,6 @@ PixelRect shaded_floor(const FrameBlock& block) {
   return {left, bottom, right - left, top - bottom};
 }
 
-std::array<PixelRect, 4> bands_around(const PixelRect& part, const glm::ivec2& size_px) {
-  const int right_px = part.x_px + part.width_px;
-  const int top_px = part.y_px + part.height_px;
-  return {{{0, 0, size_px.x, part.y_px},
-           {0, part.y_px, part.x_px, part.height_px},
-           {right_px, part.y_px, size_px.x - right_px, part.height_px},
-           {0, top_px, size_px.x, size_px.y - top_px}}};
-}
-
 BackdropPass::BackdropPass(const GladGLContext& context)
     : gl_(&context),
       lit_(context, "backdrop_grid.vert", "backdrop.frag"),
@@ -98,10 +89,12 @@ void BackdropPass::draw_shaded(const FrameBlock& block, const PixelRect& part, B
   const auto texel = static_cast<float>(shadow_texel_px(static_cast<int>(block.viewport.y)));
   const glm::vec2 scale = 1.0F / (texel * glm::vec2{floor_shadow_map_.size_px()});
   floor_shadow_map_.bind();
+  gl_->Enable(GL_SCISSOR_TEST);
   gl_->Scissor(part.x_px, part.y_px, part.width_px, part.height_px);
   const Program& program = shaded_.use();
   program.set("shaded_part", glm::vec4{scale, -scale * glm::vec2{part.x_px, part.y_px}});
   draw_grid(program, block, true, fineness);
+  gl_->Disable(GL_SCISSOR_TEST);
 }
 
 void BackdropPass::draw_floor_depth() {
@@ -124,14 +117,8 @@ void BackdropPass::draw(GLuint framebuffer, const FrameBlock& block, bool floor,
   gl_->BindFramebuffer(GL_FRAMEBUFFER, framebuffer);
   const glm::ivec2 size_px{block.viewport};
   gl_->Viewport(0, 0, size_px.x, size_px.y);
-  gl_->Enable(GL_SCISSOR_TEST);
-  const Program& program = lit_.use();
-  for (const PixelRect& band : bands_around(any_shadow ? part : PixelRect{}, size_px)) {
-    gl_->Scissor(band.x_px, band.y_px, band.width_px, band.height_px);
-    if (band.width_px > 0 && band.height_px > 0) draw_grid(program, block, floor, fineness);
-  }
+  draw_grid(lit_.use(), block, floor, fineness);
   if (any_shadow) draw_shaded(block, part, fineness);
-  gl_->Disable(GL_SCISSOR_TEST);
   gl_->Enable(GL_DEPTH_TEST);
 }
 

@@ -8,9 +8,6 @@ namespace taut::renderer {
 /// be complete.
 PixelRect shaded_floor(const FrameBlock& block);
 
-/// Returns the four rectangles that cover a target of size_px except `part`: below, left, right, above.
-std::array<PixelRect, 4> bands_around(const PixelRect& part, const glm::ivec2& size_px);
-
 /// Size of the grid at whose vertices the background is shaded. Fine costs more.
 enum class BackdropGrid { fine, coarse, coarsest };
 

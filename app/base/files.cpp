@@ -176,6 +176,16 @@ OutputClaim::OutputClaim(const fs::path& path) {
   }
 }
 
+std::vector<fs::path> list_files(const fs::path& folder, const std::string& ending) {
+  std::vector<fs::path> files;
+  std::error_code ignored;
+  for (const auto& entry : fs::directory_iterator(folder, ignored)) {
+    if (entry.path().extension() == ending) files.push_back(entry.path());
+  }
+  std::ranges::sort(files, {}, [](const fs::path& file) { return file.stem().string(); });
+  return files;
+}
+
 void prepare_parent_folder(const fs::path& file) {
   const fs::path folder = parent_folder(file);
   std::error_code error;
@@ -209,8 +219,8 @@ void require_distinct_files(std::span<const fs::path> outputs, std::span<const f
     }
     const auto found = ::stat(output.c_str(), &status) == 0 ? read.find({status.st_dev, status.st_ino}) : read.end();
     if (found != read.end()) {
-      throw UsageError("output '{}': it would replace '{}', which is read for it; expected another name", output.string(),
-                       found->second.string());
+      throw UsageError("output '{}': it would replace '{}', which is read for it; expected another name",
+                       output.string(), found->second.string());
     }
   }
 }

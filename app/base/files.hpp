@@ -38,6 +38,9 @@ inline constexpr int max_silence_s = 10;
 /// Throws InputError as open_input() does.
 void require_file(const std::filesystem::path& path, std::uint64_t max_bytes = max_model_bytes);
 
+/// Returns the files of a folder with this ending, such as ".toml", sorted by name; none if there is no such folder.
+std::vector<std::filesystem::path> list_files(const std::filesystem::path& folder, const std::string& ending);
+
 /// Makes the folder of `file`, with its parents, and tests that it can be written to. Call it before a long run, which
 /// would otherwise fail at its end. Throws InputError that names the folder and the system's reason.
 void prepare_parent_folder(const std::filesystem::path& file);

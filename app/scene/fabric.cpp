@@ -51,13 +51,8 @@ std::string Fabric::published_drape_text() const {
 }
 
 std::vector<std::string> built_in_fabrics() {
-  std::vector<std::string> names;
-  std::error_code error;
-  for (const auto& entry : fs::directory_iterator(fabrics_folder(), error)) {
-    if (entry.path().extension() == ending) names.push_back(entry.path().stem().string());
-  }
-  std::ranges::sort(names);
-  return names;
+  return collect<std::string>(list_files(fabrics_folder(), ending),
+                              [](const fs::path& file) { return file.stem().string(); });
 }
 
 bool is_fabric_key(const std::string& key) { return std::ranges::find(settable, key) != settable.end(); }

@@ -21,13 +21,9 @@ std::vector<fs::path> asset_folders() {
 
 std::vector<BuiltInScene> scenes_in(const fs::path& folder, bool are_of_contact) {
   std::vector<BuiltInScene> scenes;
-  std::error_code error;
-  for (const auto& entry : fs::directory_iterator(folder, error)) {
-    if (entry.path().extension() == ".toml") {
-      scenes.push_back({entry.path().stem().string(), entry.path(), are_of_contact});
-    }
+  for (const fs::path& file : list_files(folder, ".toml")) {
+    scenes.push_back({file.stem().string(), file, are_of_contact});
   }
-  std::ranges::sort(scenes, {}, &BuiltInScene::name);
   return scenes;
 }
 

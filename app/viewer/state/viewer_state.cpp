@@ -357,13 +357,9 @@ std::vector<Choice> scene_choices() {
 }
 
 std::vector<Choice> files_in(const std::string& folder, const std::string& ending) {
-  std::vector<Choice> choices;
-  std::error_code error;
-  for (const auto& entry : fs::directory_iterator(assets_folder() / folder, error)) {
-    if (entry.path().extension() == ending) {
-      choices.push_back({entry.path().stem().string(), "", entry.path()});
-    }
-  }
+  auto choices = collect<Choice>(list_files(assets_folder() / folder, ending), [](const fs::path& file) {
+    return Choice{file.stem().string(), "", file};
+  });
   std::ranges::sort(choices, {},
                     [](const Choice& choice) { return std::pair(kind_and_number(choice.name), choice.name); });
   return choices;

@@ -249,9 +249,7 @@ struct SceneRenderer::RendererResources {
   // `place` is the tile's rectangle in the framebuffer.
   void draw_visibility(const PixelRect& place, const FrameView& frame, const PictureSettings& settings) {
     visibility.begin(place.width_px, place.height_px, settings.samples);
-    if (sees_floor(frame) && reaches_below(*frame.ground_height_m, frame, surfaces)) {
-      backdrop_pass.draw_floor_depth();
-    }
+    if (sees_floor(frame) && reaches_below(*frame.ground_height_m, frame, surfaces)) backdrop_pass.draw_floor_depth();
     surface_pass.draw_visibility(has_marks(frame));
   }
 

@@ -88,9 +88,7 @@ class JobRunner {
       const double fraction = fractions_[i];
       done += jobs_[i].cost * fraction;
       all += jobs_[i].cost;
-      if (fraction > 0.0 && fraction < 1.0) {
-        busy += fmt::format("  {} {:.0f} %", jobs_[i].name, 100.0 * fraction);
-      }
+      if (fraction > 0.0 && fraction < 1.0) busy += fmt::format("  {} {:.0f} %", jobs_[i].name, 100.0 * fraction);
     }
     progress_.show(fmt::format("{:.0f} % simulated{}", all > 0.0 ? 100.0 * done / all : 100.0, busy));
   }

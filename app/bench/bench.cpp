@@ -19,9 +19,7 @@ double random_component(std::mt19937_64& random) {
 }
 
 void end_early(const std::exception& reason, ContactRun& run) {
-  if (run.first_broken.empty()) {
-    run.first_broken = fmt::format("frame {}: {}", run.frames.size() + 1, reason.what());
-  }
+  if (run.first_broken.empty()) run.first_broken = fmt::format("frame {}: {}", run.frames.size() + 1, reason.what());
 }
 
 void add(const ContactFrame& frame, ContactFacts& facts) {

@@ -269,9 +269,7 @@ class Render {
     run_.progress.begin("finishing " + job_.output);
     const std::string written = output_.finish() + '\n' + run_.finish_shapes();
     run_.progress.hide();
-    if (job_.again && options_.overrides.empty()) {
-      compare_with_record(*job_.again, records, offscreen_->gl_renderer());
-    }
+    if (job_.again && options_.overrides.empty()) compare_with_record(*job_.again, records, offscreen_->gl_renderer());
     if (run_.statistics) {
       run_.statistics->finish(summary);
       fmt::print("wrote {}\n", options_.statistics.string());

@@ -100,9 +100,7 @@ std::vector<FrameRecord> SceneRun::go(int last_frame, const std::string& pattern
 }
 
 void prepare_png(const std::filesystem::path& file) {
-  if (file.extension() != ".png") {
-    throw UsageError("--output " + file.string() + ": expected a name that ends in .png");
-  }
+  if (file.extension() != ".png") throw UsageError("--output " + file.string() + ": expected a name that ends in .png");
   prepare_parent_folder(file);
 }
 

@@ -42,9 +42,7 @@ int list_scenes(const std::string& scene) {
 
 int list_fabrics(const std::string& fabric) {
   const std::vector<std::string> names = built_in_fabrics();
-  if (names.empty()) {
-    throw InputError("no fabrics were found; set TAUT_ASSETS to the folder that holds fabrics/");
-  }
+  if (names.empty()) throw InputError("no fabrics were found; set TAUT_ASSETS to the folder that holds fabrics/");
   if (!fabric.empty()) {
     fmt::print("{}", read_text_file(find_fabric(fabric).file));
     return 0;

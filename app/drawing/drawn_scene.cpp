@@ -56,9 +56,7 @@ float min_edge_px(const PictureStyle& style) {
 
 renderer::Backdrop to_backdrop(const Background& background) {
   renderer::Backdrop backdrop;
-  if (background.kind == BackgroundKind::colour) {
-    backdrop.lower_colour = backdrop.upper_colour = background.colour;
-  }
+  if (background.kind == BackgroundKind::colour) backdrop.lower_colour = backdrop.upper_colour = background.colour;
   backdrop.transparent = background.kind == BackgroundKind::transparent;
   return backdrop;
 }
@@ -104,9 +102,7 @@ Json scene_settings(const DrawnScene& scene) { return scene_to_json(drawn_scene_
 
 std::string scene_text(const DrawnScene& scene, GarmentNaming naming) {
   Json settings = scene_settings(scene);
-  if (names_image(scene.picture.texture)) {
-    settings["picture"]["texture"] = name_in_scene(scene.picture.texture, naming);
-  }
+  if (names_image(scene.picture.texture)) settings["picture"]["texture"] = name_in_scene(scene.picture.texture, naming);
   return to_scene_text(std::move(settings), scene, naming);
 }
 

@@ -67,9 +67,7 @@ std::vector<glm::vec3> borders(const sim::Garment& garment) {
   std::vector<glm::vec3> points;
   for (std::size_t e = 0; e < garment.adjacency.edges.size(); ++e) {
     if (garment.adjacency.edge_triangles[e].size() == 1) {
-      for (const sim::Index end : garment.adjacency.edges[e]) {
-        points.emplace_back(garment.mesh.positions[end]);
-      }
+      for (const sim::Index end : garment.adjacency.edges[e]) points.emplace_back(garment.mesh.positions[end]);
     }
   }
   return points;

@@ -126,9 +126,7 @@ DrawnColours print(const PictureStyle& style, const SurfaceColours& colours) {
 
 renderer::BaseColour to_base_colour(const SurfaceMaterial& material, const SurfaceColours& colours,
                                     const renderer::Colour& inside_colour) {
-  if (material.map == no_map || colours.corner_uv.empty()) {
-    return {material.base_colour, material.base_colour, {}};
-  }
+  if (material.map == no_map || colours.corner_uv.empty()) return {material.base_colour, material.base_colour, {}};
   return {material.base_colour, inside_colour, to_base_colour_map(colours.maps[material.map])};
 }
 

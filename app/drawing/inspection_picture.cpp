@@ -289,9 +289,7 @@ void draw_bar(renderer::Canvas& canvas, float x_px, float y_px, float px_per_m) 
   const double length_m = bar_length_m(px_per_m);
   const float end_px = x_px + static_cast<float>(length_m) * px_per_m;
   canvas.line(x_px, y_px, end_px, y_px, palette::ink, 3.0F);
-  for (const float at_px : {x_px, end_px}) {
-    canvas.line(at_px, y_px - 8.0F, at_px, y_px + 8.0F, palette::ink, 3.0F);
-  }
+  for (const float at_px : {x_px, end_px}) canvas.line(at_px, y_px - 8.0F, at_px, y_px + 8.0F, palette::ink, 3.0F);
   const renderer::TextStyle text = text_style(text_px).with_alignment(renderer::HorizontalAlign::centre);
   canvas.text(0.5F * (x_px + end_px), y_px - 0.6F * text_px, length_text(length_m), text);
 }

@@ -104,9 +104,7 @@ Plot frame_time_plot(const std::vector<FrameTimes>& times) {
   Plot plot;
   plot.x = {"triangles of the model", 700.0, 15000.0, true, "", {1028.0, 5280.0, 10600.0}};
   std::vector<double> all_ms = {frame_at_60_hz_ms};
-  for (const FrameTimes& time : times) {
-    all_ms.insert(all_ms.end(), time.frame_ms.begin(), time.frame_ms.end());
-  }
+  for (const FrameTimes& time : times) all_ms.insert(all_ms.end(), time.frame_ms.begin(), time.frame_ms.end());
   plot.y = decades_around("time for one frame in ms", all_ms);
   const std::array strokes = {Stroke{palette::blue, 4.0F, {}}, Stroke{palette::vermilion, 4.0F, {4.0F, 2.5F}}};
   const std::array markers = {Marker::disc, Marker::square};

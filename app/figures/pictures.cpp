@@ -51,9 +51,7 @@ renderer::Camera camera_for(std::span<const PrintedMoment> moments, const glm::i
 void draw_scale_bar(renderer::Canvas& canvas, const ScaleBar& bar, const glm::vec2& at, float text_px) {
   const float end_px = at.x + bar.length_px;
   canvas.line(at.x, at.y, end_px, at.y, palette::ink, 4.0F);
-  for (const float x_px : {at.x, end_px}) {
-    canvas.line(x_px, at.y - 9.0F, x_px, at.y + 9.0F, palette::ink, 4.0F);
-  }
+  for (const float x_px : {at.x, end_px}) canvas.line(x_px, at.y - 9.0F, x_px, at.y + 9.0F, palette::ink, 4.0F);
   const renderer::TextStyle text = text_style(text_px).with_alignment(renderer::HorizontalAlign::centre);
   canvas.text(0.5F * (at.x + end_px), at.y - 0.5F * text_px, bar.label, text);
 }
@@ -292,9 +290,7 @@ Drawing draw_figure5(const Results& results, LazyOffscreenRenderer& offscreen) {
 Drawing sheet_of_last(std::span<const Recording> recordings, std::span<const Caption> captions, const glm::ivec2& size,
                       const SheetStyle& style, bool has_floor, LazyOffscreenRenderer& offscreen) {
   std::vector<PrintedMoment> moments;
-  for (const Recording& recording : recordings) {
-    moments.push_back({&recording, &recording.last(), false, has_floor});
-  }
+  for (const Recording& recording : recordings) moments.push_back({&recording, &recording.last(), false, has_floor});
   Prints prints = print_moments(offscreen, moments, size);
   const auto caption_of = [&](const PrintedMoment&, char letter) {
     return captions[static_cast<std::size_t>(letter - 'a')];

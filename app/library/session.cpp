@@ -191,9 +191,7 @@ std::vector<sim::Vec3> Session::to_body_positions(const CallerBody& lent,
   const auto in_body_m = app::collect<sim::Vec3>(
       lent.places.file_vertex, [&](std::size_t vertex) { return lent.places.placement(positions_m[vertex]); });
   const std::size_t lost = sim::first_lost(in_body_m);
-  if (lost < in_body_m.size()) {
-    throw ArgumentError("found vertex {} beyond all bounds", lent.places.file_vertex[lost]);
-  }
+  if (lost < in_body_m.size()) throw ArgumentError("found vertex {} beyond all bounds", lent.places.file_vertex[lost]);
   return in_body_m;
 }
 
@@ -251,9 +249,7 @@ void Session::begin_again() {
 void Session::require_not_diverged() const {
   const std::vector<sim::Vec3>& positions_m = simulation_.state().current;
   const std::size_t lost = sim::first_lost(positions_m);
-  if (lost < positions_m.size()) {
-    throw sim::Diverged(static_cast<sim::Index>(lost), simulation_.state().time_s);
-  }
+  if (lost < positions_m.size()) throw sim::Diverged(static_cast<sim::Index>(lost), simulation_.state().time_s);
 }
 
 app::FrameRecord Session::step() {

@@ -57,9 +57,7 @@ template <class Files, class Models>
 void find_files(const toml::node_view<const toml::node>& table, const Files& files, const PictureFile& picture,
                 Models& models) {
   for (const auto& [key, member] : files) {
-    if (const auto recorded = table[key].template value<std::string>()) {
-      models.*member = find_file(*recorded, picture);
-    }
+    if (const auto recorded = table[key].template value<std::string>()) models.*member = find_file(*recorded, picture);
   }
 }
 

@@ -175,9 +175,7 @@ StatisticsFile::StatisticsFile(const fs::path& file, const RunDescription& run, 
 void StatisticsFile::write(const std::string& lines) {
   std::error_code ignored;
   const std::uintmax_t whole = is_plain_ ? fs::file_size(path_, ignored) : 0;
-  if (std::fwrite(lines.data(), 1, lines.size(), file_.get()) == lines.size() && std::fflush(file_.get()) == 0) {
-    return;
-  }
+  if (std::fwrite(lines.data(), 1, lines.size(), file_.get()) == lines.size() && std::fflush(file_.get()) == 0) return;
   const int reason = errno;
   if (is_plain_ && whole > 0) {
     fs::resize_file(path_, whole, ignored);

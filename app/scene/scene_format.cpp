@@ -191,9 +191,7 @@ void require_garment(const toml::table& file, const Source& source, const Garmen
                      const GarmentSource& used) {
   for (const auto& [name, member] : garment_files) {
     const toml::node* key = file["garment"][name].node();
-    if (key != nullptr && used.*member == named.*member) {
-      require_named(name, named.*member, source, line_number(*key));
-    }
+    if (key != nullptr && used.*member == named.*member) require_named(name, named.*member, source, line_number(*key));
   }
 }
 

@@ -151,9 +151,7 @@ Key<Scene> moving_pins_key();
 /// Makes a key for the direction that is up in a model.
 template <class T, class Access> Key<T> up_key(std::string name, Access access) {
   std::vector<std::pair<std::string, std::optional<ModelAxis>>> choices = {{"auto", std::nullopt}};
-  for (std::size_t i = 0; i < axis_names.size(); ++i) {
-    choices.emplace_back(axis_names[i], static_cast<ModelAxis>(i));
-  }
+  for (std::size_t i = 0; i < axis_names.size(); ++i) choices.emplace_back(axis_names[i], static_cast<ModelAxis>(i));
   Key<T> key = choice_key<T>(std::move(name), choices, access);
   key.expected = "\"auto\" or \"x\", \"-x\", \"y\", \"-y\", \"z\", \"-z\"";
   return key;

@@ -81,9 +81,7 @@ std::string describe(const std::string& what, const Range& range) {
     return range.above_lowest ? fmt::format("{} above {} up to {}", what, range.lowest, range.highest)
                               : fmt::format("{} from {} to {}", what, range.lowest, range.highest);
   }
-  if (bounded_below) {
-    return fmt::format("{} {} {}", what, range.above_lowest ? "above" : "of at least", range.lowest);
-  }
+  if (bounded_below) return fmt::format("{} {} {}", what, range.above_lowest ? "above" : "of at least", range.lowest);
   return bounded_above ? fmt::format("{} of at most {}", what, range.highest) : what;
 }
 

@@ -214,9 +214,7 @@ bool enters_half_space(const Corners& triangle, const Vec3& point_m, const Vec3&
 }
 
 bool enters_limb(const Corners& triangle, const LimbShape& limb) {
-  if (enters(triangle, [&](const Vec3& p) { return outside_ball(p, limb.start_m, limb.start_radius_m); })) {
-    return true;
-  }
+  if (enters(triangle, [&](const Vec3& p) { return outside_ball(p, limb.start_m, limb.start_radius_m); })) return true;
   return limb.start_m != limb.end_m &&
          (enters(triangle, [&](const Vec3& p) { return outside_ball(p, limb.end_m, limb.end_radius_m); }) ||
           enters(triangle, [&](const Vec3& p) { return outside_cone(p, limb); }));

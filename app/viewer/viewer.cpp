@@ -273,9 +273,7 @@ void Viewer::take_key(const renderer::KeyChanged& event) {
   if (interface_.wants_keys() || is_down(keys_down_, keys::left_alt, keys::right_alt)) return;
   for (const KeyBinding& binding : key_bindings()) {
     const bool is_pressed = binding.key == event.key && binding.needs_control == has_control;
-    if (binding.action && is_pressed && (!repeats || binding.repeats)) {
-      state_.asked.push_back(*binding.action);
-    }
+    if (binding.action && is_pressed && (!repeats || binding.repeats)) state_.asked.push_back(*binding.action);
   }
 }
 

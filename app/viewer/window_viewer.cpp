@@ -86,9 +86,7 @@ class WindowViewer {
     double left_s = rests ? rest_time_s : until_due_s;
     const Stopwatch waiting;
     do {
-      for (renderer::WindowEvent& event : window_->wait_events(std::max(left_s, 0.0))) {
-        queue_.add(std::move(event));
-      }
+      for (renderer::WindowEvent& event : window_->wait_events(std::max(left_s, 0.0))) queue_.add(std::move(event));
       const bool is_woken = rests && (!queue_.empty() || simulation_moved());
       left_s = (is_woken ? until_due_s : rests ? rest_time_s : until_due_s) - waiting.elapsed_ms() / 1000.0;
     } while (left_s > 0.0 && !window_->is_asked_to_close());

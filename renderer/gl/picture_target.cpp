@@ -51,9 +51,7 @@ VisibilityBuffer::VisibilityBuffer(const GladGLContext& context)
 void VisibilityBuffer::begin(int width_px, int height_px, int wanted_samples) {
   // shaders/surface.frag assumes four samples.
   const int usable = wanted_samples > 1 && max_samples_ >= 4 ? 4 : 1;
-  if (width_px != width_px_ || height_px != height_px_ || usable != samples_) {
-    allocate(width_px, height_px, usable);
-  }
+  if (width_px != width_px_ || height_px != height_px_ || usable != samples_) allocate(width_px, height_px, usable);
   gl_->BindFramebuffer(GL_FRAMEBUFFER, triangle_framebuffer_.name());
   gl_->Viewport(0, 0, width_px, height_px);
   gl_->DepthMask(GL_TRUE);

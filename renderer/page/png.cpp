@@ -42,9 +42,7 @@ constexpr std::size_t frame_bytes = 12;               // length, type and checks
 constexpr std::ptrdiff_t header_bytes = 8 + 12 + 13;  // the signature and the first chunk, the size
 
 void append_u32(Bytes& bytes, std::uint32_t value) {
-  for (const unsigned shift : {24U, 16U, 8U, 0U}) {
-    bytes.push_back(static_cast<std::uint8_t>((value >> shift) & 255U));
-  }
+  for (const unsigned shift : {24U, 16U, 8U, 0U}) bytes.push_back(static_cast<std::uint8_t>((value >> shift) & 255U));
 }
 
 std::uint32_t u32_at(BytesView bytes) {

@@ -59,14 +59,10 @@ MarkPass::MarkPass(const GladGLContext& context)
       point_buffer_(context) {
   constexpr int line_floats = sizeof(MarkSegment) / sizeof(float);
   gl_->BindVertexArray(line_arrays_.name());
-  for (int i = 0; i < 4; ++i) {
-    set_attribute(*gl_, static_cast<GLuint>(i), line_buffer_, 3, line_floats, 3 * i, 1);
-  }
+  for (int i = 0; i < 4; ++i) set_attribute(*gl_, static_cast<GLuint>(i), line_buffer_, 3, line_floats, 3 * i, 1);
   constexpr int point_floats = sizeof(Point) / sizeof(float);
   gl_->BindVertexArray(point_arrays_.name());
-  for (int i = 0; i < 2; ++i) {
-    set_attribute(*gl_, static_cast<GLuint>(i), point_buffer_, 3, point_floats, 3 * i, 1);
-  }
+  for (int i = 0; i < 2; ++i) set_attribute(*gl_, static_cast<GLuint>(i), point_buffer_, 3, point_floats, 3 * i, 1);
   gl_->BindVertexArray(0);
 }
 

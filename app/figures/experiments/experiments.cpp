@@ -203,18 +203,14 @@ StepRecording record_steps(const DrawnScene& scene, std::span<const int> frames,
       simulation.advance_frame(throw_if_interrupted);
       recording.came_to_rest = simulation.state().asleep;
       // Falling asleep stops the cloth; its last movement is the one before.
-      if (!recording.came_to_rest) {
-        recording.moved_m.push_back(sim::vertex_convergence_m(simulation.change(), vertex));
-      }
+      if (!recording.came_to_rest) recording.moved_m.push_back(sim::vertex_convergence_m(simulation.change(), vertex));
     }
     FrameRecord record;
     record.time_s = simulation.state().time_s;
     measure_stretches(simulation, record);
     add_stretch(record, recording.frames);
     if (counter) counter->count(simulation, record);
-    if (recording.came_to_rest || std::ranges::binary_search(frames, frame)) {
-      keep(simulation, frame, recording.frames);
-    }
+    if (recording.came_to_rest || std::ranges::binary_search(frames, frame)) keep(simulation, frame, recording.frames);
     report_progress(static_cast<double>(frame) / frames.back());
   }
   return recording;
@@ -313,9 +309,7 @@ std::optional<Unrest> measure_unrest(const MethodRun& run) {
   if (run.diverged_at_s || run.moved_rms_m.empty()) return std::nullopt;
   const std::size_t begin = run.moved_rms_m.size() - (run.moved_rms_m.size() + 3) / 4;
   double squares = 0.0;
-  for (std::size_t i = begin; i < run.moved_rms_m.size(); ++i) {
-    squares += run.moved_rms_m[i] * run.moved_rms_m[i];
-  }
+  for (std::size_t i = begin; i < run.moved_rms_m.size(); ++i) squares += run.moved_rms_m[i] * run.moved_rms_m[i];
   const double max_fraction =
       *std::max_element(run.max_stretch.begin() + static_cast<std::ptrdiff_t>(begin), run.max_stretch.end());
   const auto count = static_cast<double>(run.moved_rms_m.size() - begin);
@@ -371,9 +365,7 @@ void measure_frame_times(int repeats, const ProgressCallback& report_progress, R
 PowerLaw fit_power_law(const std::vector<FrameTimes>& times, int substeps) {
   std::vector<std::array<double, 2>> points;
   for (const FrameTimes& time : times) {
-    if (time.substeps == substeps) {
-      points.push_back({static_cast<double>(time.triangles), time.min_ms()});
-    }
+    if (time.substeps == substeps) points.push_back({static_cast<double>(time.triangles), time.min_ms()});
   }
   return fit_power_law(points);
 }

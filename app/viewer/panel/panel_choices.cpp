@@ -61,9 +61,7 @@ void lay_out_motion_list(ViewerState& state) {
     entries.push_back({motion.label, motion.name, is_first && is_chosen(motion, source)});
     shown = entries.back().is_chosen ? motion.label : shown;
   }
-  if (const auto clicked = draw_list(state, "motion", "motion", shown, entries)) {
-    state.motion_asked = choices[*clicked];
-  }
+  if (const auto clicked = draw_list(state, "motion", "motion", shown, entries)) state.motion_asked = choices[*clicked];
 }
 
 // Adapts the colours to a new bound. Colours that ended at the old bound end at the new one; other ranges grow until

@@ -162,9 +162,7 @@ std::string size_text(const sim::Garment& garment) {
 
 std::string reason_text(SlowedBy reason, const Snapshot& newest) {
   constexpr std::array texts = {"", ", slowed by the simulation", ", slowed by drawing", ", slowed by other programs"};
-  if (reason == SlowedBy::simulation && newest.compared) {
-    return std::string(", slowed by ") + slower_solver(newest);
-  }
+  if (reason == SlowedBy::simulation && newest.compared) return std::string(", slowed by ") + slower_solver(newest);
   return texts[static_cast<std::size_t>(reason)];
 }
 
@@ -210,9 +208,7 @@ void lay_out_speed(ViewerState& state) {
     shown = factor == state.speed ? label : shown;
   }
   ImGui::SetNextItemWidth(4.2F * ImGui::GetFontSize());
-  if (const auto clicked = draw_list(state, "##speed", "speed", shown, entries)) {
-    state.speed = speeds[*clicked].second;
-  }
+  if (const auto clicked = draw_list(state, "##speed", "speed", shown, entries)) state.speed = speeds[*clicked].second;
 }
 
 void lay_out_timeline(ViewerState& state, float width) {

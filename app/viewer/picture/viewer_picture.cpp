@@ -77,9 +77,7 @@ std::uint64_t hash_overlay(const renderer::OverlayView& overlay) {
   };
   add(overlay.vertices);
   add(overlay.indices);
-  for (const renderer::OverlayPart& part : overlay.parts) {
-    add(std::array{part.clip_lower_px, part.clip_upper_px});
-  }
+  for (const renderer::OverlayPart& part : overlay.parts) add(std::array{part.clip_lower_px, part.clip_upper_px});
   return hash;
 }
 

@@ -138,9 +138,7 @@ std::optional<SessionEvent> read_event(SessionLine& line) {
   if (verb == "drop") return WindowEvent(renderer::FileDropped{line.text()});
   if (verb == "resize") return WindowEvent(read_size(line));
   if (verb == "scale") return WindowEvent(renderer::ScaleChanged{line.number(0.25, 8.0)});
-  if (verb == "move") {
-    return WindowEvent(PointerMoved{line.number(-far_px, far_px), line.number(-far_px, far_px)});
-  }
+  if (verb == "move") return WindowEvent(PointerMoved{line.number(-far_px, far_px), line.number(-far_px, far_px)});
   if (verb == "wheel") {
     return WindowEvent(renderer::WheelTurned{line.number(-far_px, far_px), line.number(-far_px, far_px)});
   }
@@ -219,9 +217,7 @@ bool has_to_wait(const SessionEvent& next, const std::vector<SessionEvent>& take
 
 std::string session_head(const SessionStart& start) {
   std::string text = json_line({"taut-session", 2}) + json_line({"scene", start.scene});
-  for (const Override& changed : start.overrides) {
-    text += json_line({"set", changed.key + '=' + changed.value});
-  }
+  for (const Override& changed : start.overrides) text += json_line({"set", changed.key + '=' + changed.value});
   if (start.compared_with) text += json_line({"compare", sim::to_name(*start.compared_with)});
   return text + json_line({"window", start.size.width_px, start.size.height_px, start.scale});
 }

@@ -239,9 +239,7 @@ void LiveSimulation::perform(const LoadScene& asked) {
 
 void LiveSimulation::tell_of_start() {
   for (const std::string& remark : now_.loaded->drawn_colours.remarks) tell(remark, false);
-  for (const std::string& remark : remarks_on_start(now_.loaded->scene, *now_.loaded).lines) {
-    tell(remark, false);
-  }
+  for (const std::string& remark : remarks_on_start(now_.loaded->scene, *now_.loaded).lines) tell(remark, false);
 }
 
 void LiveSimulation::perform(const ChangeSettings& change) {
@@ -271,9 +269,7 @@ void LiveSimulation::untangle(const RunSettings& simulation) {
   const std::optional<UntangleReport> untangling =
       untangle_start(scene, simulation_->garment(), false, positions_m, [](const std::string&) {});
   if (!untangling) return;
-  for (std::size_t v = 0; v < positions_m.size(); ++v) {
-    now.state.previous[v] += positions_m[v] - now.state.current[v];
-  }
+  for (std::size_t v = 0; v < positions_m.size(); ++v) now.state.previous[v] += positions_m[v] - now.state.current[v];
   now.state.current = now.before_m = positions_m;
   simulation_->restore(now);
   tell(describe_now(*untangling), untangling->pairs_left > 0);
@@ -301,9 +297,7 @@ void LiveSimulation::perform(const TakeHold& hold) {
       return;  // selected on a garment that has been replaced since
     }
   }
-  if (!grip_ && !hold.grip.vertices.empty()) {
-    hand_m_ = simulation_->state().current[hold.grip.vertices.front().vertex];
-  }
+  if (!grip_ && !hold.grip.vertices.empty()) hand_m_ = simulation_->state().current[hold.grip.vertices.front().vertex];
   grip_ = hold.grip;
 }
 

@@ -311,9 +311,7 @@ void Measurements::add(const FrameRecord& record) {
 }
 
 void Measurements::forget() {
-  for (RecentValues* values : {&max_stretch, &max_surface_stretch, &convergence_mm, &simulate_ms}) {
-    values->clear();
-  }
+  for (RecentValues* values : {&max_stretch, &max_surface_stretch, &convergence_mm, &simulate_ms}) values->clear();
 }
 
 const Snapshot* compared_garment(const ViewerState& state) {

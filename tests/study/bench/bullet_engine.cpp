@@ -109,9 +109,7 @@ class BulletEngine : public Engine {
     read_state();
     forces_n_.assign(state_.current.size(), sim::Vec3(0.0));
     sim::add_wind_forces(garment_, state_, surroundings_.forces.wind, {}, substep_s_, forces_n_);
-    for (std::size_t v = 0; v < forces_n_.size(); ++v) {
-      body_->addForce(to_bullet(forces_n_[v]), static_cast<int>(v));
-    }
+    for (std::size_t v = 0; v < forces_n_.size(); ++v) body_->addForce(to_bullet(forces_n_[v]), static_cast<int>(v));
   }
 
   void move_pins() {

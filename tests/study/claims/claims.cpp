@@ -452,9 +452,7 @@ std::string number_text(const MeasuredNumber& number) {
     digits = fmt::format("{:.{}f}", number.value, decimals);
   }
   const std::size_t e = digits.find('e');
-  if (e != std::string::npos) {
-    digits = digits.substr(0, e) + " × " + power_of_ten(std::stoi(digits.substr(e + 1)));
-  }
+  if (e != std::string::npos) digits = digits.substr(0, e) + " × " + power_of_ten(std::stoi(digits.substr(e + 1)));
   return digits + (number.unit.empty() ? "" : " ") + number.unit;
 }
 

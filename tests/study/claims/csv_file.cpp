@@ -32,9 +32,7 @@ CsvFile::CsvFile(const std::filesystem::path& path, const std::string& columns)
   std::istringstream lines(read_text_file(path));
   std::string line;
   std::getline(lines, line);
-  if (split_cells(line) != columns_) {
-    throw InputError("{}:1: found the columns {}, expected {}", name_, line, columns);
-  }
+  if (split_cells(line) != columns_) throw InputError("{}:1: found the columns {}, expected {}", name_, line, columns);
   while (std::getline(lines, line)) {
     rows_.push_back(split_cells(line));
     if (rows_.back().size() != columns_.size()) {

@@ -35,14 +35,10 @@ inline void make_up_trials(app::ClaimResults& results) {
       results.trials_of(test).push_back(trial);
     }
   };
-  for (const int triangles : app::trial_meshes) {
-    add(app::MethodTest::time, triangles, 1);
-  }
+  for (const int triangles : app::trial_meshes) add(app::MethodTest::time, triangles, 1);
   add(app::MethodTest::energy, app::trial_shirt_triangles, 1);
   add(app::MethodTest::rest, app::trial_shirt_triangles, 1);
-  for (const int factor : app::trial_step_factors) {
-    add(app::MethodTest::steps, app::trial_shirt_triangles, factor);
-  }
+  for (const int factor : app::trial_step_factors) add(app::MethodTest::steps, app::trial_shirt_triangles, factor);
 }
 
 }  // namespace taut::test

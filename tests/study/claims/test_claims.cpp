@@ -83,9 +83,7 @@ ClaimResults results_in_part() {
   trial(results, MethodTest::time, implicit).frames = {{0.1, 10.0, 0.1}};
   trial(results, MethodTest::time, strong).frames = {{0.1, 20.0, 0.01}};
   trial(results, MethodTest::time, fast_projection).frames = {{0.1, 10.0, 0.005}, {0.2, 10.0, 0.005}};
-  for (TrialFrame& frame : trial(results, MethodTest::rest, vassilev).frames) {
-    frame.speed_m_per_s = 0.005;
-  }
+  for (TrialFrame& frame : trial(results, MethodTest::rest, vassilev).frames) frame.speed_m_per_s = 0.005;
   for (const sim::SolverKind kind : {vassilev, implicit}) {
     test::trial_in(results, {MethodTest::time, kind, 10600}).frames = {{0.1, 10.0, 0.04}};
   }
@@ -118,9 +116,7 @@ ClaimResults results_against_it() {
 
 const Claim& find_claim(const std::vector<Claim>& claims, const std::string& id) {
   for (const Claim& claim : claims) {
-    if (claim.text.id == id) {
-      return claim;
-    }
+    if (claim.text.id == id) return claim;
   }
   throw std::invalid_argument(id);
 }
@@ -196,9 +192,7 @@ TEST(Verdicts, LieOnTheirBounds) {
   }
   const auto growth_like = [](double power) {
     return [=](ClaimResults& r) {
-      for (FrameTimes& time : r.frame_times) {
-        time.frame_ms = {1e-3 * std::pow(time.triangles, power)};
-      }
+      for (FrameTimes& time : r.frame_times) time.frame_ms = {1e-3 * std::pow(time.triangles, power)};
     };
   };
   EXPECT_EQ(verdict_after("growth", growth_like(1.21)), partly);

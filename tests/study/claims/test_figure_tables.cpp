@@ -52,13 +52,9 @@ TEST(FigureTables, ReadBackTheyGiveTheSameTables) {
   ClaimResults results = small_results(), again;
   const std::vector<Figure> written = all_figures(results), read = all_figures(again);
   for (std::size_t i = 0; i < written.size(); ++i) {
-    if (!written[i].csv || written[i].name == "fig5") {
-      continue;
-    }
+    if (!written[i].csv || written[i].name == "fig5") continue;
     write_text_file(folder / (written[i].name + ".csv"), written[i].csv());
-    if (written[i].shapes_csv) {
-      write_text_file(folder / (written[i].name + "_shapes.csv"), written[i].shapes_csv());
-    }
+    if (written[i].shapes_csv) write_text_file(folder / (written[i].name + "_shapes.csv"), written[i].shapes_csv());
     read_figure(read[i].name, folder / "", again);
     EXPECT_TRUE(read[i].csv() == written[i].csv()) << written[i].name;
     if (written[i].shapes_csv) {
@@ -137,9 +133,7 @@ TEST(Figures, TextsAreLargeEnoughInPrint) {
   results.methods = short_runs();
   LazyOffscreenRenderer offscreen("auto", 0.02F);
   for (const Figure& figure : all_figures(results)) {
-    if (figure.name != "fig7") {
-      read_figure(figure.name, TAUT_TESTS_FOLDER "/golden/figures", results);
-    }
+    if (figure.name != "fig7") read_figure(figure.name, TAUT_TESTS_FOLDER "/golden/figures", results);
     EXPECT_GE(test::smallest_print_pt(figure.draw(offscreen)), test::min_text_pt) << figure.name;
   }
 }

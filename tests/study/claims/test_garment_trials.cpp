@@ -24,9 +24,7 @@ struct Shape {
 Shape make_shape(const sim::Mesh& mesh) {
   std::map<std::array<sim::Index, 2>, int> uses;
   for (const sim::Triangle& t : mesh.triangles) {
-    for (int k = 0; k < 3; ++k) {
-      ++uses[{std::min(t[k], t[(k + 1) % 3]), std::max(t[k], t[(k + 1) % 3])}];
-    }
+    for (int k = 0; k < 3; ++k) ++uses[{std::min(t[k], t[(k + 1) % 3]), std::max(t[k], t[(k + 1) % 3])}];
   }
   Shape shape;
   shape.edges = uses.size();

@@ -290,9 +290,7 @@ std::vector<TruthPoint> measure_period(const Size& size, double length_m, double
     simulation.advance_frame();
     const double time_s = simulation.state().time_s;
     const double at_m = compute_middle(simulation.state().current).z;
-    if (time_s > 2.0 && before_m < 0.0 && at_m >= 0.0) {
-      crossed_s.push_back(time_s - at_m / (at_m - before_m) / 60.0);
-    }
+    if (time_s > 2.0 && before_m < 0.0 && at_m >= 0.0) crossed_s.push_back(time_s - at_m / (at_m - before_m) / 60.0);
     before_m = at_m;
   }
   const double measured_s =

@@ -42,9 +42,7 @@ Flutter watch_flag(const Size& size, double speed_m_per_s, double physics) {
   for (int frame = 0; frame < flag_watched_frames; ++frame) {
     simulation.advance_frame();
     std::vector<double>& now_m = fly_end_m.emplace_back();
-    for (Index row = 1; row <= size.along; ++row) {
-      now_m.push_back(simulation.state().current[row * size.across - 1].z);
-    }
+    for (Index row = 1; row <= size.along; ++row) now_m.push_back(simulation.state().current[row * size.across - 1].z);
   }
   return measure_flutter(fly_end_m, 1.0 / simulation.frame_time_s());
 }

@@ -52,7 +52,7 @@ void write_picture(const std::filesystem::path& file, const DrawnScene& scene, c
   write_file(file, renderer::encode_png(draw_fit({scene, garment, worn_m, sewn.time_s, fit, title, measured,
                                                   describe_tightness(scene, garment, worn_m, fit)},
                                                  backend),
-                                       std::array{program_text()}));
+                                        std::array{program_text()}));
 }
 
 void write_steps(const std::filesystem::path& file, const DrawnScene& scene, const SewnGarment& sewn, const char* last,
@@ -98,8 +98,9 @@ int run(const SewOptions& asked) {
   }
   scene.files_read.insert(scene.files_read.end(), options.outer_patterns.begin(), options.outer_patterns.end());
   // Errors in patterns are reported before bodies are loaded, which takes longer.
-  read_sewing_pattern(options.pattern);
-  for (const std::filesystem::path& pattern : options.outer_patterns) read_sewing_pattern(pattern);
+  NamedPattern pattern = read_named_pattern(options.pattern);
+  SewingSettings settings = {options.triangles, options.frames, {}, options.outer_fabrics, options.is_exact};
+  for (const std::filesystem::path& outer : options.outer_patterns) settings.over.push_back(read_named_pattern(outer));
   std::FILE* const remarks = options.json ? stderr : stdout;
   print_body_remarks(scene, load_bodies(scene, static_cast<int>(options.outer_patterns.size()) + 1), remarks);
   std::vector<std::filesystem::path> written = {options.output, landmarks_path(options.output), options.picture,
@@ -110,17 +111,13 @@ int run(const SewOptions& asked) {
   const std::clock_t began = std::clock();
   try {
     const SewnGarment sewn =
-        sew(scene, {options.triangles, options.frames, options.outer_patterns, options.outer_fabrics, options.is_exact},
-            [&](const std::string& stage) { progress.begin(stage); });
+        sew(std::move(pattern), scene, settings, [&](const std::string& stage) { progress.begin(stage); });
     const double took_s = static_cast<double>(std::clock() - began) / CLOCKS_PER_SEC;
     write_text_file(options.output, to_obj(sewn));
     write_text_file(landmarks_path(options.output), to_landmarks_text(sewn));
-    const std::string measured = fmt::format(
-        "{} closed, {}, no crossing, largest stretch {:.3f} %", count_text(sewn.pieces.seams.size(), "seam"),
-        sewn.is_at_rest
-            ? "at rest"
-            : fmt::format("after {} frames still moving at {:.2g} mm/s", sewn.frames, 1e3 * sewn.rms_speed_m_per_s),
-        100.0 * sewn.max_stretch);
+    const std::string measured =
+        fmt::format("{} closed, {}, no crossing, largest stretch {:.3f} %",
+                    count_text(sewn.pieces.seams.size(), "seam"), describe_rest(sewn), 100.0 * sewn.max_stretch);
     progress.begin("drawing it");
     if (!options.picture.empty()) write_picture(options.picture, scene, sewn, measured, options.backend);
     if (!options.steps.empty()) write_steps(options.steps, scene, sewn, "worn", options.backend);
@@ -140,6 +137,10 @@ int run(const SewOptions& asked) {
     } else {
       fmt::print("{} of {}: {}; {:.1f} s of processor time\nwrote {}\n", count_text(sewn.pieces.panel_count(), "panel"),
                  count_text(sewn.pieces.triangles.size(), "triangle"), measured, took_s, options.output.string());
+    }
+    if (!sewn.is_at_rest) {
+      throw PromiseBroken("{} is written, but it is not at rest: {}; --frames gives it more time",
+                          options.output.string(), describe_rest(sewn));
     }
   } catch (const SewingFailed& error) {
     progress.hide();

@@ -30,12 +30,12 @@ namespace {
 const std::filesystem::path assets = TAUT_ASSETS_FOLDER;
 
 /// A skirt of two panels with these widths at the waist and the hem. Its waist is at a height of 1.05 m.
-std::string skirt(double waist_cm, double hem_cm, double out_cm = 20.0) {
+std::string skirt(double waist_cm, double hem_cm, double out_cm = 20.0, double height_cm = 40.0) {
   const auto panel = [&](const char* name, double depth_cm) {
     return fmt::format(
-        R"("{}": {{"vertices": [[{}, 0], [{}, -40], [{}, -40], [{}, 0]], "edges": [{{"endpoints": [0, 1]}},
+        R"("{}": {{"vertices": [[{}, 0], [{}, {}], [{}, {}], [{}, 0]], "edges": [{{"endpoints": [0, 1]}},
       {{"endpoints": [1, 2], "curvature": [0.5, -0.1]}}, {{"endpoints": [2, 3]}}, {{"endpoints": [3, 0]}}], "translation": [0, 105, {}]}})",
-        name, -0.5 * waist_cm, -0.5 * hem_cm, 0.5 * hem_cm, 0.5 * waist_cm, depth_cm);
+        name, -0.5 * waist_cm, -0.5 * hem_cm, -height_cm, 0.5 * hem_cm, -height_cm, 0.5 * waist_cm, depth_cm);
   };
   return R"({"pattern": {"panels": {)" + panel("front", out_cm) + ", " + panel("back", -out_cm) +
          R"(}, "stitches": [[{"panel": "front", "edge": 0}, {"panel": "back", "edge": 0}],
@@ -71,7 +71,7 @@ struct Sewing : testing::Test {
     return scene;
   }
   SewnGarment sewn(Scene& scene, int triangles, int frames = 60) const {
-    return sew(scene, {triangles, frames}, [](const std::string&) {});
+    return sew(read_named_pattern(scene.garment.file), scene, {triangles, frames}, [](const std::string&) {});
   }
 
   test::TemporaryFolder folder;
@@ -158,6 +158,54 @@ TEST_F(Sewing, ComesToRestInTwoSecondsOrThree) {
   EXPECT_LE(garment.rms_speed_m_per_s, 0.02);
 }
 
+TEST_F(Sewing, ComesToRestInTheAirOfTheScene) {
+  Scene scene = scene_with(folder.write("skirt.json", skirt(40.0, 60.0)));
+  const SewnGarment garment = sewn(scene, 800, 600);
+  ASSERT_TRUE(garment.is_at_rest);
+  EXPECT_EQ(describe_rest(garment), "at rest");
+  const std::filesystem::path file = folder.write("sewn.obj", to_obj(garment));
+  folder.write("sewn.landmarks.toml", to_landmarks_text(garment));
+  Scene again = scene;
+  again.garment.file = file;
+  again.body_sources[0].dress = 0;
+  sim::Simulation simulation = make_simulation(again, load_garment(again));
+  simulation.set_time(garment.time_s);
+  for (int frame = 0; frame < 60; ++frame) simulation.advance_frame();
+  EXPECT_LE(sim::rms_speed(simulation.change()), 0.02);
+  SewnGarment moving = garment;
+  moving.is_at_rest = false;
+  EXPECT_NE(describe_rest(moving).find("still moving at "), std::string::npos);
+}
+
+TEST_F(Sewing, RefusesWhatFellCrossesOrIsStretched) {
+  Scene scene = scene_with(folder.write("skirt.json", skirt(40.0, 60.0)));
+  const SewnGarment garment = sewn(scene, 400, 1);
+  const auto refusal_of = [&](const std::function<sim::Vec3(const sim::Vec3&)>& move) {
+    SewnGarment moved = garment;
+    std::vector<sim::Vec3>& positions_m = moved.sewn.garment.mesh.positions;
+    std::transform(positions_m.begin(), positions_m.end(), positions_m.begin(), move);
+    return test::error_message<SewingFailed>([&] { require_worn(scene, moved); });
+  };
+  SewnGarment as_sewn = garment;
+  EXPECT_NO_THROW(require_worn(scene, as_sewn));
+  EXPECT_NE(refusal_of([](sim::Vec3 p) { return p - sim::Vec3(0.0, 1.0, 0.0); }).find("it falls down"),
+            std::string::npos);
+  EXPECT_NE(refusal_of([](sim::Vec3 p) { return p + sim::Vec3(0.15, 0.0, 0.0); }).find("when it is worn, "),
+            std::string::npos);
+  EXPECT_NE(refusal_of([](sim::Vec3 p) { return sim::Vec3(1.3 * p.x, p.y, 1.3 * p.z); }).find("it is stretched by "),
+            std::string::npos);
+}
+
+TEST_F(Sewing, ShortLevelSideSeamsAreNoShoulders) {
+  // Each side of a wide tier is as level as a shoulder, and nothing of the body is below it.
+  Scene scene = scene_with(folder.write("tier.json", skirt(44.0, 80.0, 20.0, 15.0)));
+  const SewingPattern tier = read_sewing_pattern(scene.garment.file);
+  CutPieces pieces = cut_pieces(tier, 300);
+  bring_to_body(tier, scene, pieces);
+  for (const sim::Vec3& p : pieces.placed_m) EXPECT_TRUE(std::isfinite(p.y));
+  EXPECT_TRUE(pieces.first_seams.empty());
+}
+
 TEST_F(Sewing, SaysWhichSeamStaysOpenAndByHowMuch) {
   // The waist is sewn together as well, and the body is in between.
   std::string text = skirt(40.0, 60.0);
@@ -188,7 +236,8 @@ TEST_F(Sewing, APatternIsWornOverAnother) {
   const std::filesystem::path outer = folder.write("outer.json", skirt(48.0, 80.0));
   scene.fabric = "cotton";
   scene.material = find_fabric_material("cotton", "--fabric");
-  const SewnGarment garment = sew(scene, {1200, 60, {outer}, {"denim"}}, [](const std::string&) {});
+  const SewnGarment garment = sew(read_named_pattern(scene.garment.file), scene,
+                                  {1200, 60, {read_named_pattern(outer)}, {"denim"}}, [](const std::string&) {});
   const sim::Mesh& mesh = garment.sewn.garment.mesh;
   EXPECT_EQ(garment.pattern.panels[2].name, "outer.back");
   Scene again;

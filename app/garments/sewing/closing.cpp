@@ -20,6 +20,7 @@ constexpr double inwards_from_m = 0.05;     ///< distance from the body within w
 constexpr double slack_m = 0.001;           ///< distance within which threads pull less
 constexpr double strength_growth = 1.4;     ///< growth factor of the pull after a pass that closed less than 5 %
 constexpr double strength_reduction = 0.5;  ///< factor of the pull after a blocked frame
+constexpr double release_factor = 0.1;      ///< factor of the pull after a pass that met everything and joined nothing
 constexpr int max_blocked_frames = 8;       ///< limit of blocked frames
 constexpr double min_pass_fraction = 0.05;  ///< fraction of the open part that a pass has to close
 constexpr double max_strength = 30.0;
@@ -153,7 +154,10 @@ class Closing {
         since = any_joined ? 0 : since;
         between_joins = any_joined ? frames_between_joins : std::min(2 * between_joins, max_frames_between_joins);
         next_join = frame + between_joins;
-        if (share_joined() - before < min_pass_fraction * (1.0 - before)) {
+        if (!any_joined && find_gap() < reach_m_) {
+          // All that is open has met: a weaker pull lets layers part that are too near to be joined.
+          strength_ *= release_factor;
+        } else if (share_joined() - before < min_pass_fraction * (1.0 - before)) {
           // Cloth that a strong pull has crumpled comes loose in a weak one.
           const bool is_strongest = strength_ * strength_growth > max_strength;
           strength_ = is_strongest ? 1.0 : strength_growth * strength_;

@@ -113,7 +113,7 @@ void dress_sewn_garment(const Scene& scene, const SewingSettings& settings,
   air_per_s = std::max(air_per_s, resting_drag_per_s);
   sim::SimulationSettings run_settings = simulation_settings(run);
   run_settings.rest_settings.speed_m_per_s = std::max(run_settings.rest_settings.speed_m_per_s, resting_m_per_s);
-  // Thick air slows cloth that comes loose to a speed at which it can be kept apart.
+  // Thick air slows cloth that comes loose to a speed at which it can be kept apart. Rest counts in the scene's air.
   sim::Simulation simulation(sim::share(sewn.garment), {}, run_settings, thick_air, sewn.garment.mesh.positions);
   const auto keep = [&] {
     sewn.garment.mesh.positions = simulation.state().current;
@@ -133,14 +133,19 @@ void dress_sewn_garment(const Scene& scene, const SewingSettings& settings,
                                 "; " + error.what();
     throw SewingFailed(message, std::move(garment));
   };
+  bool is_thick = true;
   try {
     stage("the body grows into it");
     dress(scene, simulation);
     double sweeps = 0.0;
-    for (; garment.frames < settings.frames && !simulation.state().asleep && sweeps < max_sweeps; ++garment.frames) {
+    for (; garment.frames < settings.frames && sweeps < max_sweeps; ++garment.frames) {
       throw_if_interrupted();
       stage(fmt::format("worn for {} of {} frames", garment.frames, settings.frames));
-      if (garment.frames % frames_to_thicker == 0) {
+      if (simulation.state().asleep) {
+        if (!is_thick) break;
+        is_thick = false;
+        simulation.set_surroundings(scene.surroundings);
+      } else if (is_thick && garment.frames % frames_to_thicker == 0) {
         simulation.set_surroundings(thick_air);
         air_per_s = std::max(air_per_s, std::min(drag_growth_factor * air_per_s, thickest_per_s));
       }
@@ -154,33 +159,9 @@ void dress_sewn_garment(const Scene& scene, const SewingSettings& settings,
   } catch (const sim::ContactBlocked& error) {
     refuse(error);
   }
-  garment.is_at_rest = simulation.state().asleep;
+  garment.is_at_rest = simulation.state().asleep && !is_thick;
   garment.rms_speed_m_per_s = sim::rms_speed(simulation.change());
   keep();
-}
-
-void verify(const Scene& scene, SewnGarment& garment) {
-  const sim::Mesh& mesh = garment.sewn.garment.mesh;
-  const BodyMeasures& measures = dressed_body(scene).wearer->measures;
-  if (sim::compute_extent(mesh.positions).upper.y < measures.levels[measures.fork].height_m) {
-    throw SewingFailed("its seams are closed, but it does not stay on the body: it falls down", std::move(garment));
-  }
-  const sim::Surface cloth = {mesh.positions, mesh.triangles};
-  for (const SceneCrossings& crossings : scene_crossings(cloth, scene.surroundings.bodies, garment.time_s)) {
-    if (!crossings.pairs.empty()) {
-      const std::string found = describe(crossings, cloth, scene.surroundings.bodies);
-      throw SewingFailed("when it is worn, " + found, std::move(garment));
-    }
-  }
-  garment.max_stretch = sim::measure_surface_stretch(garment.sewn.garment, mesh.positions).max;
-  garment.bound = scene.simulation.solver.bounded.max_stretch;
-  if (garment.max_stretch > garment.bound + bound_rounding) {
-    throw SewingFailed(
-        fmt::format("its seams are closed, but worn for {} frames it is stretched by {:.3f} %; expected at "
-                    "most solver.max_stretch = {:g}",
-                    garment.frames, 100.0 * garment.max_stretch, garment.bound),
-        std::move(garment));
-  }
 }
 
 CutPieces cut(const std::filesystem::path& file, const SewingPattern& pattern, int triangles, bool is_exact) {
@@ -261,19 +242,19 @@ std::filesystem::path own_folder() {
 
 }  // namespace
 
-SewnGarment sew(Scene& scene, const SewingSettings& settings, const std::function<void(const std::string&)>& stage) {
+SewnGarment sew(NamedPattern inner, Scene& scene, const SewingSettings& settings,
+                const std::function<void(const std::string&)>& stage) {
   SewnGarment garment;
-  std::vector<std::filesystem::path> files = {scene.garment.file};
-  files.insert(files.end(), settings.over.begin(), settings.over.end());
+  std::vector<NamedPattern> patterns = {std::move(inner)};
+  patterns.insert(patterns.end(), settings.over.begin(), settings.over.end());
   const std::filesystem::path fabric = scene.fabric;
   garment.fabric = fabric.has_extension() ? std::filesystem::absolute(fabric).string() : scene.fabric;
   garment.over_fabrics = settings.over_fabrics;
   stage("meshing its panels");
-  for (const std::filesystem::path& file : files) {
-    SewingPattern pattern = read_sewing_pattern(file);
-    CutPieces pieces = cut(file, pattern, settings.triangles / static_cast<int>(files.size()), settings.is_exact);
+  for (auto& [file, pattern] : patterns) {
+    CutPieces pieces = cut(file, pattern, settings.triangles / static_cast<int>(patterns.size()), settings.is_exact);
     for (std::string& remark : bring_to_body(pattern, scene, pieces)) {
-      garment.remarks.push_back((files.size() > 1 ? file.stem().string() + ": " : "") + remark);
+      garment.remarks.push_back((patterns.size() > 1 ? file.stem().string() + ": " : "") + remark);
     }
     if (garment.pattern.panels.empty()) {
       garment.pattern = std::move(pattern);
@@ -294,8 +275,38 @@ SewnGarment sew(Scene& scene, const SewingSettings& settings, const std::functio
                   });
   if (garment.sewn.gap_m > 0.0) refuse_open(std::move(garment));
   dress_sewn_garment(scene, settings, stage, garment);
-  verify(scene, garment);
+  require_worn(scene, garment);
   return garment;
+}
+
+void require_worn(const Scene& scene, SewnGarment& garment) {
+  const sim::Mesh& mesh = garment.sewn.garment.mesh;
+  const BodyMeasures& measures = dressed_body(scene).wearer->measures;
+  if (sim::compute_extent(mesh.positions).upper.y < measures.levels[measures.fork].height_m) {
+    throw SewingFailed("its seams are closed, but it does not stay on the body: it falls down", std::move(garment));
+  }
+  const sim::Surface cloth = {mesh.positions, mesh.triangles};
+  for (const SceneCrossings& crossings : scene_crossings(cloth, scene.surroundings.bodies, garment.time_s)) {
+    if (!crossings.pairs.empty()) {
+      const std::string found = describe(crossings, cloth, scene.surroundings.bodies);
+      throw SewingFailed("when it is worn, " + found, std::move(garment));
+    }
+  }
+  garment.max_stretch = sim::measure_surface_stretch(garment.sewn.garment, mesh.positions).max;
+  garment.bound = scene.simulation.solver.bounded.max_stretch;
+  if (garment.max_stretch > garment.bound + bound_rounding) {
+    throw SewingFailed(
+        fmt::format("its seams are closed, but worn for {} frames it is stretched by {:.3f} %; expected at "
+                    "most solver.max_stretch = {:g}",
+                    garment.frames, 100.0 * garment.max_stretch, garment.bound),
+        std::move(garment));
+  }
+}
+
+std::string describe_rest(const SewnGarment& garment) {
+  return garment.is_at_rest ? "at rest"
+                            : fmt::format("after {} frames still moving at {:.2g} mm/s", garment.frames,
+                                          1e3 * garment.rms_speed_m_per_s);
 }
 
 std::string to_obj(const SewnGarment& garment) {
@@ -348,9 +359,9 @@ std::vector<std::string> sew_garment(Scene& scene, const std::function<void(cons
   }
   std::vector<std::string> said = load_bodies(to_sew);
   const SewnGarment garment = sew(
-      to_sew, {}, stage ? stage : [](const std::string&) {});
+      read_named_pattern(to_sew.garment.file), to_sew, {}, stage ? stage : [](const std::string&) {});
   said.insert(said.end(), garment.remarks.begin(), garment.remarks.end());
-  said.push_back(fmt::format("its pattern was sewn to '{}'", scene.garment.sewn.string()));
+  said.push_back(fmt::format("its pattern was sewn to '{}', {}", scene.garment.sewn.string(), describe_rest(garment)));
   // A reader that finds the OBJ file also finds the other one.
   write_text_file(landmarks_path(scene.garment.sewn), to_landmarks_text(garment));
   write_text_file(scene.garment.sewn, to_obj(garment));

@@ -6,13 +6,22 @@
 
 namespace taut::app {
 
+/// A pattern that was read, and its file.
+struct NamedPattern {
+  std::filesystem::path file;
+  SewingPattern pattern;
+};
+
+/// Reads a pattern as read_sewing_pattern().
+inline NamedPattern read_named_pattern(const std::filesystem::path& file) { return {file, read_sewing_pattern(file)}; }
+
 /// Settings of sewing.
 struct SewingSettings {
-  int triangles = 4000;                          ///< approximate count
-  int frames = 600;                              ///< largest count, from the start of wearing until rest
-  std::vector<std::filesystem::path> over = {};  ///< patterns that are sewn over the scene's garment, inner ones first
-  std::vector<std::string> over_fabrics = {};    ///< their fabrics (find_fabric()); empty: the scene's fabric
-  bool is_exact = false;                         ///< true for the exact count of triangles, with one pattern
+  int triangles = 4000;                        ///< approximate count
+  int frames = 600;                            ///< largest count, from the start of wearing until rest
+  std::vector<NamedPattern> over = {};         ///< patterns that are sewn over the first, inner ones first
+  std::vector<std::string> over_fabrics = {};  ///< their fabrics (find_fabric()); empty: the scene's fabric
+  bool is_exact = false;                       ///< true for the exact count of triangles, with one pattern
 };
 
 /// State of a garment during sewing.
@@ -49,11 +58,19 @@ struct SewingFailed : PromiseBroken {
   SewnGarment garment;  ///< state at that moment
 };
 
-/// Reads the pattern that is the scene's garment and sews it on the dressed body: pieces are placed about the thin
-/// body, their seams are drawn together, the body grows into the garment, and the garment comes to rest. Requires
-/// loaded bodies. `stage` is called with a description of each stage. Throws InputError, SewingFailed if a seam stays
-/// open or the garment is too small, and Interrupted.
-SewnGarment sew(Scene& scene, const SewingSettings& settings, const std::function<void(const std::string&)>& stage);
+/// Sews a pattern on the dressed body of a scene: pieces are placed about the thin body, their seams are drawn
+/// together, the body grows into the garment, and the garment comes to rest in the scene's air. Requires loaded bodies.
+/// `stage` is called with a description of each stage. Throws InputError, SewingFailed if a seam stays open or the
+/// garment is too small, and Interrupted.
+SewnGarment sew(NamedPattern pattern, Scene& scene, const SewingSettings& settings,
+                const std::function<void(const std::string&)>& stage);
+
+/// Measures the stretch of a garment that was sewn. Throws SewingFailed if it is not on the body, crosses something or
+/// exceeds the bound.
+void require_worn(const Scene& scene, SewnGarment& garment);
+
+/// Returns "at rest", or how the garment still moves.
+std::string describe_rest(const SewnGarment& garment);
 
 /// Returns the garment as a Wavefront OBJ in metres. Groups are named after panels; texture coordinates are cm of the
 /// cloth.

@@ -2,7 +2,6 @@
 
 #include "app/base/words.hpp"
 #include "app/commands/run.hpp"
-#include "app/models/mending/model_fitting.hpp"
 #include "app/output/picture_record.hpp"
 #include "app/output/video_writer.hpp"
 #include "app/runs/run_checkpoint.hpp"
@@ -276,7 +275,7 @@ class Render {
     }
     fmt::print("{}{}", written, options_.verify ? run_.verifier.summary() + '\n' : "");
     for (const std::string& line :
-         {describe_crossings(summary), describe_following(run_.loaded, run_.simulation->state().current)}) {
+         {describe_crossings(summary), run_.following.describe()}) {
       fmt::print("{}", line.empty() ? "" : line + '\n');
     }
     return judge_bound(run_.scene, summary);

@@ -75,9 +75,10 @@ void SceneRun::open_statistics(const RunDescription& description, std::optional<
 std::vector<FrameRecord> SceneRun::go(int last_frame, const std::string& pattern, OffscreenRenderer* offscreen) {
   if (shapes)
     outputs.write_shape = [this](int frame, const auto& moment) { shapes->write(frame, moment.state().current); };
-  if (options.verify) {
-    outputs.verify = [this](const auto& moment, FrameRecord& record) { return verifier.check(moment, record); };
-  }
+  outputs.verify = [this](const auto& moment, FrameRecord& record) {
+    if (prints_messages) following.add(loaded, moment.state().current);
+    return options.verify ? verifier.check(moment, record) : "";
+  };
   const auto end_early = [this] {
     progress.hide();
     if (on_early_end) on_early_end();

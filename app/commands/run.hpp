@@ -5,6 +5,7 @@
 #include "app/caches/frame_sink.hpp"
 #include "app/commands/options.hpp"
 #include "app/frame_loop.hpp"
+#include "app/models/mending/model_fitting.hpp"
 #include "app/output/run_report.hpp"
 #include "app/runs/frame_verifier.hpp"
 
@@ -40,6 +41,7 @@ struct SceneRun {
   LoadedGarment loaded;
   std::optional<sim::Simulation> simulation;
   FrameVerifier verifier;
+  FollowingSummary following;
   std::optional<StatisticsFile> statistics;
   std::unique_ptr<FrameSink> shapes;
   FrameOutputs outputs;

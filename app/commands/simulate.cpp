@@ -1,5 +1,4 @@
 #include "app/commands/run.hpp"
-#include "app/models/mending/model_fitting.hpp"
 #include "app/runs/run_checkpoint.hpp"
 
 namespace taut::app {
@@ -118,7 +117,7 @@ struct Running {
       fmt::print("{}", run.prints_messages ? "wrote " + options.statistics.string() + '\n' : "");
     }
     if (run.prints_messages) {
-      const std::string following = describe_following(run.loaded, run.simulation->state().current);
+      const std::string following = run.following.describe();
       fmt::print("{}{}", following.empty() ? "" : following + '\n',
                  options.verify ? run.verifier.summary() + '\n' : "");
     }

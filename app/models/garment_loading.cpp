@@ -173,8 +173,8 @@ void subdivide_coarse(sim::Mesh& model, FittedModel& fitted, SurfaceColours& col
 }
 
 /// Binds the model to the mesh that was fitted to it. Vertices of the file are mapped to the nearest ones of this mesh.
-void let_follow(sim::Mesh model, const FittedModel& fitted, LoadedGarment& loaded) {
-  FollowingModel following = follow_fitted(std::move(model), fitted);
+void let_follow(sim::Mesh model, const FittedModel& fitted, double bound, LoadedGarment& loaded) {
+  FollowingModel following = follow_fitted(std::move(model), fitted, bound);
   following.file_vertices = loaded.file_vertices;
   for (sim::Index& vertex : loaded.file_vertices.mesh_vertex) {
     vertex = vertex == sim::no_vertex ? vertex : find_nearest_corner(following.bonds[vertex], fitted.mesh.triangles);
@@ -257,7 +257,7 @@ sim::Mesh read_mesh(const Scene& scene, LoadedGarment& loaded, const StageReport
       position = (*loaded.placement)(position / loaded.placement->scale);
     }
     if (!source.given && source.is_drawn_finer) subdivide_coarse(valid.mesh, *fitted, loaded.colours);
-    let_follow(std::move(valid.mesh), *fitted, loaded);
+    let_follow(std::move(valid.mesh), *fitted, scene.simulation.solver.bounded.max_stretch, loaded);
     return std::move(fitted->mesh);
   } catch (const std::invalid_argument& error) {
     throw InputError("cannot use " + name + ": " + error.what());

@@ -38,6 +38,7 @@ struct Wearing : testing::Test {
     scene.garment.file = garment;
     scene.garment.scale = scale;
     scene.garment.up = ModelAxis::y;
+    scene.garment.mesh = mesh_choice;
     scene.surroundings.bodies = {{.name = mannequin, .shape = sim::BodyMesh{}, .motion = motion}};
     source.file = assets / "bodies" / ("mannequin_" + mannequin + ".glb");
     source.dress = 90;
@@ -77,6 +78,7 @@ struct Wearing : testing::Test {
   test::TemporaryFolder folder;
   BodySource source;
   sim::RigidMotion motion;
+  MeshChoice mesh_choice = MeshChoice::automatic;
 };
 
 TEST_F(Wearing, WhatLiesAboutTheBodyStays) {
@@ -196,6 +198,17 @@ TEST_F(Wearing, WhatIsTooSmallSaysWhere) {
   EXPECT_CONTAINS(error, "upper chest 111.9 cm in a garment of 109.8 cm");
 }
 
+TEST(RequireWearable, CountsTheStretchThatClothMayHave) {
+  Scene scene;
+  scene.simulation.solver.bounded.max_stretch = 0.2;
+  FitRow row{"chest", 1.0, 0.9};
+  row.body_at_height_m = 1.0;
+  EXPECT_NO_THROW(require_wearable(scene, std::array{row}));
+  scene.simulation.solver.bounded.max_stretch = 0.01;
+  row.garment_m = 0.7;
+  EXPECT_THROW(require_wearable(scene, std::array{row}), InputError);
+}
+
 TEST_F(Wearing, EaseIsWhatTheClothIsLarger) {
   const std::vector<FitRow> rows = put(tshirt, "male_40").fit();
   std::map<std::string, FitRow> by_name;
@@ -278,6 +291,20 @@ TEST_F(Wearing, TrousersComeForkToForkAndAreMeasuredRoundBothLegs) {
   const sim::Extent box = sim::compute_extent(worn.places_m());
   const double leg_m = leg_at({worn.places_m(), worn.loaded.garment->mesh.triangles}, box.lower.y + 0.05).value();
   EXPECT_GT(girth_at({worn.places_m(), worn.loaded.garment->mesh.triangles}, box.lower.y + 0.05).value(), 1.2 * leg_m);
+  const std::vector<FitRow> rows = worn.fit();
+  const auto waistband = std::ranges::find(rows, "waistband", &FitRow::name);
+  ASSERT_NE(waistband, rows.end()) << describe(rows);
+  EXPECT_EQ(waistband->garment_m, find_garment_marks(*worn.loaded.garment, worn.places_m(), {}).top_m);
+  EXPECT_NEAR(waistband->body_m, measures.level_at(box.upper.y).girth_m, 0.02);
+}
+
+TEST_F(Wearing, AModelThatFollowsComesAlong) {
+  mesh_choice = MeshChoice::fitted;
+  const Fitting worn = put(shirt([](const sim::Vec3& p) { return p + sim::Vec3(3.0, 0.0, 0.0); }), "male_40");
+  ASSERT_TRUE(worn.loaded.following);
+  const sim::Vec3 simulated_m = sim::compute_extent(worn.places_m()).middle();
+  EXPECT_LT(std::abs(simulated_m.x), 0.1);
+  EXPECT_LT(glm::distance(sim::compute_extent(worn.loaded.following->mesh.positions).middle(), simulated_m), 0.02);
 }
 
 TEST_F(Wearing, SaysWhereClothIsStretchedMost) {

@@ -58,7 +58,7 @@ sim::Mesh sheet(Index columns, Index rows, double width, double height, Vec3 cor
 struct Judged {
   FittedMesh fitted;
   sim::Topology topology;
-  double angle_deg = 0.0;                    ///< smallest angle of a triangle, 1st percentile
+  double angle_deg = 0.0;                         ///< smallest angle of a triangle, 1st percentile
   double min_length_m = 0.0, max_length_m = 0.0;  ///< edges, 1st and 99th percentile
   double area_m2 = 0.0;
 };

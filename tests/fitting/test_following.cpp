@@ -55,7 +55,8 @@ double max_distance(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
 std::vector<Vec3> points_about() {
   std::vector<Vec3> points;
   for (int k = 0; k < 200; ++k) {
-    points.emplace_back(1.1 * std::fmod(0.618 * k, 1.0) - 0.05, 0.01 * (k % 5 - 2), 1.1 * std::fmod(0.414 * k, 1.0) - 0.05);
+    points.emplace_back(1.1 * std::fmod(0.618 * k, 1.0) - 0.05, 0.01 * (k % 5 - 2),
+                        1.1 * std::fmod(0.414 * k, 1.0) - 0.05);
   }
   return points;
 }
@@ -77,7 +78,9 @@ TEST(Following, PointsStayWhereTheMeshWasWhenTheyWereBound) {
 TEST(Following, PointsTurnWithTheMesh) {
   sim::Mesh mesh = sheet(12);
   mesh.positions = translate(mesh.positions, wave);
-  const auto turn = [](const Vec3& p) { return Vec3(0.6 * p.x - 0.8 * p.y, 0.8 * p.x + 0.6 * p.y, p.z) + Vec3(3.0, 1.0, -2.0); };
+  const auto turn = [](const Vec3& p) {
+    return Vec3(0.6 * p.x - 0.8 * p.y, 0.8 * p.x + 0.6 * p.y, p.z) + Vec3(3.0, 1.0, -2.0);
+  };
   const std::vector<Vec3> points = points_about();
   EXPECT_LT(max_distance(follow(bonds_to(points, mesh), translate(mesh.positions, turn), mesh.triangles),
                          translate(points, turn)),

@@ -5,16 +5,16 @@
 #include "app/base/progress.hpp"
 #include "app/garments/fitting/following.hpp"
 #include "app/garments/fitting/sheets.hpp"
+#include "app/garments/fitting/tuning.hpp"
 #include "sim/mesh/adjacency.hpp"
 #include "sim/mesh/extent.hpp"
 #include "sim/mesh/welding.hpp"
 
 namespace taut::app {
-namespace {
 
-constexpr std::size_t sample_count = 4000;  ///< fewer are less certain of a small lost part; more take longer
-constexpr double far_fraction = 0.1;        ///< distance at which searches end, as a fraction of the size
-constexpr double crease_cosine = 0.8;       ///< cosine of the normals below which an edge may be a rim of two walls
+using namespace fitting;
+
+namespace {
 
 /// Returns points evenly over the area, by a sequence that fills a square evenly (Roberts 2018).
 std::vector<sim::Vec3> sample_surface(const sim::Mesh& mesh) {

@@ -5,21 +5,16 @@
 #include "app/base/errors.hpp"
 #include "app/garments/fitting/following.hpp"
 #include "app/garments/fitting/sheets.hpp"
+#include "app/garments/fitting/tuning.hpp"
 #include "sim/contact/crossing_pairs.hpp"
 #include "sim/mesh/topology.hpp"
 #include "sim/mesh/welding.hpp"
 
 namespace taut::app {
+
+using namespace fitting;
+
 namespace {
-
-constexpr double min_layer_cosine =
-    0.95;  ///< cosine of the inward directions of two borders above which one lies on the other
-constexpr double max_seam_cosine = -0.3;   ///< largest such cosine of a seam between borders of one sheet
-constexpr double max_gap_cosine = -0.7;    ///< largest such cosine of a part that continues beyond a gap
-constexpr double max_across_cosine = 0.3;  ///< largest cosine between the inward direction and the other border's
-
-constexpr double slit_width_ratio =
-    0.07;  ///< width of a slit over the longest border; a slit's border may be twice as long
 
 /// A border edge in the orientation of its triangle.
 struct SheetBorderEdge {
@@ -211,27 +206,6 @@ class Seams {
   std::vector<sim::Edge> pairs_;
 };
 
-constexpr double min_sheet_share = 0.02;       ///< smallest area of a simulated sheet, as a fraction of the total
-constexpr double min_share_of_largest = 0.05;  ///< smallest fraction of the largest sheet's area
-constexpr double tiny_sheet_share = 0.001;     ///< smallest such area of a sheet beside no other
-constexpr double min_trim_fraction = 0.6;  ///< smallest fraction of a small sheet beside others for it to follow them
-constexpr double trim_distance_fraction = 0.02;   ///< largest distance of such a sheet, as a fraction of the size
-constexpr double joined_share = 0.003;            ///< largest distance of joined borders, as a fraction of the size
-constexpr double gap_share = 0.02;                ///< largest gap between joined parts, as a fraction of the size
-constexpr double flat_thickness_fraction = 0.02;  ///< thickness of flat pieces, as a fraction of the size
-constexpr double first_edge_ratio = 1.08;         ///< ratio of the first edges to those of equilateral triangles
-constexpr double max_edge_growth = 1.02;          ///< extra growth factor of edges after too many triangles
-/// Budget of triangle tests for each requested triangle. Thirteen garments of other makers took up to 215 in all their
-/// fits. Flat polygons of 2000 corners that are cut into needles exceed it.
-constexpr std::size_t max_looks_per_triangle = 2000;
-constexpr int max_trials = 4;
-constexpr int max_fits = 4;  ///< each fits the mesh of the one before
-/// Number of crossings up to which another fit must remove more than half of them. Each fit is farther from the model,
-/// and few crossings can be untangled.
-constexpr std::size_t max_untangled_crossings = 70;
-constexpr double min_area_left = 0.96;     ///< smallest area after another fit, as a fraction of the first one's
-constexpr double closed_hole_edges = 5.0;  ///< largest border of a closed hole, in edge lengths
-
 std::vector<double> areas_of_sheets(const Sheets& sheets) {
   std::vector<double> areas(sheets.count, 0.0);
   for (std::size_t t = 0; t < sheets.sheet_of.size(); ++t) {
@@ -313,7 +287,7 @@ FittedMesh fit_once(const sim::Mesh& model_m, const FittingSettings& settings, b
   fitted.closed_holes = fill_small_holes(closed_hole_edges * fitted.edge_m, surface);
   const std::size_t max_looks = max_looks_per_triangle * settings.max_triangles;
   fitted.mesh = is_simplified ? simplify(surface, settings.max_triangles) : remesh(surface, fitted.edge_m, max_looks);
-  for (int i = 0; !is_simplified && i < max_trials && fitted.mesh.triangles.size() > settings.max_triangles; ++i) {
+  for (int i = 0; !is_simplified && i < max_edge_trials && fitted.mesh.triangles.size() > settings.max_triangles; ++i) {
     const auto found = static_cast<double>(fitted.mesh.triangles.size());
     fitted.edge_m *= max_edge_growth * std::sqrt(found / static_cast<double>(settings.max_triangles));
     fitted.mesh = remesh(surface, fitted.edge_m, max_looks);
@@ -327,13 +301,6 @@ FittedMesh fit_once(const sim::Mesh& model_m, const FittingSettings& settings, b
   fitted.crossings = sim::find_crossing_pairs({fitted.mesh.positions, fitted.mesh.triangles}).size();
   return fitted;
 }
-
-constexpr double max_two_walled_fraction = 0.3;   ///< fraction of the area above which cloth is modelled with two walls
-constexpr std::size_t min_fold_triangles = 1000;  ///< smallest number of triangles for the folds of a garment
-constexpr std::size_t min_border_vertices = 8;    ///< smallest number of border vertices along another part
-constexpr double needle_share = 0.003;            ///< largest fraction of needles among the triangles
-constexpr double short_share = 0.002;         ///< largest fraction of edges within the thickness: contact tears them
-constexpr double needle_sine = 0.0871557427;  ///< sine of 5 degrees
 
 std::size_t count_needles(const sim::Mesh& mesh) {
   return static_cast<std::size_t>(std::ranges::count_if(

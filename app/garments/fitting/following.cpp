@@ -1,9 +1,14 @@
 #include "app/garments/fitting/following.hpp"
 
 #include "app/base/errors.hpp"
+#include "app/garments/fitting/tuning.hpp"
 #include "sim/mesh/adjacency.hpp"
+#include "sim/mesh/groups.hpp"
 
 namespace taut::app {
+
+using namespace fitting;
+
 namespace {
 
 constexpr sim::Index leaf_size = 4;
@@ -62,10 +67,6 @@ double hit(const sim::Vec3& from, const sim::Vec3& direction, const std::array<s
 using sim::Index;
 using sim::Vec3;
 
-/// Largest distance of a triangle that faces the same way, as a multiple of the distance of the nearest triangle.
-constexpr double max_facing_distance_ratio = 2.0;
-/// Weight of a triangle's own normal beside the normals of its vertices.
-constexpr double face_normal_weight = 0.1;
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
 /// Returns the weights of the corners at the point of the triangle that is nearest to p.
@@ -271,6 +272,28 @@ std::vector<Bond> bonds_at(std::span<const Vec3> points_m, std::span<const TreeS
   return bonds;
 }
 
+/// Binds each small part that is carried as a whole, such as a button, at the point to which its first vertex is bound,
+/// so that one frame moves it. Returns per vertex whether it is of such a part.
+std::vector<std::uint8_t> bind_small_parts_at_one_point(const sim::Mesh& model, std::span<const char> is_carried,
+                                                        std::vector<TreeSurfacePoint>& points) {
+  std::vector<std::uint8_t> is_rigid(model.positions.size(), 0);
+  sim::Groups groups = sim::connect_vertices(model.positions.size(), model.triangles);
+  std::map<Index, std::pair<bool, sim::Extent>> parts;
+  for (Index v = 0; v < is_carried.size(); ++v) {
+    auto& [is_whole, extent] = parts.try_emplace(groups.find(v), true, sim::Extent()).first->second;
+    is_whole = is_whole && is_carried[v] != 0;
+    extent.add(model.positions[v]);
+  }
+  for (Index v = 0; v < is_carried.size(); ++v) {
+    const Index part = groups.find(v);
+    const auto& [is_whole, extent] = parts[part];
+    if (!is_whole || glm::length(extent.size()) > max_rigid_size_m) continue;
+    is_rigid[v] = 1;
+    points[v] = points[part];
+  }
+  return is_rigid;
+}
+
 }  // namespace
 
 double share_along(const sim::Vec3& point, const sim::Vec3& a, const sim::Vec3& b) {
@@ -409,17 +432,21 @@ std::vector<Vec3> follow(std::span<const Bond> bonds, std::span<const Vec3> posi
 }
 
 CarriedVertices carried_vertices(const sim::Mesh& model, std::span<const std::uint8_t> is_wall) {
-  CarriedVertices carried{select_wall(model, is_wall), {}, {}};
+  CarriedVertices carried{select_wall(model, is_wall), {}, {}, {}};
   std::vector<char> is_carried(model.positions.size(), 1);
   for (const sim::Triangle& t : carried.wall) {
     for (const Index v : t) is_carried[v] = 0;
   }
   if (std::ranges::count(is_carried, 1) == 0) return carried;
-  const std::vector<Bond> bonds = bonds_of_model(model, is_wall, {model.positions, carried.wall, {}});
+  const sim::Mesh wall{model.positions, carried.wall, {}};
+  std::vector<TreeSurfacePoint> points = Binder(model, is_wall, wall).all();
+  const std::vector<std::uint8_t> is_rigid = bind_small_parts_at_one_point(model, is_carried, points);
+  const std::vector<Bond> bonds = bonds_at(model.positions, points, wall);
   for (Index v = 0; v < bonds.size(); ++v) {
     if (is_carried[v] != 0) {
       carried.vertices.push_back(v);
       carried.bonds.push_back(bonds[v]);
+      carried.is_rigid.push_back(is_rigid[v]);
     }
   }
   return carried;
@@ -428,7 +455,9 @@ CarriedVertices carried_vertices(const sim::Mesh& model, std::span<const std::ui
 void carry(const CarriedVertices& carried, std::span<const float> shares, std::vector<Vec3>& points_m) {
   if (carried.vertices.empty()) return;
   std::vector<float> of_carried;
-  for (const Index v : carried.vertices) of_carried.push_back(shares[v]);
+  for (std::size_t k = 0; k < carried.vertices.size(); ++k) {
+    of_carried.push_back(carried.is_rigid[k] != 0 ? 1.0F : shares[carried.vertices[k]]);
+  }
   const std::vector<Vec3> carried_m = follow(carried.bonds, points_m, carried.wall, of_carried);
   for (std::size_t k = 0; k < carried_m.size(); ++k) points_m[carried.vertices[k]] = carried_m[k];
 }

@@ -76,9 +76,10 @@ std::vector<sim::Vec3> follow(std::span<const Bond> bonds, std::span<const sim::
 /// Vertices of a model outside its wall, such as vertices of an inner wall or of a button. They follow the wall as it
 /// is drawn, so that they stay on their side of it.
 struct CarriedVertices {
-  std::vector<sim::Triangle> wall;   ///< triangles of the model
-  std::vector<sim::Index> vertices;  ///< indices of vertices of the model
-  std::vector<Bond> bonds;           ///< per entry of `vertices`, its bond to `wall`
+  std::vector<sim::Triangle> wall;     ///< triangles of the model
+  std::vector<sim::Index> vertices;    ///< indices of vertices of the model
+  std::vector<Bond> bonds;             ///< per entry of `vertices`, its bond to `wall`
+  std::vector<std::uint8_t> is_rigid;  ///< per entry of `vertices`, whether it is of a small part, which stays rigid
 };
 
 CarriedVertices carried_vertices(const sim::Mesh& model, std::span<const std::uint8_t> is_wall);

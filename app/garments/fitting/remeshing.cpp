@@ -4,31 +4,20 @@
 #include "app/garments/fitting/fitted_mesh.hpp"
 #include "app/garments/fitting/following.hpp"
 #include "app/garments/fitting/sheets.hpp"
+#include "app/garments/fitting/tuning.hpp"
 #include "sim/mesh/groups.hpp"
 #include "sim/mesh/welding.hpp"
 
 namespace taut::app {
+
+using namespace fitting;
+
 namespace {
 
 using sim::Vec3;
 using Vertex = OpenMesh::VertexHandle;
 using Edge = OpenMesh::EdgeHandle;
 using Halfedge = OpenMesh::HalfedgeHandle;
-
-constexpr int rounds = 8;
-constexpr int max_collapse_sweeps = 6;         ///< sweeps of collapses or flips in a round
-constexpr std::size_t max_vertices = 1000000;  ///< limit of all vertices ever made, for models of needles
-constexpr std::size_t looks_of_split = 50;     ///< cost of a split in triangle tests
-constexpr double max_edge_ratio = 4.0 / 3.0;
-constexpr double min_edge_length_ratio = 4.0 / 5.0;
-constexpr double max_half_ratio = 0.75;     ///< longest half of a split edge, as a fraction of the edge
-constexpr double max_corner_cosine = 0.6;   ///< cosine of a border's turn below which the corner stays
-constexpr double corner_reach_edges = 0.7;  ///< distance to both sides over which the turn is measured, in edge lengths
-constexpr double min_normal_cosine = 0.3;   ///< smallest cosine between normals before and after a change
-constexpr double min_edge_ratio = 0.1;      ///< smallest edge and height of a triangle, in target edge lengths
-constexpr double min_height_ratio = 0.03;
-constexpr double min_area_ratio =
-    0.02;  ///< doubled area over the square of the longest side below which a normal is meaningless
 
 /// A closed border of the model.
 struct BorderLine {
@@ -104,7 +93,7 @@ class Remesher {
   }
 
   sim::Mesh run() {
-    for (int round = 0; round < rounds; ++round) {
+    for (int round = 0; round < remeshing_rounds; ++round) {
       split_long();
       collapse_short();
       flip([this](Edge e) { return evens_valences(e); });

@@ -4,10 +4,14 @@
 
 #include "app/base/errors.hpp"
 #include "app/garments/fitting/following.hpp"
+#include "app/garments/fitting/tuning.hpp"
 #include "sim/mesh/topology.hpp"
 #include "sim/mesh/welding.hpp"
 
 namespace taut::app {
+
+using namespace fitting;
+
 namespace {
 
 /// Returns how smoothly the surface continues from one triangle to another: the negative cosine between the directions
@@ -133,19 +137,6 @@ std::vector<char> mark_crowded_edges(const Sheets& sheets) {
   }
   return marked;
 }
-
-constexpr double max_wall_distance_m = 0.012;     ///< largest distance between two walls
-constexpr double usual_size_m = 0.8;              ///< diagonal of a garment below which all lengths here shrink
-constexpr double max_wall_crossing_m = 0.0005;    ///< depth to which two walls may cross each other
-constexpr double max_opposite_cosine = -0.7;      ///< largest cosine between the normals of two walls
-constexpr double min_shell_area_fraction = 0.3;   ///< area fraction with another wall above which a sheet is cut
-constexpr double flat_m = 0.04;                   ///< largest thickness of a garment laid flat, which has no two walls
-constexpr double max_lying_distance_m = 0.006;    ///< largest distance of a sheet from the cloth that it lies on
-constexpr double min_lying_area_fraction = 0.8;   ///< smallest fraction of a sheet's area that lies on others
-constexpr double min_behind_area_fraction = 0.4;  ///< the same fraction of a wall of a sheet that has two
-constexpr double min_over_cosine = 0.7;  ///< smallest cosine between a normal and the direction to cloth above it
-constexpr std::size_t max_triangles_tried = 4000;  ///< tested triangles of a piece that may lie on others
-constexpr sim::Index max_rays = 400;               ///< rays of a piece that test whether it is outside
 
 sim::Vec3 triangle_centroid(const sim::Mesh& mesh, sim::Index t) {
   const auto& [a, b, c] = mesh.triangles[t];

@@ -5,8 +5,12 @@
 #include <OpenMesh/Tools/Decimater/ModRoundnessT.hh>
 
 #include "app/garments/fitting/fitted_mesh.hpp"
+#include "app/garments/fitting/tuning.hpp"
 
 namespace taut::app {
+
+using namespace fitting;
+
 namespace {
 
 struct DoubleTraits : OpenMesh::DefaultTraits {
@@ -14,9 +18,6 @@ struct DoubleTraits : OpenMesh::DefaultTraits {
   using Normal = OpenMesh::Vec3d;
 };
 using Net = OpenMesh::TriMesh_ArrayKernelT<DoubleTraits>;
-
-constexpr double min_roundness = 0.25;        ///< less leaves needles, more ends before the mesh is coarse enough
-constexpr double max_normal_turn_deg = 60.0;  ///< turn of a triangle by a collapse; more folds the cloth over
 
 Net to_net(const sim::Mesh& mesh) {
   Net net;

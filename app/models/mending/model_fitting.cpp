@@ -9,32 +9,6 @@
 namespace taut::app {
 namespace {
 
-/// Largest offset as a fraction of the mean edge. Two larger ones meet across one triangle of flat cloth, 0.87 edges
-/// high.
-constexpr double max_reach = 0.4;
-/// Smallest share at rest. Below it layers nearly touch or cross as modelled, and followers cannot keep to the share.
-constexpr float min_share_at_rest = 0.5F;
-
-double mean_edge_m(const sim::Mesh& mesh) {
-  double sum_m = 0.0;
-  for (const sim::Triangle& t : mesh.triangles) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      sum_m += glm::distance(mesh.positions[t[k]], mesh.positions[t[(k + 1) % 3]]);
-    }
-  }
-  return sum_m / (3.0 * static_cast<double>(mesh.triangles.size()));
-}
-
-std::vector<float> compute_reaches(std::span<const Bond> bonds, const sim::Mesh& simulated) {
-  const auto max_distance_m = static_cast<float>(max_reach * mean_edge_m(simulated));
-  std::vector<float> reach_m(simulated.positions.size(), 0.0F);
-  for (const Bond& bond : bonds) {
-    const float offset_m = std::min(static_cast<float>(glm::length(bond.offset_m)), max_distance_m);
-    for (const sim::Index v : simulated.triangles[bond.triangle]) reach_m[v] = std::max(reach_m[v], offset_m);
-  }
-  return reach_m;
-}
-
 using sim::Index;
 using sim::Vec2;
 using sim::Vec3;
@@ -45,6 +19,9 @@ constexpr double edges_by_thickness = 3.0;
 /// Crossing pairs above which a model is not simulated itself. More begins runs that break their promise, less refuses
 /// models that move well where they do not cross.
 constexpr std::size_t max_model_crossings = 3000;
+
+/// Largest stretch of a model that follows, over the bound of the mesh. More moves it less, less smooths its folds.
+constexpr double stretch_by_bound = 2.0;
 
 /// Axes in which a triangle is laid flat (sim::TriangleAtRest): along its first edge, and across.
 struct FlatAxes {
@@ -58,29 +35,6 @@ struct FlatAxes {
 };
 
 }  // namespace
-
-OffsetLimits::OffsetLimits(std::span<const Bond> bonds, const sim::Mesh& simulated)
-    : reach_m_(compute_reaches(bonds, simulated)), clearances_(simulated.triangles, {}, true, simulated.positions) {
-  const std::span<const float> shares = clearances_.find_ratios(simulated.positions, reach_m_);
-  at_rest_.assign(shares.begin(), shares.end());
-  std::replace_if(
-      at_rest_.begin(), at_rest_.end(), [](float share) { return share < min_share_at_rest; }, 1.0F);
-}
-
-std::vector<float> OffsetLimits::shares(std::span<const Bond> bonds, std::span<const sim::Vec3> positions_m,
-                                        std::span<const sim::Triangle> triangles) const {
-  const std::lock_guard lock(mutex_);
-  const std::span<const float> clearance_shares = clearances_.find_ratios(positions_m, reach_m_);
-  const auto at_vertex = [&](sim::Index v) { return std::min(clearance_shares[v] / at_rest_[v], 1.0F); };
-  std::vector<float> shares;
-  shares.reserve(bonds.size());
-  for (const Bond& bond : bonds) {
-    const auto& [a, b, c] = triangles[bond.triangle];
-    const auto& [u, v, w] = bond.weights;
-    shares.push_back(static_cast<float>(u * at_vertex(a) + v * at_vertex(b) + w * at_vertex(c)));
-  }
-  return shares;
-}
 
 FittingOutcome fit_model(const GarmentSource& source, double thickness_m, const sim::Mesh& model_m) {
   const bool may_choose = source.mesh == MeshChoice::automatic && source.subdivisions == 0;
@@ -133,14 +87,17 @@ std::vector<Vec3> FollowingModel::shown_m(std::span<const Vec3> positions_m,
   const std::vector<float> shares = limits->shares(bonds, positions_m, simulated);
   std::vector<Vec3> model_m = follow(bonds, positions_m, simulated, shares);
   carry(carried_vertices, shares, model_m);
+  shape_limits->apply(model_m);
   return model_m;
 }
 
-FollowingModel follow_fitted(sim::Mesh model_m, const FittedModel& fitted) {
+FollowingModel follow_fitted(sim::Mesh model_m, const FittedModel& fitted, double bound) {
   FollowingModel following;
   following.bonds = bonds_of_model(model_m, fitted.is_simulated, fitted.mesh);
   following.limits = std::make_shared<const OffsetLimits>(following.bonds, fitted.mesh);
   following.carried_vertices = carried_vertices(model_m, fitted.is_simulated);
+  following.shape_limits =
+      std::make_shared<const ShapeLimits>(model_m, stretch_by_bound * bound, following.carried_vertices);
   following.unfit_reason = fitted.why;
   following.carried_triangles = fitted.carried_triangles;
   following.dropped_parts = fitted.dropped_sheets;
@@ -215,16 +172,22 @@ LoadedGarment as_modelled(const LoadedGarment& loaded, const sim::MappingSetting
   return modelled;
 }
 
-std::string describe_following(const GarmentInScene& loaded, std::span<const Vec3> positions_m) {
-  if (!loaded.following) return "";
-  const std::vector<Vec3> shown_m = loaded.shown_m(positions_m);
-  const sim::Garment model = sim::make_garment(loaded.following->mesh, {.flexural_rule = sim::FlexuralRule::none});
-  const std::size_t crossings = sim::find_crossing_pairs({shown_m, model.mesh.triangles}).size();
-  const sim::SurfaceStretch stretch = sim::measure_surface_stretch(model, shown_m);
+void FollowingSummary::add(const GarmentInScene& loaded, std::span<const Vec3> positions_m) {
+  if (!loaded.following) return;
+  last = loaded.following->shape_limits->measure(loaded.shown_m(positions_m));
+  max_stretch = std::max(max_stretch, last->stretch.max);
+  max_p99_stretch = std::max(max_p99_stretch, last->stretch.p99);
+  max_new_crossings = std::max(max_new_crossings, last->new_crossings);
+}
+
+std::string FollowingSummary::describe() const {
+  if (!last) return "";
   return fmt::format(
-      "the promises are those of the fitted mesh; the model that follows it is stretched by up to {:.1f} % "
-      "(99th percentile {:.1f} %), and {} of its triangles cross",
-      100.0 * stretch.max, 100.0 * stretch.p99, count_text(crossings, "pair"));
+      "the promises are those of the fitted mesh; the model that follows it is stretched by up to {:.1f} % (99th "
+      "percentile {:.1f} %, of its surface at the end {:.1f} %), and {} of its triangles cross at the end, {} of which "
+      "do not as modelled (at most {} in a frame)",
+      100.0 * max_stretch, 100.0 * max_p99_stretch, 100.0 * last->surface_p99, count_text(last->crossings, "pair"),
+      last->new_crossings, max_new_crossings);
 }
 
 }  // namespace taut::app

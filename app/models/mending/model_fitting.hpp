@@ -1,30 +1,10 @@
 #pragma once
 
-#include <mutex>
-
 #include "app/garments/fitting/fitted_mesh.hpp"
 #include "app/models/garment_loading.hpp"
-#include "sim/solvers/bounded/contact/clearances.hpp"
+#include "app/models/mending/following_limits.hpp"
 
 namespace taut::app {
-
-/// Limits the offsets of a model that follows a simulation mesh, so that it stays out of the mesh's next layer.
-class OffsetLimits {
- public:
-  OffsetLimits(std::span<const Bond> bonds, const sim::Mesh& simulated);
-
-  /// Returns per bond the fraction of its offset that is left at these positions, in m. The fraction is 1 if no other
-  /// layer is nearer than the offsets of both together, or nearer than at rest. Otherwise the offsets just meet.
-  /// Requires the bonds and triangles of the constructor. Threads may call it at the same time.
-  std::vector<float> shares(std::span<const Bond> bonds, std::span<const sim::Vec3> positions_m,
-                            std::span<const sim::Triangle> triangles) const;
-
- private:
-  std::vector<float> reach_m_;  ///< largest offset of a bond about each vertex
-  std::vector<float> at_rest_;  ///< shares at rest, by which shares are divided
-  mutable std::mutex mutex_;
-  mutable sim::bounded::Clearances clearances_;  ///< clearances whose searches use memory of their own
-};
 
 /// A simulation mesh that was fitted to a model, and the reason.
 struct FittedModel : FittedMesh {
@@ -43,8 +23,9 @@ struct FittingOutcome {
 /// simulated.
 FittingOutcome fit_model(const GarmentSource& source, double thickness_m, const sim::Mesh& model_m);
 
-/// Binds the model to the mesh that was fitted to it, both in metres.
-FollowingModel follow_fitted(sim::Mesh model_m, const FittedModel& fitted);
+/// Binds the model to the mesh that was fitted to it, both in metres. `bound` is the bound on the mesh's stretch, a
+/// fraction.
+FollowingModel follow_fitted(sim::Mesh model_m, const FittedModel& fitted, double bound);
 
 /// Returns, per triangle of the simulation mesh, the direction of the warp (sim::warps_from_coordinates), from the
 /// texture coordinates of the nearest triangle of the model.
@@ -61,9 +42,17 @@ std::string describe(const FollowingModel& following, const sim::Mesh& simulated
 /// Returns the garment as if the following model were simulated itself: without pins, as modelled.
 LoadedGarment as_modelled(const LoadedGarment& loaded, const sim::MappingSettings& mapping);
 
-/// Returns a line for people: the stretch of a following model, and the number of pairs of its triangles that cross,
-/// for these positions of the simulated vertices, in m. The promises exclude it. Empty if the model itself is
-/// simulated.
-std::string describe_following(const GarmentInScene& loaded, std::span<const sim::Vec3> positions_m);
+/// Measures of a following model over the frames of a run. The promises exclude it.
+struct FollowingSummary {
+  /// Measures the model for these positions of the simulated vertices, in m. Does nothing if no model follows.
+  void add(const GarmentInScene& loaded, std::span<const sim::Vec3> positions_m);
+  /// Returns a line for people; empty if nothing was measured.
+  std::string describe() const;
+
+  std::optional<FollowingMeasures> last = {};
+  double max_stretch = 0.0;
+  double max_p99_stretch = 0.0;
+  std::size_t max_new_crossings = 0;
+};
 
 }  // namespace taut::app

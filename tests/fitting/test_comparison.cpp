@@ -1,0 +1,67 @@
+// A fitted mesh beside its model.
+
+#include <gtest/gtest.h>
+
+#include "app/garments/fitting/comparison.hpp"
+
+namespace taut::app {
+namespace {
+
+/// Measures of a mesh that is its model.
+FittingComparison like() {
+  FittingComparison c;
+  c.area_fraction = 1.0;
+  c.parts = c.model_parts = 2;
+  c.triangles = 1000;
+  return c;
+}
+
+TEST(FittingComparison, SaysWhatDiffers) {
+  EXPECT_EQ(why_not_the_model(like()), std::nullopt);
+  const auto says = [](const char* expected, const std::function<void(FittingComparison&)>& change) {
+    FittingComparison c = like();
+    change(c);
+    const std::string found = why_not_the_model(c).value_or("nothing");
+    EXPECT_NE(found.find(expected), std::string::npos) << found;
+  };
+  says("its area is 50 %", [](auto& c) { c.area_fraction = 0.5; });
+  says("its area is 120 %", [](auto& c) { c.area_fraction = 1.2; });
+  says("20 % of its borders", [](auto& c) { c.torn_fraction = 0.2; });
+  says("it has 3 parts", [](auto& c) { c.parts = 3; });
+  says("a hundredth of the model is farther", [](auto& c) { c.distance_from_model = 0.1; });
+  says("a hundredth of it is farther", [](auto& c) { c.distance_to_model = 0.1; });
+  says("it crosses itself in 30 places and the model in 0", [](auto& c) {
+    c.crossings = 30;
+    c.added_crossing_fraction = 0.03;
+  });
+  says("it crosses itself in 600 places", [](auto& c) { c.crossings = 600; });
+}
+
+TEST(FittingComparison, MissesWhatWasLost) {
+  sim::Mesh model;
+  for (int x = 0; x <= 10; ++x) {
+    for (int y = 0; y <= 10; ++y) model.positions.emplace_back(0.1 * x, 0.1 * y, 0.0);
+  }
+  for (sim::Index x = 0; x < 10; ++x) {
+    for (sim::Index y = 0; y < 10; ++y) {
+      const sim::Index v = 11 * x + y;
+      model.triangles.push_back({v, v + 11, v + 1});
+      model.triangles.push_back({v + 1, v + 11, v + 12});
+    }
+  }
+  FittedMesh whole;
+  whole.mesh = model;
+  whole.is_simulated.assign(model.triangles.size(), 1);
+  whole.sheets = 1;
+  EXPECT_EQ(why_not_the_model(compare_with_model(model, 0, whole)), std::nullopt);
+  FittedMesh half = whole;
+  half.mesh.triangles.resize(model.triangles.size() / 2);
+  const FittingComparison lost = compare_with_model(model, 0, half);
+  EXPECT_NEAR(lost.area_fraction, 0.5, 1e-9);
+  EXPECT_NEAR(lost.torn_fraction, 1.0 / 3.0, 0.01) << "one of four sides runs where the model has no border";
+  EXPECT_GT(lost.distance_from_model, 0.05);
+  EXPECT_EQ(lost.distance_to_model, 0.0);
+}
+
+}  // namespace
+}  // namespace taut::app

@@ -1,0 +1,127 @@
+// Limits on the shape of a model that follows a simulation mesh.
+
+#include <gtest/gtest.h>
+
+#include <glm/geometric.hpp>
+#include <random>
+
+#include "app/models/mending/following_limits.hpp"
+#include "sim/contact/crossing_pairs.hpp"
+
+namespace taut::app {
+namespace {
+
+using sim::Vec3;
+
+constexpr int columns = 12;
+constexpr double max_stretch = 0.02;
+
+/// Adds a level square of 1 m at this height.
+void add_square(double height_m, sim::Mesh& mesh) {
+  const auto first = static_cast<sim::Index>(mesh.positions.size());
+  for (int z = 0; z <= columns; ++z) {
+    for (int x = 0; x <= columns; ++x) mesh.positions.emplace_back(double(x) / columns, height_m, double(z) / columns);
+  }
+  const auto at = [&](int x, int z) { return first + static_cast<sim::Index>(z * (columns + 1) + x); };
+  for (int z = 0; z < columns; ++z) {
+    for (int x = 0; x < columns; ++x) {
+      mesh.triangles.push_back({at(x, z), at(x, z + 1), at(x + 1, z)});
+      mesh.triangles.push_back({at(x + 1, z), at(x, z + 1), at(x + 1, z + 1)});
+    }
+  }
+}
+
+sim::Mesh squares(std::initializer_list<double> heights_m) {
+  sim::Mesh mesh;
+  for (const double height_m : heights_m) add_square(height_m, mesh);
+  return mesh;
+}
+
+TEST(ShapeLimits, KeepTheirBoundFromAnyShape) {
+  const sim::Mesh model = squares({0.0});
+  const ShapeLimits limits(model, max_stretch, {});
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> noise_m(-0.02, 0.02);
+  for (int trial = 0; trial < 20; ++trial) {
+    std::vector<Vec3> points_m = model.positions;
+    for (Vec3& p : points_m) p += Vec3(noise_m(random), noise_m(random), noise_m(random));
+    EXPECT_GT(limits.measure(points_m).surface_p99, 0.1);
+    const Vec3 before_m = std::accumulate(points_m.begin(), points_m.end(), Vec3(0.0));
+    limits.apply(points_m);
+    const FollowingMeasures after = limits.measure(points_m);
+    EXPECT_LE(after.stretch.max, max_stretch + 0.005);
+    EXPECT_LE(after.surface_p99, max_stretch + 0.005);
+    EXPECT_LT(glm::distance(std::accumulate(points_m.begin(), points_m.end(), Vec3(0.0)), before_m), 0.05)
+        << "the middle moved by a thousandth of this";
+  }
+}
+
+TEST(ShapeLimits, LeaveAShapeWithinThemAsItIs) {
+  const sim::Mesh model = squares({0.0, 0.05});
+  std::vector<Vec3> points_m = model.positions;
+  for (Vec3& p : points_m) p = {0.95 * p.x, p.y + 0.01 * p.x, p.z};
+  const std::vector<Vec3> before_m = points_m;
+  ShapeLimits(model, max_stretch, {}).apply(points_m);
+  EXPECT_EQ(points_m, before_m);
+}
+
+TEST(ShapeLimits, TakeLayersApartThatDoNotCrossAsModelled) {
+  const sim::Mesh model = squares({0.0, 0.004});
+  const ShapeLimits limits(model, max_stretch, {});
+  std::vector<Vec3> points_m = model.positions;
+  points_m[6 * (columns + 1) + 6].y = 0.006;
+  EXPECT_GT(limits.measure(points_m).new_crossings, 0u);
+  limits.apply(points_m);
+  EXPECT_EQ(limits.measure(points_m).crossings, 0u);
+}
+
+TEST(ShapeLimits, LeaveCrossingsThatAreModelled) {
+  sim::Mesh model = squares({0.0, 0.004});
+  model.positions[6 * (columns + 1) + 6].y = 0.006;
+  const ShapeLimits limits(model, max_stretch, {});
+  std::vector<Vec3> points_m = model.positions;
+  const FollowingMeasures before = limits.measure(points_m);
+  EXPECT_GT(before.crossings, 0u);
+  EXPECT_EQ(before.new_crossings, 0u);
+  limits.apply(points_m);
+  EXPECT_EQ(points_m, model.positions);
+}
+
+TEST(Following, AButtonStaysRigidAndAPatchBends) {
+  for (const double size_m : {0.01, 0.2}) {
+    sim::Mesh model = squares({0.0});
+    std::vector<std::uint8_t> is_wall(model.triangles.size(), 1);
+    const auto first = static_cast<sim::Index>(model.positions.size());
+    for (const Vec3& p : squares({0.002}).positions)
+      model.positions.push_back(Vec3(0.45, 0.0, 0.45) + Vec3(size_m * p.x, p.y, size_m * p.z));
+    for (const sim::Triangle& t : squares({0.0}).triangles)
+      model.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
+    is_wall.resize(model.triangles.size(), 0);
+    const CarriedVertices carried = carried_vertices(model, is_wall);
+    std::vector<Vec3> points_m = model.positions;
+    for (Vec3& p : points_m) p.y += 0.1 * std::sin(30.0 * p.x);
+    carry(carried, std::vector<float>(points_m.size(), 0.5F), points_m);
+    double max_change = 0.0;
+    for (sim::Index v = first; v < points_m.size(); ++v) {
+      const double was_m = glm::distance(model.positions[first], model.positions[v]);
+      max_change = std::max(max_change, std::abs(glm::distance(points_m[first], points_m[v]) - was_m));
+    }
+    EXPECT_EQ(max_change < 1e-9, size_m < 0.03) << "of " << size_m << " m it changed by " << max_change;
+  }
+}
+
+TEST(OffsetLimits, ShortenAnOffsetByNoMoreThanTheyLookFor) {
+  const sim::Mesh walls = squares({0.0, 0.05});
+  const std::vector<Vec3> points_m = {{0.51, 0.03, 0.51}, {0.51, -0.5, 0.51}};
+  const std::vector<Bond> bonds = bonds_to(points_m, walls);
+  const OffsetLimits limits(bonds, walls);
+  std::vector<Vec3> near_m = walls.positions;
+  for (std::size_t v = near_m.size() / 2; v < near_m.size(); ++v) near_m[v].y = 0.004;
+  const std::vector<float> shares = limits.shares(bonds, near_m, walls.triangles);
+  EXPECT_LT(shares[0], 0.9F);
+  EXPECT_GT(shares[1], 0.9F);
+  EXPECT_EQ(limits.shares(bonds, walls.positions, walls.triangles)[1], 1.0F);
+}
+
+}  // namespace
+}  // namespace taut::app

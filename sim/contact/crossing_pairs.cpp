@@ -1,7 +1,6 @@
 #include "sim/contact/crossing_pairs.hpp"
 
 #include "sim/contact/triangle_pair.hpp"
-#include "sim/contact/triangle_tree.hpp"
 #include "sim/mesh/adjacency.hpp"
 
 namespace taut::sim {
@@ -77,8 +76,11 @@ void add_crossing_neighbours(const Surface& cloth, std::vector<TriangleCouple>& 
 }  // namespace
 
 std::vector<CrossingPair> find_crossing_pairs(const Surface& cloth) {
+  return find_crossing_pairs(cloth, TriangleTree(cloth.triangles, cloth.positions_m));
+}
+
+std::vector<CrossingPair> find_crossing_pairs(const Surface& cloth, TriangleTree tree) {
   if (cloth.triangles.empty()) return {};
-  TriangleTree tree(cloth.triangles, cloth.positions_m);
   tree.fit(cloth.positions_m, cloth.positions_m.front(), 0.0);
   std::vector<TriangleCouple> crossing;
   tree.find_near(crossing);

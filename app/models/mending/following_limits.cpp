@@ -97,13 +97,14 @@ std::vector<float> OffsetLimits::shares(std::span<const Bond> bonds, std::span<c
 
 ShapeLimits::ShapeLimits(const sim::Mesh& model_m, double max_stretch, const CarriedVertices& carried)
     : model_(sim::make_garment(model_m, {.flexural_rule = sim::FlexuralRule::none})),
+      tree_(model_m.triangles, model_m.positions),
       triangles_at_(sim::at_vertices(model_m.positions.size(), model_m.triangles)),
       max_ratio_(1.0 + max_stretch),
       is_rigid_(model_m.positions.size(), 0) {
   for (std::size_t k = 0; k < carried.vertices.size(); ++k) {
     is_rigid_[carried.vertices[k]] = carried.is_rigid[k];
   }
-  for (const sim::CrossingPair& pair : sim::find_crossing_pairs({model_m.positions, model_m.triangles})) {
+  for (const sim::CrossingPair& pair : find_crossings(model_m.positions)) {
     own_crossings_.push_back({pair.first, pair.second});
   }
 }
@@ -144,13 +145,17 @@ void ShapeLimits::erase_own(std::vector<sim::CrossingPair>& pairs) const {
   });
 }
 
+std::vector<sim::CrossingPair> ShapeLimits::find_crossings(std::span<const Vec3> points_m) const {
+  return sim::find_crossing_pairs({points_m, model_.mesh.triangles}, tree_);
+}
+
 void ShapeLimits::apply(std::vector<Vec3>& points_m) const {
   shorten(points_m);
   const auto max_crossings =
       static_cast<std::size_t>(max_crossing_fraction * static_cast<double>(model_.mesh.triangles.size()));
   if (own_crossings_.size() > max_crossings) return;
   for (int round = 0; round < max_smoothing_rounds; ++round) {
-    std::vector<sim::CrossingPair> crossings = sim::find_crossing_pairs({points_m, model_.mesh.triangles});
+    std::vector<sim::CrossingPair> crossings = find_crossings(points_m);
     erase_own(crossings);
     if (crossings.empty() || crossings.size() > max_crossings) return;
     std::vector<std::uint8_t> is_marked(points_m.size(), 0);
@@ -165,7 +170,7 @@ void ShapeLimits::apply(std::vector<Vec3>& points_m) const {
 }
 
 FollowingMeasures ShapeLimits::measure(std::span<const Vec3> points_m) const {
-  std::vector<sim::CrossingPair> crossings = sim::find_crossing_pairs({points_m, model_.mesh.triangles});
+  std::vector<sim::CrossingPair> crossings = find_crossings(points_m);
   const std::size_t all = crossings.size();
   erase_own(crossings);
   return {sim::measure_stretch(model_.springs, points_m), sim::measure_surface_stretch(model_, points_m).p99, all,

@@ -3,6 +3,7 @@
 #include <mutex>
 
 #include "app/garments/fitting/following.hpp"
+#include "sim/contact/triangle_tree.hpp"
 #include "sim/garment.hpp"
 #include "sim/measures.hpp"
 #include "sim/solvers/bounded/contact/clearances.hpp"
@@ -57,7 +58,11 @@ class ShapeLimits {
   /// Erases the pairs that cross as modelled.
   void erase_own(std::vector<sim::CrossingPair>& pairs) const;
 
+  /// Returns the pairs that cross, in order.
+  std::vector<sim::CrossingPair> find_crossings(std::span<const sim::Vec3> points_m) const;
+
   sim::Garment model_;
+  sim::TriangleTree tree_;  ///< tree of its triangles
   sim::CompressedRows triangles_at_;                      ///< triangles by vertex
   double max_ratio_;                                      ///< largest length over rest length, in any direction
   std::vector<std::uint8_t> is_rigid_;                    ///< per vertex

@@ -274,8 +274,7 @@ class Render {
       fmt::print("wrote {}\n", options_.statistics.string());
     }
     fmt::print("{}{}", written, options_.verify ? run_.verifier.summary() + '\n' : "");
-    for (const std::string& line :
-         {describe_crossings(summary), run_.following.describe()}) {
+    for (const std::string& line : {describe_crossings(summary), run_.following.describe()}) {
       fmt::print("{}", line.empty() ? "" : line + '\n');
     }
     return judge_bound(run_.scene, summary);

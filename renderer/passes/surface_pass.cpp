@@ -175,7 +175,8 @@ void SurfacePass::begin_shading(const VisibilityBuffer& visibility, GLuint frame
   gl_->BindFramebuffer(GL_FRAMEBUFFER, framebuffer);
   gl_->Viewport(place.x_px, place.y_px, place.width_px, place.height_px);
   surface_buffers_.bind();
-  gl_->BindVertexArray(corner_arrays_.name());  // any: fullscreen.vert reads none
+  // OpenGL draws nothing without an array of vertices, though fullscreen.vert reads none.
+  gl_->BindVertexArray(corner_arrays_.name());
   // The first call makes the map in the active texture unit.
   if (any_scalars_) bind_texture(*gl_, scalar_maps_unit, GL_TEXTURE_2D, colour_maps_.texture());
   if (surface_buffers_.has_maps()) {

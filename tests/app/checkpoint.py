@@ -1,6 +1,5 @@
 #!/usr/bin/env python3
 """A run that is stopped and resumed leaves what the run that was not stopped leaves.   checkpoint.py PROGRAM FOLDER"""
-import json
 import pathlib
 import shutil
 import signal
@@ -11,6 +10,7 @@ import time
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / 'support'))
 import expecting
 from expecting import expect
+from statistics_files import records_without_times
 
 program = sys.argv[1]
 folder = pathlib.Path(sys.argv[2])
@@ -33,13 +33,7 @@ def done(process, code):
 
 
 def records(name):
-    """Every line of the statistics, without what the clock said."""
-    lines = [json.loads(line) for line in (folder / name / 'run.jsonl').read_text().splitlines()]
-    for line in lines:
-        for measured in (line, line.get('summary', {})):
-            for key in [key for key in measured if key.endswith('_ms')]:
-                del measured[key]
-    return lines
+    return records_without_times(folder / name / 'run.jsonl')
 
 
 def shapes(name):

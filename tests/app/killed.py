@@ -1,7 +1,6 @@
 #!/usr/bin/env python3
 """A run that is ended by SIGTERM or SIGKILL at any moment leaves nothing half-written, and goes on from its checkpoint to
 the bytes of a run that was not ended.   killed.py PROGRAM FOLDER [TIMES]"""
-import json
 import pathlib
 import random
 import shutil
@@ -9,6 +8,9 @@ import signal
 import subprocess
 import sys
 import time
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / 'support'))
+from statistics_files import records_without_times
 
 program, folder = sys.argv[1], pathlib.Path(sys.argv[2])
 TIMES = int(sys.argv[3]) if len(sys.argv) > 3 else 20
@@ -29,25 +31,11 @@ KINDS = {
 }
 
 
-def without_times(file):
-    """Lines of statistics without what the clock said."""
-    lines = file.read_text().splitlines()
-    if file.suffix == '.csv':
-        timed = [i for i, name in enumerate(lines[0].split(',')) if name.endswith('_ms')]
-        return [[cell for i, cell in enumerate(line.split(',')) if i not in timed] for line in lines]
-    records = [json.loads(line) for line in lines]
-    for record in records:
-        for measured in (record, record.get('summary', {})):
-            for key in [key for key in measured if key.endswith('_ms')]:
-                del measured[key]
-    return records
-
-
 def outputs(into):
     found = {}
     for file in into.rglob('*'):
         if file.is_file() and file.suffix in ('.csv', '.jsonl'):
-            found[str(file.relative_to(into))] = without_times(file)
+            found[str(file.relative_to(into))] = records_without_times(file)
         elif file.is_file() and 'checkpoint' not in file.name:
             found[str(file.relative_to(into))] = file.read_bytes()
     return found

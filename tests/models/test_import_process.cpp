@@ -1,5 +1,4 @@
 #include <gtest/gtest.h>
-
 #include <unistd.h>
 
 #include <chrono>
@@ -198,7 +197,8 @@ TEST(ModelArrays, RefuseWhatNoModelHas) {
   refuses("a vertex that has no position of its own", [](auto& m) { m.position_of_vertex = {0, 1, 1}; });
   refuses("fewer vertices than positions", [](auto& m) { m.position_of_vertex.pop_back(); });
   refuses("a section behind the faces", [](auto& m) { m.faces.sections[1].first_face = 2; });
-  refuses("sections that go back", [](auto& m) { m.faces.sections[0].first_face = 1, m.faces.sections[1].first_face = 0; });
+  refuses("sections that go back",
+          [](auto& m) { m.faces.sections[0].first_face = 1, m.faces.sections[1].first_face = 0; });
   refuses("a section of two lines", [](auto& m) { m.faces.sections[0].line = "g a\nv 1 2 3"; });
   refuses("a name without end", [](auto& m) { m.rig.nodes[0].name.assign((1U << 20U) + 1, 'a'); });
   refuses("a transform that is no number", [](auto& m) { m.rig.nodes[1].to_parent[3][0] = no_number; });

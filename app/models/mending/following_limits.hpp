@@ -62,7 +62,7 @@ class ShapeLimits {
   std::vector<sim::CrossingPair> find_crossings(std::span<const sim::Vec3> points_m) const;
 
   sim::Garment model_;
-  sim::TriangleTree tree_;  ///< tree of its triangles
+  sim::TriangleTree tree_;                                ///< tree of its triangles
   sim::CompressedRows triangles_at_;                      ///< triangles by vertex
   double max_ratio_;                                      ///< largest length over rest length, in any direction
   std::vector<std::uint8_t> is_rigid_;                    ///< per vertex

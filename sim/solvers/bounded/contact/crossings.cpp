@@ -44,8 +44,7 @@ TrianglePairMeasure Crossings::measure(Index s, Index t, bool are_neighbours, st
 
 // Nearly all neighbours do, which saves measuring them.
 bool Crossings::lie_apart(Index s, Index t, bool are_neighbours, std::span<const Vec3> positions_m) const {
-  return are_neighbours &&
-         corner_neighbours_lie_apart(triangles_[s], triangles_[t], positions_m, min_rest_distance_m);
+  return are_neighbours && corner_neighbours_lie_apart(triangles_[s], triangles_[t], positions_m, min_rest_distance_m);
 }
 
 bool Crossings::is_kept_apart(Index s, Index t, bool are_neighbours) const {

@@ -67,7 +67,7 @@ class Crossings {
   CompressedRows row_triangles_;     ///< triangles by solver index
   std::vector<Vec3> rest_m_;
   std::vector<Index> triangle_groups_;  ///< group by triangle
-  std::vector<Key> keys_;        ///< primitives in groups, sorted
+  std::vector<Key> keys_;               ///< primitives in groups, sorted
   std::vector<bool> is_touching_at_rest_;
 };
 

@@ -165,8 +165,7 @@ TEST(Lemma, KinematicVerticesNearToTheirChordsAreCrossedByNothing) {
     }
     RC_ASSERT(off_m > 0.0);
     const RowMoves& rows = kept.soup.rows;
-    const auto towards_each_other = [&](const ContactPair& pair, bool is_kinematic, const Vec3& way,
-                                        const auto& move) {
+    const auto towards_each_other = [&](const ContactPair& pair, bool is_kinematic, const Vec3& way, const auto& move) {
       for (Index k = 0; k < 4; ++k) {
         const Index row = pair.near.rows[k];
         if ((rows.inverse_masses_per_kg[row] > 0.0F) != is_kinematic) {
@@ -179,13 +178,11 @@ TEST(Lemma, KinematicVerticesNearToTheirChordsAreCrossedByNothing) {
       const Vec3 between = glm::normalize(between_m(pair.near, begin_m));
       for (const float time : {0.0F, 0.3F, 0.9F, 1.0F}) {
         const Float4Array current = kept.project_into_region(time, [&](Float4Array& rows_m) {
-          towards_each_other(pair, false, 0.1 * between,
-                             [&](Index row, const Vec3& by_m) { add(rows_m[row], by_m); });
+          towards_each_other(pair, false, 0.1 * between, [&](Index row, const Vec3& by_m) { add(rows_m[row], by_m); });
         });
         const std::vector<Vec3> chord_m = soup_positions(kept.soup, std::max<double>(time, 1e-30), current);
         std::vector<Vec3> beside_m = chord_m;
-        towards_each_other(pair, true, off_m * between,
-                           [&](Index row, const Vec3& by_m) { beside_m[row] += by_m; });
+        towards_each_other(pair, true, off_m * between, [&](Index row, const Vec3& by_m) { beside_m[row] += by_m; });
         RC_ASSERT(crossings(kept.soup, beside_m) == 0U);
         RC_ASSERT(glm::dot(between_m(pair.near, beside_m), between_m(pair.near, chord_m)) > 0.0);
         tried += distance_m(pair.near, chord_m) < 4.0 * off_m ? 1 : 0;
@@ -243,9 +240,9 @@ TEST(Regions, LetLayersSlidePastEdgesWithinEachOther) {
   };
   EXPECT_GT(deviation_m({}), 1e-3F);
   EXPECT_GT(deviation_m(Float4Array(block_size)), 1e-3F) << "unknown";
-  EXPECT_LT(deviation_m(Float4Array(block_size, Float4{0.0F, 1e-4F, 0.0F, 0.0F})), 1e-6F);
-  EXPECT_LT(deviation_m(Float4Array(block_size, Float4{0.0F, -1e-4F, 0.0F, 0.0F})), 1e-6F);
-  EXPECT_GT(deviation_m(Float4Array(block_size, Float4{1e-4F, 0.0F, 0.0F, 0.0F})), 1e-3F) << "along the edges";
+  EXPECT_LT(deviation_m(Float4Array(block_size, Float4{0.0F, 1e-4F, 0.0F, 1.0F})), 1e-6F);
+  EXPECT_LT(deviation_m(Float4Array(block_size, Float4{0.0F, -1e-4F, 0.0F, 1.0F})), 1e-6F);
+  EXPECT_GT(deviation_m(Float4Array(block_size, Float4{1e-4F, 0.0F, 0.0F, 1.0F})), 1e-3F) << "along the edges";
 }
 
 }  // namespace

@@ -1,8 +1,8 @@
 #include "sim/solvers/bounded/contacts.hpp"
 
-#include "sim/mesh/preconditions.hpp"
-
 #include <ctime>
+
+#include "sim/mesh/preconditions.hpp"
 
 namespace taut::sim::bounded {
 namespace {
@@ -257,14 +257,12 @@ void Contacts::add_loose_vertices(const Layout& layout) {
 
 void Contacts::measure_edges(const Mesh& mesh, const Layout& layout) {
   double sum_m = 0.0;
-  max_edge_m_ = 0.0F;
   std::vector<float> sums_m(layout.row_count(), 0.0F);
   std::vector<float> counts(layout.row_count(), 0.0F);
   for (const Triangle& t : mesh.triangles) {
     for (std::size_t k = 0; k < 3; ++k) {
       const double length_m = glm::distance(mesh.positions[t[k]], mesh.positions[t[(k + 1) % 3]]);
       sum_m += length_m / 3.0;
-      max_edge_m_ = std::max(max_edge_m_, static_cast<float>(length_m));
       for (const Index v : {t[k], t[(k + 1) % 3]}) {
         sums_m[layout.solver_indices[v]] += static_cast<float>(length_m);
         ++counts[layout.solver_indices[v]];
@@ -396,15 +394,6 @@ void Contacts::make_regions(const Frame& frame, const Layout& layout, const Moti
   find_regions(frame, layout, motion, {time_s, time_s}, false, kernels);
 }
 
-// Neighbours nearer at rest than the thickness are not pushed apart for that.
-float Contacts::kept_distance_m(const NearPair& near, float thickness_m) const {
-  assert(thickness_m > 0.0F);
-  std::array<glm::vec3, 4> p{};
-  for (std::size_t k = 0; k < 4; ++k) p[k] = vec(rest_[near.rows[k]]);
-  if (glm::distance(p[0], p[3]) > 2.0F * (max_edge_m_ + thickness_m)) return thickness_m;
-  return std::min(thickness_m, rest_distance_fraction * distance_between(near, p));
-}
-
 std::span<const NearPair> Contacts::find_near(const TimeSpan& time, float thickness_m, float error_m,
                                               ParallelKernels& kernels) {
   reaches_.resize(rows_.radii.size());
@@ -417,25 +406,41 @@ std::span<const NearPair> Contacts::find_near(const TimeSpan& time, float thickn
   return near_pairs;
 }
 
-// The thickness is 0 for pairs that are not kept apart.
-ContactPair Contacts::make_contact_pair(const NearPair& near, const Material& material, float thickness_m) const {
-  if (excluded_.has(near)) return {near};
-  const Index first = near.rows.front();
-  const Index second = near.rows.back();
-  if (bodies_.has(first) || bodies_.has(second)) {
-    return {near, thickness_m, bodies_.friction_at_row(bodies_.has(first) ? first : second)};
+// The thickness is 0 for pairs that are not kept apart. Neighbours nearer at rest than the thickness are not pushed
+// apart for that, and parts that touch at rest, as along unsewn seams, are not kept apart.
+void Contacts::make_contact_pairs(std::span<const NearPair> near_pairs, const Material& material, float thickness_m,
+                                  std::size_t begin, std::size_t end, const ContactKernels& kernels) {
+  const auto take = [&](PairBatches::Batch& batch) {
+    const auto measure = batch.first_count == 1 ? kernels.measure_triangle_distances : kernels.measure_edge_distances;
+    measure(rest_.data(), batch.block);
+    for (std::size_t i = 0; i < batch.count; ++i) {
+      const float kept_m = std::min(thickness_m, rest_distance_fraction * batch.block.distance[i]);
+      const float min_m = 0.5F * static_cast<float>(min_rest_distance_m);
+      pairs_[batch.index[i]].thickness_m = kept_m < min_m ? 0.0F : kept_m;
+    }
+  };
+  PairBatches batches;
+  for (std::size_t i = begin; i < end; ++i) {
+    const NearPair& near = near_pairs[i];
+    const Index first = near.rows.front();
+    const Index second = near.rows.back();
+    if (excluded_.has(near)) {
+      pairs_[i] = {near};
+    } else if (bodies_.has(first) || bodies_.has(second)) {
+      pairs_[i] = {near, thickness_m, bodies_.friction_at_row(bodies_.has(first) ? first : second)};
+    } else {
+      pairs_[i] = {near, thickness_m, static_cast<float>(material.friction)};
+      batches.add(near, i, thickness_m, take);
+    }
   }
-  const float kept_m = kept_distance_m(near, thickness_m);
-  // Parts that touch at rest, as along unsewn seams, are not kept apart.
-  return {near, kept_m < 0.5F * static_cast<float>(min_rest_distance_m) ? 0.0F : kept_m,
-          static_cast<float>(material.friction)};
+  batches.end(take);
 }
 
 void Contacts::collect_pairs(const Material& material, float thickness_m, std::span<const NearPair> near_pairs,
                              const TimeSpan& time, const Vec3& origin_m, ParallelKernels& kernels) {
   pairs_.resize(near_pairs.size());
   kernels.split(0, near_pairs.size(), ParallelKernels::min_pairs, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) pairs_[i] = make_contact_pair(near_pairs[i], material, thickness_m);
+    make_contact_pairs(near_pairs, material, thickness_m, begin, end, kernels.contact());
   });
   std::erase_if(pairs_, [](const ContactPair& pair) { return pair.thickness_m == 0.0F; });
   bodies_.add_near(solid_, thickness_m, time, origin_m, rows_, pairs_);

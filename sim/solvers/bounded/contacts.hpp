@@ -107,11 +107,11 @@ class Contacts {
   std::span<const NearPair> find_near(const TimeSpan& time, float thickness_m, float error_m, ParallelKernels& kernels);
   void collect_pairs(const Material& material, float thickness_m, std::span<const NearPair> near_pairs,
                      const TimeSpan& time, const Vec3& origin_m, ParallelKernels& kernels);
-  ContactPair make_contact_pair(const NearPair& near, const Material& material, float thickness_m) const;
+  void make_contact_pairs(std::span<const NearPair> near_pairs, const Material& material, float thickness_m,
+                          std::size_t begin, std::size_t end, const ContactKernels& kernels);
   static void release_clamped(std::span<const ClampedRow> held_back, Motion& motion);
   void confine_nothing(ParallelKernels& kernels);
   void note_blocked(const Layout& layout, const Vec3& origin_m, bool fits);
-  float kept_distance_m(const NearPair& near, float thickness_m) const;
 
   bool within_cloth_;
   double max_stretch_;
@@ -120,14 +120,13 @@ class Contacts {
   std::vector<Triangle> solid_;      ///< cloth triangles, plus loose vertices as triangles of three equal corners
   Float4Array rest_;                 ///< rest positions by solver index, in m
   double mean_edge_m_ = 0.0;
-  float max_edge_m_ = 0.0F;
-  float max_gravity_m_per_s2_ = 0.0F;      ///< limit of learned accelerations: faster changes are trembling
-  std::vector<float> edges_m_;             ///< mean length of a vertex's edges
+  float max_gravity_m_per_s2_ = 0.0F;  ///< limit of learned accelerations: faster changes are trembling
+  std::vector<float> edges_m_;         ///< mean length of a vertex's edges
   BodyContacts bodies_;
   std::optional<LastingPairs> near_;
   Crossings excluded_;
   std::vector<ExcludedTriangle> contact_triangles_;  ///< identity of each contact triangle, cloth first, then bodies
-  std::vector<double> areas_;                 ///< rest areas of the cloth's contact triangles, in m^2
+  std::vector<double> areas_;                        ///< rest areas of the cloth's contact triangles, in m^2
   std::vector<Body> bodies_of_frame_;
   std::vector<ContactPair> pairs_;
   RowMoves rows_;
@@ -147,7 +146,7 @@ class Contacts {
   double frame_ends_s_ = 0.0;
   float kept_time_ = 0.0F;           ///< time, 0 to 1, of the last projection into the regions
   Float4Array start_displacements_;  ///< displacements when the regions were made; empty before the first
-  RowMemory memory_;      ///< memory of the attempt
+  RowMemory memory_;                 ///< memory of the attempt
 };
 
 }  // namespace taut::sim::bounded

@@ -29,7 +29,10 @@ void add_normals(std::span<const Triangle> triangles, const Float4Array& positio
   for (const Triangle& t : triangles) {
     const glm::vec3 corner = vec(positions[t[0]]);
     const glm::vec3 normal = glm::cross(vec(positions[t[1]]) - corner, vec(positions[t[2]]) - corner);
-    for (const Index row : t) add(normals[row], normal);
+    for (const Index row : t) {
+      add(normals[row], normal);
+      normals[row].fourth = 1.0F;
+    }
   }
 }
 

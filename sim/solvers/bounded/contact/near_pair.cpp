@@ -16,13 +16,6 @@ glm::vec3 between_closest(const NearPair& pair, const std::array<glm::vec3, 4>& 
   return between;
 }
 
-glm::vec3 normal_across(const NearPair& pair, const std::array<glm::vec3, 4>& p, const glm::vec3& between) {
-  const glm::vec3 across = pair.first_count == 2   ? glm::cross(p[1] - p[0], p[3] - p[2])
-                           : pair.first_count == 1 ? glm::cross(p[2] - p[1], p[3] - p[1])
-                                                   : glm::cross(p[1] - p[0], p[2] - p[0]);
-  return (glm::dot(across, between) < 0.0F ? -1.0F : 1.0F) / glm::length(across) * across;
-}
-
 float distance_between(const NearPair& pair, const std::array<glm::vec3, 4>& p) {
   return glm::length(between_closest(pair, p, closest_weights(pair, p)));
 }

@@ -22,10 +22,6 @@ ClosestWeights closest_weights(const NearPair& pair, const std::array<glm::vec3,
 glm::vec3 between_closest(const NearPair& pair, const std::array<glm::vec3, 4>& positions,
                           const ClosestWeights& weights);
 
-/// Returns the unit normal of the triangle or of both edges, on the side of `between`. It has the direction of
-/// `between` if the closest points are inner points, and it is accurate where `between` is not.
-glm::vec3 normal_across(const NearPair& pair, const std::array<glm::vec3, 4>& positions, const glm::vec3& between);
-
 /// Returns the smallest distance of the two primitives.
 float distance_between(const NearPair& pair, const std::array<glm::vec3, 4>& positions);
 

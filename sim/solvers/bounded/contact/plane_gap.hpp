@@ -1,6 +1,7 @@
 #pragma once
 
 #include "prelude.hpp"
+#include "sim/solvers/bounded/tuning.hpp"
 
 namespace taut::sim::bounded {
 
@@ -13,6 +14,10 @@ inline constexpr float min_gap_fraction = 0.1F;
 inline constexpr float max_off_chord_fraction = 0.02F;
 /// Tolerance of half-spaces: vertices further outside, in m, violate them.
 inline constexpr float tolerance_m = 2e-8F;
+/// Largest distance at which primitives collide, in thicknesses. Planes alone act on more distant ones.
+inline constexpr float touched_per_thickness = 1.0F + tuning::separation_fraction;
+/// Smallest ratio of the distance along the normal to the shortest distance for which the normal is certain.
+inline constexpr float min_resolved_fraction = 0.9F;
 
 /// Magnitudes, in m, of the numbers from which single precision computes the distance of a pair.
 struct PairExtent {
@@ -22,15 +27,21 @@ struct PairExtent {
   float displaced = 0.0F;    ///< largest displacement of a vertex since the frame began
 };
 
+/// Largest relative error of one operation in single precision.
+inline constexpr float unit_roundoff = 0x1p-24F;
+/// Number of such errors of each of these magnitudes, see distance_error_m().
+inline constexpr PairExtent error_weights = {4.0F, 16.0F, 26.0F, 4.0F};
+
 /// Returns a bound in m on the excess of the computed distance of a pair along its normal over the true one, at both
-/// ends of the regions' time. With u = 2^-24, for each of the two corners that decide: a position is rounded twice (2u
-/// of its distance from the origin); its height is a difference and a product of vectors (4u of the size of the pair),
-/// and so is its limit (4u more); moves, limits and displacements are added, multiplied and rounded 13 times; and the
-/// frame's displacement twice. Each corner may be off by the tolerance.
+/// ends of the regions' time. With u the unit roundoff, for each of the two corners that decide: a position is rounded
+/// twice (2u of its distance from the origin); its height is a difference and a product of vectors (4u of the size of
+/// the pair), and so is its limit (4u more); moves, limits and displacements are added, multiplied and rounded 13
+/// times; and the frame's displacement twice. Each corner may be off by the tolerance.
 inline float distance_error_m(const PairExtent& extent) {
-  constexpr float u = 0x1p-24F;
+  constexpr PairExtent weights = error_weights;
   return 2.0F * tolerance_m +
-         u * (4.0F * extent.from_origin + 16.0F * extent.across + 26.0F * extent.moved + 4.0F * extent.displaced);
+         unit_roundoff * (weights.from_origin * extent.from_origin + weights.across * extent.across +
+                          weights.moved * extent.moved + weights.displaced * extent.displaced);
 }
 
 /// Returns the gap in m that planes leave between two primitives. A pair is resolved above rounding if its distance

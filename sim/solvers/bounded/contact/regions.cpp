@@ -7,91 +7,56 @@ namespace {
 
 constexpr float infinity = std::numeric_limits<float>::infinity();
 
-/// Smallest ratio of the distance along the normal to the shortest distance for which the normal is certain.
-constexpr float min_resolved_fraction = 0.9F;
-
-/// Returns the mean surface normal of both primitives of a pair, on the side of the first; nothing if unknown or at
-/// right angles to the line between the two.
-std::optional<glm::vec3> mean_surface_normal(const NearPair& near, const std::array<glm::vec3, 4>& p,
-                                             const glm::vec3& between, const RowMoves& rows) {
-  std::array<glm::vec3, 2> sides = {glm::vec3(0.0F), glm::vec3(0.0F)};
-  for (Index k = 0; k < 4; ++k) {
-    if (near.rows[k] >= rows.normals.size()) return std::nullopt;
-    sides[k < near.first_count ? 0 : 1] += vec(rows.normals[near.rows[k]]);
-  }
-  if (near.first_count == 1) sides[1] = glm::cross(p[2] - p[1], p[3] - p[1]);
-  glm::vec3 sum(0.0F);
-  for (const glm::vec3& side : sides) {
-    const float towards_first = glm::dot(side, between) < 0.0F ? -1.0F : 1.0F;
-    sum += towards_first / glm::length(side) * side;
-  }
-  const float length = glm::length(sum);
-  return length > 0.0F ? std::optional(sum / length) : std::nullopt;  // also fails for NaN
-}
-
 }  // namespace
 
-// `p` are the positions of the pair's corners.
-PairExtent Regions::pair_extent(const NearPair& near, const std::array<glm::vec3, 4>& p) const {
-  PairExtent extent = {0.0F, 0.0F, 0.0F, displaced_m_};
+// Pairs with known normals are planes at bodies' points.
+void Regions::place_plane(const RowMoves& rows, RegionPair& pair) const {
+  const NearPair& near = pair.contact.near;
+  std::array<glm::vec3, 4> p{};
+  PairExtent extent = {0.0F, 0.0F, 0.0F, rows.displaced_m};
   float squared_across = 0.0F;
   for (Index k = 0; k < 4; ++k) {
-    const RowExtent& row = extents_[near.rows[k]];
-    extent.from_origin = std::max(extent.from_origin, row.from_origin);
-    extent.moved = std::max(extent.moved, row.moved);
+    const Float4& row = extents_[near.rows[k]];
+    p[k] = vec(rows.positions[near.rows[k]]);
+    extent.from_origin = std::max(extent.from_origin, row.x);
+    extent.moved = std::max(extent.moved, row.y);
     const glm::vec3 across = p[k] - p[0];
     squared_across = std::max(squared_across, glm::dot(across, across));
+    pair.heights[k] = glm::dot(*pair.contact.normal, across);
   }
   extent.across = std::sqrt(squared_across);
-  return extent;
+  pair.normal = *pair.contact.normal;
+  pair.weights = closest_weights(near, p);
+  pair.distance = height_span(near, pair.heights).apart();
+  pair.error = distance_error_m(extent);
 }
 
-Regions::RegionPair Regions::make_region_pair(const ContactPair& contact, const RowMoves& rows) const {
-  const NearPair& near = contact.near;
-  std::array<glm::vec3, 4> p{};
-  for (Index k = 0; k < 4; ++k) p[k] = vec(rows.positions[near.rows[k]]);
-  RegionPair pair{};
-  pair.contact = contact;
-  pair.weights = closest_weights(near, p);
-  const glm::vec3 between = between_closest(near, p, pair.weights);
-  pair.normal = contact.normal.value_or(between / glm::length(between));
-  set_heights(p, pair);
-  // If primitives are far longer than their distance, rounding turns the line between their closest points.
-  if (!contact.normal && !(pair.distance > min_resolved_fraction * glm::length(between))) {
-    RegionPair across = pair;
-    across.normal = normal_across(near, p, between);
-    set_heights(p, across);
-    pair = across.distance > pair.distance ? across : pair;
+void Regions::take_planes(const PairBatches::Batch& batch, std::span<const ContactPair> pairs) {
+  const PairBlock& block = batch.block;
+  for (std::size_t i = 0; i < batch.count; ++i) {
+    RegionPair& pair = pairs_[batch.index[i]];
+    pair.contact = pairs[batch.index[i]];
+    pair.normal = {block.normal[0][i], block.normal[1][i], block.normal[2][i]};
+    for (std::size_t k = 0; k < 4; ++k) {
+      pair.heights[k] = block.heights[k][i];
+      pair.weights[k] = block.weights[k][i];
+    }
+    pair.distance = block.distance[i];
+    pair.error = block.error[i];
+    set_distances(pair);
   }
-  pair.error = distance_error_m(pair_extent(near, p));
-  if (!contact.normal) level(p, rows, pair);
-  // False for a NaN distance of touching primitives. A vertex that starts within a body with a known normal is let out.
-  pair.is_resolved = contact.normal || pair.distance > pair.error;
-  // Primitives at the smallest distance would get even nearer and block others, so they are separated slightly.
+}
+
+// A vertex that starts within a body with a known normal is let out. Primitives at the smallest distance would get even
+// nearer and block others, so they are separated slightly.
+void Regions::set_distances(RegionPair& pair) {
+  const ContactPair& contact = pair.contact;
+  pair.is_resolved = contact.normal || pair.distance > pair.error;  // false for a NaN distance of touching primitives
   const float gap_m = planned_gap_m(contact.thickness_m, pair.error);
   const float more = pair.distance > 0.0F ? std::clamp(2.0F * gap_m - pair.distance, 0.0F, gap_m) : 0.0F;
   pair.min_distance = std::min(pair.distance, gap_m);
   pair.target_distance = std::max(pair.min_distance, std::min(pair.distance + more, contact.thickness_m));
   assert(!pair.is_resolved || contact.normal || pair.min_distance > pair.error);
-  return pair;
-}
-
-// Sliding layers pass over each other's inner edges. A plane at right angles to the shortest distance would block
-// sliding there as if the edge were a step.
-void Regions::level(const std::array<glm::vec3, 4>& p, const RowMoves& rows, RegionPair& pair) const {
-  const float apart_at_end = span_at_end(pair).apart();
-  if (std::min(pair.distance, apart_at_end) > touched_m(pair.contact.thickness_m)) return;
-  const glm::vec3 between = pair.normal;
-  const std::optional<glm::vec3> normal = mean_surface_normal(pair.contact.near, p, between, rows);
-  if (!normal) return;
-  RegionPair levelled = pair;
-  levelled.normal = *normal;
-  set_heights(p, levelled);
-  const auto lacks = [&](const RegionPair& of) {
-    return std::min(of.distance, of.contact.thickness_m) - span_at_end(of).apart();
-  };
-  const bool is_resolved = levelled.distance > 2.0F * planned_gap_m(pair.contact.thickness_m, pair.error);
-  if (is_resolved && lacks(levelled) < lacks(pair)) pair = levelled;
 }
 
 // Unchanged pairs are found again in the same order.
@@ -99,7 +64,7 @@ void Regions::find_same(std::span<const ContactPair> pairs, std::size_t rows) {
   unchanged_pairs_.assign(pairs.size(), nullptr);
   const auto is_kept = [&](const ContactPair& contact) {
     return std::all_of(contact.near.rows.begin(), contact.near.rows.end(),
-                       [&](Index row) { return row < rows && extents_[row].moved == earlier_extents_[row].moved; });
+                       [&](Index row) { return row < rows && extents_[row].y == earlier_extents_[row].y; });
   };
   auto earlier = earlier_.begin();
   for (std::size_t i = 0; i < pairs.size(); ++i) {
@@ -108,23 +73,44 @@ void Regions::find_same(std::span<const ContactPair> pairs, std::size_t rows) {
   }
 }
 
+void Regions::make_pairs(std::span<const ContactPair> pairs, const RowMoves& rows, std::size_t begin, std::size_t end,
+                         const ContactKernels& kernels) {
+  const PairRows pair_rows = {rows.positions.data(), rows.moves.data(), rows.normals.data(), extents_.data(),
+                              rows.displaced_m};
+  const auto take = [&](PairBatches::Batch& batch) {
+    const auto place = batch.first_count == 1 ? kernels.place_triangle_planes : kernels.place_edge_planes;
+    place(pair_rows, batch.block);
+    take_planes(batch, pairs);
+  };
+  PairBatches batches;
+  for (std::size_t i = begin; i < end; ++i) {
+    if (unchanged_pairs_[i] != nullptr) {
+      pairs_[i] = *unchanged_pairs_[i];
+    } else if (pairs[i].normal) {
+      pairs_[i].contact = pairs[i];
+      place_plane(rows, pairs_[i]);
+      set_distances(pairs_[i]);
+    } else {
+      batches.add(pairs[i].near, i, pairs[i].thickness_m, take);
+    }
+  }
+  batches.end(take);
+}
+
 void Regions::make_pairs(std::span<const ContactPair> pairs, const RowMoves& rows, bool is_again,
                          ParallelKernels& kernels) {
   blocked_.reset();
   earlier_.swap(pairs_);
   earlier_extents_.swap(extents_);
-  displaced_m_ = rows.displaced_m;
   extents_.resize(rows.radii.size());
   for (std::size_t row = 0; row < extents_.size(); ++row) {
-    extents_[row] = {glm::length(vec(rows.positions[row])), glm::length(vec(rows.moves[row])) + rows.radii[row]};
+    extents_[row].x = glm::length(vec(rows.positions[row]));
+    extents_[row].y = glm::length(vec(rows.moves[row])) + rows.radii[row];
   }
-  find_same(is_again ? pairs : pairs.first(0), std::min(rows.cloth_count, earlier_extents_.size()));
+  find_same(pairs, is_again ? std::min(rows.cloth_count, earlier_extents_.size()) : 0);
   pairs_.resize(pairs.size());
-  kernels.split(0, pairs.size(), ParallelKernels::min_pairs, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) {
-      pairs_[i] = is_again && unchanged_pairs_[i] != nullptr ? *unchanged_pairs_[i] : make_region_pair(pairs[i], rows);
-    }
-  });
+  kernels.split(0, pairs.size(), ParallelKernels::min_pairs,
+                [&](std::size_t begin, std::size_t end) { make_pairs(pairs, rows, begin, end, kernels.contact()); });
   std::erase_if(pairs_, [&](const RegionPair& pair) {
     if (!pair.is_resolved) note_blocked(pair.contact.near, 0.0F);
     return !pair.is_resolved;
@@ -142,11 +128,6 @@ void Regions::note_kinematic_gap(std::span<const float> inverse_masses) {
       kinematic_gap_m_ = std::min(kinematic_gap_m_, pair.min_distance - pair.error);
     }
   }
-}
-
-void Regions::set_heights(const std::array<glm::vec3, 4>& p, RegionPair& pair) {
-  for (Index k = 0; k < 4; ++k) pair.heights[k] = glm::dot(pair.normal, p[k] - p[0]);
-  pair.distance = height_span(pair.contact.near, pair.heights).apart();
 }
 
 void Regions::note_blocked(const NearPair& near, float distance) {
@@ -299,13 +280,11 @@ void Regions::place_half_spaces() {
 
 void Regions::set_half_spaces(const RegionPair& pair, std::span<const float> inverse_masses) {
   const NearPair& near = pair.contact.near;
-  std::array<float, 2> masses_kg = {0.0F, 0.0F};
+  bool is_first_fixed = false;
+  bool is_second_fixed = false;
   for (Index k = 0; k < 4; ++k) {
-    const std::size_t side = k < near.first_count ? 0 : 1;
-    masses_kg[side] += 1.0F / inverse_masses[near.rows[k]];  // infinite for kinematic vertices
+    (k < near.first_count ? is_first_fixed : is_second_fixed) |= !(inverse_masses[near.rows[k]] > 0.0F);
   }
-  const bool is_second_fixed = std::isinf(masses_kg[1]);
-  const bool is_first_fixed = std::isinf(masses_kg[0]);
   // Fraction of the gap that the first primitive gets.
   const float share = is_first_fixed == is_second_fixed ? 0.5F : (is_first_fixed ? 0.0F : 1.0F);
   // Returns the position of the plane of the first or second primitive; both leave the needed distance.
@@ -363,6 +342,7 @@ void Regions::stand_still(const RowMoves& rows) {
 
 bool Regions::make(std::span<const ContactPair> pairs, RowMoves& rows, ParallelKernels& kernels, bool is_again) {
   planned_motions_ = rows.moves;
+  rows.normals.resize(rows.positions.size());
   make_pairs(pairs, rows, is_again, kernels);
   resolve_moves(rows.inverse_masses_per_kg);
   hold_where_needed(rows);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "sim/solvers/bounded/contact/near_pair.hpp"
+#include "sim/solvers/bounded/contact/pair_batch.hpp"
 #include "sim/solvers/bounded/contact/plane_gap.hpp"
 #include "sim/solvers/bounded/kernels/parallel_kernels.hpp"
 
@@ -28,7 +28,7 @@ struct RowMoves {
   std::vector<float> inverse_masses_per_kg;
   /// Motion of vertices without free motion: the mean motion of the pins.
   Float4 kinematic_motion = {};
-  /// Normals of any length at the cloth's vertices; empty if unknown.
+  /// Normals of any length; `fourth` is positive where they are known. Missing entries are not.
   Float4Array normals = {};
   float displaced_m = 0.0F;     ///< largest displacement since the frame began
   std::size_t cloth_count = 0;  ///< entries from here on belong to bodies and have no displacements
@@ -85,13 +85,10 @@ class Regions {
   /// Returns whether the region contains a motion since the time 0, in m, at a time from 0 to 1.
   [[nodiscard]] bool contains(Index row, float time, const Vec3& moved_m) const;
 
-  /// Returns the largest distance in m at which primitives collide. Planes alone act on more distant ones.
-  static float touched_m(float thickness_m);
-
   /// Returns the search radius around a vertex's predicted motion, in m, that finds every pair that could collide or
   /// that its trust region alone does not keep apart by the gap of planes.
   static float reach_m(float radius_m, float thickness_m, float error_m) {
-    return std::max(radius_m + planned_gap_m(thickness_m, error_m), 0.5F * touched_m(thickness_m));
+    return std::max(radius_m + planned_gap_m(thickness_m, error_m), 0.5F * touched_per_thickness * thickness_m);
   }
 
   std::size_t pair_count() const { return pairs_.size(); }
@@ -137,9 +134,9 @@ class Regions {
     /// Motion by bodies of the first primitive relative to the second until the time 1, including their surfaces'
     /// sliding (ContactPair).
     Float4 kinematic_motion;
-    float distance;  ///< distance at the time 0
+    float distance;         ///< distance at the time 0
     float target_distance;  ///< smallest allowed distance at the time 0
-    float rate;      ///< separation that the cloth has to add until the time 1
+    float rate;             ///< separation that the cloth has to add until the time 1
     float friction;
     std::uint32_t count;  ///< number of stored corners
   };
@@ -150,15 +147,16 @@ class Regions {
     float apart() const { return low - high; }
   };
 
-  PairExtent pair_extent(const NearPair& near, const std::array<glm::vec3, 4>& positions) const;
-  RegionPair make_region_pair(const ContactPair& contact, const RowMoves& rows) const;
-  void level(const std::array<glm::vec3, 4>& positions, const RowMoves& rows, RegionPair& pair) const;
+  void place_plane(const RowMoves& rows, RegionPair& pair) const;
+  void take_planes(const PairBatches::Batch& batch, std::span<const ContactPair> pairs);
+  static void set_distances(RegionPair& pair);
+  void make_pairs(std::span<const ContactPair> pairs, const RowMoves& rows, std::size_t begin, std::size_t end,
+                  const ContactKernels& kernels);
   void make_pairs(std::span<const ContactPair> pairs, const RowMoves& rows, bool is_again, ParallelKernels& kernels);
   void find_same(std::span<const ContactPair> pairs, std::size_t rows);
   void note_blocked(const NearPair& near, float distance);
   void note_kinematic_gap(std::span<const float> inverse_masses);
   void stand_still(const RowMoves& rows);
-  static void set_heights(const std::array<glm::vec3, 4>& positions, RegionPair& pair);
   static HeightSpan height_span(const NearPair& near, const std::array<float, 4>& heights);
   HeightSpan span_at_end(const RegionPair& pair) const;
   void resolve(const RegionPair& pair, float left, bool is_urgent, std::span<const float> inverse_masses);
@@ -190,16 +188,10 @@ class Regions {
   };
   RegionProjection project_row(Index row, float time, const glm::vec3& moved) const;
 
-  /// Distance of a vertex from the origin, and its largest motion, in m.
-  struct RowExtent {
-    float from_origin;
-    float moved;
-  };
-  std::vector<RowExtent> extents_;
+  Float4Array extents_;              ///< see PairRows
   std::vector<RegionPair> earlier_;  ///< pairs of the last regions, which did not fit
-  std::vector<RowExtent> earlier_extents_;
+  Float4Array earlier_extents_;
   std::vector<const RegionPair*> unchanged_pairs_;  ///< unchanged earlier pair of each pair, if known
-  float displaced_m_ = 0.0F;
   std::vector<RegionPair> pairs_;
   std::optional<BlockedPair> blocked_;
   float kinematic_gap_m_ = 0.0F;

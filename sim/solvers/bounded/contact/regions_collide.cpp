@@ -43,12 +43,10 @@ void Regions::add_touch(const RegionPair& pair, const std::array<float, 4>& weig
   touches_.push_back(touch);
 }
 
-float Regions::touched_m(float thickness_m) { return (1.0F + tuning::separation_fraction) * thickness_m; }
-
 void Regions::make_touches(const RowMoves& rows) {
   touches_.clear();
   for (const RegionPair& pair : pairs_) {
-    if (std::min(pair.distance, span_at_end(pair).apart()) > touched_m(pair.contact.thickness_m)) continue;
+    if (std::min(pair.distance, span_at_end(pair).apart()) > touched_per_thickness * pair.contact.thickness_m) continue;
     if (pair.contact.near.first_count < 3) {
       add_touch(pair, pair.weights, rows);
     } else {

@@ -79,6 +79,28 @@ struct BlockPairs {
   const BlockLanePairs* excluded = nullptr;  ///< excluded pairs, if known
 };
 
+/// What the planes of pairs depend on; one entry per vertex, in m.
+struct PairRows {
+  const Float4* positions;
+  const Float4* moves;    ///< predicted motion
+  const Float4* normals;  ///< normals of any length; `fourth` is positive where they are known
+  const Float4* extents;  ///< x: distance from the origin; y: largest motion
+  float displaced;        ///< see PairExtent
+};
+
+/// `block_size` pairs of one kind side by side in memory, in m.
+struct alignas(64) PairBlock {
+  template <typename T> using Of = std::array<T, block_size>;
+
+  std::array<Of<std::uint32_t>, 4> at = {};  ///< offset of each corner in floats: 4 times the solver index
+  Of<float> thickness = {};
+  std::array<Of<float>, 3> normal;   ///< unit vector towards the first primitive
+  std::array<Of<float>, 4> heights;  ///< heights of the corners along it
+  std::array<Of<float>, 4> weights;  ///< weights of the closest points, see ClosestWeights
+  Of<float> distance;                ///< distance along the normal
+  Of<float> error;                   ///< its rounding error, see distance_error_m()
+};
+
 /// Four lists of the same length.
 using PairLists = std::array<std::uint32_t*, 4>;
 
@@ -119,6 +141,15 @@ struct ContactKernels {
 
   /// Keeps the pairs of edges that could meet, like near_vertex_triangle.
   std::size_t (*near_edges)(const MovingRows& rows, std::size_t count, const PairLists& pairs);
+
+  /// Sets all results of pairs of a vertex and a triangle.
+  void (*place_triangle_planes)(const PairRows& rows, PairBlock& pairs);
+  /// Sets all results of pairs of edges.
+  void (*place_edge_planes)(const PairRows& rows, PairBlock& pairs);
+
+  /// Set the distances of pairs of a vertex and a triangle, or of edges.
+  void (*measure_triangle_distances)(const Float4* positions, PairBlock& pairs);
+  void (*measure_edge_distances)(const Float4* positions, PairBlock& pairs);
 
   /// Lists the vertices of blocks [begin, end) that left their predicted motion, and returns their number: their
   /// displacement is not a number, or further from `since` + time `moves` than the fourth number of the motion. In m,

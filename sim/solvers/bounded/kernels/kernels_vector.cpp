@@ -8,6 +8,7 @@
 #include "sim/solvers/bounded/kernels/boxes_inl.hpp"
 #include "sim/solvers/bounded/kernels/kernel_tables.hpp"
 #include "sim/solvers/bounded/kernels/near_inl.hpp"
+#include "sim/solvers/bounded/kernels/planes_inl.hpp"
 #include "sim/solvers/bounded/kernels/surface_inl.hpp"
 #include "sim/solvers/bounded/kernels/vectors_inl.hpp"
 
@@ -286,8 +287,9 @@ std::size_t list_off_motion(const Float4* since, const Float4* moves, float time
 }
 
 const Kernels* table() {
-  static constexpr ContactKernels contact = {enclose,      enclose_blocks, round_boxes,    overlapping,
-                                             keep_near<1>, keep_near<2>,   list_off_motion};
+  static constexpr ContactKernels contact = {
+      enclose,         enclose_blocks,  round_boxes,          overlapping,          keep_near<1>,   keep_near<2>,
+      place_planes<1>, place_planes<2>, measure_distances<1>, measure_distances<2>, list_off_motion};
   static constexpr Kernels kernels = {
       predict,         start_springs,           sweep, shorten_blocks, find_max_ratios, start_surface, sweep_surface,
       shorten_surface, find_max_surface_ratios, wind,  add_product,    contact};

@@ -97,7 +97,8 @@ std::vector<fs::path> input_files(const Scene& scene) {
   std::vector<fs::path> files = scene.files_read;
   const GarmentSource& garment = scene.garment;
   files.insert(files.end(), {garment.file, garment.sewn, garment.start, garment.importer, scene.checkpoint});
-  if (!garment.file.empty()) files.push_back(landmarks_path(garment.file));
+  const bool is_model = !garment.file.empty() && !is_sewing_pattern(garment.file);
+  if (is_model) files.push_back(landmarks_path(garment.file));
   if (std::filesystem::path(scene.fabric).has_extension()) files.emplace_back(scene.fabric);
   for (const BodySource& body : scene.body_sources) files.insert(files.end(), {body.file, body.motion, body.importer});
   std::erase(files, fs::path());

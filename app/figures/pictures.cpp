@@ -279,11 +279,11 @@ Drawing draw_figure5(const Results& results, LazyOffscreenRenderer& offscreen) {
     const double speed_m_per_s = moment.recording->scene.surroundings.forces.wind.speed_m_per_s;
     const std::string wind = speed_m_per_s == 0.0 ? "gravity alone" : fmt::format("wind {:.1f} m/s", speed_m_per_s);
     return {letter, fmt::format("{}, after {:.1f} s", wind, record.time_s),
-            fmt::format("largest stretch: springs {:.3f} %, surface {:.3f} %", 100.0 * record.stretch.max,
+            fmt::format("stretch: springs {:.3f} %, surface {:.3f} %", 100.0 * record.stretch.max,
                         100.0 * record.surface_stretch.max)};
   };
   return make_sheet(make_panels(prints, moments, caption_of), prints.size_px,
-                    {.columns = 3, .caption = {.text_px = 50.0F, .measured_px = 38.0F}},
+                    {.columns = 3, .caption = {.text_px = 50.0F, .measured_px = 43.0F}},
                     {0.2F * prints.metre_px, "20 cm"});
 }
 

@@ -49,6 +49,15 @@ TEST(Regions, WhatCannotGiveWayIsNamed) {
   EXPECT_NEAR(regions.blocked()->distance, 1e-4F, 1e-7F);
 }
 
+TEST(Regions, WhatTouchesFromTheStartIsNamed) {
+  ParallelKernels kernels(kernels_for(VectorUnit::best), 1);
+  Scene scene(0.0F, 1e-5F);
+  Regions regions;
+  ASSERT_TRUE(regions.make(scene.pairs, scene.rows, kernels));
+  ASSERT_TRUE(regions.blocked());
+  EXPECT_EQ(regions.blocked()->near, scene.pairs[0].near);
+}
+
 /// Layers above each other, and a vertex of a body that rises from below. The order of the pairs is the worst one for a
 /// pass to hand a push on.
 Scene pushed_pile(Index layers, float moves_m) {

@@ -85,7 +85,7 @@ std::vector<sim::Vec3> jittered_start(const GarmentInScene& cloth, double thickn
 ContactRun run_contact(const Scene& scene, const GarmentInScene& cloth, int frames, std::uint64_t seed,
                        const std::function<void(int, sim::Simulation&)>& before_frame);
 
-/// Sets the wind of one of `frames` frames, in which a slider is dragged evenly from 0 to `most_m_per_s` and back.
+/// Sets the wind of one of `frames` frames, in which a slider is dragged evenly from 0 to `max_m_per_s` and back.
 void drag_wind(int frame, int frames, double max_m_per_s, sim::Simulation& simulation);
 
 ContactFacts summarise_contact(std::span<const ContactRun> runs);

@@ -14,8 +14,8 @@ class DrawnBodies {
 
   /// Sets the detail as GarmentSurface::set_detail does.
   void set_detail(float pixels_per_m, std::optional<float> min_edge_px);
-  /// Moves the bodies to this time. `rooms_m`: as in renderer::SmoothSurface, for the vertices of all meshes in order;
-  /// empty: no cloth is near.
+  /// Moves the bodies to this time. `clearances_m`: as in renderer::SmoothSurface, for the vertices of all meshes in
+  /// order; empty: no cloth is near.
   void move_to(double time_s, std::span<const float> clearances_m);
   /// Returns the drawn surfaces. They are valid until the next call of any other function.
   std::vector<renderer::SurfaceView> views() const;

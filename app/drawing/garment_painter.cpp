@@ -177,8 +177,8 @@ GarmentPainter::GarmentPainter(renderer::SceneRenderer& renderer, const DrawnSce
   fixed_line_count_ = frame_.lines.size();
 }
 
-void GarmentPainter::place_bodies(double time_s, std::span<const float> rooms_m) {
-  bodies_.move_to(time_s, rooms_m);
+void GarmentPainter::place_bodies(double time_s, std::span<const float> clearances_m) {
+  bodies_.move_to(time_s, clearances_m);
   frame_.surfaces = bodies_.views();
   if (style_.ground.kind == GroundKind::automatic) {
     if (const auto height_m = level_plane(bodies_.bodies(), time_s)) frame_.ground_height_m = height_m;
@@ -243,11 +243,11 @@ renderer::SurfaceView GarmentPainter::garment_view() {
 const renderer::FrameView& GarmentPainter::view(const std::vector<sim::Vec3>& positions, double time_s) {
   const std::vector<sim::Vec3> shown_m = model_ ? colours_.following->shown_m(positions, simulated_) : positions;
   positions_ = to_float(shown_m);
-  const std::span<const float> rooms_m =
+  const std::span<const float> clearances_m =
       surface_.leaves_triangles() ? surface_clearances_.find(shown_m, time_s) : std::span<const float>();
-  const std::size_t own_count = std::min(rooms_m.size(), shown_m.size());
-  surface_.place(positions_, rooms_m.first(own_count));
-  place_bodies(time_s, rooms_m.subspan(own_count));
+  const std::size_t own_count = std::min(clearances_m.size(), shown_m.size());
+  surface_.place(positions_, clearances_m.first(own_count));
+  place_bodies(time_s, clearances_m.subspan(own_count));
   if (style_.surface == SurfaceLook::stretch) {
     const std::vector<double> stretch = style_.stretch_of == StretchOf::surface
                                             ? sim::vertex_surface_stretch(stretch_source_, positions)

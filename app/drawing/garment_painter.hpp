@@ -78,7 +78,7 @@ class GarmentPainter {
  private:
   void add_rest_outline(const sim::Garment& garment);
   void add_wind(const DrawnScene& scene, const sim::Garment& garment);
-  void place_bodies(double time_s, std::span<const float> rooms_m);
+  void place_bodies(double time_s, std::span<const float> clearances_m);
   renderer::SurfaceView garment_view();
 
   renderer::SceneRenderer& renderer_;

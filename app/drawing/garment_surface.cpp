@@ -295,8 +295,8 @@ std::vector<glm::vec2> GarmentSurface::fine_corner_values(std::span<const glm::v
   return fine;
 }
 
-void GarmentSurface::place(std::span<const glm::vec3> positions, std::span<const float> rooms_m) {
-  surface_->place(positions, rooms_m, wrinkles_ ? wrinkles_->heights(positions) : std::span<const float>());
+void GarmentSurface::place(std::span<const glm::vec3> positions, std::span<const float> clearances_m) {
+  surface_->place(positions, clearances_m, wrinkles_ ? wrinkles_->heights(positions) : std::span<const float>());
 }
 
 renderer::SurfaceView GarmentSurface::view() const {

@@ -21,7 +21,7 @@ namespace {
 int run_apart(const std::function<int()>& work) {
   const pid_t child = ::fork();
   if (child == 0) {
-    ::alarm(20);
+    ::alarm(120);
     ::_exit(work());
   }
   int status = 0;

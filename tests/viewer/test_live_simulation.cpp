@@ -402,7 +402,7 @@ TEST(SimulationThread, AReplayOfItsPaceEndsInTheSameState) {
     const SnapshotPtr past = replay.past_frame(shown, shown->record.frame - 3);
     replay.post(commands_at(static_cast<int>(frame), scene, *shown, past));
   }
-  EXPECT_GT(live.advances(), 20U);
+  EXPECT_GT(live.advances(), 5U);
   EXPECT_EQ(replay.state_hash(), live.state_hash());
 }
 

@@ -75,7 +75,7 @@ TextureImage halve_image(const TextureImage& image) {
 }
 
 /// Returns the largest side that this many square images may have.
-std::uint32_t most_side_px(std::size_t images) {
+std::uint32_t max_side_px(std::size_t images) {
   std::uint32_t side_px = 4096;
   while (side_px > 64 && images * 4 * side_px * side_px > max_map_bytes) side_px /= 2;
   return side_px;
@@ -125,10 +125,10 @@ std::string read_named_file(const std::string& name, const fs::path& folder, std
 }
 
 TextureImage read_map(const SurfaceMaterial& material, const fs::path& folder, const EmbeddedImage& embedded,
-                      std::uint32_t most_px, std::vector<std::string>& files) {
+                      std::uint32_t max_px, std::vector<std::string>& files) {
   const std::optional<std::string_view> inside = embedded(material.map_file);
   const TextureImage image = fitted_to(
-      decode_image(inside ? std::string(*inside) : read_named_file(material.map_file, folder, files)), most_px);
+      decode_image(inside ? std::string(*inside) : read_named_file(material.map_file, folder, files)), max_px);
   const bool is_tinted = material.map_tint != glm::vec3(1.0F);
   return is_tinted || material.map_is_opaque ? tint_image(image, material.map_tint, material.map_is_opaque) : image;
 }
@@ -219,8 +219,8 @@ double metres_per_uv(const sim::Mesh& mesh, std::span<const glm::vec2> corner_uv
   return scales.empty() ? 0.0 : *middle;
 }
 
-TextureImage fitted_to(TextureImage image, std::uint32_t most_px) {
-  while (std::max(image.width_px, image.height_px) > most_px) image = halve_image(image);
+TextureImage fitted_to(TextureImage image, std::uint32_t max_px) {
+  while (std::max(image.width_px, image.height_px) > max_px) image = halve_image(image);
   return image;
 }
 
@@ -251,13 +251,13 @@ void read_maps(const fs::path& folder, const EmbeddedImage& embedded, SurfaceCol
     return Look(material.map_file, tint.x, tint.y, tint.z, material.map_is_opaque);
   };
   for (const SurfaceMaterial& material : colours.materials) known.emplace(look_of(material), no_map);
-  const std::uint32_t most_px = most_side_px(known.size());
+  const std::uint32_t max_px = max_side_px(known.size());
   for (SurfaceMaterial& material : colours.materials) {
     if (material.map_file.empty()) continue;
     sim::Index& map = known[look_of(material)];
     try {
       if (map == no_map) {
-        colours.maps.push_back(read_map(material, folder, embedded, most_px, colours.files));
+        colours.maps.push_back(read_map(material, folder, embedded, max_px, colours.files));
         map = static_cast<sim::Index>(colours.maps.size() - 1);
       }
       material.map = map;

@@ -74,8 +74,8 @@ inline constexpr std::size_t max_map_bytes = std::size_t{1} << 28U;
 /// Limit on the width and height of an image that is laid on a garment by itself.
 inline constexpr std::uint32_t max_print_side_px = 8192;
 
-/// Returns the image, halved in size until neither side has more than `most_px` pixels.
-TextureImage fitted_to(TextureImage image, std::uint32_t most_px);
+/// Returns the image, halved in size until neither side has more than `max_px` pixels.
+TextureImage fitted_to(TextureImage image, std::uint32_t max_px);
 
 /// Decodes an image: PNG, JPEG, BMP, TGA, GIF or PSD. Throws InputError with the reason.
 TextureImage decode_image(std::string_view bytes);

@@ -171,11 +171,11 @@ void add_near_plane(const BodySearch& search, const Plane& at_begin, const Plane
       is_done[v] = true;
       // Double precision, as the plane's point may be far away.
       const Vec3 at_m = to_vec3(rows.positions[v]);
-      const double most_moved_m = rows.radii[v] + vector_length(rows.moves[v]);
+      const double max_moved_m = rows.radii[v] + vector_length(rows.moves[v]);
       const double height_m = glm::dot(at_begin.normal, at_m - point_m);
       // The plane's tilt costs a vertex this much of its height along the first normal.
-      const double end_height_m = glm::dot(at_end.normal, at_m - end_point_m) - tilt * most_moved_m;
-      const double reach_m = search.thickness_m + most_moved_m + std::abs(end_height_m - height_m);
+      const double end_height_m = glm::dot(at_end.normal, at_m - end_point_m) - tilt * max_moved_m;
+      const double reach_m = search.thickness_m + max_moved_m + std::abs(end_height_m - height_m);
       if (height_m < reach_m) {
         const glm::vec3 below(at_m - height_m * at_begin.normal);
         const Index row = add_row(below, glm::vec3((height_m - end_height_m) * at_begin.normal), rows);

@@ -23,10 +23,10 @@ float Clearances::pair_distance_m(const NearPair& pair) const {
       pair, {vec(rows_[pair.rows[0]]), vec(rows_[pair.rows[1]]), vec(rows_[pair.rows[2]]), vec(rows_[pair.rows[3]])});
 }
 
-std::span<const float> Clearances::find(std::span<const Vec3> positions_m, float most_m) {
-  assert(most_m >= 0.0F);
-  radii_.assign(positions_m.size(), 0.5F * most_m);
-  clearances_m_.assign(positions_m.size(), most_m);
+std::span<const float> Clearances::find(std::span<const Vec3> positions_m, float max_m) {
+  assert(max_m >= 0.0F);
+  radii_.assign(positions_m.size(), 0.5F * max_m);
+  clearances_m_.assign(positions_m.size(), max_m);
   for (const NearPair& pair : pairs_within(positions_m, radii_)) {
     const float distance_m = pair_distance_m(pair);
     for (const Index row : pair.rows) clearances_m_[row] = std::min(clearances_m_[row], distance_m);

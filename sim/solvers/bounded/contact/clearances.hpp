@@ -13,9 +13,9 @@ class Clearances {
   Clearances(std::span<const Triangle> cloth, std::span<const Triangle> bodies, bool within_cloth,
              std::span<const Vec3> positions_m);
 
-  /// Returns for each entry the smallest distance of its pairs (vertex and triangle, or two edges), in m, at most
-  /// `most_m`. Valid until the next call.
-  std::span<const float> find(std::span<const Vec3> positions_m, float most_m);
+  /// Returns for each entry the smallest distance of its pairs (vertex and triangle, or two edges) in m, or `max_m`
+  /// if that is smaller. Valid until the next call.
+  std::span<const float> find(std::span<const Vec3> positions_m, float max_m);
 
   /// Returns for each entry the smallest ratio of distance to reach of its pairs, at most 1. The reach of a pair is the
   /// sum of the largest `reach_m` of each primitive, in m. Valid until the next call.

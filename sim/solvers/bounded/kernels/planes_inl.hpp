@@ -51,7 +51,8 @@ HWY_INLINE void set_where(Mask where, V b0, V b1, V b2, Weights& weights) {
   weights.of[3] = hn::IfThenElse(where, b2, weights.of[3]);
 }
 
-// Operations and their order are those of closest_points.cpp; the first region there that holds a point is set last.
+// The operations of closest_vertex_triangle(), in their order. Regions are tested in the reverse order, so that the
+// first one there that holds the point is kept.
 HWY_INLINE Weights closest_in_triangle(const Triple (&p)[4]) {
   const Floats f;
   const V zero = hn::Zero(f);

@@ -162,7 +162,7 @@ void block_capsule(ShelterCells& cells, const Vec3& start, const Vec3& end, doub
     const double t = across > 0.0 ? std::clamp(along / across, 0.0, 1.0) : 0.0;
     const Vec3 nearest = start + t * axis;
     const double radius = start_radius + t * (end_radius - start_radius);
-    const double inside = radius - std::hypot(x - nearest.x, y - nearest.y);
+    const double inside = radius - glm::length(glm::dvec2(x - nearest.x, y - nearest.y));
     const double blocked = std::clamp(inside + 0.5, 0.0, 1.0);
     if (blocked > 0.0) cells.block_from_outside({x, y, nearest.z}, blocked * cell_m2);
   });

@@ -32,7 +32,7 @@ double surface_stretch(const FundamentalForm& rest, const FundamentalForm& now) 
   const double determinant = rest.determinant();
   const double p = rest.e * now.f - rest.f * now.e, r = rest.e * now.g - rest.g * now.e;
   const double trace = rest.e * now.g - 2.0 * rest.f * now.f + rest.g * now.e;
-  const double root = std::hypot(r - 2.0 * p * rest.f / rest.e, 2.0 * p * std::sqrt(determinant) / rest.e);
+  const double root = glm::length(glm::dvec2(r - 2.0 * p * rest.f / rest.e, 2.0 * p * std::sqrt(determinant) / rest.e));
   return std::sqrt((trace + root) / (2.0 * determinant)) - 1.0;
 }
 

@@ -10,6 +10,9 @@ cd "$folder"
 fail() { echo "wheel.sh: $*" >&2; exit 1; }
 [ "$(stat -c %s "$wheel")" -lt 8000000 ] || fail "the wheel has $(stat -c %s "$wheel") bytes, expected fewer than 8000000"
 
+# RHEL 9 has glibc 2.34 and Ubuntu 22.04 2.35.
+[[ $wheel == *-manylinux_2_34_x86_64.whl ]] || fail "$wheel, expected to run on glibc 2.34"
+
 unset TAUT_LIBRARY TAUT_IMPORTER TAUT_ASSETS PYTHONPATH
 /usr/bin/python3 -m venv bare
 unshare -n bare/bin/pip install --quiet --no-index "$wheel"
@@ -17,6 +20,7 @@ unshare -n bare/bin/pip install --quiet --no-index "$wheel"
 libraries=$(echo bare/lib/python3*/site-packages/taut_cloth/lib)
 [ -f "$libraries/../py.typed" ] || fail "its annotations do not count: there is no py.typed"
 for file in "$libraries"/* "$libraries"/../libexec/taut/taut-import; do
+  if objdump -T "$file" | grep -F '*UND*' | grep -E 'GLIBC_2\.(3[5-9]|[4-9][0-9])'; then fail "$file needs a newer glibc"; fi
   ldd "$file" | awk '$3 ~ /^\// && $3 !~ /taut_cloth/ {print $1}' |
     grep -Ev '^(libc|libm|libstdc\+\+|libgcc_s|libz)\.so' && fail "$file needs more than every Linux has"
 done

@@ -143,7 +143,7 @@ std::optional<Move> move_to_fork(const GarmentMarks& marks, const sim::Surface& 
 /// Returns whether a garment already lies about the body. It may be worn lower than at the waist or the neck.
 bool lies_about(const Move& move) {
   const sim::Vec3 way_m = move.to_m - move.from_m;
-  return std::hypot(way_m.x, way_m.z) < max_worn_distance_m && way_m.y > -max_worn_distance_m &&
+  return glm::length(glm::dvec2(way_m.x, way_m.z)) < max_worn_distance_m && way_m.y > -max_worn_distance_m &&
          way_m.y < max_worn_drop_m && move.cosine > min_worn_cosine;
 }
 

@@ -36,7 +36,7 @@ class Surrounded {
       const auto [a, b, c] = pieces.triangles[pieces.panel_triangles[p]];
       const auto& at = pieces.placed_m;
       const Vec3 normal = glm::cross(at[b] - at[a], at[c] - at[a]), middle = boxes[p].middle() - axis_m;
-      const double across = std::hypot(normal.x, normal.z);
+      const double across = glm::length(glm::dvec2(normal.x, normal.z));
       // A piece that lies flat is above the body.
       Vec3 way =
           across > min_level * glm::length(normal) ? Vec3(normal.x, 0.0, normal.z) / across : Vec3(0.0, 1.0, 0.0);

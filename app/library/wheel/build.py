@@ -6,14 +6,14 @@ usage: build.py LIBRARY IMPORTER ADD_ON SOURCES VERSION OUT
 import base64
 import hashlib
 import pathlib
+import re
 import shutil
 import subprocess
 import sys
 import tempfile
 import zipfile
 
-# Debian 12 has the glibc 2.36; the policy of this tag names what every Linux has besides.
-TAG = 'py3-none-manylinux_2_36_x86_64'
+# What every Linux has besides glibc (PEP 600).
 EVERYWHERE = {'linux-vdso.so.1', 'libc.so.6', 'libm.so.6', 'libstdc++.so.6', 'libgcc_s.so.1', 'libz.so.1',
               'ld-linux-x86-64.so.2'}
 ASSETS = ['scenes/tshirt*.toml', 'garments/tshirt_[0-9]*', 'bodies/mannequin_male_40.glb', 'fabrics/*.toml', 'motions/*.bvh',
@@ -36,7 +36,9 @@ Requires-Dist: numpy; extra == 'arrays'
 Description-Content-Type: text/markdown
 
 '''
-WHEEL = f'Wheel-Version: 1.0\nGenerator: taut\nRoot-Is-Purelib: false\nTag: {TAG}\n'
+WHEEL = 'Wheel-Version: 1.0\nGenerator: taut\nRoot-Is-Purelib: false\nTag: {tag}\n'
+# The libstdc++ of GCC 11, which every Linux has whose glibc is 2.34 or newer.
+MAX_GLIBCXX = (3, 4, 29)
 
 
 def needed(file):
@@ -60,7 +62,23 @@ def put_binaries(library, importer, package):
         subprocess.run(['patchelf', '--set-rpath', place, copy], check=True)
 
 
-def put_texts(sources, version, package, info):
+def needed_version(files, library):
+    """The newest version of a library's symbols that the files ask for, such as (2, 34) of GLIBC."""
+    symbols = subprocess.run(['objdump', '-T', *files], check=True, capture_output=True, text=True).stdout
+    versions = re.findall(rf'\*UND\*.*\({library}_([0-9.]+)\)', symbols)
+    return max(tuple(map(int, version.split('.'))) for version in versions)
+
+
+def platform_tag(package):
+    """The oldest platform that has all symbols the binaries ask for."""
+    files = [*(package / 'lib').iterdir(), *(package / 'libexec' / 'taut').iterdir()]
+    glibcxx = needed_version(files, 'GLIBCXX')
+    if glibcxx > MAX_GLIBCXX:
+        raise SystemExit(f'build.py: GLIBCXX {glibcxx} is asked for, newer than {MAX_GLIBCXX}, which the tag promises')
+    return 'py3-none-manylinux_%d_%d_x86_64' % needed_version(files, 'GLIBC')[:2]
+
+
+def put_texts(sources, version, package, info, tag):
     library = sources / 'app' / 'library'
     shutil.copy(library / 'python' / 'taut' / '__init__.py', package / '__init__.py')
     (package / 'py.typed').touch()  # its annotations count (PEP 561)
@@ -81,7 +99,7 @@ def put_texts(sources, version, package, info):
         of_debian = owner.split(':')[0]
         shutil.copy(f'/usr/share/doc/{of_debian}/copyright', licences / f'{of_debian}.copyright')
     (info / 'METADATA').write_text(METADATA.format(version=version) + (library / 'wheel' / 'README.md').read_text())
-    (info / 'WHEEL').write_text(WHEEL)
+    (info / 'WHEEL').write_text(WHEEL.format(tag=tag))
 
 
 def write_wheel(folder, record, wheel):
@@ -115,9 +133,12 @@ def main(library, importer, addon, sources, version, out):
         package = pathlib.Path(folder) / 'taut_cloth'
         info = f'taut_cloth-{version}.dist-info'
         put_binaries(library, importer, package)
-        put_texts(sources, version, package, pathlib.Path(folder) / info)
+        tag = platform_tag(package)
+        put_texts(sources, version, package, pathlib.Path(folder) / info, tag)
         out.mkdir(parents=True, exist_ok=True)
-        wheel = out / f'taut_cloth-{version}-{TAG}.whl'
+        for older in out.glob('taut_cloth-*.whl'):
+            older.unlink()
+        wheel = out / f'taut_cloth-{version}-{tag}.whl'
         write_wheel(pathlib.Path(folder), f'{info}/RECORD', wheel)
         extension = out / f'taut_cloth_blender-{version}-linux-x64.zip'
         write_extension(package, addon, sources / 'app' / 'library' / 'blender' / 'blender_manifest.toml', extension)

@@ -4,6 +4,7 @@ the Python module say of themselves, with the report of the figures where its fo
     docs.py SOURCES TAUT FOLDER [FIGURES]"""
 import ast
 import collections
+import html.parser
 import json
 import os
 import pathlib
@@ -96,6 +97,10 @@ def python_page(module):
 def gallery_page(sources, site):
     """Pictures, each with the command that makes it."""
     commands = tomllib.loads((sources / 'assets/pictures/gallery.toml').read_text())
+    pictures = {file.stem for file in (sources / 'assets/pictures').glob('*.png')}
+    if pictures != set(commands):
+        sys.exit('gallery.toml: expected one command for each picture beside it, but not for %s' %
+                 ', '.join(sorted(pictures ^ set(commands))))
     shutil.copytree(sources / 'assets/pictures', site / 'assets/pictures', dirs_exist_ok=True,
                     ignore=shutil.ignore_patterns('*.toml'))
     return '# Gallery\n\n' + '\n'.join('![%s](../assets/pictures/%s.png)\n\n%s\n' % (name, name, fenced(command, 'sh'))
@@ -123,6 +128,43 @@ def navigation(site, pages):
     return '\n'.join(lines) + '\n'
 
 
+class Sections(html.parser.HTMLParser):
+    """Headings of a page, each with its anchor and the text below it."""
+
+    def __init__(self, file):
+        super().__init__()
+        self.sections, self.is_heading, self.skipped = [], False, None
+        text = file.read_text()
+        self.feed(text[max(text.find('<article'), text.find('<body')):].partition('</article>')[0])
+
+    def handle_starttag(self, tag, attributes):
+        attributes = dict(attributes)
+        if tag in ('h1', 'h2', 'h3') and not self.skipped:
+            self.is_heading = True
+            self.sections.append([attributes.get('id', ''), '', ''])
+        if tag in ('script', 'style') or attributes.get('class') == 'headerlink':
+            self.skipped = tag
+
+    def handle_endtag(self, tag):
+        self.is_heading = self.is_heading and tag not in ('h1', 'h2', 'h3')
+        self.skipped = None if tag == self.skipped else self.skipped
+
+    def handle_data(self, data):
+        if self.sections and not self.skipped:
+            self.sections[-1][1 if self.is_heading else 2] += data
+
+
+def write_search_index(folder):
+    """What search.js looks through: page, heading, address and text of each section."""
+    entries = []
+    for file in sorted(folder.rglob('*.html')):
+        sections = [[part, *(' '.join(text.split()) for text in texts)] for part, *texts in Sections(file).sections]
+        address = str(file.relative_to(folder))
+        entries += [[sections[0][1], heading, address + ('#' + part if part else ''), text]
+                    for part, heading, text in sections]
+    (folder / 'search_index.js').write_text('globalThis.tautSections=%s;\n' % json.dumps(entries, ensure_ascii=False))
+
+
 def main():
     if len(sys.argv) not in (4, 5):
         sys.exit(__doc__)
@@ -141,6 +183,7 @@ def main():
             'statistics': '# Columns of statistics\n\n' + fenced(said_by(taut, 'help', 'stats'), 'text'),
             'c': c_page(sources / 'app/library/taut.h'),
             'python': python_page(sources / 'app/library/python/taut/__init__.py')}
+        shutil.copy(sources / 'app/install/search.js', site)
         for name, text in reference.items():
             (site / 'reference' / (name + '.md')).write_text(text)
         start = pathlib.Path('README.md')
@@ -151,11 +194,12 @@ def main():
         (root / 'mkdocs.yml').write_text(
             'site_name: Taut\nsite_url: ""\ndocs_dir: pages\nuse_directory_urls: false\nplugins: []\n'
             'theme:\n  name: material\n  font: false\n  palette: {primary: blue grey}\n'
-            'markdown_extensions: [sane_lists]\nnav:\n' + navigation(site, ordered) +
+            'extra_javascript: [search.js]\nmarkdown_extensions: [sane_lists]\nnav:\n' + navigation(site, ordered) +
             ('  - The report: report.html\n' if figures else ''))
         shutil.rmtree(folder, ignore_errors=True)
         subprocess.run(['mkdocs', 'build', '--quiet', '--config-file', root / 'mkdocs.yml', '--site-dir', folder], check=True)
     (folder / '404.html').unlink()  # which only a server shows
+    write_search_index(folder)
     print('wrote %s/index.html' % folder)
 
 

@@ -1,7 +1,7 @@
 #!/bin/sh
 # pages.sh TAUT FOLDER
 # Draws pictures of the pages about drawing, models, sewing, bodies and the solver into FOLDER: printed.png, fitted.png,
-# fit.png, sewing_steps.png, outfits.png, springs_and_surface.png and wind.png. Takes some minutes; needs ffmpeg and python3.
+# fit.png, sewing_steps.png, sewn.png, outfits.png, springs_and_surface.png and wind.png. Takes minutes; needs ffmpeg, python3.
 set -eu
 [ $# -eq 2 ] || { sed -n '2,4s/^# //p' "$0" >&2; exit 2; }
 taut=$1 pictures=$2
@@ -82,6 +82,20 @@ python3 "$assets/patterns/tshirt/as_json.py" "$assets/patterns/tshirt/teagan.tom
 "$taut" sew "$folder/tshirt.json" --body "$assets/bodies/mannequin_male_40.glb" --fabric jersey \
   --output "$folder/shirt.obj" --steps "$folder/1.png"
 join sewing_steps scale=1430:-1:flags=area 1
+
+number=0
+while read -r garment body fabric box; do
+  number=$((number + 1))
+  "$taut" render "$assets/garments/$garment.obj" --body "$assets/bodies/mannequin_$body.glb" --dress 0 --frames 30 \
+    --fabric "$fabric" --resolution 440x600 --quality high --set 'pins.at="none"' --set camera.azimuth=20 \
+    --set "camera.box=$box" --output "$folder/$number.png" </dev/null
+done <<'END'
+long_shirt male_40 jersey [[-0.62, 0.42, -0.2], [0.62, 1.86, 0.2]]
+dress female_34 jersey [[-0.54, 0.28, -0.2], [0.54, 1.66, 0.2]]
+skirt female_34 denim [[-0.54, 0.28, -0.2], [0.54, 1.66, 0.2]]
+hooded_top male_40 linen [[-0.62, 0.42, -0.2], [0.62, 1.86, 0.2]]
+END
+join sewn hstack=4 4
 
 "$taut" fit "$assets/garments/tshirt_10600.obj" --body "$assets/bodies/mannequin_female_34.glb" --output "$folder/1.png"
 join fit scale=887:-1:flags=area 1

@@ -68,6 +68,28 @@ new MutationObserver(() => { hashes[document.body.dataset.frame] = document.body
 '''
 
 
+# Texts wider than their place, and those that stand out of the screen or the panel's first sight of it.
+CUT = '''
+const isWide = (e) => e.scrollWidth > e.clientWidth + 1 && getComputedStyle(e).display !== 'inline';
+const shown = [...document.querySelectorAll('h1, p, b, button, code, label, output, select, span')]
+  .filter((e) => e.checkVisibility() && !e.closest('details'));
+const panel = document.getElementById('panel').getBoundingClientRect();
+const isHidden = (e) => e.getBoundingClientRect().bottom > Math.min(panel.bottom, innerHeight);
+const isOutside = (e) => e.getBoundingClientRect().right > innerWidth || e.getBoundingClientRect().left < 0;
+return [...shown.filter((e) => isWide(e) || isOutside(e)),
+        ...['wind', 'stretch', 'crossings', 'hash', 'verdict'].map((id) => document.getElementById(id)).filter(isHidden)]
+  .map((e) => e.id || e.textContent);
+'''
+# The lines of the headline, as left, top, width and height.
+HEADLINE = '''
+return [...document.querySelectorAll('header > *')].filter((e) => e.checkVisibility()).flatMap((e) => {
+  const range = document.createRange();
+  range.selectNodeContents(e);
+  return [...range.getClientRects()].map((r) => [r.left, r.top, r.width, r.height].map(Math.round));
+});
+'''
+
+
 class Page:
     def __init__(self, browser):
         self.browser = browser
@@ -102,6 +124,10 @@ class Page:
     def run_to(self, frame):
         self.wait(f'frame {frame}', lambda: int(self.data().get('frame', 0)) >= frame)
         return self.browser.execute_script('return hashes')
+
+    def resize(self, width, height):
+        self.browser.execute_cdp_cmd('Emulation.setDeviceMetricsOverride', {
+            'width': width, 'height': height, 'deviceScaleFactor': 1, 'mobile': width < 500})
 
     def picture(self, name):
         folder = FOLDER / 'pictures'
@@ -159,11 +185,37 @@ def test_colours(page):
     before = page.find('stage').screenshot_as_png
     assert not page.find('legend').is_displayed()
     page.find('colours').click()
-    assert page.text('legend-end') == '1 %' and page.find('legend').is_displayed()
+    assert page.text('legend-end') == '1 % bound' and page.find('legend').is_displayed()
     page.run_to(int(page.data()['frame']) + 3)
     page.picture('colours')
     assert page.find('stage').screenshot_as_png != before
     page.find('colours').click()
+
+
+def blue_pixels(picture, box):
+    """How many pixels of a box of a PNG file are of the cloth's colour."""
+    left, top, width, height = box
+    raw = subprocess.run(['ffmpeg', '-loglevel', 'error', '-i', '-', '-vf', f'crop={width}:{height}:{left}:{top}:exact=1',
+                          '-f', 'rawvideo', '-pix_fmt', 'rgb24', '-'], input=picture, capture_output=True, check=True).stdout
+    return sum(blue > red + 30 for red, blue in zip(raw[0::3], raw[2::3]))
+
+
+def test_layout(page):
+    """On a desktop and a phone no text is cut, the first screen has the verdict, and cloth never flies behind the headline."""
+    for width, height in (1280, 720), (390, 844), (360, 640):
+        page.resize(width, height)
+        stage = (0, 0, width - 344, height) if width > 760 else (0, 0, width, height // 2)
+        page.wait('the cloth', lambda: blue_pixels(page.browser.get_screenshot_as_png(), stage) > 1000)
+        assert not (cut := page.browser.execute_script(CUT)), (width, cut)
+        lines = page.browser.execute_script(HEADLINE)
+        page.browser.execute_script('document.querySelector("header").style.opacity = 0')
+        for _ in range(8):
+            page.run_to(int(page.data()['frame']) + 10)
+            page.picture(f'layout_{width}')
+            picture = (FOLDER / 'pictures' / f'layout_{width}.png').read_bytes()
+            assert not any(blue_pixels(picture, line) for line in lines), (width, page.data()['frame'])
+        page.browser.execute_script('document.querySelector("header").style.opacity = 1')
+    page.browser.execute_cdp_cmd('Emulation.clearDeviceMetricsOverride', {})
 
 
 def main():
@@ -183,6 +235,7 @@ def main():
         test_colours(page)
         test_bits(page, 'hang', 1028, 10, [1, 60, 600])
         page.picture('wind')
+        test_layout(page)
         assert page.data()['memory'] == memory, (memory, page.data()['memory'])
         page.press('size', 5280)
         test_bits(page, 'hang', 5280, 10, [1, 60])

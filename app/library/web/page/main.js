@@ -157,7 +157,7 @@ byId('fabric').addEventListener('change', () => {
 });
 byId('bound').addEventListener('change', ({ target }) => {
   promises.bound = Number(target.value);
-  byId('legend-end').textContent = `${100 * promises.bound} %`;
+  byId('legend-end').textContent = `${100 * promises.bound} % bound`;
   if (stage.bound) stage.colourBy(promises.bound);
   steer({ do: 'set', key: 'solver.max_stretch', value: target.value });
 });

@@ -1,10 +1,12 @@
 // The picture: cloth with its own smooth normals and a sheen, who wears it, and their shadow on the ground.
 import * as THREE from 'three';
 
-const VIEWS = { hang: { target: [0, 1.31, 0], distance: 2.95, azimuth: 0.62, elevation: 0.2, ground: 0.72 },
-  walk: { target: [0, 0.93, 0], distance: 4.75, azimuth: 0.5, elevation: 0.12, ground: 0 },
-  flag: { target: [0.48, 2.0, 0], distance: 3.2, azimuth: 0.35, elevation: 0.04, ground: 0 },
-  line: { target: [0, 1.5, 0], distance: 6.4, azimuth: 0.4, elevation: 0.08, ground: 0 } };
+// What of a scene is always in sight, `size` metres wide and high about the target.
+const VIEWS = { hang: { target: [0, 1.31, 0], size: [1.05, 0.95], azimuth: 0.62, elevation: 0.2, ground: 0.72 },
+  walk: { target: [0, 0.93, 0], size: [0.9, 1.87], azimuth: 0.5, elevation: 0.12, ground: 0 },
+  flag: { target: [0.48, 2.0, 0], size: [1.35, 1.25], azimuth: 0.35, elevation: 0.04, ground: 0 },
+  line: { target: [0, 1.5, 0], size: [3.3, 2.5], azimuth: 0.4, elevation: 0.08, ground: 0 } };
+const VIEW_DEGREES = 26, MARGIN_PX = 20, PANEL_PX = 344, PANEL_PART = 0.46, NARROW_PX = 760;  // the latter as in style.css
 // Shadows are looked up a little off the cloth, on the side of the light: it would shade itself in stripes.
 const OFF_CLOTH_M = 0.007;
 // The inside is seen where both the triangle and the smooth normal face away: by one of them it is jagged at folds.
@@ -21,7 +23,7 @@ export class Stage {
     this.renderer.shadowMap.enabled = true;
     this.renderer.shadowMap.type = THREE.PCFSoftShadowMap;
     this.scene = new THREE.Scene();
-    this.camera = new THREE.PerspectiveCamera(26, 1, 0.1, 20);
+    this.camera = new THREE.PerspectiveCamera(VIEW_DEGREES, 1, 0.1, 60);
     this.inside = { value: new THREE.Color(1, 1, 1) };
     this.#addLights();
     this.ground = new THREE.Mesh(new THREE.PlaneBufferGeometry(12, 12), new THREE.ShadowMaterial({ opacity: 0.26 }));
@@ -80,16 +82,26 @@ export class Stage {
 
   #resize() {
     const { clientWidth: width, clientHeight: height } = this.canvas;
-    const beside = width > 760 ? 344 : 0, below = width > 760 ? 0 : 0.46 * height;
     this.renderer.setSize(width, height, false);
     this.camera.aspect = width / height;
-    // The middle of the picture is that of the part that the panel leaves.
-    this.camera.setViewOffset(width, height, beside / 2, below / 2, width, height);
-    this.fit = Math.max(1, 0.82 * (height - below) / (width - beside)) * (below > 0 ? 1.7 : 1);
+    if (!this.eye) return;
+    this.#fit();
+    this.draw();  // what has been resized is empty
+  }
+
+  // The middle of the picture is that of the part that the panel and the headline leave, and the scene fills this part.
+  #fit() {
+    const { clientWidth: width, clientHeight: height } = this.canvas, isNarrow = width <= NARROW_PX;
+    const beside = isNarrow ? 0 : PANEL_PX, below = isNarrow ? PANEL_PART * height : 0;
+    const above = document.querySelector('header').getBoundingClientRect().bottom;
+    this.camera.setViewOffset(width, height, beside / 2, (below - above) / 2, width, height);
+    const free = [width - beside - 2 * MARGIN_PX, height - below - above - 2 * MARGIN_PX];
+    const metresOfPixel = Math.max(...this.eye.size.map((size, k) => size / Math.max(free[k], 1)));
+    this.distance = metresOfPixel * height / (2 * Math.tan(THREE.Math.degToRad(VIEW_DEGREES / 2)));
   }
 
   view(scene) {
-    this.eye = { ...VIEWS[scene], target: new THREE.Vector3(...VIEWS[scene].target) };
+    this.eye = { ...VIEWS[scene], zoom: 1, target: new THREE.Vector3(...VIEWS[scene].target) };
     this.ground.position.y = this.eye.ground;
     const { key } = this, height = 0.5 * (2.0 - this.eye.ground);
     key.target.position.set(0, this.eye.ground + height, 0);
@@ -97,12 +109,13 @@ export class Stage {
     const reach = height + 0.35;
     Object.assign(key.shadow.camera, { left: -reach, right: reach, top: reach, bottom: -reach, near: 2.5, far: 7 });
     key.shadow.camera.updateProjectionMatrix();
+    this.#fit();
   }
   turn(x, y) {
     this.eye.azimuth -= x;
     this.eye.elevation = Math.min(1.3, Math.max(-0.1, this.eye.elevation + y));
   }
-  zoom(factor) { this.eye.distance = Math.min(7, Math.max(0.7, this.eye.distance * factor)); }
+  zoom(factor) { this.eye.zoom = Math.min(2.4, Math.max(0.24, this.eye.zoom * factor)); }
 
   /** Colours of a fabric. */
   dress({ outside, inside, roughness, sheen }) {
@@ -156,7 +169,7 @@ export class Stage {
   }
 
   draw() {
-    const { azimuth, elevation, target } = this.eye, away = this.eye.distance * this.fit;
+    const { azimuth, elevation, target } = this.eye, away = this.distance * this.eye.zoom;
     this.camera.position.set(Math.sin(azimuth) * Math.cos(elevation), Math.sin(elevation),
       Math.cos(azimuth) * Math.cos(elevation)).multiplyScalar(away).add(target);
     this.camera.lookAt(target);

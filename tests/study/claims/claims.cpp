@@ -443,10 +443,12 @@ std::string fill_template(const toml::table& claim, const char* key, const Texts
 
 std::string number_text(const MeasuredNumber& number) {
   if (!std::isfinite(number.value)) return "diverged";
-  std::string digits = fmt::format("{:.{}g}", number.value, number.digits);
+  // Counts have no decimals; 0.970 and 1.00 keep their zeros.
+  const bool is_whole = std::abs(number.value - std::round(number.value)) < 1e-9;
+  std::string digits =
+      is_whole ? fmt::format("{:g}", number.value) : fmt::format("{:#.{}g}", number.value, number.digits);
   if (std::abs(number.value) >= 10.0 && std::abs(number.value) < 1e6) {
-    // Avoids 8.5e+02, and decimals of counts.
-    const bool is_whole = std::abs(number.value - std::round(number.value)) < 1e-9;
+    // Avoids 8.5e+02.
     const int decimals =
         is_whole ? 0 : std::max(0, number.digits - 1 - static_cast<int>(std::log10(std::abs(number.value))));
     digits = fmt::format("{:.{}f}", number.value, decimals);

@@ -139,12 +139,13 @@ std::string promise_html(const PromiseResult& result) {
   const bool is_any = result.bound || result.is_apart;
   return fmt::format(
       "<tr class=\"{}\"><td><a href=\"#{}\">{}</a></td><td class=\"number\">{}</td><td "
-      "class=\"number\">{:.4f} %</td><td class=\"number\">{}</td><td>{}</td><td "
+      "class=\"number\">{}</td><td class=\"number\">{}</td><td>{}</td><td "
       "class=\"number\">{}</td><td>{}</td></tr>\n",
       is_broken ? "fails"
       : is_any  ? "holds"
                 : "part",
-      result.figure, escape_html(result.scene), result.counts.frames, 100.0 * result.counts.stretch.springs,
+      result.figure, escape_html(result.scene), result.counts.frames,
+      number_text({"", 100.0 * result.counts.stretch.springs, "%"}),
       result.bound ? fmt::format("{:g} %", 100.0 * *result.bound) : "none",
       verdict_html(result.bound.has_value(), result.is_bound_kept()), crossings_text(result.counts),
       verdict_html(result.is_apart, result.is_kept_apart()));
@@ -194,7 +195,7 @@ std::string machine_html(const Machine& machine) {
 std::string cell_html(const std::string& text) { return fmt::format("<td class=\"number\">{}</td>", text); }
 
 std::string percent(double fraction) {
-  return cell_html(std::isfinite(fraction) ? fmt::format("{:.3g} %", 100.0 * fraction) : "lost");
+  return cell_html(std::isfinite(fraction) ? number_text({"", 100.0 * fraction, "%"}) : "lost");
 }
 
 std::string row_html(const ClaimResults& results, sim::SolverKind kind) {
@@ -204,8 +205,8 @@ std::string row_html(const ClaimResults& results, sim::SolverKind kind) {
   const MethodTrial& longest = find_trial(steps, kind, trial_shirt_triangles, trial_step_factors.back());
   const double speed_m_per_s = find_trial(results.trials_of(MethodTest::rest), kind).last_speed_m_per_s();
   return fmt::format("<tr><td>{}</td>", to_name(kind)) + cell_html(std::to_string(fine.substeps)) +
-         cell_html(fmt::format("{:.3g}", fine.ranked_ms(0.5))) +
-         cell_html(fmt::format("{:.3g} to {:.3g}", fine.ranked_ms(0.25), fine.ranked_ms(0.75))) +
+         cell_html(number_text({"", fine.ranked_ms(0.5), ""})) +
+         cell_html(number_text({"", fine.ranked_ms(0.25), ""}) + " to " + number_text({"", fine.ranked_ms(0.75), ""})) +
          percent(fine.max_stretch_seen()) + percent(fine.max_surface_stretch()) +
          cell_html(std::isfinite(speed_m_per_s) ? fmt::format("{:.1f}", 1e3 * speed_m_per_s) : "lost") +
          percent(longest.max_stretch_seen()) +

@@ -254,11 +254,11 @@ TEST(Claims, FindingsSayTheNumbersThatDecide) {
         << id << ": '" << text << "' is not in '" << judgement.part << "', '" << judgement.finding.text << "'";
   };
   expect_in(in_part, "stretch-bound", "2 of 3 runs keep 5 % in every frame");
-  expect_in(in_part, "stretch-bound", "on the way 6.7 %");
+  expect_in(in_part, "stretch-bound", "on the way 6.70 %");
   expect_in(against, "stretch-bound", "at the end 848 %");
   expect_in(in_part, "free-surface", "the most stretched triangle of every run");
   expect_in(in_part, "free-surface", "In 1 of 3 runs one triangle in a hundred");
-  expect_in(in_part, "free-surface", "springs 6.7 %, the surface 16 %, 99 of 100 triangles 6 %");
+  expect_in(in_part, "free-surface", "springs 6.70 %, the surface 16 %, 99 of 100 triangles 6 %");
   expect_in(in_part, "real-time", "for the shirts of 1028 triangles; 5280 triangles");
   expect_in(against, "real-time", "10600 triangles, 1 step x 1 sweep: a frame 10.6 ms, largest stretch 848 %");
   expect_in(against, "growth", "exponent of the power 1,");
@@ -312,6 +312,8 @@ TEST(Claims, NumbersAreWrittenAsPeopleDo) {
   EXPECT_EQ(text(26.97, 3), "27.0 m");
   EXPECT_EQ(text(0.0042410, 3), "0.00424 m");
   EXPECT_EQ(text(-19282.0, 6), "-19282 m");
+  EXPECT_EQ(text(0.97, 3), "0.970 m");
+  EXPECT_EQ(text(3.0, 3), "3 m");
   EXPECT_EQ(number_text({"", INFINITY, "m"}), "diverged");
 }
 
@@ -424,7 +426,7 @@ TEST(Report, SaysOfEveryCheckedSceneWhatIsPromisedAndKept) {
             "is off nothing is promised about it, and triangles do cross: 70 pairs in all frames together.");
   const std::string html = report_html({}, promises, {}, {});
   EXPECT_CONTAINS(html,
-                  "apart</a></td><td class=\"number\">241</td><td class=\"number\">0.9900 %</td>"
+                  "apart</a></td><td class=\"number\">241</td><td class=\"number\">0.990 %</td>"
                   "<td class=\"number\">1 %</td><td><b>kept</b></td><td class=\"number\">0</td>"
                   "<td><b>kept</b></td></tr>");
   EXPECT_CONTAINS(html, "70 in 2 of the frames, 40 at most</td><td>not promised</td></tr>");
@@ -435,7 +437,7 @@ TEST(Report, SaysOfEveryCheckedSceneWhatIsPromisedAndKept) {
   results.shirts[1]->promises->stretch.springs = 0.0101;
   const std::string broken = report_html({}, promise_results(results), {}, {});
   EXPECT_CONTAINS(broken, "<tr class=\"fails\"><td><a href=\"#fig5\">apart</a>");
-  EXPECT_CONTAINS(broken, ">1.0100 %</td><td class=\"number\">1 %</td><td><b>broken</b>");
+  EXPECT_CONTAINS(broken, ">1.01 %</td><td class=\"number\">1 %</td><td><b>broken</b>");
 }
 
 TEST(Report, Base64PadsIncompleteGroups) {

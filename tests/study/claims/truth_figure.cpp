@@ -63,8 +63,9 @@ Axis axis_around(const std::string& label, bool is_logarithmic, const std::vecto
 }
 
 std::string number_text(const TruthExperiment& experiment, double deviation) {
-  return experiment.measure == Measure::part ? fmt::format("{:.1f} %", 100.0 * deviation)
-                                             : fmt::format("{:.2g}", deviation);
+  return experiment.measure == Measure::part
+             ? fmt::format("{:.1f} %", 100.0 * deviation)
+             : fmt::format("{:.2g}{}", deviation, experiment.y_label.ends_with(" in %") ? " points of %" : "");
 }
 
 PlotPanel make_panel(const TruthExperiment& experiment, char letter, std::span<const TruthPoint> all) {

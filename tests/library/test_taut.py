@@ -1,6 +1,7 @@
 """The library from Python."""
 import pathlib
 import tempfile
+import typing
 import unittest
 
 import numpy as np
@@ -24,6 +25,7 @@ class Calls(unittest.TestCase):
             cloth.pins = [0, SIDE - 1]
             self.assertEqual(cloth.pins.tolist(), [0, SIDE - 1])
             frame = cloth.step(30)
+            self.assertEqual([type(value) for value in frame], list(typing.get_type_hints(taut.Frame).values()))
             self.assertEqual((frame.frame, frame.crossing_pairs, frame.is_bound_kept), (30, 0, True))
             self.assertTrue(1e-4 < frame.max_surface_stretch <= 0.01 + 1e-9)
             self.assertEqual(cloth.stretch.max(), frame.max_surface_stretch)

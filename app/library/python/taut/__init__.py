@@ -280,8 +280,8 @@ class Cloth:
         frame = _made(_Frame)
         for _ in range(frames):
             self._call('step', byref(frame))
-        values = [getattr(frame, name) for name in Frame._fields]
-        return Frame(*values[:-5], *map(bool, values[-5:-2]), *values[-2:])
+        values = ((name, getattr(frame, name)) for name in Frame._fields)
+        return Frame(*(bool(value) if name.startswith('is_') else value for name, value in values))
 
     def set(self, key: str, value) -> None:
         """Changes a setting while the cloth moves: set('cloth.fabric', 'silk')."""

@@ -220,6 +220,7 @@ def test_layout(page):
 
 def main():
     browser = chromium()
+    browser.set_script_timeout(600)  # a machine without a GPU may stand still for a minute
     try:
         page = Page(browser)
         began = time.monotonic()

@@ -40,12 +40,14 @@ FrameInWork simulate_frame(sim::Simulation& simulation, int frame, const FrameOu
   if (outputs.verify) work.broken = outputs.verify(simulation, work.record);
   if (!work.broken.empty()) return work;
 
+  const std::vector<sim::Vec3>& positions_m = simulation.state().current;
+  if (outputs.show) work.shown_m = outputs.show(positions_m);
   if (outputs.write_shape) {
     Stopwatch writing;
-    outputs.write_shape(frame, simulation);
+    outputs.write_shape(frame, simulation, work.shown_m.empty() ? positions_m : work.shown_m);
     work.record.encode_ms = writing.elapsed_ms();
   }
-  if (is_drawn(frame, outputs)) work.positions = simulation.state().current;
+  if (is_drawn(frame, outputs)) work.positions = positions_m;
   return work;
 }
 
@@ -63,7 +65,7 @@ void verify_start(const sim::Simulation& simulation, const FrameOutputs& outputs
 
 void draw_frame(FrameInWork& work, const FrameOutputs& outputs) {
   Stopwatch drawing;
-  work.picture = outputs.draw_positions(work.positions, work.record.time_s);
+  work.picture = outputs.draw(work);
   work.record.draw_ms = drawing.elapsed_ms();
 }
 

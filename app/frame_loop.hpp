@@ -55,6 +55,7 @@ template <class T> class BoundedQueue {
 struct FrameInWork {
   FrameRecord record;
   std::vector<sim::Vec3> positions;  ///< metres, per vertex; empty if the frame is not drawn
+  std::vector<sim::Vec3> shown_m;    ///< positions of the drawn vertices (FrameOutputs::show); empty: `positions`
   renderer::Image picture;
   std::string broken;  ///< message about the promise that the frame breaks; empty: none
 };
@@ -96,11 +97,15 @@ struct FrameOutputs {
   bool with_start = false;        ///< also hands out the start frame, even if it is not drawn
   Measured measured = Measured::all;
   /// Called on the thread that called run_frames.
-  std::function<renderer::Image(const std::vector<sim::Vec3>& positions, double time_s)> draw_positions;
+  std::function<renderer::Image(const FrameInWork&)> draw;
   /// Called in the order of frames, as is `report`, but not always on the caller's thread. The record lacks only
   /// `encode_ms`.
   std::function<void(const FrameRecord&, const renderer::Image&)> write_frame;
-  std::function<void(int frame, const sim::Simulation&)> write_shape;  ///< called while the simulation waits
+  /// Returns the positions of what is drawn and written in place of the simulated vertices, in m; empty: theirs. Called
+  /// once for every frame that keeps its promises.
+  std::function<std::vector<sim::Vec3>(std::span<const sim::Vec3> positions_m)> show;
+  /// Called while the simulation waits.
+  std::function<void(int frame, const sim::Simulation&, const std::vector<sim::Vec3>& shown_m)> write_shape;
   std::function<void(const FrameRecord&)> report;
   /// Called first, also for a start frame that is not handed out. Returns a message about the promise that the frame
   /// breaks; empty: none. A frame that breaks a promise is reported, but neither drawn nor written.

@@ -24,9 +24,9 @@ class ObjSink final : public FrameSink {
     last_ = settings.last_kept.value_or(range_.first - 1);
   }
 
-  void write(int frame, std::span<const sim::Vec3> mesh_m) override {
+  void write(int frame, std::span<const sim::Vec3> shown_m) override {
     if (range_.contains(frame)) {
-      write_text_file(pattern_.path_of(frame), cloth_.obj(mesh_m));
+      write_text_file(pattern_.path_of(frame), cloth_.obj(shown_m));
       last_ = frame;
     }
   }
@@ -95,7 +95,7 @@ WrittenCloth::WrittenCloth(const GarmentInScene& loaded) : loaded_(loaded) {
   std::iota(mesh_vertex_.begin(), mesh_vertex_.end(), 0U);
 }
 
-std::vector<sim::Vec3> WrittenCloth::file_positions(std::span<const sim::Vec3> shown_m) const {
+std::vector<sim::Vec3> WrittenCloth::positions(std::span<const sim::Vec3> shown_m) const {
   std::vector<sim::Vec3> written_m(vertices());
   for (std::size_t v = 0; v < written_m.size(); ++v) {
     const sim::Index vertex = mesh_vertex_[v];
@@ -104,7 +104,7 @@ std::vector<sim::Vec3> WrittenCloth::file_positions(std::span<const sim::Vec3> s
   return written_m;
 }
 
-std::string WrittenCloth::text(std::span<const sim::Vec3> shown_m) const {
+std::string WrittenCloth::obj(std::span<const sim::Vec3> shown_m) const {
   std::vector<glm::vec3> normals;
   if (faces_.has_normals) {
     const std::vector<glm::vec3> of_mesh = mesh_normals(loaded_.shown_mesh(), shown_m);
@@ -112,7 +112,7 @@ std::string WrittenCloth::text(std::span<const sim::Vec3> shown_m) const {
       normals.push_back(vertex == sim::no_vertex ? glm::vec3(0.0F, 1.0F, 0.0F) : of_mesh[vertex]);
     }
   }
-  return obj_text(faces_, file_positions(shown_m), normals);
+  return obj_text(faces_, positions(shown_m), normals);
 }
 
 std::vector<glm::vec3> mesh_normals(const sim::Mesh& mesh, std::span<const sim::Vec3> mesh_m) {

@@ -23,8 +23,8 @@ class FrameSink {
  public:
   virtual ~FrameSink() = default;
 
-  /// Adds the next frame. `mesh_m`: positions of the simulated vertices, in metres.
-  virtual void write(int frame, std::span<const sim::Vec3> mesh_m) = 0;
+  /// Adds the next frame. `shown_m`: positions of shown_mesh(), in metres.
+  virtual void write(int frame, std::span<const sim::Vec3> shown_m) = 0;
   /// Saves the frames so far, so that they outlive the program. Called before a checkpoint is written.
   virtual void save_frames() {}
   /// Completes the files, which hold all frames or the frames before the run ended early. Returns a message about them,
@@ -72,20 +72,15 @@ class WrittenCloth {
 
   std::size_t vertices() const { return mesh_vertex_.size(); }
   const FileFaces& faces() const { return faces_; }
-  /// Returns the position of every vertex in metres, from the positions of the mesh. A vertex that no remaining
+  /// Returns the position of every vertex in metres, from the positions of shown_mesh(). A vertex that no remaining
   /// triangle uses keeps its position in the file.
-  std::vector<sim::Vec3> positions(std::span<const sim::Vec3> mesh_m) const {
-    return file_positions(loaded_.shown_m(mesh_m));
-  }
+  std::vector<sim::Vec3> positions(std::span<const sim::Vec3> shown_m) const;
   /// Returns the garment as an OBJ file, with normals of this shape if the file has normals.
-  std::string obj(std::span<const sim::Vec3> mesh_m) const { return text(loaded_.shown_m(mesh_m)); }
+  std::string obj(std::span<const sim::Vec3> shown_m) const;
   /// Returns the garment at rest as an OBJ file.
-  std::string obj_at_rest() const { return text(loaded_.shown_mesh().positions); }
+  std::string obj_at_rest() const { return obj(loaded_.shown_mesh().positions); }
 
  private:
-  std::vector<sim::Vec3> file_positions(std::span<const sim::Vec3> shown_m) const;
-  std::string text(std::span<const sim::Vec3> shown_m) const;
-
   const GarmentInScene& loaded_;
   FileFaces faces_;
   std::vector<sim::Index> mesh_vertex_;  ///< mesh vertex of each written vertex; sim::no_vertex: none

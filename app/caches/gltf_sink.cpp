@@ -136,11 +136,10 @@ class GltfSink final : public FrameSink {
     }
   }
 
-  void write(int frame, std::span<const sim::Vec3> mesh_m) override {
+  void write(int frame, std::span<const sim::Vec3> shown_m) override {
     if (!settings_.frames.contains(frame)) return;
-    const std::vector<sim::Vec3> positions_m = loaded_.shown_m(mesh_m);
-    std::vector<float> moved = flat_numbers(to_float(positions_m));
-    std::vector<float> turned = flat_numbers(mesh_normals(loaded_.shown_mesh(), positions_m));
+    std::vector<float> moved = flat_numbers(to_float(shown_m));
+    std::vector<float> turned = flat_numbers(mesh_normals(loaded_.shown_mesh(), shown_m));
     for (std::size_t k = 0; k < moved.size(); ++k) {
       moved[k] -= rest_positions_[k];
       turned[k] -= rest_normals_[k];

@@ -16,7 +16,7 @@ class PointCacheSink final : public FrameSink {
     incomplete_ = settings.can_be_resumed ? fs::path(settings.name + ".part") : temporary_name(path_);
     const int kept = settings.last_kept.value_or(0) - settings.frames.first + 1;
     if (settings.last_kept && kept > 0) {
-      continue_file(static_cast<std::size_t>(kept), start_m);
+      continue_file(static_cast<std::size_t>(kept), loaded.shown_m(start_m));
       return;
     }
     create_file(incomplete_, path_);
@@ -29,9 +29,9 @@ class PointCacheSink final : public FrameSink {
     if (!settings_.can_be_resumed) fs::remove(incomplete_, ignored);
   }
 
-  void write(int frame, std::span<const sim::Vec3> mesh_m) override {
+  void write(int frame, std::span<const sim::Vec3> shown_m) override {
     if (settings_.frames.contains(frame)) {
-      put(frame_of(mesh_m));
+      put(frame_of(shown_m));
       ++written_;
     }
   }
@@ -66,7 +66,7 @@ class PointCacheSink final : public FrameSink {
     return pc2_header({cloth_.vertices(), frames, settings_.frames.first});
   }
 
-  std::string frame_of(std::span<const sim::Vec3> mesh_m) const { return pc2_frame(cloth_.positions(mesh_m)); }
+  std::string frame_of(std::span<const sim::Vec3> shown_m) const { return pc2_frame(cloth_.positions(shown_m)); }
 
   void put(const std::string& bytes) {
     file_.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));

@@ -63,10 +63,10 @@ class UsdSink final : public FrameSink {
     if (file_.is_open()) std::filesystem::remove(incomplete_, error);
   }
 
-  void write(int frame, std::span<const sim::Vec3> mesh_m) override {
+  void write(int frame, std::span<const sim::Vec3> shown_m) override {
     if (!settings_.frames.contains(frame)) return;
     if (!file_.is_open()) begin();
-    const std::vector<glm::vec3> positions_m = to_float(cloth_.positions(mesh_m));
+    const std::vector<glm::vec3> positions_m = to_float(cloth_.positions(shown_m));
     const auto [low, high] = renderer::bounding_box(positions_m);
     file_ << fmt::format("            {}: {},\n", frame, join_list(positions_m, to_usd_tuple));
     extents_ += fmt::format("            {}: [{}, {}],\n", frame, to_usd_tuple(low), to_usd_tuple(high));

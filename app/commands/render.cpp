@@ -231,7 +231,7 @@ class Render {
     FittedView fitted(run_.scene, run_.simulation->garment());
     for (const FrameInWork& frame : gathered) {
       if (frame.positions.empty()) continue;
-      fitted.add(frame.positions, run_.loaded.shown_m(frame.positions), frame.record.time_s);
+      fitted.add(frame.positions, frame.shown_m.empty() ? frame.positions : frame.shown_m, frame.record.time_s);
     }
     fitted.place_camera(run_.scene);
     begin_drawing();
@@ -241,7 +241,7 @@ class Render {
   void connect() {
     FrameOutputs& outputs = run_.outputs;
     const bool is_gathered =
-        is_fitted(run_.scene) && can_gather(job_.frames.size(), run_.simulation->garment().mesh.positions.size());
+        is_fitted(run_.scene) && can_gather(job_.frames.size(), run_.loaded.shown_mesh().positions.size());
     if (is_gathered) {
       outputs.before_drawing = [this](std::span<const FrameInWork> gathered) { fit_camera(gathered); };
       outputs.simulated = [this](const FrameRecord& record) { report("simulated", record); };
@@ -250,8 +250,8 @@ class Render {
     }
     outputs.report = [this, is_gathered](const FrameRecord& record) { report(is_gathered ? "drawn" : "", record); };
     outputs.pictures = job_.frames;
-    outputs.draw_positions = [this](const std::vector<sim::Vec3>& positions, double time_s) {
-      return painter_->draw(positions, time_s);
+    outputs.draw = [this](const FrameInWork& frame) {
+      return painter_->draw(frame.positions, frame.record.time_s, frame.shown_m);
     };
     outputs.write_frame = [this](const FrameRecord& record, const renderer::Image& picture) {
       output_.write(origin_, record, picture);

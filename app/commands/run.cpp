@@ -73,12 +73,21 @@ void SceneRun::open_statistics(const RunDescription& description, std::optional<
 }
 
 std::vector<FrameRecord> SceneRun::go(int last_frame, const std::string& pattern, OffscreenRenderer* offscreen) {
-  if (shapes)
-    outputs.write_shape = [this](int frame, const auto& moment) { shapes->write(frame, moment.state().current); };
-  outputs.verify = [this](const auto& moment, FrameRecord& record) {
-    if (prints_messages) following.add(loaded, moment.state().current);
-    return options.verify ? verifier.check(moment, record) : "";
-  };
+  if (shapes) {
+    outputs.write_shape = [this](int frame, const auto& /*moment*/, const auto& shown_m) {
+      shapes->write(frame, shown_m);
+    };
+  }
+  if (loaded.following && (shapes || prints_messages)) {
+    outputs.show = [this](std::span<const sim::Vec3> positions_m) {
+      std::vector<sim::Vec3> shown_m = loaded.shown_m(positions_m);
+      if (prints_messages) following.add(*loaded.following, shown_m);
+      return shown_m;
+    };
+  }
+  if (options.verify) {
+    outputs.verify = [this](const auto& moment, FrameRecord& record) { return verifier.check(moment, record); };
+  }
   const auto end_early = [this] {
     progress.hide();
     if (on_early_end) on_early_end();

@@ -269,7 +269,7 @@ std::optional<float> level_plane(std::span<const sim::Body> bodies, double time_
   return std::nullopt;
 }
 
-std::vector<glm::vec3> to_float(const std::vector<sim::Vec3>& points) {
+std::vector<glm::vec3> to_float(std::span<const sim::Vec3> points) {
   std::vector<glm::vec3> nearest(points.size());
   std::ranges::transform(points, nearest.begin(), [](const sim::Vec3& point) {
     return glm::vec3{round_to_float(point.x), round_to_float(point.y), round_to_float(point.z)};

@@ -54,7 +54,7 @@ inline std::vector<std::uint32_t> flat(const std::vector<sim::Triangle>& triangl
 struct LoadedGarment;
 
 /// Returns the points in single precision. A coordinate too large for a float becomes the largest float.
-std::vector<glm::vec3> to_float(const std::vector<sim::Vec3>& points);
+std::vector<glm::vec3> to_float(std::span<const sim::Vec3> points);
 
 /// Returns the mean of the points, of which there must be at least one.
 glm::vec3 mean_position(std::span<const sim::Vec3> points);

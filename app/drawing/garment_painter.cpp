@@ -240,8 +240,11 @@ renderer::SurfaceView GarmentPainter::garment_view() {
   return surface;
 }
 
-const renderer::FrameView& GarmentPainter::view(const std::vector<sim::Vec3>& positions, double time_s) {
-  const std::vector<sim::Vec3> shown_m = model_ ? colours_.following->shown_m(positions, simulated_) : positions;
+const renderer::FrameView& GarmentPainter::view(const std::vector<sim::Vec3>& positions, double time_s,
+                                                const std::vector<sim::Vec3>& given_m) {
+  const std::vector<sim::Vec3> shown_m = !model_           ? positions
+                                         : given_m.empty() ? colours_.following->shown_m(positions, simulated_)
+                                                           : given_m;
   positions_ = to_float(shown_m);
   const std::span<const float> clearances_m =
       surface_.leaves_triangles() ? surface_clearances_.find(shown_m, time_s) : std::span<const float>();
@@ -273,8 +276,9 @@ const renderer::FrameView& GarmentPainter::view(const std::vector<sim::Vec3>& po
   return frame_;
 }
 
-renderer::Image GarmentPainter::draw(const std::vector<sim::Vec3>& positions, double time_s) {
-  renderer::Image image = renderer_.draw(view(positions, time_s), style_.settings);
+renderer::Image GarmentPainter::draw(const std::vector<sim::Vec3>& positions, double time_s,
+                                     const std::vector<sim::Vec3>& shown_m) {
+  renderer::Image image = renderer_.draw(view(positions, time_s, shown_m), style_.settings);
   if (style_.surface != SurfaceLook::stretch || !style_.legend) return image;
   const auto height = static_cast<float>(image.height_px);
   renderer::Canvas canvas(image);

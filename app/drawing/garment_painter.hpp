@@ -65,15 +65,18 @@ class GarmentPainter {
   /// `min_edge_px` in the picture are not halved: a larger value is faster.
   void look_from(const renderer::Camera& camera, float min_edge_px = renderer::min_split_px);
 
-  /// Returns the picture, with the bodies at this time, and with a legend if the scene asks for one.
-  renderer::Image draw(const std::vector<sim::Vec3>& positions, double time_s);
+  /// Returns the picture, with the bodies at this time, and with a legend if the scene asks for one. `shown_m` is the
+  /// shape of a model that follows (GarmentInScene::shown_m()); it is computed if it is empty.
+  renderer::Image draw(const std::vector<sim::Vec3>& positions, double time_s,
+                       const std::vector<sim::Vec3>& shown_m = {});
 
   /// Returns the camera of the last picture.
   const renderer::Camera& camera() const { return frame_.camera; }
 
   /// Returns the frame that `draw` passes to the renderer. It refers to the painter's data and is valid until the next
   /// call.
-  const renderer::FrameView& view(const std::vector<sim::Vec3>& positions, double time_s);
+  const renderer::FrameView& view(const std::vector<sim::Vec3>& positions, double time_s,
+                                  const std::vector<sim::Vec3>& shown_m = {});
 
  private:
   void add_rest_outline(const sim::Garment& garment);

@@ -445,7 +445,8 @@ void Viewer::save_scene() {
 
 void Viewer::export_shape() {
   const std::filesystem::path file = free_name(keep_folder_, state_.scene.name, ".obj");
-  write_text_file(file, WrittenCloth(*state_.shown->loaded).obj(state_.shown->positions()));
+  const LoadedScene& loaded = *state_.shown->loaded;
+  write_text_file(file, WrittenCloth(loaded).obj(loaded.shown_m(state_.shown->positions())));
   tell("wrote " + file.string() + ", in metres with y up", false);
 }
 

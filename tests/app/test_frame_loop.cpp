@@ -41,9 +41,9 @@ TEST(FrameLoop, EndsBeforeAFrameThatCannotBeMade) {
     FrameOutputs outputs;
     outputs.pictures = pictures;
     outputs.overlap = overlap;
-    outputs.draw_positions = [](const auto&, double) { return renderer::make_image(1, 1); };
+    outputs.draw = [](const FrameInWork&) { return renderer::make_image(1, 1); };
     outputs.write_frame = [&](const FrameRecord& record, const auto&) { drawn.push_back(record.frame); };
-    outputs.write_shape = [&](int frame, const auto&) { shapes.push_back(frame); };
+    outputs.write_shape = [&](int frame, const auto&, const auto&) { shapes.push_back(frame); };
     outputs.report = [&](const FrameRecord& record) { reported.push_back(record.frame); };
     try {
       run_frames(simulation, 30, outputs);
@@ -89,9 +89,9 @@ TEST(FrameLoop, EndsWithAFrameThatBreaksAPromise) {
       checked.push_back(record.frame);
       return record.frame == 4 ? "frame 4 is broken" : "";
     };
-    outputs.draw_positions = [&](const auto&, double) { return renderer::Image{}; };
+    outputs.draw = [&](const FrameInWork&) { return renderer::Image{}; };
     outputs.write_frame = [&](const FrameRecord& record, const auto&) { drawn.push_back(record.frame); };
-    outputs.write_shape = [&](int frame, const sim::Simulation&) { written.push_back(frame); };
+    outputs.write_shape = [&](int frame, const sim::Simulation&, const auto&) { written.push_back(frame); };
     outputs.report = [&](const FrameRecord& record) { reported.push_back(record.frame); };
     EXPECT_EQ(test::error_message<PromiseBroken>([&] { run_frames(simulation, 6, outputs); }), "frame 4 is broken");
     checked.resize(5);  // overlapped checks may have begun with later frames
@@ -120,8 +120,8 @@ TEST(FrameLoop, DrawsAndWritesTheFramesAskedFor) {
   int reported = 0;
   FrameOutputs outputs;
   outputs.pictures = pictures;
-  outputs.draw_positions = [&](const std::vector<sim::Vec3>& positions, double) {
-    drawn.push_back(positions);
+  outputs.draw = [&](const FrameInWork& frame) {
+    drawn.push_back(frame.positions);
     return renderer::Image{};
   };
   outputs.write_frame = [&](const FrameRecord& record, const renderer::Image&) { written.push_back(record.frame); };
@@ -141,9 +141,36 @@ TEST(FrameLoop, HandsOutEveryShape) {
   sim::Simulation simulation = small_cloth();
   std::vector<int> frames;
   FrameOutputs outputs;
-  outputs.write_shape = [&](int frame, const sim::Simulation&) { frames.push_back(frame); };
+  outputs.write_shape = [&](int frame, const sim::Simulation&, const auto&) { frames.push_back(frame); };
   run_frames(simulation, 3, outputs);
   EXPECT_EQ(frames, (std::vector{1, 2, 3}));
+}
+
+TEST(FrameLoop, ComputesWhatIsShownOnceForDrawingAndWriting) {
+  sim::Simulation simulation = small_cloth();
+  const std::vector<int> pictures = {1, 2};
+  int shown = 0;
+  std::vector<std::vector<sim::Vec3>> drawn;
+  std::vector<std::vector<sim::Vec3>> written;
+  FrameOutputs outputs;
+  outputs.pictures = pictures;
+  outputs.show = [&](std::span<const sim::Vec3> positions_m) {
+    ++shown;
+    return std::vector(1, positions_m.back());
+  };
+  outputs.write_shape = [&](int, const sim::Simulation& moment, const auto& shown_m) {
+    EXPECT_EQ(shown_m, std::vector(1, moment.state().current.back()));
+    written.push_back(shown_m);
+  };
+  outputs.draw = [&](const FrameInWork& frame) {
+    drawn.push_back(frame.shown_m);
+    return renderer::Image{};
+  };
+  outputs.write_frame = [](const FrameRecord&, const renderer::Image&) {};
+  run_frames(simulation, 2, outputs);
+  EXPECT_EQ(shown, 2);
+  EXPECT_EQ(written.size(), 2U);
+  EXPECT_EQ(drawn, written);
 }
 
 TEST(FrameLoop, HandsOutTheClothAsModelledWhereItIsAskedFor) {
@@ -152,7 +179,7 @@ TEST(FrameLoop, HandsOutTheClothAsModelledWhereItIsAskedFor) {
   std::vector<int> frames;
   FrameOutputs outputs;
   outputs.with_start = true;
-  outputs.write_shape = [&](int frame, const sim::Simulation& moment) {
+  outputs.write_shape = [&](int frame, const sim::Simulation& moment, const auto&) {
     EXPECT_EQ(moment.state().current == modelled, frame == 0);
     frames.push_back(frame);
   };

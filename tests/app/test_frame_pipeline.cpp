@@ -155,10 +155,10 @@ sim::Simulation small_cloth() {
 }
 
 // Makes a picture from the bytes of the positions.
-renderer::Image draw_picture(const std::vector<sim::Vec3>& positions, double) {
+renderer::Image draw_picture(const FrameInWork& frame) {
   renderer::Image image;
-  const auto* bytes = reinterpret_cast<const std::uint8_t*>(positions.data());
-  image.pixels.assign(bytes, bytes + positions.size() * sizeof(sim::Vec3));
+  const auto* bytes = reinterpret_cast<const std::uint8_t*>(frame.positions.data());
+  image.pixels.assign(bytes, bytes + frame.positions.size() * sizeof(sim::Vec3));
   return image;
 }
 
@@ -175,7 +175,7 @@ Outcome run_with(bool overlap) {
   FrameOutputs outputs;
   outputs.pictures = frames;
   outputs.overlap = overlap;
-  outputs.draw_positions = draw_picture;
+  outputs.draw = draw_picture;
   outputs.write_frame = [&](const FrameRecord& record, const renderer::Image& picture) {
     run.reported.push_back(record.frame);
     run.pictures.push_back(picture.pixels);

@@ -157,7 +157,7 @@ Recording record_frames(const DrawnScene& scene, std::span<const int> frames, co
   std::optional<PromiseCounter> counter;
   if (frames.front() == 0) keep(simulation, 0, recording);
   FrameOutputs outputs;
-  outputs.write_shape = [&](int frame, const sim::Simulation& moment) {
+  outputs.write_shape = [&](int frame, const sim::Simulation& moment, const auto& /*shown_m*/) {
     if (std::ranges::binary_search(frames, frame)) keep(moment, frame, recording);
   };
   outputs.report = [&](const FrameRecord& record) {

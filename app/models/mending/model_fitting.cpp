@@ -172,9 +172,8 @@ LoadedGarment as_modelled(const LoadedGarment& loaded, const sim::MappingSetting
   return modelled;
 }
 
-void FollowingSummary::add(const GarmentInScene& loaded, std::span<const Vec3> positions_m) {
-  if (!loaded.following) return;
-  last = loaded.following->shape_limits->measure(loaded.shown_m(positions_m));
+void FollowingSummary::add(const FollowingModel& following, std::span<const Vec3> shown_m) {
+  last = following.shape_limits->measure(shown_m);
   max_stretch = std::max(max_stretch, last->stretch.max);
   max_p99_stretch = std::max(max_p99_stretch, last->stretch.p99);
   max_new_crossings = std::max(max_new_crossings, last->new_crossings);

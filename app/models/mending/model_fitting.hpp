@@ -44,8 +44,8 @@ LoadedGarment as_modelled(const LoadedGarment& loaded, const sim::MappingSetting
 
 /// Measures of a following model over the frames of a run. The promises exclude it.
 struct FollowingSummary {
-  /// Measures the model for these positions of the simulated vertices, in m. Does nothing if no model follows.
-  void add(const GarmentInScene& loaded, std::span<const sim::Vec3> positions_m);
+  /// Measures the model in this shape, in m (FollowingModel::shown_m()).
+  void add(const FollowingModel& following, std::span<const sim::Vec3> shown_m);
   /// Returns a line for people; empty if nothing was measured.
   std::string describe() const;
 

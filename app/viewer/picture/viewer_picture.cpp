@@ -121,7 +121,7 @@ std::optional<GarmentSight> second_sight(const ViewerState& state, const WindowL
 
 std::optional<HandThread> hand_thread(const ViewerState& state, const Snapshot& garment, const ViewArea& area) {
   if (!state.held) return std::nullopt;
-  const std::vector<glm::vec3> ends = to_float({garment.positions()[state.held->vertex], state.held->hand_m});
+  const std::vector<glm::vec3> ends = to_float(std::array{garment.positions()[state.held->vertex], state.held->hand_m});
   const auto from_px = state.camera.project_to_pixel(ends[0], area);
   const auto to_px = state.camera.project_to_pixel(ends[1], area);
   const bool is_apart = glm::distance(ends[0], ends[1]) > min_shift_m &&

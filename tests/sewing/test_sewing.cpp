@@ -10,6 +10,7 @@
 #include <glm/geometric.hpp>
 #include <numeric>
 #include <optional>
+#include <set>
 
 #include "app/bodies/body_loading.hpp"
 #include "app/garments/dressing/wearing.hpp"
@@ -175,6 +176,35 @@ TEST_F(Sewing, ComesToRestInTheAirOfTheScene) {
   SewnGarment moving = garment;
   moving.is_at_rest = false;
   EXPECT_NE(describe_rest(moving).find("still moving at "), std::string::npos);
+}
+
+TEST_F(Sewing, WhatMovesInTheAirOfTheSceneIsNotAtRest) {
+  // In wind that thick air stills, the skirt flutters without it.
+  Scene scene = scene_with(folder.write("skirt.json", skirt(40.0, 60.0)));
+  scene.surroundings.forces.air_drag_per_s = 0.0;
+  scene.surroundings.forces.wind.speed_m_per_s = 8.0;
+  const SewnGarment garment = sewn(scene, 400, 300);
+  EXPECT_FALSE(garment.is_at_rest);
+  EXPECT_GT(garment.rms_speed_m_per_s, 0.01);
+}
+
+TEST_F(Sewing, KeepsTheBoundInEveryFrameInWhichPiecesAreJoined) {
+  Scene scene = scene_with(folder.write("skirt.json", skirt(40.0, 60.0)));
+  const SewingPattern pattern = read_sewing_pattern(scene.garment.file);
+  CutPieces pieces = cut_pieces(pattern, 800);
+  bring_to_body(pattern, scene, pieces);
+  place_pieces(pieces, scene);
+  std::set<double> shares;
+  double max_stretch = 0.0;
+  const SewnPieces sewn = close_seams(
+      pieces, scene, thin_time_s(scene), [&](double share, const sim::Garment& garment, const auto& positions_m) {
+        const sim::SurfaceStretch stretch = sim::measure_surface_stretch(garment, positions_m);
+        max_stretch = std::max(max_stretch, stretch.max);
+        shares.insert(share);
+      });
+  EXPECT_EQ(sewn.gap_m, 0.0);
+  EXPECT_GE(shares.size(), 2u) << "it was not joined while it was looked at";
+  EXPECT_LE(max_stretch, 0.01 + 1e-6);
 }
 
 TEST_F(Sewing, RefusesWhatFellCrossesOrIsStretched) {

@@ -124,11 +124,8 @@ class Binder {
         triangles_at_(sim::at_vertices(mesh.positions.size(), mesh.triangles)),
         normals_(vertex_normals(model.positions, select_wall(model, is_wall))),
         facing_(model.positions.size()),
-        found_(model.positions.size()) {
-    const std::vector<sim::Edge> edges = sim::make_adjacency(mesh).edges;
-    for (const auto& [a, b] : edges) edge_m_ += glm::distance(mesh.positions[a], mesh.positions[b]);
-    edge_m_ /= static_cast<double>(edges.size());
-  }
+        found_(model.positions.size()),
+        edge_m_(mean_edge_m(mesh)) {}
 
   std::vector<TreeSurfacePoint> all() {
     // Parts of the wall come before other parts. Each begins at its most certain vertex.
@@ -231,7 +228,7 @@ class Binder {
   std::vector<Vec3> normals_;                            ///< normals of the wall's vertices; 0 at other vertices
   std::vector<std::optional<TreeSurfacePoint>> facing_;  ///< cache of nearest_facing()
   std::vector<std::optional<TreeSurfacePoint>> found_;
-  double edge_m_ = 0.0;
+  double edge_m_;
 };
 
 /// Position of a bond, and axes that turn with the triangle: along its first edge, across it, along the normal.
@@ -385,6 +382,13 @@ std::optional<TreeSurfacePoint> SurfaceTree::first_hit(const sim::Vec3& from_m, 
     }
   });
   return best;
+}
+
+double mean_edge_m(const sim::Mesh& mesh) {
+  const std::vector<sim::Edge> edges = sim::make_adjacency(mesh).edges;
+  double sum_m = 0.0;
+  for (const auto& [a, b] : edges) sum_m += glm::distance(mesh.positions[a], mesh.positions[b]);
+  return sum_m / static_cast<double>(edges.size());
 }
 
 std::vector<Vec3> vertex_normals(std::span<const Vec3> positions_m, std::span<const sim::Triangle> triangles) {

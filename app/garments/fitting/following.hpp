@@ -91,6 +91,9 @@ void carry(const CarriedVertices& carried, std::span<const float> shares, std::v
 /// Returns the vertex of the bond's triangle that has the largest weight.
 sim::Index find_nearest_corner(const Bond& bond, std::span<const sim::Triangle> triangles);
 
+/// Returns the mean length of the edges of a mesh with triangles.
+double mean_edge_m(const sim::Mesh& mesh);
+
 /// Returns area-weighted unit normals of vertices; 0 at a vertex without a triangle that has an area.
 std::vector<sim::Vec3> vertex_normals(std::span<const sim::Vec3> positions_m, std::span<const sim::Triangle> triangles);
 

@@ -146,7 +146,7 @@ inline constexpr double far_fraction = 0.1;
 /// Cosine of the normals below which an edge may be a rim of two walls. More finds rims in folds.
 inline constexpr double crease_cosine = 0.8;
 
-// What follows the mesh (following.cpp).
+// What follows the mesh (following.cpp, and app/models/mending/following_limits.cpp from `max_reach_edges` on).
 
 /// Largest distance of a triangle that faces the same way, as a multiple of the distance of the nearest triangle.
 inline constexpr double max_facing_distance_ratio = 2.0;
@@ -154,5 +154,26 @@ inline constexpr double max_facing_distance_ratio = 2.0;
 inline constexpr double face_normal_weight = 0.1;
 /// Largest size of a part that stays rigid, such as a button, in m. More keeps belt loops and tabs from bending.
 inline constexpr double max_rigid_size_m = 0.03;
+/// Largest offset that is kept out of the next layer, in mean edges. Two larger ones meet across one triangle of flat
+/// cloth, 0.87 edges high. Less lets thick models cross where layers meet.
+inline constexpr double max_reach_edges = 0.4;
+/// Smallest share of the offsets at rest. Below it layers nearly touch or cross as modelled, and followers cannot keep
+/// to the share. Less pulls them to the mesh there.
+inline constexpr float min_share_at_rest = 0.5F;
+/// Largest count of sweeps over stretched triangles. More shorten models whose vertices follow distant parts, and take
+/// longer.
+inline constexpr int max_sweeps = 60;
+/// Correction of a stretched triangle over the one that it needs by itself. More needs fewer sweeps; 2 does not end.
+inline constexpr double over_correction = 1.7;
+/// Stretch beyond the limit, as a fraction of the length at rest, that is left. Less needs more sweeps.
+inline constexpr double stretch_tolerance = 0.003;
+/// Largest count of rounds in which the neighbourhood of new crossings is smoothed. More removes more crossings and
+/// flattens more folds.
+inline constexpr int max_smoothing_rounds = 4;
+/// Weight of the neighbours' mean in a round. More flattens folds, less leaves crossings.
+inline constexpr double smoothing_weight = 0.5;
+/// Largest number of crossings for each triangle, as modelled or new, that are removed. More takes longer on tangled
+/// models.
+inline constexpr double max_crossing_fraction = 0.05;
 
 }  // namespace taut::app::fitting

@@ -1,40 +1,16 @@
 #include "app/models/mending/following_limits.hpp"
 
+#include "app/garments/fitting/tuning.hpp"
 #include "sim/contact/crossing_pairs.hpp"
 
 namespace taut::app {
+
+using namespace fitting;
+
 namespace {
 
 using sim::Index;
 using sim::Vec3;
-
-/// Largest offset as a fraction of the mean edge. Two larger ones meet across one triangle of flat cloth, 0.87 edges
-/// high.
-constexpr double max_reach = 0.4;
-/// Smallest share at rest. Below it layers nearly touch or cross as modelled, and followers cannot keep to the share.
-constexpr float min_share_at_rest = 0.5F;
-/// Sweeps over stretched triangles. More shorten models whose vertices follow distant parts, and take longer.
-constexpr int max_sweeps = 60;
-/// Correction of a stretched triangle over the one that it needs by itself. More needs fewer sweeps; 2 does not end.
-constexpr double over_correction = 1.7;
-/// Stretch beyond the limit, as a fraction of it, that is left. Less needs more sweeps.
-constexpr double stretch_tolerance = 0.003;
-/// Rounds in which the neighbourhood of new crossings is smoothed. More removes more crossings and flattens more folds.
-constexpr int max_smoothing_rounds = 4;
-/// Weight of the neighbours' mean in a round.
-constexpr double smoothing_weight = 0.5;
-/// Crossings for each triangle, as modelled or new, above which none is removed. More takes longer on tangled models.
-constexpr double max_crossing_fraction = 0.05;
-
-double mean_edge_m(const sim::Mesh& mesh) {
-  double sum_m = 0.0;
-  for (const sim::Triangle& t : mesh.triangles) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      sum_m += glm::distance(mesh.positions[t[k]], mesh.positions[t[(k + 1) % 3]]);
-    }
-  }
-  return sum_m / (3.0 * static_cast<double>(mesh.triangles.size()));
-}
 
 std::vector<float> compute_reaches(std::span<const Bond> bonds, const sim::Mesh& simulated, float max_distance_m) {
   std::vector<float> reach_m(simulated.positions.size(), 0.0F);
@@ -68,7 +44,7 @@ bool shorten_triangle(const sim::TriangleAtRest& rest, const sim::Triangle& t, d
 }  // namespace
 
 OffsetLimits::OffsetLimits(std::span<const Bond> bonds, const sim::Mesh& simulated)
-    : max_reach_m_(static_cast<float>(max_reach * mean_edge_m(simulated))),
+    : max_reach_m_(static_cast<float>(max_reach_edges * mean_edge_m(simulated))),
       reach_m_(compute_reaches(bonds, simulated, max_reach_m_)),
       clearances_(simulated.triangles, {}, true, simulated.positions) {
   const std::span<const float> shares = clearances_.find_ratios(simulated.positions, reach_m_);

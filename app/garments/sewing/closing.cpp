@@ -3,6 +3,7 @@
 #include "app/base/errors.hpp"
 #include "app/garments/dressing/wearing.hpp"
 #include "app/garments/fitting/following.hpp"
+#include "app/runs/frame_record.hpp"
 #include "sim/mesh/groups.hpp"
 #include "sim/mesh/welding.hpp"
 
@@ -378,7 +379,7 @@ class Closing {
       begin(join_pieces(pieces_, label_sets(joined, pieces_.flat_m.size()), places_m[trial % places_m.size()], scene_));
       std::vector<char> is_crossed = crossed_after_frames(seams);
       const auto touches = [&](const auto& pair) { return is_crossed[sewn_.vertex_of[pair.first]] != 0; };
-      if (std::ranges::find(is_crossed, 1) == is_crossed.end()) {
+      if (std::ranges::find(is_crossed, 1) == is_crossed.end() && is_within_bound()) {
         joined_ = joined;
         return true;
       }
@@ -417,6 +418,11 @@ class Closing {
     std::ranges::sort(by_distance);
     met.clear();
     for (std::size_t k = 0; k < by_distance.size() / 2; ++k) met.push_back(by_distance[k].second);
+  }
+
+  bool is_within_bound() const {
+    return sim::measure_surface_stretch(sewn_.garment, now_m()).max <=
+           scene_.simulation.solver.bounded.max_stretch + bound_rounding;
   }
 
   /// Returns, per vertex, whether it is near triangles that cross something.

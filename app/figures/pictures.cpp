@@ -80,7 +80,7 @@ constexpr glm::ivec2 pinned_size = {1180, 1120};
 Caption pinned_caption(const PrintedMoment& moment, char letter) {
   if (moment.shows_stretch) {
     return {letter, "the same, coloured by the stretch of its springs",
-            fmt::format("99 of 100 springs up to {:.4g} %, triangles up to {:.4g} %",
+            fmt::format("99 of 100 springs up to {:.3g} %, triangles up to {:.3g} %",
                         100.0 * moment.moment->record.stretch.p99, 100.0 * moment.moment->record.surface_stretch.p99)};
   }
   return {letter, largest_stretch_text(moment),
@@ -176,7 +176,7 @@ Prints print_moments(LazyOffscreenRenderer& lazy, std::span<const PrintedMoment>
 }  // namespace
 
 std::string largest_stretch_text(const PrintedMoment& moment) {
-  return fmt::format("largest stretch: springs {:.4g} %, surface {:.4g} %", 100.0 * moment.moment->record.stretch.max,
+  return fmt::format("largest stretch: springs {:.3g} %, surface {:.3g} %", 100.0 * moment.moment->record.stretch.max,
                      100.0 * moment.moment->record.surface_stretch.max);
 }
 

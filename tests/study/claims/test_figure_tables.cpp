@@ -96,7 +96,7 @@ TEST(FigureTables, HaveTheStretchOfSpringsAndOfTheSurface) {
 
 TEST(FigureCaptions, SayTheStretchOfSpringsAndOfTheSurface) {
   const Recording recording = recording_of_a_diagonal_stretch();
-  EXPECT_EQ(largest_stretch_text({&recording, &recording.last()}), "largest stretch: springs 10.45 %, surface 20 %");
+  EXPECT_EQ(largest_stretch_text({&recording, &recording.last()}), "largest stretch: springs 10.5 %, surface 20 %");
 }
 
 TEST(FigureTables, WhatIsWrongWithOneIsSaidWithItsLine) {

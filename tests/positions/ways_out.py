@@ -71,7 +71,7 @@ def captions(path):
     """Returns the text of a figure below each panel that shows a shape; below others it may say more of the same shapes."""
     text = pdf_text(path)
     said = [percents("its caption", {"max_stretch": springs, "max_surface_stretch": surface}) for springs, surface
-            in re.findall(r"largest stretch(?:: springs)? ([-\d.]+) %(?:, surface ([-\d.]+) %)?", text)]
+            in re.findall(r"\bstretch(?:: springs)? ([-\d.]+) %(?:, surface ([-\d.]+) %)?", text)]
     more = re.findall(r"99 of 100 springs up to ([-\d.]+) %, triangles up to ([-\d.]+) %", text)
     for printed, (springs, triangles) in zip(said, more):
         printed += percents("its second caption", {"p99_stretch": springs, "p99_surface_stretch": triangles})

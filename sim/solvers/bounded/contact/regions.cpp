@@ -9,7 +9,8 @@ constexpr float infinity = std::numeric_limits<float>::infinity();
 
 }  // namespace
 
-// Pairs with known normals are planes at bodies' points.
+// The normal is known at a plane, a sphere or a capsule. It is the only kind of pair that is placed by itself; kernels
+// place all others.
 void Regions::place_plane(const RowMoves& rows, RegionPair& pair) const {
   const NearPair& near = pair.contact.near;
   std::array<glm::vec3, 4> p{};
@@ -62,6 +63,7 @@ void Regions::set_distances(RegionPair& pair) {
 // Unchanged pairs are found again in the same order.
 void Regions::find_same(std::span<const ContactPair> pairs, std::size_t rows) {
   unchanged_pairs_.assign(pairs.size(), nullptr);
+  if (rows == 0) return;
   const auto is_kept = [&](const ContactPair& contact) {
     return std::all_of(contact.near.rows.begin(), contact.near.rows.end(),
                        [&](Index row) { return row < rows && extents_[row].y == earlier_extents_[row].y; });

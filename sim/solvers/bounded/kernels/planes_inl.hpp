@@ -185,6 +185,7 @@ HWY_INLINE V distance_error(const Triple (&p)[4], const Four (&extents)[4], floa
   return hn::Add(hn::Set(f, 2.0F * tolerance_m), hn::Mul(hn::Set(f, unit_roundoff), sum));
 }
 
+/// Returns planned_gap_m() of pairs.
 HWY_INLINE V planned_gap(V thickness, V error) {
   const Floats f;
   return hn::Max(hn::Mul(hn::Set(f, min_gap_fraction), thickness), hn::Mul(hn::Set(f, 2.0F), error));

@@ -1,21 +1,24 @@
 #include "sim/contact/triangle_tree.hpp"
 
+#include <hwy/highway.h>
+
+#include <bit>
+
+#include "sim/mesh/adjacency.hpp"
 #include "sim/mesh/extent.hpp"
 #include "sim/mesh/preconditions.hpp"
 
 namespace taut::sim {
 namespace {
 
+namespace hn = hwy::HWY_NAMESPACE;
+
 /// Bound of a missing triangle: its box overlaps none, not even an infinite one.
 constexpr float no_bound = std::numeric_limits<float>::quiet_NaN();
 /// Largest error of rounding to single precision, as a fraction of the largest coordinate.
 constexpr double rounding = 1e-6;
-
-template <std::size_t count> bool is_any_set(const std::array<int, count>& flags) {
-  int any = 0;
-  for (const int flag : flags) any |= flag;
-  return any != 0;
-}
+/// Largest number of triangles at a vertex that are known as neighbours. Where more meet, each pair is looked at.
+constexpr std::size_t max_known_neighbours = 32;
 
 bool share_vertex(const Triangle& s, const Triangle& t) {
   const auto has = [&](Index v) { return t[0] == v || t[1] == v || t[2] == v; };
@@ -37,6 +40,43 @@ TriangleTree::TriangleTree(std::span<const Triangle> triangles, std::span<const 
   leaves_.resize((triangles.size() + lanes - 1) / lanes);
   places_.resize(triangles.size());
   boxes_.resize(2 * leaves_.size());
+  exclude_neighbours(positions_m.size());
+}
+
+// Bits of a leaf and itself also leave out each triangle with itself, and each pair once.
+void TriangleTree::exclude_neighbours(std::size_t vertices) {
+  const CompressedRows places = at_vertices(vertices, triangles_);
+  for (std::size_t leaf = 0; leaf < leaves_.size(); ++leaf) {
+    excluded_begin_.push_back(excluded_.size());
+    excluded_.push_back({leaf, 0});
+    for (std::size_t lane = 0; lane < lanes; ++lane) {
+      excluded_.back().bits |= ((std::uint64_t{2} << lane) - 1) << lane * lanes;
+    }
+    const std::size_t end = std::min((leaf + 1) * lanes, triangles_.size());
+    for (std::size_t place = leaf * lanes; place < end; ++place) {
+      for (const Index vertex : triangles_[place]) {
+        const std::span<const Index> others = places[vertex];
+        if (others.size() > max_known_neighbours) continue;
+        for (const Index other : others) exclude(place, other);
+      }
+    }
+  }
+  excluded_begin_.push_back(excluded_.size());
+}
+
+void TriangleTree::exclude(std::size_t place, std::size_t other) {
+  const std::size_t leaf = other / lanes;
+  auto at = std::find_if(excluded_.begin() + static_cast<std::ptrdiff_t>(excluded_begin_.back()), excluded_.end(),
+                         [&](const ExcludedLanes& lanes_of) { return lanes_of.other == leaf; });
+  if (at == excluded_.end()) at = excluded_.insert(at, {leaf, 0});
+  at->bits |= std::uint64_t{1} << (place % lanes * lanes + other % lanes);
+}
+
+std::uint64_t TriangleTree::excluded_between(std::size_t leaf, std::size_t other) const {
+  const auto end = excluded_.begin() + static_cast<std::ptrdiff_t>(excluded_begin_[leaf + 1]);
+  const auto at = std::find_if(excluded_.begin() + static_cast<std::ptrdiff_t>(excluded_begin_[leaf]), end,
+                               [&](const ExcludedLanes& lanes_of) { return lanes_of.other == other; });
+  return at == end ? 0 : at->bits;
 }
 
 // Splits into halves of whole leaves along the longest axis of the middles; the index breaks ties.
@@ -82,14 +122,19 @@ void TriangleTree::fit_leaf(std::size_t leaf, std::span<const std::array<float, 
   }
 }
 
-std::array<int, TriangleTree::lanes> TriangleTree::find_overlaps(const Leaf& leaf, const TreeBox& box) {
-  std::array<int, lanes> meets;
-  for (std::size_t k = 0; k < lanes; ++k) {
-    meets[k] = static_cast<int>(leaf.lower[0][k] <= box.upper[0]) & static_cast<int>(box.lower[0] <= leaf.upper[0][k]) &
-               static_cast<int>(leaf.lower[1][k] <= box.upper[1]) & static_cast<int>(box.lower[1] <= leaf.upper[1][k]) &
-               static_cast<int>(leaf.lower[2][k] <= box.upper[2]) & static_cast<int>(box.lower[2] <= leaf.upper[2][k]);
+std::uint32_t TriangleTree::find_overlaps(const Leaf& leaf, const TreeBox& box) {
+  const hn::CappedTag<float, lanes> f;
+  std::uint32_t bits = 0;
+  for (std::size_t k = 0; k < lanes; k += hn::Lanes(f)) {
+    const auto overlaps = [&](std::size_t axis) {
+      return hn::And(hn::Le(hn::LoadU(f, &leaf.lower[axis][k]), hn::Set(f, box.upper[axis])),
+                     hn::Le(hn::Set(f, box.lower[axis]), hn::LoadU(f, &leaf.upper[axis][k])));
+    };
+    std::uint8_t some = 0;
+    hn::StoreMaskBits(f, hn::And(hn::And(overlaps(0), overlaps(1)), overlaps(2)), &some);
+    bits |= std::uint32_t{some} << k;
   }
-  return meets;
+  return bits;
 }
 
 TriangleTree::TreeBox TriangleTree::fit(const TreeNode& node) {
@@ -173,19 +218,21 @@ void TriangleTree::compare(const TreeNode& node, const TriangleTree& other, cons
   }
   const Leaf& a = leaves_[leaf];
   const Leaf& b = other.leaves_[others.begin];
+  std::uint32_t meets = find_overlaps(a, both);
+  const std::uint32_t others_meet = meets == 0 ? 0 : find_overlaps(b, both);
+  if (others_meet == 0) return;
   const bool is_within = this == &other;
-  const std::array<int, lanes> meets = find_overlaps(a, both);
-  if (!is_any_set(meets) || !is_any_set(find_overlaps(b, both))) return;
-  for (std::size_t i = 0; i < lanes; ++i) {
-    if (meets[i] == 0) continue;
-    const std::array<int, lanes> is_near = find_overlaps(
-        b, {{a.lower[0][i], a.lower[1][i], a.lower[2][i]}, {a.upper[0][i], a.upper[1][i], a.upper[2][i]}});
-    if (!is_any_set(is_near)) continue;
+  const std::uint64_t excluded = is_within ? excluded_between(leaf, others.begin) : 0;
+  for (; meets != 0; meets &= meets - 1) {
+    const auto i = static_cast<std::size_t>(std::countr_zero(meets));
     const std::size_t s = leaf * lanes + i;
-    for (std::size_t j = is_within && leaf == others.begin ? i + 1 : 0; j < lanes; ++j) {
-      const std::size_t t = others.begin * lanes + j;
-      if (is_near[j] != 0 && !(is_within && share_vertex(triangles_[s], other.triangles_[t])) &&
-          may_be_near(s, other, t)) {
+    std::uint32_t is_near = others_meet & ~static_cast<std::uint32_t>(excluded >> i * lanes);
+    if (is_near == 0) continue;
+    is_near &= find_overlaps(
+        b, {{a.lower[0][i], a.lower[1][i], a.lower[2][i]}, {a.upper[0][i], a.upper[1][i], a.upper[2][i]}});
+    for (; is_near != 0; is_near &= is_near - 1) {
+      const std::size_t t = others.begin * lanes + static_cast<std::size_t>(std::countr_zero(is_near));
+      if (!(is_within && share_vertex(triangles_[s], other.triangles_[t])) && may_be_near(s, other, t)) {
         pairs.push_back({order_[s], other.order_[t]});
       }
     }

@@ -46,7 +46,16 @@ class TriangleTree {
     TreeNode second() const { return {at + 2 * (size() / 2), begin + size() / 2, end}; }
   };
 
+  /// Pairs of lanes of a leaf and another that are never near: bit `lanes` i + j for lane i and the other's lane j.
+  struct ExcludedLanes {
+    std::size_t other;
+    std::uint64_t bits;
+  };
+
   void order(std::size_t begin, std::size_t end, std::span<const Vec3> middles_m);
+  void exclude_neighbours(std::size_t vertices);
+  void exclude(std::size_t place, std::size_t other);
+  std::uint64_t excluded_between(std::size_t leaf, std::size_t other) const;
   TreeNode root() const { return {0, 0, leaves_.size()}; }
   TreeBox fit(const TreeNode& node);
   void fit_leaf(std::size_t leaf, std::span<const std::array<float, 3>> corners);
@@ -55,14 +64,17 @@ class TriangleTree {
                     std::vector<TriangleCouple>& pairs) const;
   void compare(const TreeNode& node, const TriangleTree& other, const TreeNode& others,
                std::vector<TriangleCouple>& pairs) const;
-  static std::array<int, lanes> find_overlaps(const Leaf& leaf, const TreeBox& box);
+  /// Returns as bits which boxes of a leaf overlap a box.
+  static std::uint32_t find_overlaps(const Leaf& leaf, const TreeBox& box);
   bool may_be_near(std::size_t place, const TriangleTree& other, std::size_t others) const;
 
   std::vector<Index> order_;         ///< triangle indices in leaf order
   std::vector<Triangle> triangles_;  ///< triangles in leaf order
   std::vector<Leaf> leaves_;
   std::vector<TreeTriangle> places_;
-  std::vector<TreeBox> boxes_;  ///< boxes by node
+  std::vector<ExcludedLanes> excluded_;      ///< triangles with a common vertex, by leaf
+  std::vector<std::size_t> excluded_begin_;  ///< first entry of each leaf
+  std::vector<TreeBox> boxes_;               ///< boxes by node
   float reach_m_ = 0.0F;
 };
 

@@ -255,9 +255,18 @@ std::vector<TruthPoint> run_swing(double physics, const ProgressCallback& report
   return run_all(std::array{physics}, std::array{Size{7, 7}, Size{10, 10}, Size{14, 14}}, report, swing_sheet);
 }
 
+/// Returns the mean drape in % of three discs of a mesh, as the meter's standard asks for three specimens (BS 5058).
+/// Discs on other triangles fold otherwise, and differ by up to 5 points.
+double mean_drape_percent(const Material& fabric, double edge_m) {
+  constexpr std::array<std::uint64_t, 3> seeds = {1, 2, 3};
+  double sum = 0.0;
+  for (const std::uint64_t seed : seeds) sum += 100.0 * run_drape(fabric, {edge_m, seed}).shadow.coefficient;
+  return sum / seeds.size();
+}
+
 /// Measures discs in Cusick's drape meter, with the ranges that are published for such fabrics.
 std::vector<TruthPoint> run_drapes(double physics, const ProgressCallback& report) {
-  constexpr std::array meshes = {DiscMesh{0.012, 1}, DiscMesh{0.011, 2}, DiscMesh{0.010, 2}};
+  constexpr std::array meshes = {DiscMesh{0.010}, DiscMesh{0.009}, DiscMesh{0.008}};
   constexpr std::array names = {"jersey", "silk", "wool", "cotton", "denim"};
   return run_all(names, meshes, report, [&](const char* name, const DiscMesh& mesh) {
     const auto range = find_fabric(name).published_drape_percent.value_or(std::array<double, 2>{NAN, NAN});
@@ -265,8 +274,8 @@ std::vector<TruthPoint> run_drapes(double physics, const ProgressCallback& repor
     const double bending_length_m =
         std::cbrt(fabric.bending_rigidity_n_m / (fabric.areal_density_kg_per_m2 * gravity_m_per_s2));
     fabric.bending_rigidity_n_m *= physics;
-    return std::vector{TruthPoint{name, 100.0 * bending_length_m, 100.0 * run_drape(fabric, mesh).shadow.coefficient,
-                                  range[0], range[1]}};
+    return std::vector{
+        TruthPoint{name, 100.0 * bending_length_m, mean_drape_percent(fabric, mesh.edge_m), range[0], range[1]}};
   });
 }
 
@@ -332,7 +341,7 @@ std::vector<TruthExperiment> calm_experiments() {
        "friction that just holds it", false, false, none, part, 0.06, 0.0, run_slip},
       {"drape", "fabrics hang over a disc", "published ranges (Cusick 1968; Gan and others 1991)",
        "bending length in cm", "drape coefficient in %", false, false, lower_right, difference, 0.0, 0.0, run_drapes,
-       47.2}};
+       48.7}};
 }
 
 std::vector<TruthExperiment> truth_experiments() {

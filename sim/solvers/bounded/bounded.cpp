@@ -104,9 +104,9 @@ class ContactConfinement final : public Confinement {
 };
 
 /// Stretch, in bounds, that twice the steps reduce to a target that the projection can correct.
-constexpr double halving_stretch = 4.0 * tuning::target_unprojected_stretch;
+const double halving_stretch = 4.0 * tuning::target_unprojected_stretch;
 /// Stretch, in bounds, that a few more steps reduce to that target.
-constexpr double more_steps_stretch = 2.0 * tuning::target_unprojected_stretch;
+const double more_steps_stretch = 2.0 * tuning::target_unprojected_stretch;
 
 /// Returns an estimate of the work of a frame, in sweeps: the projection costs as much as the substeps, plus the
 /// searches.

@@ -4,10 +4,10 @@ namespace taut::sim::bounded {
 namespace {
 
 /// Rate of rest shape updates, in 1/s. Higher rates cost more without any effect.
-constexpr double follows_per_s = tuning::min_updates_per_s / 3.0;
+const double follows_per_s = tuning::min_updates_per_s / 3.0;
 /// Time constant of the shortening of rest shapes, in s. If it is faster than the damping by air and sweeps, light
 /// cloth swings for ever.
-constexpr double shortening_time_s = 2.0 * tuning::tension_averaging_s;
+const double shortening_time_s = 2.0 * tuning::tension_averaging_s;
 /// Largest shortening of a rest shape. Sweeps use mobilities at rest and would correct twice the error of shapes that
 /// are a third shorter.
 constexpr float max_shortening = 0.25F;

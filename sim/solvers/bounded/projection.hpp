@@ -7,7 +7,7 @@
 namespace taut::sim::bounded {
 
 /// Work of one round, in sweeps: the over-relaxed sweeps, an exact one, and a check of all lengths.
-inline constexpr double round_sweeps = tuning::relaxed_sweeps + 2.0;
+inline const double round_sweeps = tuning::relaxed_sweeps + 2.0;
 
 /// Result of a projection onto the bound.
 struct ProjectionResult {

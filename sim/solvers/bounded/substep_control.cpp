@@ -80,7 +80,7 @@ bool SubstepControl::try_more(double raw) {
   if (usual_substeps_ == 0) usual_substeps_ = substeps_;
   // Stretch falls with the square of the time step. The stretch of lost cloth is NaN, which asks for the largest
   // number.
-  constexpr double min_growth_factor =
+  const double min_growth_factor =
       tuning::step_growth_factor * tuning::step_growth_factor * tuning::step_growth_factor;
   const double wanted = std::max(min_growth_factor, std::min(2.0, std::sqrt(raw / tuning::target_unprojected_stretch)));
   substeps_ = std::clamp(static_cast<int>(std::ceil(substeps_ * wanted)), min_substeps_, max_substeps_);

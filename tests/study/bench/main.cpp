@@ -16,7 +16,6 @@ struct RaceOptions {
   std::vector<double> bounds = {0.05, 0.01, 0.001};
   double seconds = 2.0;
   double max_frame_ms = 250.0;
-  bool is_ablation = false;
 };
 
 // Settings of each scene, as the shirt hangs by its neckline.
@@ -24,10 +23,6 @@ const std::map<std::string, std::vector<std::string>> scene_settings = {
     {"hanging", {}},
     {"shaken", {"pins.motion.amplitude=[0.1, 0.0, 0.0]", "pins.motion.frequency=1.0"}},
     {"wind", {"wind.speed=10.0", "wind.direction=[0.3, 0.0, 1.0]"}}};
-
-// Settings that leave out a part of `bounded` each, or replace its bound by one on springs.
-const std::vector<std::string> parts = {"solver.bound=\"springs\"", "solver.tethers=false", "cloth.bending_rigidity=0",
-                                        "solver.vector_unit=\"scalar\"", "cloth.compression_stiffness=1e6"};
 
 // Returns the shirt without contact, which Bullet has not for this. Each subdivision of a model has four times as many
 // triangles.
@@ -70,9 +65,8 @@ void run_all(const RaceOptions& options) {
   fmt::print(
       "For each bound the fastest setting whose worst edge keeps it in every frame, else the one that comes "
       "closest; substeps x iterations.\n");
-  std::vector<Entrant> entrants =
-      taut_entrants(options.bounds, options.is_ablation ? parts : std::vector<std::string>{});
-  if (!options.is_ablation) std::ranges::move(bullet_entrants(), std::back_inserter(entrants));
+  std::vector<Entrant> entrants = taut_entrants(options.bounds);
+  std::ranges::move(bullet_entrants(), std::back_inserter(entrants));
   for (const std::string& name : options.scenes) {
     for (const int triangles : options.sizes) {
       const Scene scene = make_race_scene(name, triangles);
@@ -96,7 +90,6 @@ int main(int count, char** words) {
   app.add_option("--bounds", options.bounds, "largest stretches to be kept")->delimiter(',');
   app.add_option("--seconds", options.seconds, "simulated time");
   app.add_option("--limit", options.max_frame_ms, "ms per frame above which a setting is given up");
-  app.add_flag("--ablation", options.is_ablation, "bounded, also without one of its parts at a time; no Bullet");
   CLI11_PARSE(app, count, words);
   taut::app::run_all(options);
 }

@@ -54,18 +54,15 @@ double median_ms(const Run& run) {
 
 }  // namespace
 
-std::vector<Entrant> taut_entrants(const std::vector<double>& bounds, const std::vector<std::string>& parts) {
+std::vector<Entrant> taut_entrants(const std::vector<double>& bounds) {
   std::vector<Entrant> entrants;
   for (const double bound : bounds) {
-    for (std::size_t k = 0; k <= parts.size(); ++k) {
-      std::vector<Override> changes = {parse_override(fmt::format("solver.max_stretch={}", bound))};
-      if (k > 0) changes.push_back(parse_override(parts[k - 1]));
-      entrants.push_back({k > 0 ? parts[k - 1] : "bounded", fmt::format("within {:g} %", 100.0 * bound), bound,
-                          [changes](const GarmentInScene& cloth, Scene scene) {
-                            apply_overrides(simulation_format(), changes, scene);
-                            return std::make_unique<TautEngine>(cloth, scene);
-                          }});
-    }
+    const std::vector<Override> changes = {parse_override(fmt::format("solver.max_stretch={}", bound))};
+    entrants.push_back({"bounded", fmt::format("within {:g} %", 100.0 * bound), bound,
+                        [changes](const GarmentInScene& cloth, Scene scene) {
+                          apply_overrides(simulation_format(), changes, scene);
+                          return std::make_unique<TautEngine>(cloth, scene);
+                        }});
   }
   return entrants;
 }

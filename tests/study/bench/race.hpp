@@ -32,8 +32,8 @@ struct Entrant {
   std::function<std::unique_ptr<Engine>(const GarmentInScene&, const Scene&)> make;
 };
 
-/// Returns `bounded` and, for each of `parts`, `bounded` with this setting, KEY=VALUE; each with each of the bounds.
-std::vector<Entrant> taut_entrants(const std::vector<double>& bounds, const std::vector<std::string>& parts);
+/// Returns `bounded` with each of the bounds.
+std::vector<Entrant> taut_entrants(const std::vector<double>& bounds);
 /// Returns Bullet with several divisions of a frame, whose best for each bound is found after the runs.
 std::vector<Entrant> bullet_entrants();
 

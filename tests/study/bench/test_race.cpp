@@ -55,17 +55,16 @@ TEST(BulletPeer, IsBlownByTheSameWind) {
   EXPECT_NEAR(bullet->positions()[12].z, drift_m, 0.02 * std::abs(drift_m));
 }
 
-TEST(TautEntrant, KeepsItsBoundAndMissesThePartThatIsTakenAway) {
+TEST(TautEntrant, KeepsItsBound) {
   Scene scene;
   scene.simulation.solver.bounded.contact = false;
   const GarmentInScene cloth = make_cloth(9, {0, 8});
-  const std::vector<Entrant> entrants = taut_entrants({0.01}, {"cloth.bending_rigidity=0"});
+  const std::vector<Entrant> entrants = taut_entrants({0.01});
   const std::vector<EngineRun> runs = race(entrants, cloth, scene, 40, 1e9);
   for (const EngineRun& run : runs) {
     EXPECT_LE(run.max_stretch(), 0.01);
     EXPECT_GT(run.max_stretch(), 1e-5) << "nothing hangs on anything";
   }
-  EXPECT_NE(runs[0].frames.back().stretch, runs[1].frames.back().stretch);
 }
 
 /// Cloth that grows by a fraction of its size in every frame, and notes its name for each.

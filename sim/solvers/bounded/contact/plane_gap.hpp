@@ -15,7 +15,7 @@ inline constexpr float max_off_chord_fraction = 0.02F;
 /// Tolerance of half-spaces: vertices further outside, in m, violate them.
 inline constexpr float tolerance_m = 2e-8F;
 /// Largest distance at which primitives collide, in thicknesses. Planes alone act on more distant ones.
-inline constexpr float touched_per_thickness = 1.0F + tuning::separation_fraction;
+inline const float touched_per_thickness = 1.0F + tuning::separation_fraction;
 /// Smallest ratio of the distance along the normal to the shortest distance for which the normal is certain.
 inline constexpr float min_resolved_fraction = 0.9F;
 

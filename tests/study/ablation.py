@@ -69,7 +69,7 @@ class Variant:
     def cell(self, plain):
         if self.is_lost:
             return "refused"
-        if self.hashes == plain.hashes:
+        if self.environment and self.hashes == plain.hashes:
             return "same bits"
         text = f"{sum(self.times_ms) / sum(plain.times_ms):.2f}"
         text += f"; {self.long_frames} too long" if self.long_frames else ""

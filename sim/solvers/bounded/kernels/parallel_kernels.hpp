@@ -12,7 +12,7 @@ class ParallelKernels {
  public:
   /// Smallest number of blocks, or of pairs that may touch, for one thread: a microsecond of work or more. Less is done
   /// sooner than another thread notices it.
-  static constexpr std::size_t min_blocks = 24;
+  static constexpr std::size_t min_blocks = 16;
   static constexpr std::size_t min_pairs = 64;
 
   ParallelKernels(const Kernels& kernels, int threads) : kernels_(kernels), pool_(threads) {}

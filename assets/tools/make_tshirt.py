@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Sews the T-shirt of a pattern file by taut sew, as models: make_tshirt.py TAUT [PATTERN [FOLDER]]
 
-It is sewn on the mannequin of its size, with exactly 10600, 5280 and 1028 triangles, and rests for a moment without
+It is sewn on the mannequin of its size, with exactly 10600, 5280, 2640 and 1028 triangles, and rests for a moment without
 body and gravity. FOLDER (assets/garments) gets tshirt_N.obj and tshirt_N.landmarks.toml; of a PATTERN that names its
 wearer it is tshirt_NAME.obj, of 5280 triangles. The same program and pattern give the same files, byte for byte.
 """
@@ -132,7 +132,7 @@ def main():
             table = tomllib.load(file)
         wearer = table.get('wearer', {}).get('name', '')
         body = ASSETS / f'bodies/mannequin_{wearer or "male_40"}.glb'
-        for size in (5280,) if wearer else (10600, 5280, 1028):
+        for size in (5280,) if wearer else (10600, 5280, 2640, 1028):
             with tempfile.TemporaryDirectory() as folder:
                 rested, seams = sew(taut, outlines, body, size, Path(folder))
                 garment = Garment(rested)

@@ -79,7 +79,7 @@ TEST(Landmarks, CanBePinned) {
 
 TEST(Landmarks, OfTheTShirtLieOnIt) {
   Scene scene;
-  for (const char* name : {"tshirt_10600", "tshirt_5280", "tshirt_1028"}) {
+  for (const char* name : {"tshirt_10600", "tshirt_5280", "tshirt_2640", "tshirt_1028"}) {
     scene.garment.file = std::string(TAUT_ASSETS_FOLDER "/garments/") + name + ".obj";
     scene.pins = {{"left_shoulder_seam", "right_shoulder_seam", "back_neckline"}};
     const LoadedGarment loaded = load_garment(scene);

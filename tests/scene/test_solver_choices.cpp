@@ -59,7 +59,7 @@ std::vector<Chosen> all_choices() {
     }
   }
   for (const char* garment :
-       {"dress", "hooded_top", "long_shirt", "long_sleeves", "skirt", "trousers"}) {
+       {"dress", "hooded_top", "long_shirt", "long_sleeves", "skirt", "trousers", "tshirt_2640"}) {
     all.push_back({garment, sim::SolverKind::bounded});
   }
   return all;

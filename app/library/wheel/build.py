@@ -16,7 +16,7 @@ import zipfile
 # What every Linux has besides glibc (PEP 600).
 EVERYWHERE = {'linux-vdso.so.1', 'libc.so.6', 'libm.so.6', 'libstdc++.so.6', 'libgcc_s.so.1', 'libz.so.1',
               'ld-linux-x86-64.so.2'}
-ASSETS = ['scenes/tshirt*.toml', 'garments/tshirt_[0-9]*', 'bodies/mannequin_male_40.glb', 'fabrics/*.toml', 'motions/*.bvh',
+ASSETS = ['scenes/tshirt*.toml', 'garments/tshirt_[15]*', 'bodies/mannequin_male_40.glb', 'fabrics/*.toml', 'motions/*.bvh',
           'textures/print.png']
 METADATA = '''Metadata-Version: 2.1
 Name: taut-cloth

@@ -13,7 +13,7 @@ trap 'rm -rf "$folder"' EXIT
 
 # The pictures there are.
 if [ $# -gt 0 ]; then
-  ffmpeg -loglevel error -i "$sheet.png" -vf "untile=8x5" -start_number 1 "$folder/%d.png"
+  ffmpeg -loglevel error -i "$sheet.png" -vf "untile=8x6" -start_number 1 "$folder/%d.png"
 fi
 
 # A scene or a garment, its frame, and a view that is closer than the whole motion needs.
@@ -69,7 +69,8 @@ tshirt_female_42 20
 flag 120 [[-0.05, 1.6, -0.1], [1.0, 2.52, 0.1]]
 washing-line 150 [[-1.4, 1.25, -0.2], [1.4, 2.05, 0.4]]
 tshirt-gusts 60
+tshirt_2640 20
 END
 ffmpeg -loglevel error -y -start_number 1 -i "$folder/%d.png" -frames:v 1 -pix_fmt rgb24 -pred mixed \
-  -vf tile=8x5 "$sheet.png"
+  -vf tile=8x6 "$sheet.png"
 cp "$folder/names" "$sheet.txt"

@@ -263,12 +263,34 @@ void Canvas::text(float x_px, float y_px, std::string_view text, const TextStyle
 }
 
 void Canvas::line(float x0_px, float y0_px, float x1_px, float y1_px, Colour colour, float thickness_px) {
+  polyline(std::array{glm::vec2(x0_px, y0_px), glm::vec2(x1_px, y1_px)}, colour, thickness_px);
+}
+
+void Canvas::polyline(std::span<const glm::vec2> points, Colour colour, float thickness_px,
+                      std::span<const double> dashes_px) {
+  constexpr float max_coordinate_px = 1e5F;  // Cairo's fixed point numbers hold 8e6
   cairo_t* pen = surface_->pen.get();
+  cairo_save(pen);
   set_colour(pen, colour);
   cairo_set_line_width(pen, thickness_px);
-  cairo_move_to(pen, x0_px, y0_px);
-  cairo_line_to(pen, x1_px, y1_px);
+  // Cairo fills a level or upright line exactly as long as it has no other joins.
+  if (points.size() > 2) cairo_set_line_join(pen, CAIRO_LINE_JOIN_ROUND);
+  cairo_set_dash(pen, dashes_px.data(), static_cast<int>(dashes_px.size()), 0.0);
+  for (const glm::vec2& point : points) {
+    const glm::vec2 at = glm::clamp(point, -max_coordinate_px, max_coordinate_px);
+    cairo_line_to(pen, at.x, at.y);
+  }
   cairo_stroke(pen);
+  cairo_restore(pen);
+}
+
+void Canvas::within(float x_px, float y_px, float width_px, float height_px, const std::function<void()>& draw) {
+  cairo_t* pen = surface_->pen.get();
+  cairo_save(pen);
+  cairo_rectangle(pen, x_px, y_px, width_px, height_px);
+  cairo_clip(pen);
+  draw();
+  cairo_restore(pen);
 }
 
 void Canvas::rectangle(float x_px, float y_px, float width_px, float height_px, Colour colour, float thickness_px) {

@@ -97,6 +97,12 @@ class Canvas {
   void text(float x_px, float y_px, std::string_view text, const TextStyle& style = {});
   /// Draws a line between two points; its middle runs through them.
   void line(float x0_px, float y0_px, float x1_px, float y1_px, Colour colour, float thickness_px = 1.0F);
+  /// Draws a line through the points in order. `dashes_px`: lengths of alternating dashes and gaps, which continue
+  /// around corners; empty: a solid line.
+  void polyline(std::span<const glm::vec2> points, Colour colour, float thickness_px,
+                std::span<const double> dashes_px = {});
+  /// Draws what `draw` draws on this canvas within the rectangle with this upper left corner.
+  void within(float x_px, float y_px, float width_px, float height_px, const std::function<void()>& draw);
   /// Draws the outline of a rectangle with this upper left corner, the line's middle on its border.
   void rectangle(float x_px, float y_px, float width_px, float height_px, Colour colour, float thickness_px = 1.0F);
   /// Fills a rectangle with this upper left corner.

@@ -67,26 +67,20 @@ TEST(Axis, WritesPowersAsPeopleDo) {
   EXPECT_EQ(scientific(1.868), "1.9");
 }
 
-TEST(Plot, CutsSegmentsAtTheEdgeOfTheArea) {
-  const Area data_area{0.0F, 0.0F, 10.0F, 10.0F};
-  const auto crossing = clip_segment({-5.0F, 5.0F}, {15.0F, 5.0F}, data_area);
-  ASSERT_TRUE(crossing);
-  EXPECT_NEAR((*crossing)[0].x, 0.0F, 1e-5F);
-  EXPECT_NEAR((*crossing)[1].x, 10.0F, 1e-5F);
-  EXPECT_FALSE(clip_segment({-5.0F, 20.0F}, {15.0F, 20.0F}, data_area));
-  const auto inside = clip_segment({1.0F, 2.0F}, {3.0F, 4.0F}, data_area);
-  ASSERT_TRUE(inside);
-  EXPECT_EQ((*inside)[1], glm::vec2(3.0F, 4.0F));
-}
-
 TEST(Plot, DashesRunOnAroundCorners) {
-  const std::vector<glm::vec2> corner = {{0.0F, 0.0F}, {15.0F, 0.0F}, {15.0F, 15.0F}};
-  const auto pieces = cut_into_dashes(corner, {renderer::Colour{0.0F}, 1.0F, {10.0F, 2.0F}});
-  ASSERT_EQ(pieces.size(), 3U);
-  EXPECT_EQ(pieces[1].size(), 3U) << "the second dash turns the corner";
-  EXPECT_NEAR(pieces[1].front().x, 12.0F, 1e-4F);
-  EXPECT_NEAR(pieces[1].back().y, 7.0F, 1e-4F);
-  EXPECT_EQ(cut_into_dashes(corner, {}).size(), 1U);
+  const std::vector<glm::vec2> corner = {{10.0F, 10.0F}, {40.0F, 10.0F}, {40.0F, 40.0F}};
+  renderer::Canvas canvas(60, 60);
+  draw_polyline(canvas, corner, {renderer::Colour{0.0F}, 4.0F, {5.0F, 2.0F}});
+  const renderer::Image image = canvas.to_image();
+  const auto is_dark = [&](int x, int y) { return image.at(x, y)[0] < 60; };
+  EXPECT_TRUE(is_dark(20, 10));
+  EXPECT_FALSE(is_dark(34, 10)) << "the gap after 20 pixels";
+  EXPECT_TRUE(is_dark(39, 10)) << "the second dash turns the corner";
+  EXPECT_TRUE(is_dark(39, 24));
+  EXPECT_FALSE(is_dark(39, 32)) << "the gap after it";
+  canvas.line(0.0F, 50.0F, 60.0F, 50.0F, renderer::Colour{0.0F}, 4.0F);
+  const renderer::Image solid = canvas.to_image();
+  for (int x = 1; x < 59; ++x) EXPECT_LT(solid.at(x, 50)[0], 60) << "dashes are of one line";
 }
 
 TEST(Plot, ThinningKeepsTheExtremes) {
@@ -106,7 +100,7 @@ TEST(Plot, CurveEndsAtTheDataAreaAndStandsWhereItsValuesSay) {
   plot.y = {"y", 1.0, 100.0, true};
   plot.legend = LegendCorner::none;
   plot.curves = {
-      {"", {{0.0, 10.0}, {0.5, 10.0}, {0.6, 0.0}, {0.7, 1e9}, {0.8, 1e9}}, {renderer::Colour{0.0F}, 6.0F, {}}}};
+      {"", {{0.0, 10.0}, {0.5, 10.0}, {0.6, 0.0}, {0.7, 1e9}, {0.8, 1e99}}, {renderer::Colour{0.0F}, 6.0F, {}}}};
   const Area area{0.0F, 0.0F, 600.0F, 400.0F};
   renderer::Canvas canvas(600, 400);
   const Area data_area = compute_data_area(canvas, plot, area);
@@ -125,7 +119,7 @@ TEST(Plot, CurveEndsAtTheDataAreaAndStandsWhereItsValuesSay) {
 
 TEST(Plot, CrossesAreCrosses) {
   Plot plot;
-  plot.curves = {{"", {{0.5, 0.5}}, {renderer::Colour{0.0F}, 0.0F, {}}, Marker::cross}};
+  plot.curves = {{"", {{0.5, 0.5}}, {renderer::Colour{0.0F}, 0.0F, {2.0F}}, Marker::cross}};
   plot.legend = LegendCorner::none;
   const Area area{0.0F, 0.0F, 600.0F, 400.0F};
   renderer::Canvas canvas(600, 400);

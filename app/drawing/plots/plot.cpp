@@ -5,59 +5,6 @@
 namespace taut::app {
 namespace {
 
-void draw_solid(renderer::Canvas& canvas, std::span<const glm::vec2> points, const Stroke& stroke) {
-  for (std::size_t i = 1; i < points.size(); ++i) {
-    canvas.line(points[i - 1].x, points[i - 1].y, points[i].x, points[i].y, stroke.colour, stroke.thickness_px);
-  }
-  // A disc at every corner closes the wedge between segments, which are stroked one by one.
-  for (std::size_t i = 1; i + 1 < points.size(); ++i) {
-    canvas.circle(points[i].x, points[i].y, 0.5F * stroke.thickness_px, stroke.colour);
-  }
-}
-
-// Splits a line into dashes while it walks along the line.
-class Dasher {
- public:
-  Dasher(const Stroke& stroke, const glm::vec2& start)
-      : stroke_(stroke), left_px_(stroke.dashes.front() * stroke.thickness_px) {
-    pieces_.push_back({start});
-  }
-
-  void go_to(const glm::vec2& a, const glm::vec2& b) {
-    const float length = glm::distance(a, b);
-    float done = 0.0F;
-    while (length - done > left_px_) {
-      done += left_px_;
-      turn_over(a + (b - a) * (done / length));
-    }
-    left_px_ -= length - done;
-    if (is_dash_) pieces_.back().push_back(b);
-  }
-
-  std::vector<std::vector<glm::vec2>> pieces() && {
-    std::erase_if(pieces_, [](const auto& piece) { return piece.size() < 2; });
-    return std::move(pieces_);
-  }
-
- private:
-  void turn_over(const glm::vec2& at) {
-    if (is_dash_) {
-      pieces_.back().push_back(at);
-    } else {
-      pieces_.push_back({at});
-    }
-    is_dash_ = !is_dash_;
-    index_ = (index_ + 1) % stroke_.dashes.size();
-    left_px_ = stroke_.dashes[index_] * stroke_.thickness_px;
-  }
-
-  const Stroke& stroke_;
-  std::vector<std::vector<glm::vec2>> pieces_;
-  float left_px_;
-  std::size_t index_ = 0;
-  bool is_dash_ = true;
-};
-
 void append_column(std::vector<glm::vec2> column, std::vector<glm::vec2>& result) {
   if (column.size() <= 4) {
     result.insert(result.end(), column.begin(), column.end());
@@ -148,33 +95,20 @@ void draw_ticks(Canvas& canvas, const PlotAxes& axes, const PlotStyle& style, bo
   }
 }
 
-void draw_run(Canvas& canvas, std::span<const glm::vec2> points, const PlotAxes& axes, const Stroke& stroke) {
-  std::vector<glm::vec2> piece;
-  for (std::size_t i = 1; i < points.size(); ++i) {
-    const auto segment = clip_segment(points[i - 1], points[i], axes.area);
-    if (!segment || piece.empty() || piece.back() != (*segment)[0]) {
-      draw_polyline(canvas, piece, stroke);
-      piece.clear();
-    }
-    if (segment) {
-      if (piece.empty()) piece.push_back((*segment)[0]);
-      piece.push_back((*segment)[1]);
-    }
-  }
-  draw_polyline(canvas, piece, stroke);
-}
-
 void draw_line(Canvas& canvas, const Curve& curve, const PlotAxes& axes) {
   std::vector<glm::vec2> run;
+  const auto draw_run = [&] {
+    draw_polyline(canvas, thin_out(run), curve.stroke);
+    run.clear();
+  };
   for (const DataPoint& point : curve.points) {
     if (axes.has_place(point)) {
       run.emplace_back(axes.x_of(point[0]), axes.y_of(point[1]));
-      continue;
+    } else {
+      draw_run();
     }
-    draw_run(canvas, thin_out(run), axes, curve.stroke);
-    run.clear();
   }
-  draw_run(canvas, thin_out(run), axes, curve.stroke);
+  draw_run();
 }
 
 void draw_marker(Canvas& canvas, float x_px, float y_px, const Curve& curve, float radius_px) {
@@ -251,18 +185,10 @@ constexpr float caption_centre_fraction = 636.0F / 1160.0F;
 
 }  // namespace
 
-std::vector<std::vector<glm::vec2>> cut_into_dashes(std::span<const glm::vec2> points, const Stroke& stroke) {
-  if (points.size() < 2) return {};
-  if (stroke.dashes.empty()) return {{points.begin(), points.end()}};
-  Dasher dasher(stroke, points.front());
-  for (std::size_t i = 1; i < points.size(); ++i) dasher.go_to(points[i - 1], points[i]);
-  return std::move(dasher).pieces();
-}
-
 void draw_polyline(renderer::Canvas& canvas, std::span<const glm::vec2> points, const Stroke& stroke) {
-  for (const std::vector<glm::vec2>& piece : cut_into_dashes(points, stroke)) {
-    draw_solid(canvas, piece, stroke);
-  }
+  if (!(stroke.thickness_px > 0.0F)) return;  // Cairo takes no dashes without length
+  const auto to_px = [&](float dash) { return double{dash * stroke.thickness_px}; };
+  canvas.polyline(points, stroke.colour, stroke.thickness_px, collect<double>(stroke.dashes, to_px));
 }
 
 std::vector<glm::vec2> bow(const glm::vec2& a, const glm::vec2& b, float sideways) {
@@ -347,22 +273,6 @@ void draw_legend_entry(Canvas& canvas, const Curve& curve, float left_px, float 
   canvas.text(left_px + sample_px + 0.5F * style.text_px, middle_px, curve.name, name);
 }
 
-std::optional<std::array<glm::vec2, 2>> clip_segment(const glm::vec2& a, const glm::vec2& b, const Area& area) {
-  const glm::vec2 along = b - a;
-  float enter = 0.0F, leave = 1.0F;
-  const auto cut = [&](float slope, float distance) {
-    // Inside: slope * t <= distance.
-    if (slope == 0.0F) return distance >= 0.0F;
-    const float t = distance / slope;
-    (slope < 0.0F ? enter : leave) = slope < 0.0F ? std::max(enter, t) : std::min(leave, t);
-    return enter <= leave;
-  };
-  const bool is_visible = cut(-along.x, a.x - area.x_px) && cut(along.x, area.x_px + area.width_px - a.x) &&
-                          cut(-along.y, a.y - area.y_px) && cut(along.y, area.y_px + area.height_px - a.y);
-  if (!is_visible) return std::nullopt;
-  return std::array{enter > 0.0F ? a + enter * along : a, leave < 1.0F ? a + leave * along : b};
-}
-
 Area compute_data_area(const Canvas& canvas, const Plot& plot, const Area& area, const PlotStyle& style) {
   // The first and the last label of the x axis are centred under their ticks, so half of each stands out.
   const float half_px = 0.5F * max_label_width_px(canvas, plot.x, style);
@@ -386,7 +296,11 @@ void draw_plot(Canvas& canvas, const Plot& plot, const Area& area, const PlotSty
   canvas.text(area.x_px, axes.area.y_px - 0.75F * style.text_px, plot.y.label, text_style(style.text_px));
   draw_levels(canvas, axes, style);
   for (const Curve& curve : plot.curves) {
-    if (curve.stroke.thickness_px > 0.0F) draw_line(canvas, curve, axes);
+    const float thickness_px = curve.stroke.thickness_px;
+    // A line along the edge of the area is drawn in its full thickness.
+    canvas.within(axes.area.x_px - 0.5F * thickness_px, axes.area.y_px - 0.5F * thickness_px,
+                  axes.area.width_px + thickness_px, axes.area.height_px + thickness_px,
+                  [&] { draw_line(canvas, curve, axes); });
     draw_points(canvas, curve, axes, style);
   }
   canvas.rectangle(axes.area.x_px, axes.area.y_px, axes.area.width_px, axes.area.height_px, palette::ink,

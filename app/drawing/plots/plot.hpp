@@ -15,9 +15,6 @@ struct Stroke {
 /// Draws a line through the points in order. Dashes continue around corners.
 void draw_polyline(renderer::Canvas& canvas, std::span<const glm::vec2> points, const Stroke& stroke);
 
-/// Returns the drawn pieces of the line. A solid line is one piece.
-std::vector<std::vector<glm::vec2>> cut_into_dashes(std::span<const glm::vec2> points, const Stroke& stroke);
-
 /// Returns a curve from a to b, whose middle is away from the straight line by `sideways` times its length.
 std::vector<glm::vec2> bow(const glm::vec2& a, const glm::vec2& b, float sideways);
 
@@ -118,9 +115,6 @@ void draw_legend_entry(renderer::Canvas& canvas, const Curve& curve, float left_
 
 /// Returns the rectangle within `area` that contains the curves, for the same arguments as draw_plot.
 Area compute_data_area(const renderer::Canvas& canvas, const Plot& plot, const Area& area, const PlotStyle& style = {});
-
-/// Returns the part of the segment a-b within the rectangle, or nothing (Liang and Barsky 1984).
-std::optional<std::array<glm::vec2, 2>> clip_segment(const glm::vec2& a, const glm::vec2& b, const Area& area);
 
 /// A plot with its caption.
 struct PlotPanel {

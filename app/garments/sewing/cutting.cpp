@@ -120,37 +120,6 @@ std::vector<std::vector<Index>> add_panel(const PatternPanel& panel, const std::
   return vertices;
 }
 
-/// Panels that face the same side or opposite sides, as their stitches imply.
-class PieceFacing {
- public:
-  explicit PieceFacing(std::size_t panels) : parent_(panels), is_opposite_(panels, false) {
-    std::iota(parent_.begin(), parent_.end(), std::size_t{0});
-  }
-
-  /// Returns whether two panels face opposite sides; nothing if no stitch implies it.
-  std::optional<bool> opposite(std::size_t a, std::size_t b) const {
-    const auto [root_a, of_a] = find(a);
-    const auto [root_b, of_b] = find(b);
-    return root_a == root_b ? std::optional(of_a != of_b) : std::nullopt;
-  }
-  void join(std::size_t a, std::size_t b, bool are_opposite) {
-    const auto [root_a, of_a] = find(a);
-    const auto [root_b, of_b] = find(b);
-    parent_[root_b] = root_a;
-    is_opposite_[root_b] = root_a != root_b && (of_a != of_b) != are_opposite;
-  }
-
- private:
-  std::pair<std::size_t, bool> find(std::size_t panel) const {
-    bool is_opposite = false;
-    for (; parent_[panel] != panel; panel = parent_[panel]) is_opposite = is_opposite != is_opposite_[panel];
-    return {panel, is_opposite};
-  }
-
-  std::vector<std::size_t> parent_;
-  std::vector<bool> is_opposite_;  ///< relative to the parent
-};
-
 using Borders = std::vector<std::vector<std::vector<Index>>>;  ///< vertices per panel and edge
 
 /// Returns the number of corners that vote for closing a stitch ahead, minus the votes for back. A corner whose next
@@ -208,7 +177,7 @@ std::vector<Seam> find_seams(const SewingPattern& pattern, const Borders& border
     ways.push_back({0.5 * ((ahead_m - back_m) / (lengths_m[0] + lengths_m[1]) - alike), s});
   }
   std::ranges::stable_sort(ways, [](const Way& a, const Way& b) { return std::abs(a.shorter) > std::abs(b.shorter); });
-  PieceFacing facing(pattern.panels.size());
+  sim::FacingGroups facing(pattern.panels.size());
   std::vector<Seam> seams(ways.size());
   sim::Groups met(pieces.flat_m.size());
   for (const auto& [shorter, s] : ways) {
@@ -236,7 +205,7 @@ bool goes_along(const CutPieces& pieces, Index from, Index to) {
 /// Turns panels so that panels that are sewn together face the same side: outwards, away from the middle of all.
 void turn_outwards(const SewingPattern& pattern, CutPieces& pieces) {
   const std::size_t count = pieces.panel_count();
-  PieceFacing facing(count);
+  sim::FacingGroups facing(count);
   for (std::size_t s = 0; s < pieces.seams.size(); ++s) {
     const auto& [begin, next] = std::pair(pieces.seams[s][0], pieces.seams[s][1]);
     facing.join(pattern.stitches[s].first.panel, pattern.stitches[s].second.panel,

@@ -264,9 +264,7 @@ std::vector<std::string> joint_names(const Rig& rig) {
     nodes.insert(influence.weight > 0.0 ? rig.bones[influence.bone].node : no_node);
   }
   nodes.erase(no_node);
-  std::vector<std::string> names;
-  for (const sim::Index node : nodes) names.push_back(rig.nodes[node].name);
-  return names;
+  return collect<std::string>(nodes, [&](sim::Index node) { return rig.nodes[node].name; });
 }
 
 Json to_json_list(const sim::Vec3& p) { return Json::array({p.x, p.y, p.z}); }

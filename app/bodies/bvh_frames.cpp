@@ -20,8 +20,8 @@ struct BvhJoint {
   std::string name;                   ///< empty at the end of a limb
   std::size_t parent = 0;             ///< index of a joint before this one; the root's own index for the root
   sim::Vec3 offset = sim::Vec3(0.0);  ///< offset from the joint above, in the file's unit
-  std::vector<int> channels;     ///< indices of channel_names in file order; the last one is applied first
-  std::size_t first_number = 0;  ///< index of its first number in a frame
+  std::vector<int> channels;          ///< indices of channel_names in file order; the last one is applied first
+  std::size_t first_number = 0;       ///< index of its first number in a frame
 };
 
 /// A motion of joints (Biovision hierarchy). In its zero pose nothing is rotated, so that each joint has the axes of
@@ -210,13 +210,9 @@ struct Skeletons {
 };
 
 Skeletons match_skeletons(const Rig& rig, const BvhMotion& motion) {
-  std::vector<std::string> nodes;
-  std::vector<std::string> joints;
-  for (const RigNode& node : rig.nodes) {
-    nodes.push_back(node.name.find(pivot_mark) == std::string::npos ? node.name : "");
-  }
-  for (const BvhJoint& joint : motion.joints) joints.push_back(joint.name);
-  return {parts_of_joints(nodes), parts_of_joints(joints)};
+  const auto name_of = [](const RigNode& n) { return n.name.find(pivot_mark) == std::string::npos ? n.name : ""; };
+  return {parts_of_joints(collect<std::string>(rig.nodes, name_of)),
+          parts_of_joints(collect<std::string>(motion.joints, &BvhJoint::name))};
 }
 
 /// Returns, per node of the rig, the joint of the motion, or `no_joint`. Each joint moves the first node of its part.
@@ -354,10 +350,9 @@ HipsMotion hips_motion(const Rig& rig, ModelAxis up, const BvhMotion& motion, co
 
 void require_match(const Rig& rig, const BvhMotion& motion, const std::vector<std::size_t>& joint_of) {
   if (std::ranges::any_of(joint_of, [](std::size_t joint) { return joint != no_joint; })) return;
-  std::vector<std::string> joints;
-  std::vector<std::string> nodes;
-  for (const BvhJoint& joint : motion.joints) joints.push_back(joint.name);
-  for (const RigBone& bone : rig.bones) nodes.push_back(rig.nodes[bone.node].name);
+  std::vector<std::string> joints = collect<std::string>(motion.joints, &BvhJoint::name);
+  const auto node_of = [&](const RigBone& bone) { return rig.nodes[bone.node].name; };
+  const std::vector<std::string> nodes = collect<std::string>(rig.bones, node_of);
   std::erase(joints, "");
   throw InputError("found the joints " + join_some_names(joints) + ", none of which is one of the body's; expected " +
                    join_some_names(nodes));

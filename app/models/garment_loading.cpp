@@ -95,9 +95,7 @@ FileVertices vertices_of_file(const ImportedModel& model, const std::vector<sim:
 /// Returns the positions of the file's vertices, in the file's unit and axes.
 std::vector<sim::Vec3> positions_in_file(const ImportedModel& model) {
   if (model.position_of_vertex.empty()) return model.positions;
-  std::vector<sim::Vec3> positions;
-  for (const sim::Index position : model.position_of_vertex) positions.push_back(model.positions[position]);
-  return positions;
+  return collect<sim::Vec3>(model.position_of_vertex, [&](sim::Index p) { return model.positions[p]; });
 }
 
 sim::RepairSettings repair_settings(const GarmentSource& source, double metres_per_unit) {

@@ -126,9 +126,7 @@ std::optional<sim::Vec3> place_within(const sim::Surface& cloth, sim::Triangle a
 }
 
 std::vector<sim::CrossingPair> sort_pairs(std::vector<sim::CrossingPair> pairs) {
-  std::ranges::sort(pairs, [](const sim::CrossingPair& a, const sim::CrossingPair& b) {
-    return a.first != b.first ? a.first < b.first : a.second < b.second;
-  });
+  std::ranges::sort(pairs, {}, [](const sim::CrossingPair& pair) { return std::pair(pair.first, pair.second); });
   return pairs;
 }
 

@@ -1,5 +1,6 @@
 #include "app/garments/dressing/body_girths.hpp"
 
+#include "app/base/words.hpp"
 #include "sim/mesh/groups.hpp"
 
 namespace taut::app {
@@ -289,9 +290,7 @@ std::optional<RingAround> find_upper_arm_ring(const sim::Surface& surface, const
 }  // namespace
 
 std::map<std::string, sim::Index> joint_nodes(const Rig& rig) {
-  std::vector<std::string> names;
-  for (const RigNode& node : rig.nodes) names.push_back(node.name);
-  const std::vector<std::string> parts = parts_of_joints(names);
+  const std::vector<std::string> parts = parts_of_joints(collect<std::string>(rig.nodes, &RigNode::name));
   std::map<std::string, sim::Index> nodes;
   for (sim::Index n = 0; n < parts.size(); ++n) {
     if (is_main_part(parts[n]) || parts[n] == "neck") nodes.emplace(parts[n], n);

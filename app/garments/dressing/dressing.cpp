@@ -4,6 +4,7 @@
 #include <glm/gtc/quaternion.hpp>
 
 #include "app/base/errors.hpp"
+#include "app/base/words.hpp"
 #include "app/garments/fitting/following.hpp"
 
 namespace taut::app {
@@ -385,9 +386,7 @@ std::vector<sim::Vec3> compute_thin_shape(const Rig& rig, const RigPose& pose) {
 }
 
 std::vector<sim::Vec3> placed_m(const FileVertexPlaces& places, const std::vector<sim::Vec3>& in_file) {
-  std::vector<sim::Vec3> result_m;
-  for (const std::size_t v : places.file_vertex) result_m.push_back(places.placement(in_file[v]));
-  return result_m;
+  return collect<sim::Vec3>(places.file_vertex, [&](std::size_t v) { return places.placement(in_file[v]); });
 }
 
 std::shared_ptr<const sim::BodyFrames> make_growing_frames(const Wearer& wearer, std::span<const RigPose> poses) {
@@ -455,8 +454,7 @@ std::optional<ClearanceResult> leave_clearance(const Rig& rig, std::span<const R
                                                int garments) {
   std::vector<double> most(places.file_vertex.size(), 1.0);
   const std::vector<sim::Index> ends_in_file = find_body_ends(rig);
-  std::vector<sim::Index> ends;
-  for (const std::size_t v : places.file_vertex) ends.push_back(ends_in_file[v]);
+  const auto ends = collect<sim::Index>(places.file_vertex, [&](std::size_t v) { return ends_in_file[v]; });
   for (const RigPose& pose : poses) {
     const Growth growth = {placed_m(places, compute_thin_shape(rig, pose)), placed_m(places, posed_vertices(rig, pose)),
                            triangles, ends, first_garment_clearance_m + (garments - 1) * further_garment_clearance_m};

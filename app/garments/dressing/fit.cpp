@@ -245,8 +245,7 @@ std::string describe_tightness(const Scene& scene, const sim::Garment& garment, 
   look("lower end", -std::numeric_limits<double>::infinity(), measured.lower.y - girth_band_m);
   std::ranges::stable_sort(places, [](const auto& a, const auto& b) { return a.first > b.first; });
   places.resize(std::min(places.size(), max_tight_places));
-  std::vector<std::string> tightest;
-  for (const auto& [how_much, place] : places) tightest.push_back(place);
+  const std::vector<std::string> tightest = collect<std::string>(places, &std::pair<double, std::string>::second);
   return tightest.empty() ? "" : "stretched most: " + join(tightest);
 }
 

@@ -51,9 +51,8 @@ constexpr double of_waist_m = 0.05;  ///< depth below the upper end of a garment
 /// Assigns their own fabrics to outer layers.
 sim::Garment of_fabrics(sim::Garment cloth, const SewnGarment& garment) {
   if (garment.over_fabrics.empty()) return cloth;
-  std::vector<sim::Material> other_materials;
-  for (const std::string& fabric : garment.over_fabrics)
-    other_materials.push_back(find_fabric_material(fabric, "--over-fabric"));
+  const auto find_material = [](const std::string& fabric) { return find_fabric_material(fabric, "--over-fabric"); };
+  std::vector<sim::Material> other_materials = collect<sim::Material>(garment.over_fabrics, find_material);
   std::vector<std::uint8_t> layer_of(cloth.mesh.positions.size());
   for (std::size_t v = 0; v < garment.pieces.flat_m.size(); ++v) {
     layer_of[garment.sewn.vertex_of[v]] =
@@ -176,9 +175,8 @@ CutPieces cut(const std::filesystem::path& file, const SewingPattern& pattern, i
 void keep_step(double share, const sim::Garment& now, const std::vector<Vec3>& positions_m, SewnGarment& garment) {
   constexpr double half = 0.5;
   if (garment.steps.empty()) {
-    std::vector<Vec3> flat_m;
-    for (const sim::Vec2& at : garment.pieces.flat_m) flat_m.emplace_back(at, 0.0);
-    garment.steps = {{"the pattern", now, std::move(flat_m), garment.time_s},
+    const auto to_space = [](const sim::Vec2& at) { return Vec3(at, 0.0); };
+    garment.steps = {{"the pattern", now, collect<Vec3>(garment.pieces.flat_m, to_space), garment.time_s},
                      {"placed", now, positions_m, garment.time_s}};
   } else if (garment.steps.size() == 2 && share >= half) {
     garment.steps.push_back({"half closed", now, positions_m, garment.time_s});

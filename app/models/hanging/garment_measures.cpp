@@ -286,8 +286,7 @@ std::optional<Around> around(const sim::Surface& garment, const sim::Vec3& middl
   std::erase_if(curves, [](const SectionCurve& curve) { return !curve.is_closed; });
   if (curves.empty()) return std::nullopt;
   const auto tape_m = [](const SectionCurve& curve) { return tight_tape_m(curve.points_m); };
-  const SectionCurve& trunk = *std::ranges::max_element(
-      curves, [&](const SectionCurve& a, const SectionCurve& b) { return tape_m(a) < tape_m(b); });
+  const SectionCurve& trunk = *std::ranges::max_element(curves, {}, tape_m);
   std::vector<sim::Vec2> both;
   std::size_t legs = 0;
   for (const SectionCurve& curve : curves) {
@@ -382,9 +381,8 @@ GarmentMarks find_garment_marks(const sim::Garment& garment, std::span<const sim
 }
 
 const LimbOpening& find_nearest_opening(const std::vector<LimbOpening>& openings, const sim::Vec3& place_m) {
-  return *std::ranges::min_element(openings, [&](const LimbOpening& a, const LimbOpening& b) {
-    return glm::distance(a.middle_m, place_m) < glm::distance(b.middle_m, place_m);
-  });
+  const auto distance_m = [&](const LimbOpening& opening) { return glm::distance(opening.middle_m, place_m); };
+  return *std::ranges::min_element(openings, {}, distance_m);
 }
 
 std::optional<double> girth_at(const sim::Surface& garment, double height_m) {

@@ -186,9 +186,7 @@ std::vector<double> measure_widths(const sim::Mesh& mesh) {
           .add(mesh.positions[v]);
     }
   }
-  std::vector<double> widths;
-  for (const sim::Extent& level : at_level) widths.push_back(std::max(0.0, level.size().x));
-  return widths;
+  return collect<double>(at_level, [](const sim::Extent& level) { return std::max(0.0, level.size().x); });
 }
 
 /// Returns whether flat cloth stands on its head: its sleeves, beside which it is narrower at once, are in the lower

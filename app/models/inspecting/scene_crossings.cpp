@@ -86,10 +86,9 @@ std::optional<UntangleReport> untangle_start(const Scene& scene, const sim::Garm
   sim::UntangleResult untangled =
       sim::untangle(garment, start_m, settings, [&](std::span<const sim::Vec3> positions_m) {
         throw_if_interrupted();
-        std::vector<sim::TrianglePair> pairs;
-        for (const sim::CrossingPair& pair : sim::find_crossing_pairs({positions_m, garment.mesh.triangles})) {
-          pairs.push_back({pair.first, pair.second});
-        }
+        const auto to_triangles = [](const sim::CrossingPair& p) { return sim::TrianglePair{p.first, p.second}; };
+        const auto pairs =
+            collect<sim::TrianglePair>(sim::find_crossing_pairs({positions_m, garment.mesh.triangles}), to_triangles);
         tell(fmt::format("untangling it, round {}: {} cross", ++round, count_text(pairs.size(), "pair")));
         return pairs;
       });

@@ -46,11 +46,7 @@ void advance(Engine& engine, const sim::Garment& garment, double max_frame_ms, R
   if (run.frames.back().stretch > hopeless_stretch) run.given_up = "hopeless";
 }
 
-double median_ms(const Run& run) {
-  std::vector<double> times_ms;
-  for (const RaceFrame& frame : run.frames) times_ms.push_back(frame.cpu_ms);
-  return quantile(std::move(times_ms), 0.5);
-}
+double median_ms(const Run& run) { return quantile(collect<double>(run.frames, &RaceFrame::cpu_ms), 0.5); }
 
 }  // namespace
 

@@ -9,8 +9,8 @@ const int most_taps = 4;
 // Returns the colour; the arguments are the weights of the triangle's second and third corner, and their change per
 // pixel.
 vec4 base_colour(int triangle, vec2 share, vec2 share_across, vec2 share_up, float layer) {
-  vec2 first = texelFetch(corner_data, 3 * triangle).xy;
-  mat2 sides = mat2(texelFetch(corner_data, 3 * triangle + 1).xy - first, texelFetch(corner_data, 3 * triangle + 2).xy - first);
+  vec2 first = texelFetch(corner_data, texel(3 * triangle), 0).xy;
+  mat2 sides = mat2(texelFetch(corner_data, texel(3 * triangle + 1), 0).xy - first, texelFetch(corner_data, texel(3 * triangle + 2), 0).xy - first);
   vec2 place = first + sides * share;
   vec2 size = vec2(textureSize(base_colour_maps, 0).xy);
   vec2 across = sides * share_across;

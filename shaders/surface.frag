@@ -26,9 +26,9 @@ layout(location = 0) out vec4 colour;  // linear, premultiplied; encoded with on
 // second and third corner.
 vec4 interpolated_sky(uvec3 corners, vec2 share) {
   ivec3 places = ivec3(corners);
-  vec4 a = texelFetch(vertex_light, ivec2(places.x % vertices_per_row, places.x / vertices_per_row), 0);
-  vec4 b = texelFetch(vertex_light, ivec2(places.y % vertices_per_row, places.y / vertices_per_row), 0);
-  vec4 c = texelFetch(vertex_light, ivec2(places.z % vertices_per_row, places.z / vertices_per_row), 0);
+  vec4 a = texelFetch(vertex_light, texel(places.x), 0);
+  vec4 b = texelFetch(vertex_light, texel(places.y), 0);
+  vec4 c = texelFetch(vertex_light, texel(places.z), 0);
   return a + share.x * (b - a) + share.y * (c - a);
 }
 
@@ -57,9 +57,9 @@ const float shaded_px = 1.0;
 // Returns the intersection of a ray and a triangle (Moeller and Trumbore 1997).
 Spot spot_on(uvec3 corners, vec3 ray) {
   ivec3 first = 3 * ivec3(corners);
-  vec4 a = texelFetch(vertex_data, first.x);
-  vec4 b = texelFetch(vertex_data, first.y);
-  vec4 c = texelFetch(vertex_data, first.z);
+  vec4 a = texelFetch(vertex_data, texel(first.x), 0);
+  vec4 b = texelFetch(vertex_data, texel(first.y), 0);
+  vec4 c = texelFetch(vertex_data, texel(first.z), 0);
   vec3 ab = b.xyz - a.xyz;
   vec3 ac = c.xyz - a.xyz;
   vec3 from_a = eye.xyz - a.xyz;
@@ -77,12 +77,12 @@ Spot spot_on(uvec3 corners, vec3 ray) {
   place = clamp(place, 0.0, 1.0);
   place /= max(place.x + place.y, 1.0);
 
-  vec4 na = texelFetch(vertex_data, first.x + 1);
-  vec4 nb = texelFetch(vertex_data, first.y + 1) - na;
-  vec4 nc = texelFetch(vertex_data, first.z + 1) - na;
-  vec4 ma = texelFetch(vertex_data, first.x + 2);
-  vec4 mb = texelFetch(vertex_data, first.y + 2) - ma;
-  vec4 mc = texelFetch(vertex_data, first.z + 2) - ma;
+  vec4 na = texelFetch(vertex_data, texel(first.x + 1), 0);
+  vec4 nb = texelFetch(vertex_data, texel(first.y + 1), 0) - na;
+  vec4 nc = texelFetch(vertex_data, texel(first.z + 1), 0) - na;
+  vec4 ma = texelFetch(vertex_data, texel(first.x + 2), 0);
+  vec4 mb = texelFetch(vertex_data, texel(first.y + 2), 0) - ma;
+  vec4 mc = texelFetch(vertex_data, texel(first.z + 2), 0) - ma;
   spot.place = mat3x2(place, across, up);
   spot.world = a.xyz + place.x * ab + place.y * ac;
   spot.normal = normalize((na + place.x * nb + place.y * nc).xyz);
@@ -114,12 +114,12 @@ vec3 toned(vec3 linear) { return tone_mapped(linear); }
 
 // Returns the colour of a triangle in linear light.
 vec3 shaded(int triangle, bool front, vec3 ray) {
-  uvec4 corners = texelFetch(triangle_data, triangle);
+  uvec4 corners = texelFetch(triangle_data, texel(triangle), 0);
   Spot spot = spot_on(corners.xyz, ray);
   int material = 5 * surface_of(corners.w);
-  vec4 outside = texelFetch(material_data, material);
-  vec4 inside = texelFetch(material_data, material + 1);
-  vec4 rest = texelFetch(material_data, material + 2);
+  vec4 outside = texelFetch(material_data, texel(material), 0);
+  vec4 inside = texelFetch(material_data, texel(material + 1), 0);
+  vec4 rest = texelFetch(material_data, texel(material + 2), 0);
   Sewing sewing = Sewing(vec3(0.0), 1.0, 0.0, 0.0);
   // A loop instead of a branch, as in weave.glsl.
   for (int i = 0; i < (trim_of(corners.w) > 0 ? 1 : 0); ++i) {
@@ -127,7 +127,7 @@ vec3 shaded(int triangle, bool front, vec3 ray) {
   }
   vec3 towards_eye = normalize(eye.xyz - spot.world);
   // A hem is folded to the inside and shows the cloth's outside there.
-  vec4 thread = texelFetch(material_data, material + 3);
+  vec4 thread = texelFetch(material_data, texel(material + 3), 0);
   vec3 warp = spot.warp.x * spot.ab + spot.warp.y * spot.ac;
   warp *= inversesqrt(max(dot(warp, warp), 1e-30));
   vec3 weft = spot.weft_turn * cross(warp, spot.normal);
@@ -143,7 +143,7 @@ vec3 shaded(int triangle, bool front, vec3 ray) {
     base = base * (1.0 - laid_on.a) + laid_on.rgb;
   }
 #endif
-  vec4 stitch = texelFetch(material_data, material + 4);
+  vec4 stitch = texelFetch(material_data, texel(material + 4), 0);
   base = mix(base * sewing.brightness, stitch.rgb, sewing.thread * stitch.w);
   vec3 dented = normalize(spot.normal - weave.slope.x * weft - weave.slope.y * warp);
   vec3 normal = normalize((front ? dented : -dented) - sewing.slope);
@@ -194,7 +194,7 @@ bool share_a_corner(uvec3 a, uvec3 b) {
 
 // Returns whether a sample shows the surface of `first`: triangles around one vertex, from the same side.
 bool continues(uint sample_visible, uint first, uvec3 corners) {
-  uvec3 others = texelFetch(triangle_data, max(triangle_of(sample_visible), 0)).xyz;
+  uvec3 others = texelFetch(triangle_data, texel(max(triangle_of(sample_visible), 0)), 0).xyz;
   return sample_visible != 0u && is_front(sample_visible) == is_front(first) && share_a_corner(others, corners);
 }
 
@@ -209,7 +209,7 @@ void main() {
     uint first = left[i];
     // The ray passes through the sample, as the triangle may miss the pixel's middle.
     vec3 ray = ray_through(vec2(pixel) + vec2(samples_x[i], samples_y[i]));
-    uvec4 corners = texelFetch(triangle_data, max(triangle_of(first), 0));
+    uvec4 corners = texelFetch(triangle_data, texel(max(triangle_of(first), 0)), 0);
     bvec4 same = bvec4(continues(left.x, first, corners.xyz), continues(left.y, first, corners.xyz),
                        continues(left.z, first, corners.xyz), continues(left.w, first, corners.xyz));
     sum += 0.25 * dot(vec4(same), vec4(1.0)) * vec4(shaded(max(triangle_of(first), 0), is_front(first), ray), 1.0);

@@ -1,5 +1,5 @@
 // Hems, ribbed bands and seams. Features narrower than a drawn pixel fade to the mean, so that nothing aliases.
-uniform samplerBuffer trim_data;  // four texels per trimmed triangle: at its corners the distance from the border
+uniform sampler2D trim_data;      // four texels per trimmed triangle: at its corners the distance from the border
                                   // (m), the position along it (stitches), and the same for a seam; then width of
                                   // the hem (m), 1 if it is ribbed, thickness of the cloth and stitch (m)
 
@@ -58,10 +58,10 @@ vec2 rib(float along, float pixel_along) {
 // Returns the sewing of a spot. `ab`, `ac`: sides of the triangle; `place`: position in it; `across`, `up`: its change
 // per pixel.
 Sewing sewn(int trim, bool front, vec3 ab, vec3 ac, vec2 place, vec2 across, vec2 up) {
-  vec4 a = texelFetch(trim_data, 4 * trim);
-  vec4 b = texelFetch(trim_data, 4 * trim + 1) - a;
-  vec4 c = texelFetch(trim_data, 4 * trim + 2) - a;
-  vec4 band = texelFetch(trim_data, 4 * trim + 3);
+  vec4 a = texelFetch(trim_data, texel(4 * trim), 0);
+  vec4 b = texelFetch(trim_data, texel(4 * trim + 1), 0) - a;
+  vec4 c = texelFetch(trim_data, texel(4 * trim + 2), 0) - a;
+  vec4 band = texelFetch(trim_data, texel(4 * trim + 3), 0);
   vec4 at = a + place.x * b + place.y * c;
   vec4 to_right = across.x * b + across.y * c;
   vec4 upwards = up.x * b + up.y * c;

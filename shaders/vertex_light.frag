@@ -18,8 +18,8 @@ vec2 light_on_side(vec3 position, vec3 normal) {
 }
 
 void main() {
-  int vertex = int(gl_FragCoord.y) * vertices_per_row + int(gl_FragCoord.x);
-  vec3 position = texelFetch(vertex_data, 3 * vertex).xyz;
-  vec3 normal = texelFetch(vertex_data, 3 * vertex + 1).xyz;
+  int vertex = int(gl_FragCoord.y) * texels_per_row + int(gl_FragCoord.x);
+  vec3 position = texelFetch(vertex_data, texel(3 * vertex), 0).xyz;
+  vec3 normal = texelFetch(vertex_data, texel(3 * vertex + 1), 0).xyz;
   light = vec4(light_on_side(position, normal), light_on_side(position, -normal));
 }

@@ -11,8 +11,7 @@ constexpr float surface_blur_texels = 3.0F;
 // Blur of a direction's shadow on the floor, in cones of a direction: above 1, so that neighbouring directions overlap.
 // Lower values show single shadows, higher ones lose the contact.
 constexpr float floor_blur = 1.5F;
-// Vertices in a row of the texture of their light, and side of the floor's; the shaders have them too.
-constexpr int vertices_per_row = 1024;
+// Side of the texture of the floor's light; the shaders have it too.
 constexpr int floor_px = 56;
 
 // Returns a direction of the upper hemisphere; all have equal areas along a spiral (Fibonacci lattice).
@@ -149,7 +148,7 @@ void StudioLight::draw_maps(const FrameBlock& block) {
 void StudioLight::gather(std::size_t vertex_count) {
   gl_->Disable(GL_DEPTH_TEST);
   gl_->BindVertexArray(no_arrays_.name());
-  vertex_light_.begin({vertices_per_row, static_cast<int>(vertex_count) / vertices_per_row + 1});
+  vertex_light_.begin({texels_per_row, static_cast<int>(vertex_count) / texels_per_row + 1});
   vertex_program_.use();
   gl_->DrawArrays(GL_TRIANGLES, 0, 3);
   if (has_floor_) {
@@ -175,7 +174,6 @@ void StudioLight::unbind() const {
     gl_->BindTexture(GL_TEXTURE_2D, 0);
     gl_->BindTexture(GL_TEXTURE_2D_ARRAY, 0);
     gl_->BindTexture(GL_TEXTURE_2D_MULTISAMPLE, 0);
-    gl_->BindTexture(GL_TEXTURE_BUFFER, 0);
   }
   gl_->ActiveTexture(GL_TEXTURE0);
 }

@@ -2,6 +2,7 @@
 
 #include "renderer/gl/picture_target.hpp"
 #include "renderer/light/light_maps.hpp"
+#include "renderer/light/surface_buffers.hpp"
 
 namespace taut::renderer {
 

@@ -150,9 +150,9 @@ SurfaceBuffers::SurfaceBuffers(const GladGLContext& context)
       material_data_(context),
       corner_data_(context),
       trim_data_(context) {
-  GLint max_texels = 0;
-  gl_->GetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &max_texels);
-  max_texels_ = static_cast<std::size_t>(std::max(max_texels, 0));
+  GLint max_rows = 0;
+  gl_->GetIntegerv(GL_MAX_TEXTURE_SIZE, &max_rows);
+  max_rows_ = static_cast<std::size_t>(std::max(max_rows, 0));
 }
 
 void SurfaceBuffers::clear() {
@@ -215,17 +215,24 @@ void SurfaceBuffers::add(const SurfaceView& surface, int colour_map_row, BaseCol
   add_materials(surface, surface.scalars ? static_cast<float>(colour_map_row) : -1.0F, maps);
 }
 
+// The rows of numbers are padded to whole rows of texels for the time of the upload.
 template <typename Row>
-void SurfaceBuffers::upload_rows(BufferTexture& target, GLenum format, const std::vector<Row>& rows,
-                                 unsigned unit) const {
-  const std::size_t texels = rows.size() * std::max<std::size_t>(sizeof(Row) / sizeof(glm::vec4), 1);
-  if (texels > max_texels_) {
-    throw ContextError("the surfaces of a frame are too large for this OpenGL: " + std::to_string(texels) +
-                       " texels in a buffer, at most " + std::to_string(max_texels_));
+void SurfaceBuffers::upload_rows(const Texture& target, GLint format, std::vector<Row>& rows, unsigned unit) const {
+  constexpr std::size_t texels_per_item = std::max<std::size_t>(sizeof(Row) / sizeof(glm::vec4), 1);
+  const std::size_t count = rows.size();
+  const std::size_t height = count * texels_per_item / texels_per_row + 1;
+  if (height > max_rows_) {
+    throw ContextError("the surfaces of a frame are too large for this OpenGL: " + std::to_string(height) +
+                       " rows of a texture, at most " + std::to_string(max_rows_));
   }
-  taut::renderer::upload(*gl_, GL_TEXTURE_BUFFER, target.buffer, std::span<const Row>(rows));
-  bind_texture(*gl_, unit, GL_TEXTURE_BUFFER, target.texture);
-  gl_->TexBuffer(GL_TEXTURE_BUFFER, format, target.buffer.name());
+  rows.resize((height * texels_per_row + texels_per_item - 1) / texels_per_item);
+  bind_texture(*gl_, unit, GL_TEXTURE_2D, target);
+  const bool is_whole = format == GL_RGBA32UI;
+  const GLenum channels = is_whole ? GL_RGBA_INTEGER : format == GL_RG32F ? GL_RG : GL_RGBA;
+  gl_->TexImage2D(GL_TEXTURE_2D, 0, format, texels_per_row, static_cast<GLsizei>(height), 0, channels,
+                  is_whole ? GL_UNSIGNED_INT : GL_FLOAT, rows.data());
+  set_sampling(*gl_, GL_TEXTURE_2D, GL_NEAREST);
+  rows.resize(count);
 }
 
 void SurfaceBuffers::upload() {
@@ -237,11 +244,11 @@ void SurfaceBuffers::upload() {
 }
 
 void SurfaceBuffers::bind() const {
-  bind_texture(*gl_, vertex_data_unit, GL_TEXTURE_BUFFER, vertex_data_.texture);
-  bind_texture(*gl_, triangle_data_unit, GL_TEXTURE_BUFFER, triangle_data_.texture);
-  bind_texture(*gl_, material_data_unit, GL_TEXTURE_BUFFER, material_data_.texture);
-  if (has_maps()) bind_texture(*gl_, corner_data_unit, GL_TEXTURE_BUFFER, corner_data_.texture);
-  bind_texture(*gl_, trim_data_unit, GL_TEXTURE_BUFFER, trim_data_.texture);
+  bind_texture(*gl_, vertex_data_unit, GL_TEXTURE_2D, vertex_data_);
+  bind_texture(*gl_, triangle_data_unit, GL_TEXTURE_2D, triangle_data_);
+  bind_texture(*gl_, material_data_unit, GL_TEXTURE_2D, material_data_);
+  if (has_maps()) bind_texture(*gl_, corner_data_unit, GL_TEXTURE_2D, corner_data_);
+  bind_texture(*gl_, trim_data_unit, GL_TEXTURE_2D, trim_data_);
 }
 
 }  // namespace taut::renderer

@@ -42,7 +42,10 @@ class ColourMapTexture {
   std::optional<Texture> made_;
 };
 
-/// All surfaces of one frame in buffer textures, in the layout of shaders/surface_buffers.glsl.
+/// Texels in a row of a texture that holds numbers; the shaders have it too.
+inline constexpr int texels_per_row = 1024;
+
+/// All surfaces of one frame in textures, in the layout of shaders/surface_buffers.glsl.
 class SurfaceBuffers {
  public:
   /// The context must be current and outlive this object.
@@ -53,10 +56,10 @@ class SurfaceBuffers {
   /// Adds a surface. `colour_map_row`: row of its colour map in ColourMapTexture; ignored without scalars. `maps`
   /// provides the layers of its base colour maps.
   void add(const SurfaceView& surface, int colour_map_row, BaseColourMapTexture& maps);
-  /// Uploads all surfaces. Throws ContextError when they exceed the context's largest buffer texture.
+  /// Uploads all surfaces. Throws ContextError when they exceed the context's largest texture.
   void upload();
 
-  /// Binds the buffer textures to their units.
+  /// Binds the textures to their units.
   void bind() const;
   /// Returns whether a surface has a base colour map.
   bool has_maps() const { return !corners_.empty(); }
@@ -85,29 +88,23 @@ class SurfaceBuffers {
     glm::vec4 threads;
     glm::vec4 stitches;
   };
-  // Buffer and the texture through which shaders read it.
-  struct BufferTexture {
-    explicit BufferTexture(const GladGLContext& context) : buffer(context), texture(context) {}
-    Buffer buffer;
-    Texture texture;
-  };
   void add_materials(const SurfaceView& surface, float row, BaseColourMapTexture& maps);
   void add_corners(const SurfaceView& surface);
   template <typename Row>
-  void upload_rows(BufferTexture& target, GLenum format, const std::vector<Row>& rows, unsigned unit) const;
+  void upload_rows(const Texture& target, GLint format, std::vector<Row>& rows, unsigned unit) const;
 
   const GladGLContext* gl_;
-  BufferTexture vertex_data_;
-  BufferTexture triangle_data_;
-  BufferTexture material_data_;
-  BufferTexture corner_data_;
-  BufferTexture trim_data_;
+  Texture vertex_data_;
+  Texture triangle_data_;
+  Texture material_data_;
+  Texture corner_data_;
+  Texture trim_data_;
   std::vector<Vertex> vertices_;
   std::vector<glm::uvec4> triangles_;  // xyz: vertices, w: see shaders/surface_buffers.glsl
   std::vector<MaterialTexels> materials_;
   std::vector<glm::vec2> corners_;  // three per triangle, up to the last triangle with a map
   std::vector<Trim> trims_;
-  std::size_t max_texels_ = 0;
+  std::size_t max_rows_ = 0;
 };
 
 }  // namespace taut::renderer

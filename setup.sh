@@ -76,7 +76,6 @@ packages_of_web=(
   node-acorn          # what its linker asks for and does not bring
   libboost-dev        # rational numbers of any length, there
   esbuild
-  libjs-three         # draws the page
   chromium            # and the tests drive it
   chromium-driver
   python3-selenium

@@ -75,22 +75,6 @@ std::string trim(const std::string& text) {
   return first == std::string::npos ? "" : text.substr(first, text.find_last_not_of(' ') + 1 - first);
 }
 
-std::vector<app::Override> parse_overrides(const TautOptions& options) {
-  require(options.settings != nullptr || options.setting_count == 0, "found settings of NULL");
-  require(options.setting_count <= 100000, "found more than 100000 settings");
-  std::vector<app::Override> overrides;
-  for (std::size_t k = 0; k < options.setting_count; ++k) {
-    require(options.settings[k] != nullptr, "found a setting of NULL");
-    const std::string text = options.settings[k];
-    const std::size_t equals = text.find('=');
-    if (equals == std::string::npos || equals == 0) {
-      throw ArgumentError("found the setting '" + text + "', expected KEY = VALUE, such as wind.speed = 4");
-    }
-    overrides.push_back({trim(text.substr(0, equals)), trim(text.substr(equals + 1)), text});
-  }
-  return overrides;
-}
-
 app::Scene make_scene(const TautOptions& options, const std::vector<app::Override>& overrides) {
   const int named =
       (options.scene != nullptr ? 1 : 0) + (options.scene_text != nullptr ? 1 : 0) + (options.mesh != nullptr ? 1 : 0);
@@ -132,6 +116,22 @@ void put_bodies_in(const TautOptions& options, Start& start) {
 }
 
 }  // namespace
+
+std::vector<app::Override> parse_overrides(const TautOptions& options) {
+  require(options.settings != nullptr || options.setting_count == 0, "found settings of NULL");
+  require(options.setting_count <= 100000, "found more than 100000 settings");
+  std::vector<app::Override> overrides;
+  for (std::size_t k = 0; k < options.setting_count; ++k) {
+    require(options.settings[k] != nullptr, "found a setting of NULL");
+    const std::string text = options.settings[k];
+    const std::size_t equals = text.find('=');
+    if (equals == std::string::npos || equals == 0) {
+      throw ArgumentError("found the setting '" + text + "', expected KEY = VALUE, such as wind.speed = 4");
+    }
+    overrides.push_back({trim(text.substr(0, equals)), trim(text.substr(equals + 1)), text});
+  }
+  return overrides;
+}
 
 GivenBody take_body(const TautBody* body, const app::Scene& scene) {
   const TautBody caller_body = read_struct(body);

@@ -4,6 +4,7 @@
 #include "app/library/taut.h"
 #include "app/runs/frame_verifier.hpp"
 #include "app/runs/run_checkpoint.hpp"
+#include "app/scene/scene_file.hpp"
 
 namespace taut::library {
 
@@ -87,9 +88,12 @@ struct Start {
   app::Scene scene;
   app::LoadedGarment loaded;
   std::map<std::size_t, CallerBody> lent = {};  ///< key: body number
-  std::size_t crossings = 0;                  ///< see TautInfo::crossings_at_start
-  Listener listener = {};                     ///< receives the messages of later calls
+  std::size_t crossings = 0;                    ///< see TautInfo::crossings_at_start
+  Listener listener = {};                       ///< receives the messages of later calls
 };
+
+/// Returns the settings of the options. Throws ArgumentError.
+std::vector<app::Override> parse_overrides(const TautOptions& options);
 
 /// Loads the scene, garment and bodies of the options and sends messages to their log. Throws ArgumentError, and as
 /// find_scene(), take_body(), load_bodies(), load_garment() and put_where_it_begins() do.
@@ -104,6 +108,7 @@ class Session {
   Session(const TautOptions& options, Start start);
 
   const sim::Simulation& simulation() const { return simulation_; }
+  const app::GarmentInScene& garment() const { return loaded_; }
   int frame() const { return frame_; }
 
   /// Simulates a frame. Throws sim::ContactBlocked, which leaves the state unchanged, and sim::Diverged.
@@ -164,8 +169,8 @@ class Session {
   sim::Simulation simulation_;
   int frame_ = 0;
   std::optional<app::FrameVerifier> verifier_;
-  std::vector<sim::PointForce> forces_;            ///< forces on mesh vertices, in addition to the scene's
-  std::map<sim::Index, sim::Vec3> pin_targets_m_;  ///< pin positions at the end of the next frame; key: mesh vertex
+  std::vector<sim::PointForce> forces_;              ///< forces on mesh vertices, in addition to the scene's
+  std::map<sim::Index, sim::Vec3> pin_targets_m_;    ///< pin positions at the end of the next frame; key: mesh vertex
   std::map<std::size_t, CallerBody> caller_bodies_;  ///< key: body number
   std::size_t crossings_at_start_;
   Listener listener_;

@@ -1,4 +1,4 @@
-# cmake -DSHADERS=a.vert;b.frag -DOUTPUT=x.cpp -P embed_shaders.cmake
+# cmake -DSHADERS=a.vert;b.frag -DOUTPUT=x.cpp [-DVERSION=first_lines.glsl] -P embed_shaders.cmake
 # Writes a C++ file with the text of every shader, so that the program needs no files at run time. A line
 # #include "file" is replaced by that file, once in each shader.
 cmake_minimum_required(VERSION 3.25)
@@ -34,6 +34,10 @@ foreach(shader IN LISTS SHADERS)
     set(text)
     set(included)
     append_shader(${shader})
+    if(VERSION)
+      file(READ ${VERSION} version)
+      string(REPLACE "#version 330 core\n" "${version}" text "${text}")
+    endif()
     string(APPEND all "      {\"${name}\", R\"glsl(${text})glsl\"},\n")
   endif()
 endforeach()

@@ -169,7 +169,7 @@ def test_hand(page, expected):
     for _ in range(8):
         pull.move_by_offset(-12, 4)
     pull.perform()
-    assert 'holding' in stage.get_attribute('class'), 'the mouse met no cloth'
+    page.wait('the hand', lambda: 'holding' in stage.get_attribute('class'), 60)
     frame = int(page.data()['frame'])
     found = page.run_to(frame + 40)
     page.picture('hand')

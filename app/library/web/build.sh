@@ -8,7 +8,6 @@ assets=$here/../../../assets
 for tool in emcmake esbuild; do
   command -v $tool >/dev/null || { echo "build.sh: there is no '$tool'; ./setup.sh --web installs it" >&2; exit 1; }
 done
-three=/usr/share/javascript/three/three.module.js
 generated=$out/generated
 mkdir -p "$generated" "$out/page" "$out/taut-cloth"
 
@@ -21,7 +20,7 @@ if [ ! "$generated/hashes.json" -nt "$taut" ]; then
   python3 "$here/hashes.py" "$taut" "$generated/hashes.json"
 fi
 
-bundle() { esbuild "$1" --bundle --minify --log-level=warning "--alias:generated=$generated" "--alias:three=$three" "${@:2}"; }
+bundle() { esbuild "$1" --bundle --minify --log-level=warning "--alias:generated=$generated" "${@:2}"; }
 bundle "$here/package/index.js" --format=esm --outfile="$out/taut-cloth/index.js"
 bundle "$here/page/worker.js" --outfile="$generated/engine.js"
 # The worker as a text: see main.js.
@@ -37,5 +36,4 @@ for folder in page taut-cloth; do
   cp "$assets/patterns/tshirt/LICENSE" "$out/$folder/LICENSE.garments"
   cp "$here/page/NOTICE" "$out/$folder/NOTICE"
 done
-cp /usr/share/doc/libjs-three/copyright "$out/page/LICENSE.three"
 echo "wrote $out/page and $out/taut-cloth"

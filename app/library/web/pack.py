@@ -1,5 +1,5 @@
 """Packs the engine with the scenes and models of the page into one JavaScript module, as text: a page that is opened from a
-file may load scripts and nothing else. Writes pack.js, and fabrics.json with how the fabrics look.
+file may load scripts and nothing else. Writes pack.js.
 
 usage: pack.py TAUT_IMPORT ASSETS WASM FOLDER
 """
@@ -9,7 +9,6 @@ import json
 import pathlib
 import subprocess
 import sys
-import tomllib
 
 MODELS = ['garments/tshirt_1028.obj', 'garments/tshirt_5280.obj', 'garments/tshirt_10600.obj',
           'garments/contact/washing.obj', 'bodies/mannequin_male_40.glb', 'bodies/pole.obj', 'bodies/washing_line.obj']
@@ -27,12 +26,6 @@ def imported(importer, model):
     return answer
 
 
-def look_of(fabric):
-    picture = tomllib.loads(fabric.read_text())['picture']
-    return {'outside': picture['outside_colour'], 'inside': picture.get('inside_colour'),
-            'roughness': picture['roughness'], 'sheen': picture['sheen']}
-
-
 def main(importer, assets, wasm, folder):
     assets, folder = pathlib.Path(assets), pathlib.Path(folder)
     files = {'taut.wasm': pathlib.Path(wasm).read_bytes()}
@@ -44,8 +37,6 @@ def main(importer, assets, wasm, folder):
     index = json.dumps([[name, len(content)] for name, content in files.items()]).encode()
     packed = gzip.compress(len(index).to_bytes(4, 'little') + index + b''.join(files.values()), 9, mtime=0)
     (folder / 'pack.js').write_text(f"export default '{base64.b64encode(packed).decode()}';\n")
-    looks = {fabric.stem: look_of(fabric) for fabric in sorted(assets.glob('fabrics/*.toml'))}
-    (folder / 'fabrics.json').write_text(json.dumps({'': looks['jersey'], **looks}))
 
 
 main(*sys.argv[1:])

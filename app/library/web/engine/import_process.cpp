@@ -20,4 +20,8 @@ ModelArrays read_model_in_process(const std::filesystem::path& path, const Impor
   return decode(bytes.substr(header));
 }
 
+TextureImage read_image(const std::filesystem::path& path) {
+  throw InputError("found the image '{}', but a page reads no images", path.string());
+}
+
 }  // namespace taut::app

@@ -57,8 +57,8 @@ TAUT_OF_ORDER(min_element)
     return std::name(std::begin(range), std::end(range),                                                          \
                      [&](auto&& item) -> bool { return std::invoke(predicate, std::invoke(projection, item)); }); \
   }
-TAUT_OF_PREDICATE(any_of)
 TAUT_OF_PREDICATE(all_of)
+TAUT_OF_PREDICATE(any_of)
 TAUT_OF_PREDICATE(none_of)
 TAUT_OF_PREDICATE(find_if)
 TAUT_OF_PREDICATE(count_if)
@@ -86,6 +86,16 @@ template <class Range, class Out> void copy(Range&& range, Out out) {
 }
 template <class Range, class Out, class Predicate> void copy_if(Range&& range, Out out, Predicate predicate) {
   std::copy_if(std::begin(range), std::end(range), out, predicate);
+}
+
+template <class Range, class Value> void fill(Range&& range, const Value& value) {
+  std::fill(std::begin(range), std::end(range), value);
+}
+template <class Range, class Out, class Change> void transform(Range&& range, Out out, Change change) {
+  std::transform(std::begin(range), std::end(range), out, change);
+}
+template <class Range, class Value> auto lower_bound(Range&& range, const Value& value) {
+  return std::lower_bound(std::begin(range), std::end(range), value);
 }
 
 template <class Iterator> struct min_max { Iterator min, max; };

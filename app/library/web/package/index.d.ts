@@ -14,6 +14,8 @@ export interface Taut {
   readonly memoryBytes: number;
   /** Makes a cloth. Throws TautError. */
   cloth(options: ClothOptions): Cloth;
+  /** What draws cloth on a canvas with the program's renderer, by WebGL 2. Only cloth of a scene is drawn. */
+  stage(canvas: OffscreenCanvas | HTMLCanvasElement): number;
 }
 
 export type Numbers = ArrayLike<number>;
@@ -97,6 +99,12 @@ export class Cloth {
   bodyTriangles(body: number): { triangles: Uint32Array; vertex_count: number };
   /** Where that is at the end of the last frame; `out` has three numbers a vertex. */
   bodyPositions<Out extends Float32Array | Float64Array>(body: number, out: Out): Out;
+  /** Has a stage draw this cloth from now on, as its scene draws it or with its stretch as colours. */
+  dress(stage: number, isStretch: boolean): void;
+  /** Draws it. `view`: eye and target in metres and the vertical angle of view in radians; sizes in pixels. */
+  draw(stage: number, view: Numbers, width: number, height: number): void;
+  /** The point of the cloth that a ray meets and its nearest vertex; null if a body is in front or nothing is met. */
+  pick(from: Numbers, along: Numbers): { vertex: number; point: number[] } | null;
   readonly stateHash: string;
   /** All that is needed to go on with the same bits. */
   save(): Uint8Array;

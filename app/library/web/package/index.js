@@ -49,6 +49,16 @@ class Taut {
   get memoryBytes() { return this.module.HEAPU8.length; }
   cloth(options) { return new Cloth(this.module, options); }
 
+  /** Returns what draws cloth on a canvas with the program's renderer, by WebGL 2. */
+  stage(canvas) {
+    const context = this.module.GL.createContext(canvas, { majorVersion: 2, alpha: false, antialias: false, depth: false });
+    if (!context) throw new TautError(7, 'this browser draws no WebGL 2');
+    this.module.GL.makeContextCurrent(context);
+    const stage = this.module._taut_page_stage();
+    if (!stage) throw new TautError(7, 'this browser cannot draw the cloth');
+    return stage;
+  }
+
   #names(kind) {
     return lent(this.module, (memory) => {
       const size = memory.take(4);
@@ -118,12 +128,14 @@ const settingText = ([key, value]) => `${key} = ${Array.isArray(value) ? JSON.st
 export class Cloth {
   #module;
   #id = 0n;
+  #drawn;
 
   constructor(module, { scene, text, positions, triangles, start, settings = {}, log } = {}) {
     if ([scene, text, positions].filter((given) => given !== undefined).length !== 1) {
       throw new TautError(3, 'expected exactly one of scene, text and positions');
     }
     this.#module = module;
+    this.#drawn = { scene, settings };
     const listener = log ? module.addFunction((_user, line) => log(module.UTF8ToString(line)), 'vii') : 0;
     lent(module, (memory) => {
       const lines = Object.entries(settings).map(settingText);
@@ -174,6 +186,7 @@ export class Cloth {
   }
 
   set(key, value) {
+    this.#drawn.settings = { ...this.#drawn.settings, [key]: value };
     lent(this.#module, (memory) => this.#call('set', memory.text(key), memory.text(value)));
   }
   setWind(x, y, z) { this.#call('set_wind', x, y, z); }
@@ -218,6 +231,25 @@ export class Cloth {
     });
   }
   bodyPositions(body, out) { return this.#points(out, (at) => this.#call('page_body_positions', body, at)); }
+
+  /** Has a stage draw this cloth from now on, as its scene draws it or with its stretch as colours. */
+  dress(stage, isStretch) {
+    lent(this.#module, (memory) => {
+      const lines = Object.entries(this.#drawn.settings).map(settingText);
+      this.#call('page_dress', stage, memory.text(this.#drawn.scene), memory.texts(lines), lines.length, isStretch ? 1 : 0);
+    });
+  }
+  /** Draws it. `view`: eye and target in metres, vertical angle of view in radians. */
+  draw(stage, view, width, height) {
+    lent(this.#module, (memory) =>
+      this.#call('page_draw', stage, memory.array(Float32Array.from(view)), width, height));
+  }
+  /** The nearest vertex of the cloth that a ray meets and the point, or nothing. */
+  pick(from, along) {
+    const [vertex, ...point] = this.#filled(new Float64Array(4), (at) => lent(this.#module, (memory) =>
+      this.#call('page_pick', memory.array(Float64Array.of(...from, ...along)), at)));
+    return vertex < 0 ? null : { vertex, point };
+  }
 
   get stateHash() {
     return hex(this.#filled(new BigUint64Array(1), (at) => this.#call('state_hash', at))[0]);

@@ -1,12 +1,12 @@
 // Joins the picture, the panel and the simulation's worker.
-import fabrics from 'generated/fabrics.json';
 import natives from 'generated/hashes.json';
 import { Promises } from './promises.js';
-import { STRETCH_COLOURS, Stage } from './stage.js';
+import { Stage } from './stage.js';
 
 const byId = (id) => document.getElementById(id);
+const canvas = byId('stage');
 window.addEventListener('error', ({ message }) => notice(message));
-const stage = new Stage(byId('stage'));
+const stage = new Stage(canvas, (look) => worker?.postMessage({ do: 'look', look }));
 const promises = new Promises();
 const chosen = { scene: 'hang', size: 5280 };
 // By scene: the usual wind in m/s, the degrees it comes from, and that direction as the program's scene has it, to the
@@ -14,13 +14,15 @@ const chosen = { scene: 'hang', size: 5280 };
 const USUAL = { hang: { wind: 1, from: 17, direction: [0.3, 0, 1], isSized: true },
   walk: { wind: 1, from: 17, direction: [0.3, 0, 1], isSized: true },
   flag: { wind: 6, from: 101, direction: [1, 0, -0.2] }, line: { wind: 3, from: 14, direction: [0.25, 0, 1] } };
-let worker, run = 0, latest, isSteered = false, isReady = false, asked = 0, times = [];
+let worker, run = 0, isSteered = false, isReady = false, asked = 0, times = [];
 
 window.addEventListener('load', () => {
   // From a file a page may not start a worker's file, but one of text.
   worker = new Worker(URL.createObjectURL(new Blob([globalThis.tautEngine], { type: 'text/javascript' })));
   // Frames may still come of the cloth before.
   worker.onmessage = ({ data }) => data.run === run && answers[data.is](data);
+  const drawn = canvas.transferControlToOffscreen();
+  worker.postMessage({ do: 'canvas', canvas: drawn }, [drawn]);
   start();
 });
 
@@ -35,7 +37,6 @@ function air() {
 function start() {
   isReady = isSteered = false;
   asked = 0;
-  latest = undefined;
   const fabric = byId('fabric').value, bound = byId('bound').value, wind = air();
   const settings = { 'solver.max_stretch': bound, ...(fabric ? { 'cloth.fabric': fabric } : {}) };
   const isUsual = fabric === '' && bound === '0.01' && isFromUsual();
@@ -47,9 +48,8 @@ function start() {
 }
 
 const answers = {
-  started({ info, triangles, shape, body, bodyShape, build }) {
-    stage.begin(triangles, body);
-    stage.show(shape, bodyShape);
+  started({ info, fabrics, build }) {
+    if (byId('fabric').length === 1) byId('fabric').append(...fabrics.map((name) => new Option(name, name)));
     isReady = true;
     times = [];
     notice('');
@@ -59,10 +59,18 @@ const answers = {
   },
   frame(data) {
     --asked;
-    latest = data;
     setTimeout(ask, due - performance.now());
     promises.add(data.frame, isSteered);
     note(data);
+  },
+  // The cloth that a finger meets is held until it is lifted.
+  gripped({ point }) {
+    isHolding = isAsking && Boolean(point);
+    isAsking = false;
+    canvas.classList.toggle('holding', isHolding);
+    if (isHolding) isSteered = true;
+    else if (point) worker.postMessage({ do: 'release' });
+    gripped = point;
   },
   failed({ text, at }) {
     notice(at === 'step' ? `This frame could not be made: ${text}` : text);
@@ -94,18 +102,12 @@ function ask() {
   while (asked < most && due <= now) {
     due += FRAME_MS;
     ++asked;
-    worker.postMessage({ do: 'step', isColoured: byId('colours').checked });
+    worker.postMessage({ do: 'step' });
   }
   if (asked === 0) setTimeout(ask, due - now);
 }
 const meanMs = () => times.reduce((sum, time) => sum + time.ms, 0) / times.length;
 
-function onPicture() {
-  requestAnimationFrame(onPicture);
-  if (latest) stage.show(latest.shape, latest.bodyShape);
-  latest = undefined;
-  stage.draw();
-}
 document.addEventListener('visibilitychange', ask);
 
 function steer(message) {
@@ -149,38 +151,38 @@ for (const key of ['scene', 'size']) {
     start();
   });
 }
-byId('fabric').append(new Option('own fabric', ''), ...Object.keys(fabrics).filter((name) => name)
-  .map((name) => new Option(name, name)));
-byId('fabric').addEventListener('change', () => {
-  stage.dress(fabrics[byId('fabric').value]);
-  start();
-});
+byId('fabric').append(new Option('own fabric', ''));
+byId('fabric').addEventListener('change', start);
 byId('bound').addEventListener('change', ({ target }) => {
   promises.bound = Number(target.value);
   byId('legend-end').textContent = `${100 * promises.bound} % bound`;
-  if (stage.bound) stage.colourBy(promises.bound);
   steer({ do: 'set', key: 'solver.max_stretch', value: target.value });
 });
 byId('colours').addEventListener('change', ({ target }) => {
-  stage.colourBy(target.checked ? promises.bound : undefined);
+  worker.postMessage({ do: 'colour', isStretch: target.checked });
   byId('legend').hidden = !target.checked;
 });
+// The colours of the program's pictures (viridis: van der Walt and Smith 2015, CC0), from no stretch to the bound.
+const STRETCH_COLOURS = ['#440154', '#482878', '#3e4989', '#31688e', '#26828e', '#1f9e89', '#35b779', '#6ece58', '#b5de2b',
+                         '#fde725'];
 byId('legend').querySelector('i').style.background = `linear-gradient(to right, ${STRETCH_COLOURS})`;
 byId('restart').addEventListener('click', start);
 
 // The hand: on the cloth it pulls, beside it it turns the picture; two fingers move nearer.
 
 const fingers = new Map();
-let isHolding = false;
-const canvas = byId('stage');
+let isHolding = false, isAsking = false, gripped;
+function letGo() {
+  if (isHolding) steer({ do: 'release' });
+  isHolding = isAsking = false;
+  canvas.classList.remove('holding');
+}
 canvas.addEventListener('pointerdown', (event) => {
   canvas.setPointerCapture(event.pointerId);
   fingers.set(event.pointerId, event);
-  const grip = fingers.size === 1 && isReady ? stage.grip(event.clientX, event.clientY) : null;
-  if (grip) steer({ do: 'hold', ...grip });
-  else if (isHolding) steer({ do: 'release' });
-  isHolding = Boolean(grip);
-  canvas.classList.toggle('holding', isHolding);
+  letGo();
+  isAsking = fingers.size === 1 && isReady;
+  if (isAsking) worker.postMessage({ do: 'grip', ...stage.ray(event.clientX, event.clientY) });
 });
 canvas.addEventListener('pointermove', (event) => {
   const before = fingers.get(event.pointerId);
@@ -191,9 +193,9 @@ canvas.addEventListener('pointermove', (event) => {
   };
   const wide = fingers.size === 2 ? spread() : 0;
   fingers.set(event.pointerId, event);
+  if (isAsking) return;
   if (isHolding) {
-    const point = stage.handAt(event.clientX, event.clientY);
-    if (point) steer({ do: 'drag', point });
+    steer({ do: 'drag', point: stage.handAt(event.clientX, event.clientY, gripped) });
   } else if (fingers.size === 2) {
     stage.zoom(wide / (spread() || 1));
   } else {
@@ -203,9 +205,7 @@ canvas.addEventListener('pointermove', (event) => {
 for (const end of ['pointerup', 'pointercancel']) {
   canvas.addEventListener(end, (event) => {
     fingers.delete(event.pointerId);
-    if (isHolding) steer({ do: 'release' });
-    isHolding = false;
-    canvas.classList.remove('holding');
+    letGo();
   });
 }
 canvas.addEventListener('wheel', (event) => {
@@ -213,7 +213,5 @@ canvas.addEventListener('wheel', (event) => {
   stage.zoom(Math.exp(event.deltaY * 0.001));
 }, { passive: false });
 
-stage.dress(fabrics['']);
 stage.view(chosen.scene);
 showWind();
-requestAnimationFrame(onPicture);

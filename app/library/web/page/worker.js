@@ -1,10 +1,9 @@
-// The simulation, on a thread of its own: a frame each time the page asks for one.
+// The simulation and its picture, on a thread of their own: a frame each time the page asks for one.
 import { load } from '../package/index.js';
 import { Hand } from './hand.js';
-import { addNormals } from './normals.js';
 
 const loading = load();
-let taut, run, cloth, hand, wind, body, before;
+let taut, run, cloth, hand, wind, before, canvas, stage, look, isStretch = false, isDrawn = true;
 
 const SCENES = { hang: 'tshirt-gravity', walk: 'tshirt-walk', flag: 'flag', line: 'washing-line' };
 const GUSTS = { 'wind.gust_amplitude': 0.5, 'wind.gust_period': 2, 'wind.gust_turn': 0.2 };
@@ -16,27 +15,20 @@ function start({ scene, size, wind: air, settings }) {
   cloth = undefined;
   cloth = taut.cloth({ scene: SCENES[scene], settings: { ...(size ? { 'garment.file': `tshirt_${size}`, ...GUSTS } : {}),
     'wind.speed': air.speed, 'wind.direction': air.direction, ...settings } });
-  const triangles = cloth.triangles();
+  stage ??= taut.stage(canvas);
+  dress();
   before = cloth.positions();
-  hand = new Hand(before, triangles);
+  hand = new Hand(before, cloth.triangles());
   wind = null;
-  body = cloth.info.body_count > 0 ? cloth.bodyTriangles(0) : null;
-  self.postMessage({ is: 'started', run, info: cloth.info, triangles, shape: shape(before.slice(), triangles, true),
-    body: body?.triangles, build: taut.buildInfo, bodyShape: bodyShape() });
+  self.postMessage({ is: 'started', run, info: cloth.info, fabrics: taut.fabrics, build: taut.buildInfo });
 }
 
-function shape(positions, triangles, isColoured) {
-  const normals = addNormals(positions, triangles, new Float32Array(positions.length));
-  return isColoured ? { positions, normals, stretch: Float32Array.from(cloth.stretch()) } : { positions, normals };
+function dress() {
+  cloth.dress(stage, isStretch);
+  isDrawn = false;
 }
 
-function bodyShape() {
-  if (!body) return undefined;
-  const positions = cloth.bodyPositions(0, new Float32Array(3 * body.vertex_count));
-  return { positions, normals: addNormals(positions, body.triangles, new Float32Array(positions.length)) };
-}
-
-function step({ isColoured }) {
+function step() {
   if (wind) cloth.setWind(...wind);
   wind = null;
   const began = performance.now();
@@ -46,31 +38,64 @@ function step({ isColoured }) {
   const ms = performance.now() - began;
   const positions = cloth.positions();
   hand.moved(before, positions);
-  before = positions.slice();
-  const made = shape(positions, hand.triangles, isColoured), around = bodyShape();
-  const lent = [made, around].filter(Boolean).flatMap((arrays) => Object.values(arrays)).map((array) => array.buffer);
-  self.postMessage({ is: 'frame', run, frame, ms, shape: made, bodyShape: around, memory: taut.memoryBytes }, lent);
+  before = positions;
+  isDrawn = false;
+  self.postMessage({ is: 'frame', run, frame, ms, memory: taut.memoryBytes });
+}
+
+// What the screen shows last is drawn, however many frames are made.
+function onPicture() {
+  requestAnimationFrame(onPicture);
+  if (isDrawn || !look || !cloth || !stage) return;
+  isDrawn = true;
+  if (canvas.width !== look.width || canvas.height !== look.height) Object.assign(canvas, { width: look.width, height: look.height });
+  answer({ do: 'draw' });
 }
 
 const answers = {
-  start, wind({ velocity }) { wind = velocity; },
-  set({ key, value }) { cloth.set(key, value); },
-  hold({ vertex, point }) { hand.hold(vertex, point, before); },
+  start, step,
+  canvas(data) {
+    canvas = data.canvas;
+    requestAnimationFrame(onPicture);
+  },
+  look(data) {
+    look = data.look;
+    isDrawn = false;
+  },
+  draw() { cloth.draw(stage, look.view, look.width, look.height); },
+  wind({ velocity }) { wind = velocity; },
+  set({ key, value }) {
+    cloth.set(key, value);
+    dress();
+  },
+  colour(data) {
+    isStretch = data.isStretch;
+    if (cloth) dress();
+  },
+  grip({ from, along }) {
+    const grip = cloth.pick(from, along);
+    if (grip) hand.hold(grip.vertex, grip.point, before);
+    self.postMessage({ is: 'gripped', run, point: grip?.point });
+  },
   drag({ point }) { hand.target = point; },
   release() {
     hand.release();
     cloth.setForces([], []);
   },
-  step,
 };
+const OF_NO_CLOTH = ['start', 'canvas', 'look', 'colour'];
 
-self.onmessage = async ({ data }) => {
+function answer(data) {
   try {
-    taut = await loading;
-    run = data.run ?? run;
-    if (data.do === 'start' || cloth) answers[data.do](data);
+    if (OF_NO_CLOTH.includes(data.do) || cloth) answers[data.do](data);
   } catch (error) {
     // The cloth is as it was before the frame: without the hand it can go on.
     self.postMessage({ is: 'failed', run, text: error.message, at: data.do });
   }
+}
+
+self.onmessage = async ({ data }) => {
+  if (data.do !== 'canvas' && data.do !== 'look') taut = await loading;
+  run = data.run ?? run;
+  answer(data);
 };

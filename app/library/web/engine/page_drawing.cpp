@@ -1,0 +1,124 @@
+#include <glm/gtx/intersect.hpp>
+
+#include "app/drawing/garment_painter.hpp"
+#include "app/library/border.hpp"
+#include "app/library/web/engine/web_context.hpp"
+
+// Draws a cloth with the program's renderer on the page's canvas.
+namespace taut::library {
+
+/// Canvas of the page.
+struct Stage {
+  WebContext context;
+  renderer::SceneRenderer renderer{context};
+  std::optional<app::GarmentPainter> painter = {};
+};
+
+namespace {
+
+// Drawn pixels per shaded one: the page shrinks the canvas by this factor, which smooths outlines.
+constexpr int shading_px = 2;
+
+renderer::PictureSettings canvas_settings(int width_px, int height_px) {
+  renderer::PictureSettings settings;
+  settings.width_px = width_px;
+  settings.height_px = height_px;
+  settings.samples = 1;
+  settings.shading_px = shading_px;
+  return settings;
+}
+
+struct Hit {
+  sim::Index vertex;  // corner nearest to the point
+  sim::Vec3 point_m;
+  double distance;
+};
+
+// Returns the nearest point of the triangles on the ray, from either side.
+std::optional<Hit> pick(const sim::Vec3& from, const sim::Vec3& along, std::span<const sim::Vec3> positions_m,
+                        std::span<const sim::Triangle> triangles) {
+  std::optional<Hit> nearest;
+  for (const sim::Triangle& t : triangles) {
+    glm::dvec2 share;
+    double distance = 0.0;
+    if (!glm::intersectRayTriangle(from, along, positions_m[t[0]], positions_m[t[1]], positions_m[t[2]], share,
+                                   distance) ||
+        distance <= 0.0 || (nearest && distance >= nearest->distance)) {
+      continue;
+    }
+    const sim::Vec3 point_m = from + distance * along;
+    const auto gap = [&](sim::Index v) { return glm::distance(positions_m[v], point_m); };
+    const sim::Index vertex = *std::min_element(t.begin(), t.end(), [&](auto a, auto b) { return gap(a) < gap(b); });
+    nearest = Hit{vertex, point_m, distance};
+  }
+  return nearest;
+}
+
+}  // namespace
+}  // namespace taut::library
+
+using namespace taut;
+using namespace taut::library;
+
+extern "C" {
+
+/// Returns the stage of the WebGL context that is current, or NULL.
+TAUT_API Stage* taut_page_stage() {
+  try {
+    return new Stage;  // stays for the life of the page
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "%s\n", error.what());
+    return nullptr;
+  }
+}
+
+/// Dresses the stage in a scene's cloth, as the scene draws it or with its stretch as colours.
+TAUT_API TautResult taut_page_dress(TautCloth cloth, Stage* stage, const char* scene, const char* const* settings,
+                                    std::size_t count, int is_stretch) {
+  return with(cloth, [&](const Session& session) {
+    const TautOptions options{.settings = settings, .setting_count = count};
+    app::DrawnScene drawn = app::find_scene(scene, parse_overrides(options));
+    drawn.surroundings = session.simulation().surroundings();
+    drawn.picture.surface = is_stretch != 0 ? app::SurfaceLook::stretch : app::SurfaceLook::shaded;
+    drawn.picture.show_pins = false;
+    const app::GarmentInScene& garment = session.garment();
+    stage->painter.emplace(stage->renderer, drawn, *garment.garment, garment.pins, app::drawn_colours(drawn, garment));
+  });
+}
+
+/// Draws the cloth. `view`: the eye and what it looks at in metres, and the vertical angle of view in radians.
+TAUT_API TautResult taut_page_draw(TautCloth cloth, Stage* stage, const float* view, int width_px, int height_px) {
+  return with(cloth, [&](const Session& session) {
+    require(stage->painter.has_value(), "expected a stage that is dressed");
+    const renderer::Camera camera{
+        .eye = {view[0], view[1], view[2]}, .target = {view[3], view[4], view[5]}, .vertical_fov_rad = view[6]};
+    stage->painter->look_from(camera);
+    const sim::State& state = session.simulation().state();
+    stage->renderer.draw_to(0, stage->painter->view(state.current, state.time_s), canvas_settings(width_px, height_px));
+  });
+}
+
+/// Gets the vertex of the cloth that a ray meets first and the point in metres; -1 if it meets a body before or
+/// nothing. `ray`: its start and its direction.
+TAUT_API TautResult taut_page_pick(TautCloth cloth, const double* ray, double* found) {
+  return with(cloth, [&](const Session& session) {
+    const sim::Vec3 from(ray[0], ray[1], ray[2]);
+    const sim::Vec3 along(ray[3], ray[4], ray[5]);
+    const sim::Simulation& simulation = session.simulation();
+    const std::optional<Hit> hit = pick(from, along, simulation.state().current, simulation.garment().mesh.triangles);
+    bool is_hidden = false;
+    for (const sim::Body& body : simulation.surroundings().bodies) {
+      const auto* mesh = std::get_if<sim::BodyMesh>(&body.shape);
+      if (mesh == nullptr || !hit) continue;
+      std::vector<sim::Vec3> positions_m(mesh->data->positions_m.size());
+      sim::positions_at(body, simulation.state().time_s, positions_m);
+      const auto front = pick(from, along, positions_m, mesh->data->triangles);
+      is_hidden = is_hidden || (front && front->distance < hit->distance);
+    }
+    found[0] = -1.0;
+    if (!hit || is_hidden) return;
+    found[0] = hit->vertex;
+    for (int axis = 0; axis < 3; ++axis) found[1 + axis] = hit->point_m[axis];
+  });
+}
+}

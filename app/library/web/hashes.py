@@ -8,7 +8,7 @@ import subprocess
 import sys
 import tempfile
 
-SECONDS = {1028: 20, 5280: 10, 10600: 5}
+SECONDS = {1028: 20, 2640: 20, 5280: 10, 10600: 5}
 SCENES = {'hang': 'tshirt-gravity', 'walk': 'tshirt-walk', 'flag': 'flag', 'line': 'washing-line'}
 # Those of a T-shirt of any size, and their winds in m/s; the others blow as their scenes say.
 WINDS = {'hang': [0, 1, 10], 'walk': [0, 1]}

@@ -10,7 +10,7 @@ import pathlib
 import subprocess
 import sys
 
-MODELS = ['garments/tshirt_1028.obj', 'garments/tshirt_5280.obj', 'garments/tshirt_10600.obj',
+MODELS = ['garments/tshirt_1028.obj', 'garments/tshirt_2640.obj', 'garments/tshirt_5280.obj', 'garments/tshirt_10600.obj',
           'garments/contact/washing.obj', 'bodies/mannequin_male_40.glb', 'bodies/pole.obj', 'bodies/washing_line.obj']
 AS_THEY_ARE = ['scenes/tshirt*.toml', 'scenes/flag.toml', 'scenes/washing-line.toml', 'garments/tshirt_[0-9]*.landmarks.toml',
                'garments/contact/washing.landmarks.toml', 'fabrics/*.toml', 'motions/walk.bvh']

@@ -18,6 +18,7 @@ try:
     browser.execute_cdp_cmd('Emulation.setDeviceMetricsOverride',
                             {'width': 1280, 'height': 720, 'deviceScaleFactor': 1, 'mobile': False})
     browser.get((pathlib.Path(sys.argv[1]) / 'index.html').resolve().as_uri())
+    browser.find_element('css selector', '#size [value="5280"]').click()
     while int(browser.execute_script('return document.body.dataset.frame || 0')) < 180:
         time.sleep(0.01)
     browser.save_screenshot(sys.argv[2])

@@ -8,7 +8,7 @@ const canvas = byId('stage');
 window.addEventListener('error', ({ message }) => notice(message));
 const stage = new Stage(canvas, (look) => worker?.postMessage({ do: 'look', look }));
 const promises = new Promises();
-const chosen = { scene: 'hang', size: 5280 };
+const chosen = { scene: 'hang', size: 0 };  // until the worker has found the largest T-shirt in real time
 // By scene: the usual wind in m/s, the degrees it comes from, and that direction as the program's scene has it, to the
 // last bit; and whether it is of a T-shirt of any size.
 const USUAL = { hang: { wind: 1, from: 17, direction: [0.3, 0, 1], isSized: true },
@@ -23,7 +23,7 @@ window.addEventListener('load', () => {
   worker.onmessage = ({ data }) => data.run === run && answers[data.is](data);
   const drawn = canvas.transferControlToOffscreen();
   worker.postMessage({ do: 'canvas', canvas: drawn }, [drawn]);
-  start();
+  worker.postMessage({ do: 'measure' });
 });
 
 const isFromUsual = () => Number(byId('direction').value) === USUAL[chosen.scene].from;
@@ -34,7 +34,13 @@ function air() {
   return { speed, direction };
 }
 
+function choose(key, value) {
+  for (const button of byId(key).children) button.classList.toggle('chosen', button.value === value);
+  chosen[key] = key === 'size' ? Number(value) : value;
+}
+
 function start() {
+  if (!chosen.size) return;
   isReady = isSteered = false;
   asked = 0;
   const fabric = byId('fabric').value, bound = byId('bound').value, wind = air();
@@ -48,6 +54,11 @@ function start() {
 }
 
 const answers = {
+  measured({ size }) {
+    if (chosen.size) return;
+    choose('size', `${size}`);
+    start();
+  },
   started({ info, fabrics, build }) {
     if (byId('fabric').length === 1) byId('fabric').append(...fabrics.map((name) => new Option(name, name)));
     isReady = true;
@@ -139,8 +150,7 @@ for (const id of ['wind', 'direction']) {
 for (const key of ['scene', 'size']) {
   byId(key).addEventListener('click', ({ target }) => {
     if (!target.value) return;
-    for (const button of byId(key).children) button.classList.toggle('chosen', button === target);
-    chosen[key] = key === 'size' ? Number(target.value) : target.value;
+    choose(key, target.value);
     if (key === 'scene') {
       const { wind, from, isSized } = USUAL[chosen.scene];
       Object.assign(byId('wind'), { value: wind });

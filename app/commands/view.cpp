@@ -24,9 +24,13 @@ struct TimedShirt {
 };
 constexpr std::array timed_shirts = {TimedShirt{"tshirt_10600", 2.8}, TimedShirt{"tshirt_5280", 1.0},
                                      TimedShirt{"tshirt_2640", 0.36}};
+/// Largest time of a frame in this wind, as a fraction of real time: in 20 m/s it takes 2.3 times as long, and drawing
+/// slows it. Larger values choose a larger shirt, which falls behind there.
+constexpr double max_time_fraction = 0.5;
 constexpr const char* smallest_shirt = "tshirt_1028";
 
-/// Returns the largest T-shirt that this machine simulates in real time. Takes a third of a second on two cores.
+/// Returns the largest T-shirt that this machine simulates in real time, in 20 m/s nearly. Takes a third of a second on
+/// two cores.
 std::string find_shirt_in_real_time() {
   const DrawnScene scene = find_scene(first_scene, std::vector{parse_override(usual_wind)});
   sim::Simulation simulation = make_simulation(scene, load_garment(scene));
@@ -35,8 +39,9 @@ std::string find_shirt_in_real_time() {
   for (int frame = 0; frame < frames_timed; ++frame) simulation.advance_frame();
   const std::chrono::duration<double> took = std::chrono::steady_clock::now() - began;
   const double of_real_time = took.count() / (frames_timed * simulation.frame_time_s());
-  const auto largest = std::find_if(timed_shirts.begin(), timed_shirts.end(),
-                                    [&](const TimedShirt& shirt) { return of_real_time * shirt.time_ratio <= 1.0; });
+  const auto largest = std::find_if(timed_shirts.begin(), timed_shirts.end(), [&](const TimedShirt& shirt) {
+    return of_real_time * shirt.time_ratio <= max_time_fraction;
+  });
   return largest == timed_shirts.end() ? smallest_shirt : largest->name;
 }
 

@@ -39,6 +39,12 @@ function(taut_add_inspect_test name)
   set_property(DIRECTORY APPEND PROPERTY TAUT_PICTURE_TESTS ${name})
 endfunction()
 
+# taut_add_fit_test(NAME arguments of `taut fit`...): the same with the picture of a fit.
+function(taut_add_fit_test name)
+  taut_internal_picture_test(picture.${name} ${name} BASELINE ${name} DEFINITIONS -DFIT=ON ARGUMENTS ${ARGN})
+  set_property(DIRECTORY APPEND PROPERTY TAUT_PICTURE_TESTS ${name})
+endfunction()
+
 # taut_add_figure_test(NAME FIGURE [PLOT] arguments of `judge_claims`...): the same with a whole figure; PLOT: nothing in it is drawn by OpenGL.
 function(taut_add_figure_test name figure)
   cmake_parse_arguments(PARSE_ARGV 2 arg "PLOT" "" "")

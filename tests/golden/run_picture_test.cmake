@@ -1,5 +1,5 @@
-# Draws ARGUMENTS with TAUT (`taut render`, with VIEW `taut view --headless`, with INSPECT `taut inspect`, or with
-# FIGURE that one of `judge_claims`, CLAIMS) into OUTPUT_DIR and compares the picture with BASELINE through COMPARE.
+# Draws ARGUMENTS with TAUT (`taut render`, with VIEW `taut view --headless`, with INSPECT `taut inspect`, with
+# FIT `taut fit`, or with FIGURE that one of `judge_claims`, CLAIMS) into OUTPUT_DIR and compares the picture with BASELINE through COMPARE.
 # A failure says what differs and how to accept it, and stands in FAILURES_PAGE until the test passes.
 # With MUST_DIFFER it is the other way round: the picture has to be told from the baseline.
 cmake_minimum_required(VERSION 3.25)
@@ -15,6 +15,8 @@ elseif(VIEW)
   set(command "taut view --headless ${command}")
 elseif(INSPECT)
   set(command "taut inspect ${command}")
+elseif(FIT)
+  set(command "taut fit ${command}")
 else()
   set(command "taut render ${command}")
 endif()
@@ -44,12 +46,14 @@ elseif(VIEW)
   run(${TAUT} ${OUTPUT_DIR} view --headless ${ARGUMENTS} --screenshot actual.png)
 elseif(INSPECT)
   run(${TAUT} ${OUTPUT_DIR} inspect ${ARGUMENTS} --json --picture actual.png)
+elseif(FIT)
+  run(${TAUT} ${OUTPUT_DIR} fit ${ARGUMENTS} --output actual.png)
 else()
   run(${TAUT} ${OUTPUT_DIR} render ${ARGUMENTS} --output actual.png --stats run.jsonl)
 endif()
 if(IS_PLOT)
   set(renderer "no OpenGL")
-elseif(FIGURE OR VIEW OR INSPECT)
+elseif(FIGURE OR VIEW OR INSPECT OR FIT)
   # They do not say it: a small picture does.
   run(${TAUT} ${OUTPUT_DIR}/probe render cloth-fall --frames 0 --resolution 16,16 --stats run.jsonl)
   read_renderer(${OUTPUT_DIR}/probe/run.jsonl renderer)

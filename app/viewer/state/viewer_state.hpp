@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/drawing/picking.hpp"
 #include "app/viewer/simulation/live_simulation.hpp"
 
 namespace taut::app {
@@ -15,12 +16,6 @@ struct ViewArea {
     return point_px.x >= 0.0F && point_px.y >= 0.0F && point_px.x < static_cast<float>(width_px) &&
            point_px.y < static_cast<float>(height_px);
   }
-};
-
-/// A ray in the scene. `direction` has unit length.
-struct Ray {
-  glm::vec3 origin{0.0F};
-  glm::vec3 direction{0.0F, 0.0F, -1.0F};
 };
 
 /// A camera that turns around a target point, with y up. Points are in metres; pixels count from the upper left corner
@@ -65,18 +60,6 @@ class OrbitCamera {
   float elevation_rad_ = 0.0F;  ///< angle above the horizon
   float vertical_fov_rad_ = 0.5F;
 };
-
-/// A point of the cloth under the pointer.
-struct PickedPoint {
-  sim::Index vertex = 0;  ///< corner of the triangle that is nearest to the point
-  glm::dvec3 point_m{0.0};
-  double distance_m = 0.0;  ///< distance from the eye
-};
-
-/// Returns the nearest intersection of the ray with a triangle, from either side; empty if there is none. `positions`:
-/// metres, per vertex. It tests every triangle: ten thousand take 0.1 ms.
-std::optional<PickedPoint> pick(const Ray& ray, std::span<const sim::Vec3> positions,
-                                std::span<const sim::Triangle> triangles);
 
 /// Returns the intersection of the ray with the plane through the point `through` that faces the camera; empty if there
 /// is none.

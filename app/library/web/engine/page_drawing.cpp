@@ -1,6 +1,5 @@
-#include <glm/gtx/intersect.hpp>
-
 #include "app/drawing/garment_painter.hpp"
+#include "app/drawing/picking.hpp"
 #include "app/library/border.hpp"
 #include "app/library/web/engine/web_context.hpp"
 
@@ -26,32 +25,6 @@ renderer::PictureSettings canvas_settings(int width_px, int height_px) {
   settings.samples = 1;
   settings.shading_px = shading_px;
   return settings;
-}
-
-struct Hit {
-  sim::Index vertex;  // corner nearest to the point
-  sim::Vec3 point_m;
-  double distance;
-};
-
-// Returns the nearest point of the triangles on the ray, from either side.
-std::optional<Hit> pick(const sim::Vec3& from, const sim::Vec3& along, std::span<const sim::Vec3> positions_m,
-                        std::span<const sim::Triangle> triangles) {
-  std::optional<Hit> nearest;
-  for (const sim::Triangle& t : triangles) {
-    glm::dvec2 share;
-    double distance = 0.0;
-    if (!glm::intersectRayTriangle(from, along, positions_m[t[0]], positions_m[t[1]], positions_m[t[2]], share,
-                                   distance) ||
-        distance <= 0.0 || (nearest && distance >= nearest->distance)) {
-      continue;
-    }
-    const sim::Vec3 point_m = from + distance * along;
-    const auto gap = [&](sim::Index v) { return glm::distance(positions_m[v], point_m); };
-    const sim::Index vertex = *std::min_element(t.begin(), t.end(), [&](auto a, auto b) { return gap(a) < gap(b); });
-    nearest = Hit{vertex, point_m, distance};
-  }
-  return nearest;
 }
 
 }  // namespace
@@ -102,18 +75,17 @@ TAUT_API TautResult taut_page_draw(TautCloth cloth, Stage* stage, const float* v
 /// nothing. `ray`: its start and its direction.
 TAUT_API TautResult taut_page_pick(TautCloth cloth, const double* ray, double* found) {
   return with(cloth, [&](const Session& session) {
-    const sim::Vec3 from(ray[0], ray[1], ray[2]);
-    const sim::Vec3 along(ray[3], ray[4], ray[5]);
+    const app::Ray seen{{ray[0], ray[1], ray[2]}, {ray[3], ray[4], ray[5]}};
     const sim::Simulation& simulation = session.simulation();
-    const std::optional<Hit> hit = pick(from, along, simulation.state().current, simulation.garment().mesh.triangles);
+    const auto hit = app::pick(seen, simulation.state().current, simulation.garment().mesh.triangles);
     bool is_hidden = false;
     for (const sim::Body& body : simulation.surroundings().bodies) {
       const auto* mesh = std::get_if<sim::BodyMesh>(&body.shape);
       if (mesh == nullptr || !hit) continue;
       std::vector<sim::Vec3> positions_m(mesh->data->positions_m.size());
       sim::positions_at(body, simulation.state().time_s, positions_m);
-      const auto front = pick(from, along, positions_m, mesh->data->triangles);
-      is_hidden = is_hidden || (front && front->distance < hit->distance);
+      const auto front = app::pick(seen, positions_m, mesh->data->triangles);
+      is_hidden = is_hidden || (front && front->distance_m < hit->distance_m);
     }
     found[0] = -1.0;
     if (!hit || is_hidden) return;

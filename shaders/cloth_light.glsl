@@ -1,7 +1,7 @@
 // Light of the studio reflected by cloth.
 
-// Cosine up to which light reaches around the edge of a form: larger lamps reach farther.
-const float key_wrap = 0.15;
+// Sines of the lamps' angular radii, by which light reaches around the edge of a form: larger lamps reach farther.
+const float key_wrap = 0.1;
 const float fill_wrap = 0.3;
 // Colours of the lamps (slightly warm), the sky (slightly cold) and the floor's bounce (warm).
 const vec3 key_colour = vec3(1.02, 1.0, 0.97);
@@ -21,10 +21,11 @@ const float whitest = 0.95;
 // Fraction of the cloth's own colour in the fringe: fibres are dyed through, and a white fringe looks like plastic.
 const float fringe_dyed = 0.75;
 
-// Returns the light of an extended lamp, which reaches slightly around the edge of a form.
+// Returns the light of an extended lamp on a matt surface: the cosine, but where the horizon cuts the lamp (a parabola
+// that joins both ends smoothly).
 float wrapped(float cosine, float wrap) {
-  float light = max((cosine + wrap) / (1.0 + wrap), 0.0);
-  return light * light * (1.0 - 0.5 * wrap) + light * 0.5 * wrap;
+  float risen = clamp(cosine, -wrap, wrap) + wrap;
+  return max(cosine - wrap, 0.0) + risen * risen / (4.0 * wrap);
 }
 
 // Gloss of a satin's floats, which lie side by side along its warp. They are round across it, which spreads light by

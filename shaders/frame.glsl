@@ -33,7 +33,7 @@ layout(std140) uniform Frame {
 };
 
 // Fraction of the floor's light from the key light. Higher values darken its shadow.
-const float key_share = 0.42;
+const float key_share = 0.6;
 
 // Returns the direction from the eye through a position in the tile, in drawn pixels; not of unit length.
 vec3 ray_through(vec2 place) { return ray_corner.xyz + place.x * ray_across.xyz + place.y * ray_up.xyz; }

@@ -3,16 +3,17 @@
 #include "light_maps.glsl"
 uniform sampler2DArray key_depth;
 
-// Samples that search for blockers. More find narrow ones but cost time in every pixel that may be in shadow.
-const int search_taps = 8;
 // Narrowest search and narrowest blur, texels of the map. With lower values the map's texels show.
 const float narrowest_search = 3.0;
 const float narrowest_blur = 1.2;
-// Widest blur, as a fraction of the widest on the floor, which has more samples.
+// Samples that search for blockers, and the widest blur as a fraction of the widest on the floor. More samples find
+// narrow blockers, and the outer edge of wide penumbrae, but cost time in every pixel that may be in shadow.
 #ifdef FLOOR
+const int search_taps = 14;
 const float widest_blur = 1.0;
 #else
-const float widest_blur = 0.4;
+const int search_taps = 8;
+const float widest_blur = 0.2;
 #endif
 // Smallest distance of a blocker in front of the point, texels. Lower values give acne.
 const float blocker_allowance = 0.8;

@@ -20,7 +20,7 @@ const float yarn_contrast = 0.4;
 // Lengths, m, of dents that handled cloth keeps, and their slope for an unevenness of 1. The slope grows with the root
 // of the unevenness.
 const vec2 dents = vec2(0.017, 0.0052);
-const float dent_slope = 0.085;
+const float dent_slope = 0.055;
 
 struct Weave {
   float brightness;

@@ -91,7 +91,7 @@ constexpr float key_softness = 0.10F;
 constexpr float floor_radius = 9.0F;
 // Radius of the widest blur of a shadow, as a fraction of the map's side. Higher values are softer far from casters,
 // and need more taps against noise.
-constexpr float max_blur_fraction = 100.0F / 2048.0F;
+constexpr float max_blur_fraction = 0.1F;
 // Taps on the floor per tap on a surface: the floor's shadow has a fourth of the pixels.
 constexpr float floor_tap_factor = 1.75F;
 // Texels of the shadow map per drawn pixel of the picture's shorter side. Higher values are sharper than the picture

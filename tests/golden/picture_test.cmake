@@ -27,21 +27,10 @@ function(taut_add_picture_test name)
   set_property(DIRECTORY APPEND PROPERTY TAUT_PICTURE_TESTS ${name})
 endfunction()
 
-# taut_add_view_test(NAME arguments of `taut view --headless`...): the same with what a window shows.
-function(taut_add_view_test name)
-  taut_internal_picture_test(picture.${name} ${name} BASELINE ${name} DEFINITIONS -DVIEW=ON ARGUMENTS ${ARGN})
-  set_property(DIRECTORY APPEND PROPERTY TAUT_PICTURE_TESTS ${name})
-endfunction()
-
-# taut_add_inspect_test(NAME arguments of `taut inspect`...): the same with the picture of an inspection.
-function(taut_add_inspect_test name)
-  taut_internal_picture_test(picture.${name} ${name} BASELINE ${name} DEFINITIONS -DINSPECT=ON ARGUMENTS ${ARGN})
-  set_property(DIRECTORY APPEND PROPERTY TAUT_PICTURE_TESTS ${name})
-endfunction()
-
-# taut_add_fit_test(NAME arguments of `taut fit`...): the same with the picture of a fit.
-function(taut_add_fit_test name)
-  taut_internal_picture_test(picture.${name} ${name} BASELINE ${name} DEFINITIONS -DFIT=ON ARGUMENTS ${ARGN})
+# taut_add_command_test(NAME COMMAND arguments...): the same with the picture of another command of taut: view, what its
+# window shows, inspect, fit, or simulate, of a run that is blocked.
+function(taut_add_command_test name command)
+  taut_internal_picture_test(picture.${name} ${name} BASELINE ${name} DEFINITIONS -DSUBCOMMAND=${command} ARGUMENTS ${ARGN})
   set_property(DIRECTORY APPEND PROPERTY TAUT_PICTURE_TESTS ${name})
 endfunction()
 

@@ -60,8 +60,13 @@ float searched_visibility(vec3 place, vec2 tilt, float search_radius, float dept
 #else
   int filter_taps = int(shadow_blur.y);
 #endif
-  // If a wide search finds only blockers, a wide filter would too. It does not predict a narrow filter.
+  // If a wide search finds only blockers, a wide filter would too. It does not predict a narrow filter, nor all of the
+  // many samples on the floor: single pixels would be darker than their neighbours.
+#ifdef FLOOR
+  const bool dark = false;
+#else
   bool dark = blockers == float(search_taps) && radius > 0.5 * search_radius;
+#endif
   bool mixed = blockers > 0.0 && !dark;
   float lit = 0.0;
   direction = first;

@@ -69,6 +69,7 @@ tshirt_female_42 20
 flag 120 [[-0.05, 1.6, -0.1], [1.0, 2.52, 0.1]]
 washing-line 150 [[-1.4, 1.25, -0.2], [1.4, 2.05, 0.4]]
 tshirt-gusts 60
+tshirt-hanger 240
 tshirt_2640 20
 END
 ffmpeg -loglevel error -y -start_number 1 -i "$folder/%d.png" -frames:v 1 -pix_fmt rgb24 -pred mixed \

@@ -30,13 +30,14 @@ namespace {
 
 const std::filesystem::path assets = TAUT_ASSETS_FOLDER;
 
-/// A skirt of two panels with these widths at the waist and the hem. Its waist is at a height of 1.05 m.
-std::string skirt(double waist_cm, double hem_cm, double out_cm = 20.0, double height_cm = 40.0) {
+/// A skirt of two panels with these widths at the waist and the hem.
+std::string skirt(double waist_cm, double hem_cm, double out_cm = 20.0, double height_cm = 40.0,
+                  double top_cm = 105.0) {
   const auto panel = [&](const char* name, double depth_cm) {
     return fmt::format(
         R"("{}": {{"vertices": [[{}, 0], [{}, {}], [{}, {}], [{}, 0]], "edges": [{{"endpoints": [0, 1]}},
-      {{"endpoints": [1, 2], "curvature": [0.5, -0.1]}}, {{"endpoints": [2, 3]}}, {{"endpoints": [3, 0]}}], "translation": [0, 105, {}]}})",
-        name, -0.5 * waist_cm, -0.5 * hem_cm, -height_cm, 0.5 * hem_cm, -height_cm, 0.5 * waist_cm, depth_cm);
+      {{"endpoints": [1, 2], "curvature": [0.5, -0.1]}}, {{"endpoints": [2, 3]}}, {{"endpoints": [3, 0]}}], "translation": [0, {}, {}]}})",
+        name, -0.5 * waist_cm, -0.5 * hem_cm, -height_cm, 0.5 * hem_cm, -height_cm, 0.5 * waist_cm, top_cm, depth_cm);
   };
   return R"({"pattern": {"panels": {)" + panel("front", out_cm) + ", " + panel("back", -out_cm) +
          R"(}, "stitches": [[{"panel": "front", "edge": 0}, {"panel": "back", "edge": 0}],
@@ -149,6 +150,14 @@ TEST_F(Sewing, AWaistThatGoesAroundNothingBeginsAtThatOfTheBody) {
   CutPieces pieces = cut_pieces(pattern, 300);
   bring_to_body(pattern, scene, pieces);
   EXPECT_NEAR(sim::compute_extent(pieces.placed_m).upper.y, wearer.measures.waist_m->y, 1e-6);
+}
+
+TEST_F(Sewing, ATopWithoutStrapsIsHeldUntilItRests) {
+  Scene scene = scene_with(folder.write("top.json", skirt(48.0, 39.0, 24.0, 24.0, 128.0)));
+  const SewnGarment garment = sewn(scene, 800, 600);
+  const sim::Extent range = sim::compute_extent(garment.sewn.garment.mesh.positions);
+  EXPECT_TRUE(garment.is_at_rest);
+  EXPECT_GT(range.upper.y, 1.209);  // without hands it slides down to 1.205
 }
 
 TEST_F(Sewing, ComesToRestInTwoSecondsOrThree) {

@@ -100,16 +100,16 @@ double upper_border_m(const SewingPattern& pattern, double top_m) {
   return sum_m;
 }
 
-/// Returns the height of the nearest level that the border goes around; nothing if there is none.
+/// Returns the height of the nearest level that the border goes around; nothing if there is none. Levels of the chest
+/// count for what is meant to be that high, such as a dress without straps.
 std::optional<double> level_for(const BodyMeasures& measures, double border_m, double height_m) {
   std::optional<double> best_m;
   double min_distance_m = std::numeric_limits<double>::infinity();
-  const double chest_m = measures.levels.back().height_m;
   const double fork_m = measures.levels[measures.fork].height_m;
+  const double waist_limit_m = fork_m + max_waist_height * (measures.levels.back().height_m - fork_m);
   for (const LevelTape& level : measures.levels) {
     const double off_m = std::abs(level.height_m - height_m);
-    const bool is_of_trunk =
-        level.height_m >= fork_m && level.height_m < max_waist_height * chest_m + (1.0 - max_waist_height) * fork_m;
+    const bool is_of_trunk = level.height_m >= fork_m && level.height_m < std::max(waist_limit_m, height_m);
     if (is_of_trunk && level.girth_m <= border_m && off_m < min_distance_m) {
       min_distance_m = off_m;
       best_m = level.height_m;

@@ -10,6 +10,7 @@
 #include "app/garments/dressing/fit.hpp"
 #include "app/garments/dressing/wearing.hpp"
 #include "app/garments/sewing/placing.hpp"
+#include "app/models/hanging/garment_parts.hpp"
 #include "app/models/inspecting/scene_crossings.hpp"
 #include "app/models/reading/file_mesh.hpp"
 #include "app/runs/run_checkpoint.hpp"
@@ -36,6 +37,13 @@ constexpr double resting_m_per_s = 1.5e-3;
 /// Budget of sweeps until the garment rests. Cloth that is nearly too small takes as many in each frame as other cloth
 /// in all.
 constexpr double max_sweeps = 150e3;
+/// Height above the waist from which the upper end of a garment without shoulder seams is held until it rests in thick
+/// air. Less holds skirts too.
+constexpr double held_above_waist_m = 0.08;
+/// Force of the hands over the garment's weight, and the distance at which they reach it. More force lifts cloth off
+/// the body, less lets it slide down.
+constexpr double hold_weights = 2.0;
+constexpr double hold_reach_m = 0.01;
 constexpr double of_one_limb = 0.6;  ///< fraction of a girth below which a level meets one limb alone
 constexpr double of_waist_m = 0.05;  ///< depth below the upper end of a garment that is worn at the waist
 
@@ -98,6 +106,26 @@ std::string describe_tightest(const Scene& scene, const SewnGarment& garment, co
                      garment.pattern.describe(garment.pattern.stitches[nearest_level]), around);
 }
 
+/// Returns hands that hold up the upper ends of parts without shoulder seams that begin well above the waist: they
+/// would slide down while the body grows into them and before friction holds them.
+std::vector<sim::GrabbedVertex> hold_strapless(const Scene& scene, const SewnGarment& garment) {
+  const BodyMeasures& measures = dressed_body(scene).wearer->measures;
+  std::vector<sim::GrabbedVertex> hands;
+  if (!garment.pieces.first_seams.empty() || !measures.waist_m) return hands;
+  const sim::Garment& cloth = garment.sewn.garment;
+  const double weight_n = glm::length(scene.surroundings.forces.gravity_m_per_s2) *
+                          std::reduce(cloth.masses_kg.begin(), cloth.masses_kg.end());
+  for (const GarmentPart& part : find_garment_parts(cloth.mesh, sim::make_adjacency(cloth.mesh))) {
+    const Opening* top = top_opening(part);
+    if (top == nullptr || top->mean_height_m < measures.waist_m->y + held_above_waist_m) continue;
+    const double force_n = hold_weights * weight_n / static_cast<double>(top->vertices.size());
+    for (const Index v : top->vertices) {
+      hands.push_back({v, cloth.mesh.positions[v], force_n / hold_reach_m, force_n});
+    }
+  }
+  return hands;
+}
+
 /// Lets the body grow into the sewn garment, which then comes to rest.
 void dress_sewn_garment(const Scene& scene, const SewingSettings& settings,
                         const std::function<void(const std::string&)>& stage, SewnGarment& garment) {
@@ -108,6 +136,7 @@ void dress_sewn_garment(const Scene& scene, const SewingSettings& settings,
   RunSettings run = scene.simulation;
   run.solver.max_substeps = std::min(run.solver.max_substeps, max_substeps);
   sim::Surroundings thick_air = scene.surroundings;
+  thick_air.forces.grabbed_vertices = hold_strapless(scene, garment);
   double& air_per_s = thick_air.forces.air_drag_per_s;
   air_per_s = std::max(air_per_s, resting_drag_per_s);
   sim::SimulationSettings run_settings = simulation_settings(run);

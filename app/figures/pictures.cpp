@@ -9,6 +9,10 @@ namespace {
 
 // Fraction of the picture's width and height that stays free around the content.
 constexpr float print_margin_fraction = 0.045F;
+// Passes of pictures of the usual size; smaller ones have fewer in proportion to their pixels. Fewer show noise in
+// shadows, more take longer.
+constexpr float print_passes = 64.0F;
+constexpr float min_print_passes = 8.0F;
 
 DrawnScene scene_for_print(const PrintedMoment& moment, const glm::ivec2& size) {
   DrawnScene scene = moment.recording->scene;
@@ -16,7 +20,7 @@ DrawnScene scene_for_print(const PrintedMoment& moment, const glm::ivec2& size) 
   settings.width_px = size.x;
   settings.height_px = size.y;
   scene.picture.show_wind = true;
-  scene.picture.quality = DrawingQuality::high;
+  scene.picture.quality = DrawingQuality::final;
   scene.picture.background = {BackgroundKind::colour, renderer::rgb(0xFFFFFF)};
   if (!moment.has_floor) scene.picture.ground.kind = GroundKind::none;
   if (moment.shows_stretch) {
@@ -163,6 +167,7 @@ Prints print_moments(LazyOffscreenRenderer& lazy, std::span<const PrintedMoment>
   prints.size_px = size;
   for (const PrintedMoment& moment : moments) {
     DrawnScene scene = scene_for_print(moment, {scaled(size.x), scaled(size.y)});
+    scene.picture.passes = static_cast<int>(std::clamp(print_passes * scale * scale, min_print_passes, print_passes));
     scene.camera.eye = camera.eye;
     scene.camera.target = camera.target;
     GarmentPainter painter(offscreen.renderer(), scene, *moment.recording->garment, moment.recording->pins);

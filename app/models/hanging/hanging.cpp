@@ -149,8 +149,9 @@ constexpr double flat_part = 0.001;
 constexpr double middle_height = 0.52;
 constexpr double max_narrowing = 0.65;  ///< ratio of widths a twelfth of the height apart, from sleeves to the trunk
 
-/// Returns how much the cloth sags when it hangs with this axis up: the mean distance by which it moves, over the
-/// square of its height then. The height counts because lying cloth hardly moves either. Empty if it cannot be hung.
+/// Returns how much the cloth sags when it hangs with this axis up: the mean distance by which it moves, divided by the
+/// square of its height along this axis. Without the height cloth that lies would win, as it hardly moves. Empty if it
+/// cannot be hung.
 std::optional<double> sagging_when_hung(const sim::Mesh& model_m, ModelAxis up) {
   sim::Mesh mesh = upright(model_m, up);
   const std::vector<sim::Vec3> start_m = mesh.positions;

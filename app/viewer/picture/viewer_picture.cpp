@@ -237,7 +237,7 @@ bool QualityControl::is_too_slow() {
   return slow_frames_ >= (mean_ms_ > max_slow_ms ? frames_to_worsen_fast : frames_to_worsen);
 }
 
-bool QualityControl::has_time_for_better() const {
+bool QualityControl::can_afford_next_level() const {
   if (level_ == 0 || rest_ms_ > 0.0 || given_up_ > negligible_lost_fraction ||
       frames_ < ignored_frames + trial_wait_frames_) {
     return false;
@@ -261,7 +261,7 @@ void QualityControl::note(double measured_ms, double given_up_ms) {
     trial_wait_frames_ = is_trial_ ? std::min(2 * trial_wait_frames_, max_patience) : trial_wait_frames_;
     is_trial_ = false;
     go_to(level_ + (mean_ms_ > max_slow_ms ? 2 : 1));
-  } else if (has_time_for_better()) {
+  } else if (can_afford_next_level()) {
     is_trial_ = true;
     go_to(level_ - 1);
   }

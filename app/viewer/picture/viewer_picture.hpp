@@ -54,7 +54,7 @@ class QualityControl {
   void go_to(std::size_t level);
   void note_simulation(double share_given_up);
   bool is_too_slow();
-  bool has_time_for_better() const;
+  bool can_afford_next_level() const;
 
   std::size_t level_ = 2;
   double mean_ms_ = 0.0;

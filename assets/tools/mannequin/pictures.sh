@@ -13,7 +13,7 @@ draw() {
   number=0
   while read -r scene frame azimuth box; do
     number=$((number + 1))
-    "$taut" render "$scene" --frames "$frame" --set picture.width=400 --set picture.height=560 --set picture.quality=high \
+    "$taut" render "$scene" --frames "$frame" --set picture.width=400 --set picture.height=560 --set picture.quality=final \
       --set "camera.azimuth=$azimuth" --set "camera.box=$box" --output "$folder/$number.png"
   done
   ffmpeg -loglevel error -y -start_number 1 -i "$folder/%d.png" -frames:v 1 -pix_fmt rgb24 -pred mixed \

@@ -24,12 +24,12 @@ join() {
 join wind hstack=2 2
 
 print=$assets/textures/print.png
-"$taut" render tshirt-wind-1 --frames 45 --view front --texture "$print" --background "#ffffff" --resolution 391x440 \
+"$taut" render tshirt-wind-1 --frames 45 --view front --texture "$print" --background "#ffffff" --quality final --resolution 391x440 \
   --output "$folder/1.png"
-"$taut" render tshirt-worn --frames 60 --texture "$print" --background "#ffffff" --resolution 391x440 \
+"$taut" render tshirt-worn --frames 60 --texture "$print" --background "#ffffff" --quality final --resolution 391x440 \
   --set picture.outside_colour=#2f5a45 --set camera.azimuth=0 --set 'camera.box=[[-0.42, 0.85, -0.15], [0.42, 1.92, 0.2]]' \
   --output "$folder/2.png"
-"$taut" render tshirt-wind-10 --frames 58 --texture "$print" --background "#ffffff" --resolution 575x440 \
+"$taut" render tshirt-wind-10 --frames 58 --texture "$print" --background "#ffffff" --quality final --resolution 575x440 \
   --set picture.outside_colour=#d0182f --output "$folder/3.png"
 join printed hstack=3 3
 
@@ -42,7 +42,7 @@ for look in "tshirt-gravity 240 --stretch --set picture.stretch_of=surface --set
     set -- $look
     scene=$1 frame=$2
     shift 2
-    "$taut" render "$scene" --frames "$frame" --resolution 560x384 --set solver.bound=$bound \
+    "$taut" render "$scene" --frames "$frame" --quality final --resolution 560x384 --set solver.bound=$bound \
       --set solver.max_stretch=0.01 "$@" --output "$folder/$number.png"
   done
 done
@@ -87,7 +87,7 @@ number=0
 while read -r garment body fabric box; do
   number=$((number + 1))
   "$taut" render "$assets/garments/$garment.obj" --body "$assets/bodies/mannequin_$body.glb" --dress 0 --frames 30 \
-    --fabric "$fabric" --resolution 440x600 --quality high --set 'pins.at="none"' --set camera.azimuth=20 \
+    --fabric "$fabric" --resolution 440x600 --quality final --set 'pins.at="none"' --set camera.azimuth=20 \
     --set "camera.box=$box" --output "$folder/$number.png" </dev/null
 done <<'END'
 long_shirt male_40 jersey [[-0.62, 0.42, -0.2], [0.62, 1.86, 0.2]]
@@ -103,6 +103,6 @@ join fit scale=887:-1:flags=area 1
 number=0
 for scene in outfit-walk outfit-three-walk; do
   number=$((number + 1))
-  "$taut" render $scene --frames 40 --resolution 720x900 --output "$folder/$number.png"
+  "$taut" render $scene --frames 40 --quality final --resolution 720x900 --output "$folder/$number.png"
 done
 join outfits hstack 2

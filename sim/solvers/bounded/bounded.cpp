@@ -607,7 +607,7 @@ BoundedSolver::FrameAttempt BoundedSolver::advance(const Frame& frame, const Sta
     if (is_costly && part.done < max_frame_parts) {
       progress.memory.control.try_more(raw_bounds);
     } else if (was_halved && part.done == max_frame_parts) {
-      progress.memory.control.take_fewer(raw_bounds);
+      progress.memory.control.reduce_substeps(raw_bounds);
     }
   }
   return progress;

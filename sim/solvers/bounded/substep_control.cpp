@@ -67,29 +67,29 @@ void SubstepControl::need_more() {
 }
 
 void SubstepControl::need_at_least(double substeps) {
-  needed_substeps_ = substeps <= max_substeps_ ? std::max(static_cast<int>(std::ceil(substeps)), min_substeps_)
-                                               : max_substeps_;
+  needed_substeps_ =
+      substeps <= max_substeps_ ? std::max(static_cast<int>(std::ceil(substeps)), min_substeps_) : max_substeps_;
   if (needed_substeps_ > substeps_) {
     substeps_ = needed_substeps_;
     need_more();
   }
 }
 
-bool SubstepControl::try_more(double raw) {
+bool SubstepControl::try_more(double raw_bounds) {
   if (is_spent()) return false;
   if (usual_substeps_ == 0) usual_substeps_ = substeps_;
   // Stretch falls with the square of the time step. The stretch of lost cloth is NaN, which asks for the largest
   // number.
-  const double min_growth_factor =
-      tuning::step_growth_factor * tuning::step_growth_factor * tuning::step_growth_factor;
-  const double wanted = std::max(min_growth_factor, std::min(2.0, std::sqrt(raw / tuning::target_unprojected_stretch)));
+  const double min_growth_factor = tuning::step_growth_factor * tuning::step_growth_factor * tuning::step_growth_factor;
+  const double wanted =
+      std::max(min_growth_factor, std::min(2.0, std::sqrt(raw_bounds / tuning::target_unprojected_stretch)));
   substeps_ = std::clamp(static_cast<int>(std::ceil(substeps_ * wanted)), min_substeps_, max_substeps_);
   need_more();
   return true;
 }
 
-void SubstepControl::take_fewer(double raw) {
-  const double wanted = substeps_ * std::min(1.0, std::sqrt(raw / tuning::target_unprojected_stretch));
+void SubstepControl::reduce_substeps(double raw_bounds) {
+  const double wanted = substeps_ * std::min(1.0, std::sqrt(raw_bounds / tuning::target_unprojected_stretch));
   substeps_ = std::clamp(static_cast<int>(std::ceil(wanted)), std::max(min_substeps_, needed_substeps_), max_substeps_);
 }
 
@@ -135,10 +135,10 @@ int first_substeps(const Garment& garment, const Layout& layout, const Surroundi
   for (std::size_t row = layout.pin_count; row < layout.vertex_count(); ++row) {
     hanging_kg += std::isfinite(layout.distance_from_pins_m[row]) ? garment.masses_kg[layout.vertex_indices[row]] : 0.0;
   }
-  const double raw = std::max(max_stretch, min_promised_bound);
+  const double bound = std::max(max_stretch, min_promised_bound);
   const double stretch_per_squared_step =
       acceleration(garment, surroundings) * (hanging_kg / joined_kg) / (length_m / count);
-  const double substeps = frame_time_s * std::sqrt(stretch_per_squared_step / raw);
+  const double substeps = frame_time_s * std::sqrt(stretch_per_squared_step / bound);
   return static_cast<int>(std::ceil(std::min(substeps, 1e6)));
 }
 

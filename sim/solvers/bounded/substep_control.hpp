@@ -28,13 +28,13 @@ class SubstepControl {
   /// counts as infinity.
   void need_at_least(double substeps);
 
-  /// Increases the number to repeat a frame that broke its bound; its steps stretched to `raw` times the bound. Returns
-  /// false if the budget is spent.
-  bool try_more(double raw);
+  /// Increases the number to repeat a frame that broke its bound; its steps stretched to `raw_bounds` times the bound.
+  /// Returns false if the budget is spent.
+  bool try_more(double raw_bounds);
 
-  /// Reduces the number after a frame that needed many steps at first; its last steps stretched to `raw` times the
-  /// bound.
-  void take_fewer(double raw);
+  /// Reduces the number after a frame that needed many steps at first; its last steps stretched to `raw_bounds`
+  /// times the bound.
+  void reduce_substeps(double raw_bounds);
 
   /// Saves all its counts.
   void save(ByteWriter& memory) const;

@@ -19,7 +19,8 @@ inline constexpr double target_unprojected_stretch = 4.0;
 /// Largest cost of a cheap projection, in sweeps per time step. Higher values reduce the number of steps sooner, and
 /// increase it again sooner.
 inline constexpr double low_cost_ratio = 0.6;
-/// Largest motion by a cheap projection, as a fraction of the allowed shift; as the cost.
+/// Largest motion by a cheap projection, as a fraction of the allowed shift. Higher values reduce the number of steps
+/// sooner, and increase it again sooner.
 inline constexpr double low_shift_ratio = 0.6;
 /// Largest cost of a projection before its frame is repeated, in sweeps per time step. Higher values repeat less and
 /// sweep longer.

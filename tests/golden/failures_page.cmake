@@ -7,6 +7,8 @@ set(page_head [=[<!doctype html>
 body { font: 15px/1.5 sans-serif; margin: 2em; max-width: 110em; }
 figure { display: inline-block; margin: 0 1em 1em 0; } figcaption { color: #555; }
 img { image-rendering: pixelated; border: 1px solid #ccc; max-width: 100%; }
+.swap { position: relative; } .swap img + img { position: absolute; left: 0; top: 0; opacity: 0; }
+.swap:hover img + img { opacity: 1; }
 pre, code { background: #f4f4f2; padding: .2em .4em; } pre { padding: .8em; overflow-x: auto; }
 </style>
 <h1>Pictures that differ from their baselines</h1>
@@ -53,6 +55,10 @@ function(add_failure text pictures)
     string(APPEND piece "<figure><a href=\"${folder}/${picture}\"><img src=\"${folder}/${picture}\" "
       "alt=\"${caption}\"></a><figcaption>${caption}</figcaption></figure>\n")
   endforeach()
+  if("expected.png" IN_LIST pictures)
+    string(APPEND piece "<figure class=\"swap\"><img src=\"${folder}/expected.png\" alt=\"expected\">"
+      "<img src=\"${folder}/actual.png\" alt=\"actual\"><figcaption>expected; actual under the pointer</figcaption></figure>\n")
+  endif()
   string(APPEND piece "<pre>${text}</pre>\n")
   if(pictures)
     string(APPEND piece "<p>To accept it: <code>${accept}</code></p>\n")

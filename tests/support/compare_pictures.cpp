@@ -2,6 +2,9 @@
 //     Compares two pictures by the limits of PictureLimit, or by the given ones. If they differ, prints the
 //     differences and writes FOLDER/difference.png and FOLDER/side_by_side.png. Exit code 0: equal; 1: different;
 //     2: error.
+// compare_pictures propose PICTURE.png PICTURE.png...
+//     Proposes limits for pictures that should be alike, such as those of other processors: twice what the first one and
+//     the others differ by.
 // compare_pictures repack FROM.png TO.png
 //     Writes the same pixels in the fewest bytes and without texts, for a baseline.
 
@@ -53,6 +56,15 @@ int compare_files(const std::string& expected_path, const std::string& actual_pa
   return 1;
 }
 
+int propose(const std::vector<std::string>& files) {
+  const renderer::Image first = tests::read_png(files[0]);
+  std::vector<renderer::Image> others;
+  for (std::size_t k = 1; k < files.size(); ++k) others.push_back(tests::read_png(files[k]));
+  const tests::PictureLimit limit = tests::propose_limit(first, others);
+  std::printf("LIMIT %d %.3g %.3g\n", limit.channel_difference, limit.differing_fraction, limit.mean_difference);
+  return 0;
+}
+
 int repack(const char* from, const char* to) {
   write(to, renderer::encode_png(tests::read_png(from)));
   return 0;
@@ -62,6 +74,9 @@ int repack(const char* from, const char* to) {
 
 int main(int argc, char** argv) {
   try {
+    if (argc >= 4 && std::string(argv[1]) == "propose") {
+      return propose({argv + 2, argv + argc});
+    }
     if (argc == 4 && std::string(argv[1]) == "repack") {
       return repack(argv[2], argv[3]);
     }
@@ -70,6 +85,7 @@ int main(int argc, char** argv) {
     }
     std::fprintf(stderr,
                  "usage: compare_pictures EXPECTED.png ACTUAL.png FOLDER [CHANNEL FRACTION MEAN]\n"
+                 "       compare_pictures propose PICTURE.png PICTURE.png...\n"
                  "       compare_pictures repack FROM.png TO.png\n");
   } catch (const std::exception& error) {
     std::fprintf(stderr, "compare_pictures: %s\n", error.what());

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <sstream>
+#include <stdexcept>
 
 namespace taut::tests {
 namespace {
@@ -54,6 +55,17 @@ PictureDifference compare(const renderer::Image& expected, const renderer::Image
   result.differing_fraction = static_cast<double>(result.differing_pixels) / pixels;
   result.mean_difference = sum / (3.0 * pixels);
   return result;
+}
+
+PictureLimit propose_limit(const renderer::Image& first, const std::vector<renderer::Image>& others) {
+  PictureLimit limit;
+  for (const renderer::Image& other : others) {
+    const PictureDifference difference = compare(first, other, limit);
+    if (!difference.same_size) throw std::invalid_argument("the pictures have different sizes");
+    limit.differing_fraction = std::max(limit.differing_fraction, 2.0 * difference.differing_fraction);
+    limit.mean_difference = std::max(limit.mean_difference, 2.0 * difference.mean_difference);
+  }
+  return limit;
 }
 
 bool passes(const PictureDifference& difference, const PictureLimit& limit) {

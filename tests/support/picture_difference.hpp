@@ -36,6 +36,10 @@ struct PictureDifference {
 /// Compares two RGB pictures pixel by pixel.
 PictureDifference compare(const renderer::Image& expected, const renderer::Image& actual, const PictureLimit& limit);
 
+/// Returns a limit for pictures that should be alike: twice the largest fraction and mean by which the others differ
+/// from the first, and at least the defaults. Throws std::invalid_argument for pictures of another size.
+PictureLimit propose_limit(const renderer::Image& first, const std::vector<renderer::Image>& others);
+
 /// Returns true if the sizes are equal and no limit is exceeded.
 bool passes(const PictureDifference& difference, const PictureLimit& limit);
 

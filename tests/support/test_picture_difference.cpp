@@ -20,6 +20,16 @@ TEST(PictureDifference, EqualPicturesPass) {
   EXPECT_TRUE(alike(grey(), grey()));
 }
 
+TEST(PictureDifference, ProposesTwiceTheNoiseAndAtLeastTheDefaults) {
+  renderer::Image noisy = grey();
+  EXPECT_EQ(propose_limit(grey(), {noisy}).differing_fraction, PictureLimit().differing_fraction);
+  for (int x = 0; x < 100; ++x) std::fill_n(noisy.at(x, 7), 3, std::uint8_t{138});
+  const PictureLimit limit = propose_limit(grey(), {grey(), noisy});
+  EXPECT_DOUBLE_EQ(limit.differing_fraction, 0.02);
+  EXPECT_DOUBLE_EQ(limit.mean_difference, 0.2);
+  EXPECT_THROW(propose_limit(grey(), {grey(50, 50)}), std::invalid_argument);
+}
+
 TEST(PictureDifference, OnePixelInTenThousandMayDifferButNotTwo) {
   renderer::Image actual = grey();
   actual.at(30, 40)[1] = 131;

@@ -10,15 +10,6 @@
 namespace taut::app {
 namespace {
 
-/// Axes of a file: the axis and the sign of each of the body's x, y and z.
-struct AxisSystem {
-  const char* name;
-  std::array<int, 3> axis;
-  sim::Vec3 sign;
-
-  sim::Vec3 operator()(const sim::Vec3& p) const { return sign * sim::Vec3(p[axis[0]], p[axis[1]], p[axis[2]]); }
-};
-
 /// Known systems of axes; the body's own is the first.
 const std::array<AxisSystem, 5> axis_systems = {{{"x, y, z", {0, 1, 2}, {1, 1, 1}},
                                                  {"x, z, -y", {0, 2, 1}, {1, 1, -1}},
@@ -28,24 +19,6 @@ const std::array<AxisSystem, 5> axis_systems = {{{"x, y, z", {0, 1, 2}, {1, 1, 1
 
 /// Square of the factor by which other axes must bring the first frame nearer to the body to be chosen.
 constexpr double min_squared_distance_ratio = 9.0;
-
-class TurnedFrames final : public FrameSource {
- public:
-  TurnedFrames(std::unique_ptr<const FrameSource> motion, const AxisSystem& axes)
-      : motion_(std::move(motion)), axes_(axes) {}
-
-  std::size_t frames() const override { return motion_->frames(); }
-  std::size_t vertices() const override { return motion_->vertices(); }
-  std::optional<double> rate_hz() const override { return motion_->rate_hz(); }
-  void read(std::size_t frame, std::span<sim::Vec3> positions) const override {
-    motion_->read(frame, positions);
-    for (sim::Vec3& position : positions) position = axes_(position);
-  }
-
- private:
-  std::unique_ptr<const FrameSource> motion_;
-  AxisSystem axes_;
-};
 
 /// Returns the sum of the squared distances, in m^2.
 double distance_from(const LoadedMesh& body, const std::vector<sim::Vec3>& in_file, const AxisSystem& axes) {
@@ -57,28 +30,27 @@ double distance_from(const LoadedMesh& body, const std::vector<sim::Vec3>& in_fi
   return sum;
 }
 
-/// Returns a motion of vertices in the axes of its body's file. Programs write caches in axes of their own: Blender
-/// with z up beside OBJ with y up, others in a left-handed system. The system in which the first frame is nearest to
-/// the body is chosen if it is clearly nearer than the file's own, and reported in `remarks`. A motion of joints is
-/// returned unchanged. Requires a frame source with the vertices of the body's file.
-std::unique_ptr<const FrameSource> turn_into_axes(const LoadedMesh& body, std::unique_ptr<const FrameSource> motion,
-                                                  std::vector<std::string>& remarks) {
-  if (motion->pose(0)) return motion;
-  std::vector<sim::Vec3> in_file(motion->vertices());
-  motion->read(0, in_file);
-  const double file_distance = distance_from(body, in_file, axis_systems.front());
+/// Returns the axes of a motion of vertices. Programs write caches in axes of their own: Blender with z up beside OBJ
+/// with y up, others in a left-handed system. The system in which the first frame is nearest to the body is chosen if
+/// it is clearly nearer than the file's own, and reported in `remarks`. A motion of joints has the file's axes.
+/// Requires a frame source with the vertices of the body's file.
+AxisSystem find_motion_axes(const LoadedMesh& body, const FrameSource& motion, std::vector<std::string>& remarks) {
+  if (motion.pose(0)) return {};
+  std::vector<sim::Vec3> in_file(motion.vertices());
+  motion.read(0, in_file);
   const AxisSystem* best_axes = &axis_systems.front();
-  double distance = file_distance / min_squared_distance_ratio;
+  double distance = distance_from(body, in_file, *best_axes) / min_squared_distance_ratio;
   for (const AxisSystem& axes : axis_systems) {
     if (const double here = distance_from(body, in_file, axes); here < distance) {
       best_axes = &axes;
       distance = here;
     }
   }
-  if (best_axes == &axis_systems.front()) return motion;
-  remarks.push_back(std::string("its motion is in other axes than it, guessed from its first frame: there (") +
-                    best_axes->name + ") are its x, y and z");
-  return std::make_unique<TurnedFrames>(std::move(motion), *best_axes);
+  if (best_axes != &axis_systems.front()) {
+    remarks.push_back(std::string("its motion is in other axes than it, guessed from its first frame: there (") +
+                      best_axes->name + ") are its x, y and z");
+  }
+  return *best_axes;
 }
 
 // Range of people's heights.
@@ -161,13 +133,14 @@ std::shared_ptr<const sim::BodyFrames> load_body_frames(const BodySource& source
                                                         std::vector<std::string>& remarks,
                                                         std::optional<RigPose>& pose) {
   require_vertices(source, loaded, motion);
-  motion.frames = turn_into_axes(loaded, std::move(motion.frames), remarks);
+  FileVertexPlaces places = loaded.places;
+  places.motion_axes = find_motion_axes(loaded, *motion.frames, remarks);
   if (motion.frames->frames() == 1) remarks.emplace_back("its motion has 1 frame, in which it stays");
   const double rate_hz = frame_rate(source, *motion.frames, remarks);
   const std::size_t first = first_frame(source, motion.file, *motion.frames, rate_hz);
   pose = motion.frames->pose(first);
   std::shared_ptr<const sim::BodyFrames> frames =
-      placed_frames(motion.file, std::move(motion.frames), loaded.places, rate_hz, source.loop ? 0 : first);
+      placed_frames(motion.file, std::move(motion.frames), std::move(places), rate_hz, source.loop ? 0 : first);
   if (source.loop) {
     const LoopBegin begin = find_loop_begin(*frames, loaded.mesh.positions.size());
     if (!begin.meets) remarks.push_back(describe(begin));

@@ -220,6 +220,7 @@ class PlacedFrames final : public sim::BodyFrames {
   Positions read(std::size_t frame) const {
     std::vector<sim::Vec3> in_file(source_->vertices());
     source_->read(first_ + frame, in_file);
+    for (sim::Vec3& position : in_file) position = places_.motion_axes(position);
     std::vector<sim::Vec3> positions_m;
     positions_m.reserve(places_.file_vertex.size());
     for (const std::size_t v : places_.file_vertex) {

@@ -31,10 +31,20 @@ class FrameSource {
 /// Largest distance that a vertex moves from one frame to the next, in m. Frames that exceed it belong to another body.
 inline constexpr double max_motion_per_frame_m = 1.0;
 
+/// Axes of a motion: the axis and the sign of each of its body's x, y and z.
+struct AxisSystem {
+  const char* name = "x, y, z";
+  std::array<int, 3> axis = {0, 1, 2};
+  sim::Vec3 sign{1.0};
+
+  sim::Vec3 operator()(const sim::Vec3& p) const { return sign * sim::Vec3(p[axis[0]], p[axis[1]], p[axis[2]]); }
+};
+
 /// Map from a body's vertices to the vertices of its file.
 struct FileVertexPlaces {
   std::vector<std::size_t> file_vertex;  ///< per vertex of the body, its vertex in the file
   Placement placement;
+  AxisSystem motion_axes = {};  ///< axes of the frames of its motion
 };
 
 /// Returns a motion as the frames of a body in the scene, in m. The last few are cached, since a simulation
@@ -91,7 +101,7 @@ OpenedMotion open_bvh(const BodySource& source, const std::shared_ptr<const Rig>
 struct LoopBegin {
   std::size_t frame = 0;
   double max_distance_m = 0.0;  ///< largest distance of a vertex from its position in the last frame
-  bool meets = false;       ///< true if the last frame equals this one within 1 mm
+  bool meets = false;           ///< true if the last frame equals this one within 1 mm
 };
 
 /// Returns the earliest frame in which every vertex is within 1 mm of its position in the last one, so that the lead-in

@@ -435,10 +435,6 @@ void put_cases(std::span<const Case> cases, Texts& texts) {
   }
 }
 
-std::string fill_template(const toml::table& claim, const char* key, const Texts& texts) {
-  return fmt::vformat(claim[key].value_or(std::string()), texts);
-}
-
 }  // namespace
 
 std::string number_text(const MeasuredNumber& number) {
@@ -482,21 +478,22 @@ std::vector<Claim> judge_claims(const ClaimResults& results) {
   const toml::table all_texts = toml::parse(claim_texts);
   std::vector<Claim> claims;
   for (const auto& [id, quorum, test] : rules) {
-    const toml::table& claim = *all_texts[id].as_table();
+    const toml::table& templates = *all_texts[id].as_table();
     const Tested tested = test(results);
+    Claim& claim = claims.emplace_back(Claim{id,
+                                             {},
+                                             templates["is_check"].value_or(false),
+                                             judge(tested.cases, quorum),
+                                             list_numbers(tested.cases),
+                                             list_numbers(tested.bounded)});
     Texts texts = rule_texts(), of_bounded;
     put_cases(tested.cases, texts);
     put_cases(tested.bounded, of_bounded);
-    Judgement judgement = {judge(tested.cases, quorum),
-                           "",
-                           {fill_template(claim, "finding", texts), list_numbers(tested.cases)},
-                           {fill_template(claim, "bounded", of_bounded), list_numbers(tested.bounded)}};
-    if (judgement.verdict == Verdict::holds_in_part) judgement.part = fill_template(claim, "part", texts);
-    claims.push_back({{id, fill_template(claim, "section", texts), fill_template(claim, "claim", texts),
-                       fill_template(claim, "test", texts), fill_template(claim, "rule", texts),
-                       fill_template(claim, "remark", texts), fill_template(claim, "figure", texts),
-                       claim["is_check"].value_or(false)},
-                      std::move(judgement)});
+    for (const auto& [key, text] : templates) {
+      const bool applies = text.is_string() && (key != "part" || claim.verdict == Verdict::holds_in_part);
+      if (applies)
+        claim.texts[key.data()] = fmt::vformat(text.ref<std::string>(), key == "bounded" ? of_bounded : texts);
+    }
   }
   return claims;
 }

@@ -57,38 +57,21 @@ inline constexpr double threshold_excess = 0.05;
 /// Exponent up to which growth counts as proportional. Measured times are uncertain by about as much.
 inline constexpr double proportional_exponent = 1.2;
 
-/// A sentence with its numbers.
-struct Finding {
-  std::string text;
-  std::vector<MeasuredNumber> measured;
-};
-
-/// Result of a claim's test.
-struct Judgement {
-  Verdict verdict = Verdict::does_not_hold;
-  std::string part;  ///< the part that holds, if the verdict is holds_in_part; otherwise empty
-  Finding finding;   ///< numbers that decide
-  /// Result of the solver `bounded` in the same test. It does not decide, because it is not the paper's method. An
-  /// empty text means that `bounded` was not tested.
-  Finding bounded;
-};
-
-/// A claim of the paper with its test and its rule. These texts do not depend on the result.
-struct ClaimText {
-  std::string id;
-  std::string section;  ///< section of the paper
-  std::string claim;    ///< the claim, in our own words
-  std::string test;
-  std::string rule;       ///< condition under which the claim holds, holds in part or does not hold
-  std::string remark;     ///< further remark; may be empty
-  std::string figure;     ///< name of a figure that shows it; may be empty
-  bool is_check = false;  ///< only a mistake of this program can make it fail
-};
-
-/// A claim with the result of its test.
+/// A claim of the paper with the result of its test.
 struct Claim {
-  ClaimText text;
-  Judgement judgement;
+  std::string id;
+  std::map<std::string, std::string> texts;  ///< texts of claims.toml by their keys, with numbers filled in
+  bool is_check = false;                     ///< only a mistake of this program can make it fail
+  Verdict verdict = Verdict::does_not_hold;
+  std::vector<MeasuredNumber> numbers;  ///< numbers that decide
+  /// Numbers of the solver `bounded` in the same test. They do not decide, because it is not the paper's method. Empty
+  /// if `bounded` was not tested.
+  std::vector<MeasuredNumber> bounded_numbers;
+
+  /// Returns a text, or an empty one if the claim has none with this key: "section"; "claim", in our own words; "test";
+  /// "rule", by which it is judged; "finding"; "bounded", the finding about `bounded`; "part", which part holds if not
+  /// all does; "remark"; "figure", the name of one that shows it.
+  std::string text(const std::string& key) const { return texts.contains(key) ? texts.at(key) : ""; }
 };
 
 /// Judges all claims by the measurements. A number that is missing or not finite never supports a claim.

@@ -91,7 +91,6 @@ PlotPanel time_panel(const MethodTrials& trials) {
   plot.x = stretch_axis(stretches);
   plot.y = decades_around("processor time of a frame in ms", times_ms);
   plot.curves.insert(plot.curves.begin(), line_at(100.0 * trial_max_stretch, plot.y));
-  plot.legend = LegendCorner::none;
   return {std::move(plot),
           {'a', "time and stretch, on four meshes", "upwards: 9x9 cloth, T-shirts of 1028, 5280, 10600 triangles"}};
 }
@@ -110,7 +109,6 @@ PlotPanel energy_panel(const MethodTrials& trials) {
   const double room_mj = 0.06 * (max_mj - min_mj);
   plot.x = {"time in s", 0.0, std::max(end_s, 1e-3)};
   plot.y = {"energy of motion and height in mJ", min_mj - room_mj, max_mj + room_mj + 1e-6};
-  plot.legend = LegendCorner::none;
   return {std::move(plot),
           {'b', "energy in the fall, without air", "T-shirt of 1028; what springs store is not in it"}};
 }
@@ -135,7 +133,6 @@ PlotPanel rest_panel(const MethodTrials& trials) {
   plot.x = {"time in s", 0.0, end_s};
   plot.y = decades_around("RMS speed in m/s, the largest in 1/4 s", speeds);
   plot.curves.insert(plot.curves.begin(), line_at(shaken_s, plot.y));
-  plot.legend = LegendCorner::none;
   return {
       std::move(plot),
       {'c', fmt::format("speed; pins are shaken, and held from {:g} s on", shaken_s),
@@ -171,7 +168,6 @@ PlotPanel steps_panel(const MethodTrials& trials) {
     }
     plot.curves.push_back(std::move(lost));
   }
-  plot.legend = LegendCorner::none;
   return {std::move(plot), {'d', "stretch with longer time steps", "T-shirt of 1028, 1 s; a cross: lost"}};
 }
 
@@ -186,7 +182,6 @@ PlotPanel sunk_panel(const MethodTrials& trials) {
   });
   plot.x = factor_axis();
   plot.y = {"centre of mass, cm below the start", 0.0, 1.1 * deepest_cm};
-  plot.legend = LegendCorner::none;
   return {std::move(plot), {'e', "how far it sinks into folds", "the same runs at their end; near 0 it is locked"}};
 }
 
@@ -259,6 +254,7 @@ Drawing draw_figure8(const ClaimResults& results, LazyOffscreenRenderer&) {
   std::vector<PlotPanel> panels = {
       time_panel(results.trials_of(MethodTest::time)), energy_panel(results.trials_of(MethodTest::energy)),
       rest_panel(results.trials_of(MethodTest::rest)), steps_panel(steps), sunk_panel(steps)};
+  for (PlotPanel& panel : panels) panel.plot.legend = LegendCorner::none;
   const Area free = plot_area(sheet, panels.size());
   Drawing drawing = draw_plot_sheet(std::move(panels), sheet);
   drawing.draw = [=, draw_plots = drawing.draw](renderer::Canvas& canvas) {

@@ -2,6 +2,7 @@
 
 #include "app/base/errors.hpp"
 #include "app/base/files.hpp"
+#include "app/base/words.hpp"
 #include "tests/study/claims/report.hpp"
 
 // judge_claims: makes every figure of the paper, figure 8, and a report that judges the paper's claims.
@@ -52,13 +53,10 @@ int main(int argument_count, char** arguments) {
   CLI::App app("All figures, and a report that judges the claims of the paper", "judge_claims");
   FiguresOptions options;
   std::filesystem::path data;
-  std::vector<std::string> names = figure_names();
-  names.emplace_back("fig8");
-  names.emplace_back("fig9");
-  names.emplace_back("truth");
+  ClaimResults none;
   app.add_option("--only", options.selected_names, "some of the figures; no report")
       ->delimiter(',')
-      ->check(CLI::IsMember(names));
+      ->check(CLI::IsMember(collect<std::string>(list_figures(none), &Figure::name)));
   app.add_option("--data", data, "folder with the tables of an earlier run, to draw from; no report");
   app.add_option("-o,--output", options.output, "folder for the pictures")->capture_default_str();
   app.add_option("--scale", options.scale, "pictures this many times as wide and high")->check(CLI::Range(0.1, 4.0));

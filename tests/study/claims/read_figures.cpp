@@ -27,20 +27,25 @@ std::vector<sim::Vec3> read_shape(const CsvFile& shapes, const std::string& pane
   return positions;
 }
 
-/// Reads the moments of one scene from FIGURE.csv and FIGURE_shapes.csv in the folder. Scene and garment are read from
-/// their present files. Stretch is measured again from the shapes, and the largest numbers cover only these moments.
-/// Throws InputError that names the file and the line if a table is broken, has no moment of this scene, or has another
-/// number of vertices than the garment.
+/// Returns a recording of a scene and its garment, as their files are at present, without moments.
+Recording begin_recording(const std::string& scene_name) {
+  Recording recording;
+  recording.scene = find_scene(scene_name, {});
+  LoadedGarment loaded = load_garment(recording.scene);
+  recording.garment = std::move(loaded.garment);
+  recording.pins = std::move(loaded.pins);
+  return recording;
+}
+
+/// Reads the moments of one scene from FIGURE.csv and FIGURE_shapes.csv in the folder. Stretch is measured again from
+/// the shapes, and the largest numbers cover only these moments. Throws InputError that names the file and the line if
+/// a table is broken, has no moment of this scene, or has another number of vertices than the garment.
 Recording read_recording(const std::filesystem::path& folder, const std::string& figure,
                          const std::string& scene_name) {
   const CsvFile moments(folder / (figure + ".csv"), moment_columns);
   const std::filesystem::path shapes_file = folder / (figure + "_shapes.csv");
   const CsvFile shapes(shapes_file, shape_columns);
-  Recording recording;
-  recording.scene = find_scene(scene_name, {});
-  LoadedGarment loaded = load_garment(recording.scene);
-  recording.garment = loaded.garment;
-  recording.pins = std::move(loaded.pins);
+  Recording recording = begin_recording(scene_name);
   const std::size_t vertices = recording.garment->mesh.positions.size();
   for (std::size_t row = 0; row < moments.rows(); ++row) {
     if (moments.text(row, 1) != scene_name) continue;
@@ -62,31 +67,18 @@ Recording read_recording(const std::filesystem::path& folder, const std::string&
   return recording;
 }
 
-void read_fall(Results& results, const std::filesystem::path& folder) {
-  results.fall = results.fall ? std::move(results.fall) : StepRecording{};
-  results.fall->frames = read_recording(folder, "fig2", fall_scene);
-}
-
-void read_pinned(Results& results, const std::filesystem::path& folder) {
-  for (std::size_t i = 0; i < results.pinned.size(); ++i) {
-    results.pinned[i] = read_recording(folder, "fig4", pinned_scenes[i]);
-  }
-}
-
-void read_shirts(Results& results, const std::filesystem::path& folder) {
-  for (std::size_t i = 0; i < results.shirts.size(); ++i) {
-    results.shirts[i] = read_recording(folder, "fig5", shirt_scenes[i]);
-  }
+/// Reads the recordings of several scenes in one figure.
+template <std::size_t count>
+void read_recordings(const std::filesystem::path& folder, const std::string& figure,
+                     const std::array<const char*, count>& scenes,
+                     std::array<std::optional<Recording>, count>& places) {
+  for (std::size_t i = 0; i < count; ++i) places[i] = read_recording(folder, figure, scenes[i]);
 }
 
 void read_figure3(Results& results, const std::filesystem::path& folder) {
   const CsvFile table(folder / "fig3.csv", figure3_columns);
-  results.fall = results.fall ? std::move(results.fall) : StepRecording{};
+  if (!results.fall) results.fall.emplace().frames = begin_recording(fall_scene);
   StepRecording& fall = *results.fall;
-  fall.frames.scene = find_scene(fall_scene, {});
-  LoadedGarment loaded = load_garment(fall.frames.scene);
-  fall.frames.garment = loaded.garment;
-  fall.frames.pins = std::move(loaded.pins);
   fall.vertex = followed_vertex(fall.frames.scene);
   fall.time_step_s = table.number(0, 1);
   for (std::size_t row = 0; row < table.rows(); ++row) fall.moved_m.push_back(table.number(row, 2));
@@ -145,10 +137,13 @@ void read_figure7(Results& results, const std::filesystem::path& folder) {
 }  // namespace
 
 void read_figure(const std::string& name, const std::filesystem::path& folder, ClaimResults& results) {
-  if (name == "fig2") read_fall(results, folder);
+  if (name == "fig2") {
+    if (!results.fall) results.fall.emplace();
+    results.fall->frames = read_recording(folder, name, fall_scene);
+  }
   if (name == "fig3") read_figure3(results, folder);
-  if (name == "fig4") read_pinned(results, folder);
-  if (name == "fig5") read_shirts(results, folder);
+  if (name == "fig4") read_recordings(folder, name, pinned_scenes, results.pinned);
+  if (name == "fig5") read_recordings(folder, name, shirt_scenes, results.shirts);
   if (name == "fig6") read_figure6(results, folder);
   if (name == "fig7") read_figure7(results, folder);
   if (name == "fig8") read_figure8(results, folder);

@@ -42,18 +42,6 @@ template <class Predicate> std::size_t count(const std::vector<PromiseResult>& r
   return static_cast<std::size_t>(std::ranges::count_if(results, predicate));
 }
 
-Machine this_machine(const std::string& gl_renderer) {
-  Machine machine;
-  machine.processor = processor_name();
-  machine.threads = std::thread::hardware_concurrency();
-  machine.system = system_name();
-  if (::getloadavg(&machine.load, 1) != 1) machine.load = 0.0;
-  machine.compiler = compiler_version();
-  machine.program = "taut " + program_version();
-  machine.gl_renderer = gl_renderer;
-  return machine;
-}
-
 // Sharp on a high-density screen at the width of the text, and small enough to mail.
 constexpr int picture_width_px = 1600;
 
@@ -76,21 +64,20 @@ const char* css_class(Verdict verdict) {
 }
 
 std::string verdict_text(const Claim& claim) {
-  const Verdict verdict = claim.judgement.verdict;
-  return !claim.text.is_check ? to_name(verdict) : verdict == Verdict::holds ? "check: passed" : "check: failed";
+  return !claim.is_check ? to_name(claim.verdict) : claim.verdict == Verdict::holds ? "check: passed" : "check: failed";
 }
 
 std::string summary_html(std::span<const Claim> claims) {
   std::string html = "<table>\n<tr><th>claim</th><th>section</th><th>verdict</th></tr>\n";
   for (const Claim& claim : claims) {
-    const auto& [text, judgement] = claim;
-    html += fmt::format(
-        "<tr class=\"{}\"><td><a href=\"#{}\">{}</a></td><td>{}</td><td><b>{}</b>{}</td></tr>\n",
-        css_class(judgement.verdict), text.id, escape_html(text.claim), escape_html(text.section), verdict_text(claim),
-        judgement.part.empty() ? "" : ":<br><span class=\"small\">" + escape_html(judgement.part) + "</span>");
-    if (!judgement.bounded.text.empty()) {
-      html += fmt::format("<tr class=\"small\"><td colspan=\"3\">{}{}</td></tr>\n", bounded_label,
-                          escape_html(judgement.bounded.text));
+    const std::string part = claim.text("part"), bounded = claim.text("bounded");
+    html += fmt::format("<tr class=\"{}\"><td><a href=\"#{}\">{}</a></td><td>{}</td><td><b>{}</b>{}</td></tr>\n",
+                        css_class(claim.verdict), claim.id, escape_html(claim.text("claim")),
+                        escape_html(claim.text("section")), verdict_text(claim),
+                        part.empty() ? "" : ":<br><span class=\"small\">" + escape_html(part) + "</span>");
+    if (!bounded.empty()) {
+      html +=
+          fmt::format("<tr class=\"small\"><td colspan=\"3\">{}{}</td></tr>\n", bounded_label, escape_html(bounded));
     }
   }
   return html + "</table>\n";
@@ -106,20 +93,17 @@ std::string numbers_html(const std::vector<MeasuredNumber>& numbers) {
 }
 
 std::string claim_html(const Claim& claim) {
-  const auto& [text, judgement] = claim;
-  std::string html = fmt::format("<section class=\"claim {}\" id=\"{}\">\n<h3>{}</h3>\n", css_class(judgement.verdict),
-                                 text.id, escape_html(text.claim));
-  html += fmt::format("<p><span class=\"verdict\">{}</span> {} <span class=\"small\">(section {} of the paper",
-                      verdict_text(claim), escape_html(judgement.part), escape_html(text.section));
-  if (!text.figure.empty()) html += fmt::format("; see <a href=\"#{0}\">{0}</a>", text.figure);
-  html +=
-      fmt::format(")</span></p>\n<p>{}</p>\n<p class=\"small\">Test: {}</p>\n{}", escape_html(judgement.finding.text),
-                  escape_html(text.test), numbers_html(judgement.finding.measured));
-  html +=
-      fmt::format("<p class=\"small\">Rule: {}.</p>\n<p>{}</p>\n", escape_html(text.rule), escape_html(text.remark));
-  if (!judgement.bounded.text.empty()) {
-    html += fmt::format("<p>{}{}</p>\n{}", bounded_label, escape_html(judgement.bounded.text),
-                        numbers_html(judgement.bounded.measured));
+  const auto text = [&](const char* key) { return escape_html(claim.text(key)); };
+  std::string html = fmt::format(
+      "<section class=\"claim {}\" id=\"{}\">\n<h3>{}</h3>\n"
+      "<p><span class=\"verdict\">{}</span> {} <span class=\"small\">(section {} of the paper",
+      css_class(claim.verdict), claim.id, text("claim"), verdict_text(claim), text("part"), text("section"));
+  if (!text("figure").empty()) html += fmt::format("; see <a href=\"#{0}\">{0}</a>", text("figure"));
+  html += fmt::format(
+      ")</span></p>\n<p>{}</p>\n<p class=\"small\">Test: {}</p>\n{}<p class=\"small\">Rule: {}.</p>\n<p>{}</p>\n",
+      text("finding"), text("test"), numbers_html(claim.numbers), text("rule"), text("remark"));
+  if (!text("bounded").empty()) {
+    html += fmt::format("<p>{}{}</p>\n{}", bounded_label, text("bounded"), numbers_html(claim.bounded_numbers));
   }
   return html + "</section>\n";
 }
@@ -184,12 +168,13 @@ std::string figure_html(const DrawnFigure& figure) {
       figure.has_table ? fmt::format("; its numbers: <a href=\"{0}.csv\">{0}.csv</a>", figure.name) : "");
 }
 
-std::string machine_html(const Machine& machine) {
+std::string machine_html(const std::string& gl_renderer) {
+  double load = 0.0;
+  if (::getloadavg(&load, 1) != 1) load = 0.0;
   return fmt::format(
-      "<p class=\"small\">Measured on {} ({} threads; {}), load {:.1f}; {}, built with {}; drawn with "
-      "{}.</p>\n",
-      escape_html(machine.processor), machine.threads, escape_html(machine.system), machine.load,
-      escape_html(machine.program), escape_html(machine.compiler), escape_html(machine.gl_renderer));
+      "<p class=\"small\">Measured on {} ({} threads; {}), load {:.1f}; taut {}, built with {}; drawn with {}.</p>\n",
+      escape_html(processor_name()), std::thread::hardware_concurrency(), escape_html(system_name()), load,
+      program_version(), escape_html(compiler_version()), escape_html(gl_renderer));
 }
 
 std::string cell_html(const std::string& text) { return fmt::format("<td class=\"number\">{}</td>", text); }
@@ -229,7 +214,7 @@ std::string base64(std::span<const std::uint8_t> bytes) {
 }
 
 std::string make_report(const ClaimResults& results, const DrawnFigures& drawn) {
-  return report_html(judge_claims(results), promise_results(results), drawn.figures, this_machine(drawn.gl_renderer),
+  return report_html(judge_claims(results), promise_results(results), drawn.figures, machine_html(drawn.gl_renderer),
                      methods_html(results), truth_html(calm_experiments(), results.truth),
                      truth_html(wind_experiments(), results.truth));
 }
@@ -265,7 +250,7 @@ std::string describe(const std::vector<PromiseResult>& results) {
 }
 
 std::string report_html(std::span<const Claim> claims, const std::vector<PromiseResult>& promises,
-                        std::span<const DrawnFigure> figures, const Machine& machine, const std::string& methods,
+                        std::span<const DrawnFigure> figures, const std::string& machine, const std::string& methods,
                         const std::string& truth, const std::string& wind) {
   std::string html = report_page;
   const auto put = [&html](const std::string& place, const std::string& text) {
@@ -282,8 +267,8 @@ std::string report_html(std::span<const Claim> claims, const std::vector<Promise
   };
   const std::string first_html = take("fig1");
   std::string claims_html = summary_html(claims), figures_html;
-  for (const Claim& claim : claims) claims_html += claim_html(claim) + take(claim.text.figure);
-  put("<!--machine-->\n", machine_html(machine));
+  for (const Claim& claim : claims) claims_html += claim_html(claim) + take(claim.text("figure"));
+  put("<!--machine-->\n", machine);
   put("<!--first-->\n", first_html);
   put("<!--claims-->\n", claims_html);
   put("<!--promises-->\n", promises_html(promises));

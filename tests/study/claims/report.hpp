@@ -5,17 +5,6 @@
 
 namespace taut::app {
 
-/// Machine and program of the measurements.
-struct Machine {
-  std::string processor;
-  unsigned threads = 0;  ///< hardware threads
-  std::string system;    ///< operating system
-  double load = 0.0;     ///< processes that wanted a processor, averaged over the last minute
-  std::string compiler;  ///< name and version
-  std::string program;   ///< name and version
-  std::string gl_renderer;
-};
-
 /// Promises about the frames of a scene in a figure, with counts.
 struct PromiseResult {
   std::string figure;  ///< "fig5"
@@ -40,11 +29,12 @@ std::string make_report(const ClaimResults& results, const DrawnFigures& drawn);
 /// Returns the text below figure 8: author and purpose of each method, and a table of measurements.
 std::string methods_html(const ClaimResults& results);
 
-/// Returns the report as one HTML file, with `methods` below the figures. Pictures are embedded, so it opens from any
-/// folder. Its links expect the PDFs beside it.
+/// Returns the report as one HTML file, with `methods` below the figures. `machine` describes the machine and the
+/// program of the measurements. Pictures are embedded, so it opens from any folder. Its links expect the PDFs beside
+/// it.
 std::string report_html(std::span<const Claim> claims, const std::vector<PromiseResult>& promises,
-                        std::span<const DrawnFigure> figures, const Machine& machine, const std::string& methods = "",
-                        const std::string& truth = "", const std::string& wind = "");
+                        std::span<const DrawnFigure> figures, const std::string& machine = "",
+                        const std::string& methods = "", const std::string& truth = "", const std::string& wind = "");
 
 // Files of assets/report, embedded when the program is built.
 

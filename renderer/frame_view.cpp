@@ -106,10 +106,6 @@ bool are_indices(std::span<const std::uint32_t> indices, std::size_t group, std:
          std::ranges::all_of(indices, [=](std::uint32_t index) { return index < count; });
 }
 
-bool are_colours(std::span<const Colour> colours, std::size_t count) {
-  return (colours.size() == 1 || colours.size() == count) && are_finite(colours);
-}
-
 bool is_map(const BaseColourMap& map, const SurfaceView& surface) {
   return map.rgba == nullptr || (!surface.corner_coordinates.empty() && is_within(map.width_px, 1, max_side_px) &&
                                  is_within(map.height_px, 1, max_side_px) &&
@@ -302,12 +298,11 @@ bool is_sound(const FrameView& frame) {
          all(frame.surfaces, [](const SurfaceView& surface) { return is_sound(surface); }) &&
          all(frame.lines,
              [](const LineView& line) {
-               return line.points.size() % 2 == 0 && are_finite(line.points) &&
-                      are_colours(line.colours, line.points.size());
+               return line.points.size() % 2 == 0 && are_finite(line.points) && are_finite({&line.colour, 1});
              }) &&
          all(frame.points,
              [](const PointView& points) {
-               return are_finite(points.centres) && are_colours(points.colours, points.centres.size());
+               return are_finite(points.centres) && are_finite({&points.colour, 1});
              }) &&
          all(frame.spheres, [](const SphereView& spheres) {
            return are_finite(spheres.centres) && spheres.radius_m > 0.0F && std::isfinite(spheres.radius_m);

@@ -185,10 +185,10 @@ inline SurfaceView coarse_surface(const SurfaceView& surface) {
 /// Line segments. A segment that lies on a surface is drawn in front of it.
 struct LineView {
   std::span<const glm::vec3> points;  ///< two per segment, metres, world space
-  std::span<const Colour> colours;    ///< one per point, or one for all
-  float width_px = 1.5F;              ///< pixels of the finished picture
-  float opacity = 1.0F;               ///< 0 to 1
-  bool hidden_by_surfaces = true;     ///< false: drawn over all surfaces
+  Colour colour{0.0F};
+  float width_px = 1.5F;           ///< pixels of the finished picture
+  float opacity = 1.0F;            ///< 0 to 1
+  bool hidden_by_surfaces = true;  ///< false: drawn over all surfaces
 };
 
 /// Shaded spheres of one size and colour, e.g. pins.
@@ -202,9 +202,9 @@ struct SphereView {
 /// Flat discs that always face the camera, e.g. the mass points of a diagram.
 struct PointView {
   std::span<const glm::vec3> centres;  ///< metres, world space
-  std::span<const Colour> colours;     ///< one per centre, or one for all
-  float diameter_px = 6.0F;            ///< pixels of the finished picture
-  bool hidden_by_surfaces = true;      ///< false: drawn over all surfaces
+  Colour colour{0.0F};
+  float diameter_px = 6.0F;        ///< pixels of the finished picture
+  bool hidden_by_surfaces = true;  ///< false: drawn over all surfaces
 };
 
 /// Three-point lighting: key, fill and rim light, all at infinity. Directions point from the scene to the light, in

@@ -188,7 +188,7 @@ void GarmentPainter::place_bodies(double time_s, std::span<const float> clearanc
 void GarmentPainter::add_rest_outline(const sim::Garment& garment) {
   rest_outline_ = borders(garment);
   frame_.lines.push_back({.points = rest_outline_,
-                          .colours = std::span(&outline_colour, 1),
+                          .colour = outline_colour,
                           .width_px = 1.5F * line_width_px_,
                           .hidden_by_surfaces = false});
 }
@@ -197,7 +197,7 @@ void GarmentPainter::add_wind(const DrawnScene& scene, const sim::Garment& garme
   wind_arrows_ = wind_arrows(scene.surroundings.forces.wind, garment.mesh.positions, camera_);
   for (const bool is_rim : {true, false}) {
     frame_.lines.push_back({.points = wind_arrows_,
-                            .colours = std::span(is_rim ? &wind_rim_colour : &wind_colour, 1),
+                            .colour = is_rim ? wind_rim_colour : wind_colour,
                             .width_px = (is_rim ? 8.0F : 5.0F) * line_width_px_,
                             .hidden_by_surfaces = false});
   }

@@ -343,8 +343,7 @@ void SpringLines::add(std::span<const glm::vec3> positions, renderer::FrameView&
       lines.points.push_back(positions[ends[1]]);
     }
     if (!lines.points.empty()) {
-      frame.lines.push_back(
-          {.points = lines.points, .colours = std::span(&lines.colour, 1), .width_px = lines.width_px});
+      frame.lines.push_back({.points = lines.points, .colour = lines.colour, .width_px = lines.width_px});
     }
   }
 }

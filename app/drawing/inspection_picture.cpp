@@ -202,16 +202,16 @@ void add_marks(const std::vector<InspectionMarks>& all, renderer::FrameView& fra
     if (marks.dots) {
       // Outlined dots stand out from springs of any colour.
       frame.points.push_back({.centres = marks.points,
-                              .colours = std::span(&palette::ink, 1),
+                              .colour = palette::ink,
                               .diameter_px = marks.width_px + 2.0F * mark_outline_px,
                               .hidden_by_surfaces = !marks.seen_through});
       frame.points.push_back({.centres = marks.points,
-                              .colours = std::span(&marks.colour, 1),
+                              .colour = marks.colour,
                               .diameter_px = marks.width_px,
                               .hidden_by_surfaces = !marks.seen_through});
     } else {
       frame.lines.push_back({.points = marks.points,
-                             .colours = std::span(&marks.colour, 1),
+                             .colour = marks.colour,
                              .width_px = marks.width_px,
                              .opacity = marks.opacity,
                              .hidden_by_surfaces = !marks.seen_through});

@@ -18,10 +18,6 @@ constexpr float point_lift = 0.004F;
 
 void set_depth_test(const GladGLContext& gl, bool hidden) { (hidden ? gl.Enable : gl.Disable)(GL_DEPTH_TEST); }
 
-const Colour& pick(std::span<const Colour> colours, std::size_t i) {
-  return colours.size() == 1 ? colours.front() : colours[i];
-}
-
 }  // namespace
 
 TriangleMesh merged_spheres(const SphereView& spheres) {
@@ -78,7 +74,7 @@ void MarkPass::draw_wireframe(std::span<const glm::vec3> positions, const Wirefr
 void MarkPass::draw_lines(const LineView& lines) {
   segments_.clear();
   for (std::size_t i = 0; i + 1 < lines.points.size(); i += 2) {
-    segments_.push_back({lines.points[i], lines.points[i + 1], pick(lines.colours, i), pick(lines.colours, i + 1)});
+    segments_.push_back({lines.points[i], lines.points[i + 1], lines.colour, lines.colour});
   }
   set_depth_test(*gl_, lines.hidden_by_surfaces);
   draw_segments(lines.width_px, lines.opacity);
@@ -95,9 +91,7 @@ void MarkPass::draw_segments(float width_px, float opacity) {
 void MarkPass::draw_points(const PointView& points) {
   if (points.centres.empty()) return;
   marks_.clear();
-  for (std::size_t i = 0; i < points.centres.size(); ++i) {
-    marks_.push_back({points.centres[i], pick(points.colours, i)});
-  }
+  for (const glm::vec3& centre : points.centres) marks_.push_back({centre, points.colour});
   set_depth_test(*gl_, points.hidden_by_surfaces);
   gl_->BindVertexArray(point_arrays_.name());
   upload(*gl_, GL_ARRAY_BUFFER, point_buffer_, std::span<const Point>(marks_));

@@ -62,8 +62,8 @@ TEST(LostPositions, ScreenBoundsStayInThePicture) {
   const glm::mat4 to_clip = camera.projection(1.5F) * camera.view();
   for_each_runaway([&](const Runaway& cloth) {
     FrameView frame;
-    frame.lines.push_back({.points = cloth.positions, .colours = {}});
-    frame.points.push_back({.centres = cloth.positions, .colours = {}});
+    frame.lines.push_back({.points = cloth.positions});
+    frame.points.push_back({.centres = cloth.positions});
     const std::array surfaces{cloth.view()};
     const Tile area = screen_bounds(frame, surfaces, to_clip, small_picture());
     EXPECT_TRUE(area.x_px >= 0 && area.width_px >= 0 && area.x_px + area.width_px <= 96);
@@ -110,9 +110,9 @@ TEST_F(LostPicturesTest, AreDrawnOrRefused) {
     constexpr std::array<std::array<std::uint32_t, 2>, 2> edges{{{0, 1}, {2, 3}}};
     frame.surfaces.back().wireframe = Wireframe{.edges = edges};
     frame.spheres.push_back({.centres = cloth.positions});
-    const std::array colour{rgb(0x1A1A1A)};
-    frame.lines.push_back({.points = cloth.positions, .colours = colour});
-    frame.points.push_back({.centres = cloth.positions, .colours = colour});
+    const Colour colour = rgb(0x1A1A1A);
+    frame.lines.push_back({.points = cloth.positions, .colour = colour});
+    frame.points.push_back({.centres = cloth.positions, .colour = colour});
     PictureSettings settings = small_picture();
     settings.sky_directions = 6;
     for (const int samples : {1, 4}) {

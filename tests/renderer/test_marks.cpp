@@ -11,8 +11,7 @@ TEST_F(MarksTest, BlendingIsInLinearLight) {
   FrameView frame = triangle_frame();
   frame.surfaces.clear();
   const std::array<glm::vec3, 2> ends{{{-2, 0, 0}, {2, 0, 0}}};
-  const Colour black{0.0F};
-  frame.lines.push_back({ends, {&black, 1}, 20.0F, 0.5F});
+  frame.lines.push_back({ends, Colour{0.0F}, 20.0F, 0.5F});
   const Image image = renderer.draw(frame, small_picture());
   // Half the light of white is 188, not 128.
   EXPECT_NEAR(image.at(48, 32)[0], 188, 1);
@@ -23,8 +22,7 @@ TEST_F(MarksTest, LineHasItsWidth) {
     FrameView frame = triangle_frame();
     frame.surfaces.clear();
     const std::array<glm::vec3, 2> ends{{{-2, 0, 0}, {2, 0, 0}}};
-    const Colour black{0.0F};
-    frame.lines.push_back({ends, {&black, 1}, width_px});
+    frame.lines.push_back({ends, Colour{0.0F}, width_px});
     const Image image = renderer.draw(frame, small_picture());
     float covered = 0.0F;
     for (int y = 0; y < 64; ++y) {
@@ -52,8 +50,7 @@ TEST_F(MarksTest, WireframeLiesOnBothSides) {
 TEST_F(MarksTest, LinesAreHiddenBehindSurfacesUnlessAskedFor) {
   FrameView frame = triangle_frame();
   const std::array<glm::vec3, 2> ends{{{-2, -0.3F, -0.5F}, {2, -0.3F, -0.5F}}};
-  const Colour black{0.0F};
-  frame.lines.push_back({ends, {&black, 1}, 5.0F});
+  frame.lines.push_back({ends, Colour{0.0F}, 5.0F});
   const int row = 41;
   Image image = renderer.draw(frame, small_picture());
   EXPECT_GT(image.at(48, row)[1], 100);

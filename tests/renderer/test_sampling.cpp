@@ -98,7 +98,7 @@ TEST_F(SceneRendererTest, PassesShowMarksAndPlainBackdrops) {
   frame.lighting.ambient = 0.0F;
   const std::array<glm::vec3, 2> line{{{-2.0F, 0.9F, 0.0F}, {2.0F, 0.9F, 0.0F}}};
   const Colour red = rgb(0xC00000);
-  frame.lines.push_back({.points = line, .colours = std::span(&red, 1), .width_px = 8.0F});
+  frame.lines.push_back({.points = line, .colour = red, .width_px = 8.0F});
   const Image image = renderer.draw(frame, sampled_picture(4));
   expect_colour(image, 2, 40, rgb(0xFFFFFF), 1.0F);
   expect_colour(image, 48, 40, rgb(0x000000), 1.0F);

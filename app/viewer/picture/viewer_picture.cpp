@@ -26,21 +26,19 @@ constexpr float normal_length = 0.012F;
 void add_thread(const HandThread& thread, renderer::FrameView& frame) {
   for (const bool hidden : {false, true}) {
     renderer::LineView line{.points = thread,
-                            .colours = std::span(&rim_colour, 1),
+                            .colour = rim_colour,
                             .width_px = rim_width_px,
                             .opacity = hidden ? 1.0F : opacity_behind_surfaces,
                             .hidden_by_surfaces = hidden};
     frame.lines.push_back(line);
-    line.colours = std::span(&core_colour, 1);
+    line.colour = core_colour;
     line.width_px = core_width_px;
     frame.lines.push_back(line);
   }
-  renderer::PointView ends{.centres = thread,
-                           .colours = std::span(&rim_colour, 1),
-                           .diameter_px = rim_diameter_px,
-                           .hidden_by_surfaces = false};
+  renderer::PointView ends{
+      .centres = thread, .colour = rim_colour, .diameter_px = rim_diameter_px, .hidden_by_surfaces = false};
   frame.points.push_back(ends);
-  ends.colours = std::span(&core_colour, 1);
+  ends.colour = core_colour;
   ends.diameter_px = core_diameter_px;
   frame.points.push_back(ends);
 }
@@ -172,7 +170,7 @@ void ScenePicture::add_normals(const Snapshot& garment, renderer::FrameView& fra
     normal_points_.push_back(surface.positions[v]);
     normal_points_.push_back(surface.positions[v] + length_m * surface.normals[v]);
   }
-  frame.lines.push_back({.points = normal_points_, .colours = std::span(&normal_colour, 1), .width_px = 1.0F});
+  frame.lines.push_back({.points = normal_points_, .colour = normal_colour, .width_px = 1.0F});
 }
 
 ScenePicture::SceneLook ScenePicture::look_of(const GarmentSight& sight) {

@@ -21,17 +21,11 @@ SessionFrame HeadlessViewer::play(const SessionFrame& frame) {
   return played;
 }
 
-renderer::Image HeadlessViewer::draw_scene() {
-  const WindowLayout layout = viewer_.layout();
-  const unsigned framebuffer = target_.framebuffer(layout.width_px, layout.height_px);
-  return picture_.picture(framebuffer, viewer_.state(), layout, 0, viewer_.letters(), viewer_.picture_overlay());
-}
+renderer::Image HeadlessViewer::draw_scene() { return picture_.picture(framebuffer(), window(), 0); }
 
 renderer::Image HeadlessViewer::draw() {
-  const WindowLayout layout = viewer_.layout();
-  const unsigned framebuffer = target_.framebuffer(layout.width_px, layout.height_px);
-  picture_.draw(framebuffer, viewer_.state(), layout, 0, viewer_.letters(), viewer_.overlay(), true);
-  return renderer::read_framebuffer(*context_, framebuffer, layout.width_px, layout.height_px);
+  picture_.draw(framebuffer(), window(), 0, true);
+  return renderer::read_framebuffer(*context_, framebuffer(), viewer_.layout().width_px, viewer_.layout().height_px);
 }
 
 }  // namespace taut::app

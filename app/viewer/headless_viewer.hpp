@@ -27,6 +27,9 @@ class HeadlessViewer {
   const std::string& gl_renderer() { return context_->renderer(); }
 
  private:
+  WindowView window() const { return {viewer_.state(), viewer_.interface(), viewer_.layout()}; }
+  unsigned framebuffer() { return target_.framebuffer(viewer_.layout().width_px, viewer_.layout().height_px); }
+
   SimulationHost simulation_;
   Viewer viewer_;
   std::unique_ptr<renderer::Context> context_;

@@ -119,12 +119,9 @@ class Viewer {
   /// be followed, or if it points at an item that does not exist.
   SessionFrame update(SessionFrame frame);
 
-  // State and overlay of the last frame.
+  // State and user interface of the last frame.
   const ViewerState& state() const { return state_; }
-  const renderer::OverlayView& overlay() const { return interface_.overlay(); }
-  /// Returns the part of the overlay that belongs in a picture of the scene: the legends.
-  const renderer::OverlayView& picture_overlay() const { return interface_.picture_overlay(); }
-  UserInterface::Letters letters() const { return interface_.letters(); }
+  const UserInterface& interface() const { return interface_; }
   WindowLayout layout() const;
   /// Returns true if nothing visible changed in this frame or will change in the next one.
   bool is_still() const { return still_frames_ > 2; }

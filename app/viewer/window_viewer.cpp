@@ -106,13 +106,15 @@ class WindowViewer {
     return 1e-3 * used_ms / std::max(std::thread::hardware_concurrency(), 1U);
   }
 
+  WindowView window() const { return {viewer_.state(), viewer_.interface(), viewer_.layout()}; }
+
   void show() {
     if (!viewer_.is_still()) since_change_ = Stopwatch();
     const renderer::Resized size = window_->framebuffer_size();
     const bool is_minimised = size.width_px < 1 || size.height_px < 1;
     const bool is_best_wanted = viewer_.wants_screenshot() || since_change_.elapsed_ms() > 1000.0 * until_best_s;
     const std::size_t level = is_best_wanted ? 0 : quality_.level();
-    const bool is_shown = picture_.is_drawn(viewer_.state(), viewer_.layout(), level, viewer_.overlay());
+    const bool is_shown = picture_.is_drawn(window(), level);
     if (is_minimised || (!window_->take_damage() && is_shown && !viewer_.wants_picture())) return;
     draw(level);
   }
@@ -121,10 +123,9 @@ class WindowViewer {
     const Stopwatch drawing;
     const bool is_urgent = viewer_.has_input() || viewer_.is_still() || viewer_.wants_screenshot();
     if (viewer_.wants_picture()) {
-      viewer_.take_picture(
-          picture_.picture(0, viewer_.state(), viewer_.layout(), level, viewer_.letters(), viewer_.picture_overlay()));
+      viewer_.take_picture(picture_.picture(0, window(), level));
     }
-    picture_.draw(0, viewer_.state(), viewer_.layout(), level, viewer_.letters(), viewer_.overlay(), is_urgent);
+    picture_.draw(0, window(), level, is_urgent);
     renderer::finish_drawing(*window_);
     const double draw_ms = drawing.elapsed_ms();
     viewer_.note_times(draw_ms, panel_ms_, simulation_.worked_ms(), next_busy_s());

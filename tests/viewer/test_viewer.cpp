@@ -102,14 +102,14 @@ TEST(Window, ExplainsWhatThePointerRestsOn) {
   person.point_at("solver.substeps");
   person.wait(5);
   EXPECT_FALSE(person.viewer.is_still()) << "the explanation is yet to come";
-  const std::size_t before = person.viewer.overlay().vertices.size();
+  const std::size_t before = person.viewer.interface().overlay().vertices.size();
   person.wait(40);
-  const std::size_t explained = person.viewer.overlay().vertices.size();
+  const std::size_t explained = person.viewer.interface().overlay().vertices.size();
   EXPECT_GT(explained, before + 200) << "four vertices for each letter";
   EXPECT_TRUE(person.viewer.is_still());
   person.act(renderer::WindowEvent(renderer::PointerMoved{300.0, 300.0}));
   person.wait(3);
-  EXPECT_LT(person.viewer.overlay().vertices.size(), explained - 200);
+  EXPECT_LT(person.viewer.interface().overlay().vertices.size(), explained - 200);
   EXPECT_FALSE(person.viewer.state().hovered);
 }
 

@@ -102,17 +102,17 @@ constexpr int min_side_px = 8;
 
 bool has_room(const ViewArea& area) { return area.width_px >= min_side_px && area.height_px >= min_side_px; }
 
-GarmentSight first_sight(const ViewerState& state, const WindowLayout& layout) {
-  return {state, *state.shown, garment_area(state, layout)};
+GarmentSight first_sight(const WindowView& window) {
+  return {window.state, *window.state.shown, garment_area(window.state, window.layout)};
 }
 
 // Returns the view of the second garment, in the right half.
-std::optional<GarmentSight> second_sight(const ViewerState& state, const WindowLayout& layout) {
-  const Snapshot* garment = compared_garment(state);
+std::optional<GarmentSight> second_sight(const WindowView& window) {
+  const Snapshot* garment = compared_garment(window.state);
   if (garment == nullptr) return std::nullopt;
-  const ViewArea whole = scene_area(layout);
-  const int left_px = garment_area(state, layout).width_px;
-  return GarmentSight{state, *garment, {whole.width_px - left_px, whole.height_px}, left_px};
+  const ViewArea whole = scene_area(window.layout);
+  const int left_px = garment_area(window.state, window.layout).width_px;
+  return GarmentSight{window.state, *garment, {whole.width_px - left_px, whole.height_px}, left_px};
 }
 
 }  // namespace
@@ -286,17 +286,17 @@ bool InterfacePicture::take_letters(const UserInterface::Letters& letters) {
   return true;
 }
 
-void InterfacePicture::draw_over(unsigned framebuffer, const WindowLayout& layout,
-                                 const UserInterface::Letters& letters, const renderer::OverlayView& overlay) {
-  if (take_letters(letters)) {
+void InterfacePicture::draw_legends(unsigned framebuffer, const WindowView& window) {
+  if (take_letters(window.interface.letters())) {
     panel_size_ = {};  // the kept panel shows the old letters
   }
-  pass_.draw(framebuffer, layout.width_px, layout.height_px, overlay);
+  pass_.draw(framebuffer, window.layout.width_px, window.layout.height_px, window.interface.picture_overlay());
 }
 
-void InterfacePicture::draw(unsigned framebuffer, const WindowLayout& layout, const UserInterface::Letters& letters,
-                            const renderer::OverlayView& overlay, bool is_urgent) {
-  const bool has_new_letters = take_letters(letters);
+void InterfacePicture::draw(unsigned framebuffer, const WindowView& window, bool is_urgent) {
+  const WindowLayout& layout = window.layout;
+  const renderer::OverlayView& overlay = window.interface.overlay();
+  const bool has_new_letters = take_letters(window.interface.letters());
   const int scene_width_px = scene_area(layout).width_px;
   const std::uint64_t look = hash_overlay(overlay);
   if (scene_width_px < layout.width_px) {
@@ -316,18 +316,16 @@ void InterfacePicture::draw(unsigned framebuffer, const WindowLayout& layout, co
 
 ViewerPicture::ViewerPicture(renderer::Context& context) : context_(context), first_(context), interface_(context) {}
 
-bool ViewerPicture::is_drawn(const ViewerState& state, const WindowLayout& layout, std::size_t level,
-                             const renderer::OverlayView& overlay) const {
-  if (!interface_.is_drawn(overlay)) return false;
-  const std::optional<GarmentSight> second = second_sight(state, layout);
-  return !has_room(scene_area(layout)) || (first_.is_drawn(first_sight(state, layout), level) &&
-                                           (!second || (second_ && second_->is_drawn(*second, level))));
+bool ViewerPicture::is_drawn(const WindowView& window, std::size_t level) const {
+  if (!interface_.is_drawn(window.interface.overlay())) return false;
+  const std::optional<GarmentSight> second = second_sight(window);
+  return !has_room(scene_area(window.layout)) ||
+         (first_.is_drawn(first_sight(window), level) && (!second || (second_ && second_->is_drawn(*second, level))));
 }
 
-bool ViewerPicture::draw_scenes(unsigned framebuffer, const ViewerState& state, const WindowLayout& layout,
-                                std::size_t level, bool anew) {
-  const bool drew_first = first_.draw(framebuffer, first_sight(state, layout), level, anew);
-  const std::optional<GarmentSight> second = second_sight(state, layout);
+bool ViewerPicture::draw_scenes(unsigned framebuffer, const WindowView& window, std::size_t level, bool anew) {
+  const bool drew_first = first_.draw(framebuffer, first_sight(window), level, anew);
+  const std::optional<GarmentSight> second = second_sight(window);
   if (!second) {
     second_.reset();
     return drew_first;
@@ -337,33 +335,31 @@ bool ViewerPicture::draw_scenes(unsigned framebuffer, const ViewerState& state, 
 }
 
 // Draws the scene so that the renderer keeps it: `draw` then shows it again, without these legends.
-renderer::Image ViewerPicture::picture(unsigned framebuffer, const ViewerState& state, const WindowLayout& layout,
-                                       std::size_t level, const UserInterface::Letters& letters,
-                                       const renderer::OverlayView& legends) {
+renderer::Image ViewerPicture::picture(unsigned framebuffer, const WindowView& window, std::size_t level) {
   context_.make_current();
-  const ViewArea area = scene_area(layout);
+  const ViewArea area = scene_area(window.layout);
   if (has_room(area)) {
-    draw_scenes(framebuffer, state, layout, level, true);
+    draw_scenes(framebuffer, window, level, true);
     has_picture_ = true;
-    interface_.draw_over(framebuffer, layout, letters, legends);
+    interface_.draw_legends(framebuffer, window);
   } else {
-    renderer::clear_framebuffer(context_, framebuffer, layout.width_px, layout.height_px, behind_panel_grey);
+    renderer::clear_framebuffer(context_, framebuffer, window.layout.width_px, window.layout.height_px,
+                                behind_panel_grey);
   }
   return renderer::read_framebuffer(context_, framebuffer, area.width_px, area.height_px);
 }
 
-void ViewerPicture::draw(unsigned framebuffer, const ViewerState& state, const WindowLayout& layout, std::size_t level,
-                         const UserInterface::Letters& letters, const renderer::OverlayView& overlay, bool is_urgent) {
+void ViewerPicture::draw(unsigned framebuffer, const WindowView& window, std::size_t level, bool is_urgent) {
   context_.make_current();
-  const ViewArea area = scene_area(layout);
   drew_scene_ = false;
-  if (has_room(area)) {
-    drew_scene_ = draw_scenes(framebuffer, state, layout, level, false);
+  if (has_room(scene_area(window.layout))) {
+    drew_scene_ = draw_scenes(framebuffer, window, level, false);
   } else {
-    renderer::clear_framebuffer(context_, framebuffer, layout.width_px, layout.height_px, behind_panel_grey);
+    renderer::clear_framebuffer(context_, framebuffer, window.layout.width_px, window.layout.height_px,
+                                behind_panel_grey);
   }
   drew_scene_ = std::exchange(has_picture_, false) || drew_scene_;
-  interface_.draw(framebuffer, layout, letters, overlay, is_urgent);
+  interface_.draw(framebuffer, window, is_urgent);
 }
 
 }  // namespace taut::app

@@ -76,6 +76,13 @@ using HandThread = std::array<glm::vec3, 2>;
 /// that the hand holds.
 std::optional<HandThread> hand_thread(const ViewerState& state, const Snapshot& garment, const ViewArea& area);
 
+/// All that a picture of the window shows. It refers to its sources.
+struct WindowView {
+  const ViewerState& state;
+  const UserInterface& interface;
+  WindowLayout layout;
+};
+
 /// A garment in its scene and its area of the window. It refers to its sources.
 struct GarmentSight {
   const ViewerState& state;
@@ -100,9 +107,9 @@ class ScenePicture {
 
  private:
   // Inputs of a painter; see painted_as().
-  using PaintedAs = std::tuple<std::shared_ptr<const LoadedScene>, std::shared_ptr<const std::vector<sim::Index>>,
-                               SurfaceLook, StretchOf, std::array<double, 2>, std::string, bool, bool, WhichSprings,
-                               int>;
+  using PaintedAs =
+      std::tuple<std::shared_ptr<const LoadedScene>, std::shared_ptr<const std::vector<sim::Index>>, SurfaceLook,
+                 StretchOf, std::array<double, 2>, std::string, bool, bool, WhichSprings, int>;
   // Inputs of the scene's picture; see look_of().
   using SceneLook = std::tuple<PaintedAs, std::shared_ptr<const sim::Checkpoint>, OrbitCamera, bool, bool,
                                std::optional<HandThread>, int, int>;
@@ -133,12 +140,10 @@ class InterfacePicture {
 
   /// Draws over a framebuffer of the window's size; 0 is the window. The panel may be `max_interval_s` old, but if
   /// `is_urgent`, as after input, it is up to date. Throws renderer::ContextError.
-  void draw(unsigned framebuffer, const WindowLayout& layout, const UserInterface::Letters& letters,
-            const renderer::OverlayView& overlay, bool is_urgent);
+  void draw(unsigned framebuffer, const WindowView& window, bool is_urgent);
 
-  /// Draws `overlay` over the framebuffer, without the kept panel.
-  void draw_over(unsigned framebuffer, const WindowLayout& layout, const UserInterface::Letters& letters,
-                 const renderer::OverlayView& overlay);
+  /// Draws the legends over the framebuffer, without the kept panel.
+  void draw_legends(unsigned framebuffer, const WindowView& window);
 
   /// Returns true if `overlay` was drawn last.
   bool is_drawn(const renderer::OverlayView& overlay) const;
@@ -168,25 +173,21 @@ class ViewerPicture {
 
   /// Draws the scene and the user interface to a framebuffer of the window's size; 0 is the window. `level`: index into
   /// picture_qualities. `is_urgent`: see InterfacePicture::draw. Throws renderer::ContextError.
-  void draw(unsigned framebuffer, const ViewerState& state, const WindowLayout& layout, std::size_t level,
-            const UserInterface::Letters& letters, const renderer::OverlayView& overlay, bool is_urgent);
+  void draw(unsigned framebuffer, const WindowView& window, std::size_t level, bool is_urgent);
 
   /// Returns the scene as `draw` shows it, with its legends and without the rest of the user interface. Call it before
   /// `draw`, because it uses the same framebuffer. Throws renderer::ContextError.
-  renderer::Image picture(unsigned framebuffer, const ViewerState& state, const WindowLayout& layout, std::size_t level,
-                          const UserInterface::Letters& letters, const renderer::OverlayView& legends);
+  renderer::Image picture(unsigned framebuffer, const WindowView& window, std::size_t level);
 
   /// Returns true if `draw` would give the same result as the last one.
-  bool is_drawn(const ViewerState& state, const WindowLayout& layout, std::size_t level,
-                const renderer::OverlayView& overlay) const;
+  bool is_drawn(const WindowView& window, std::size_t level) const;
 
   /// Returns true if the last `draw`, or `picture` before it, drew the scene, which takes most of the time. An
   /// unchanged scene that was drawn at this level or a better one is only copied.
   bool drew_scene() const { return drew_scene_; }
 
  private:
-  bool draw_scenes(unsigned framebuffer, const ViewerState& state, const WindowLayout& layout, std::size_t level,
-                   bool anew);
+  bool draw_scenes(unsigned framebuffer, const WindowView& window, std::size_t level, bool anew);
 
   renderer::Context& context_;
   ScenePicture first_;

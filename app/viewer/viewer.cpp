@@ -212,7 +212,7 @@ SessionFrame Viewer::update(SessionFrame frame) {
   hands_.update(pointer_over_one(), !interface_.wants_pointer(), area_of_one(), state_, commands_);
   state_.held = hands_.held();
   hands_.note_seen(state_.is_over_second && state_.shown->compared ? state_.shown->compared : state_.shown);
-  perform_asked();
+  for (const Action action : std::exchange(state_.asked, {})) attempt([&] { perform(action); });
   load_asked();
   collect_settings();
   const std::uint64_t advances = simulation_.post(std::exchange(commands_, {}));

@@ -161,7 +161,6 @@ class Viewer {
   void perform(Action action);
   /// Does some work and shows its error as a message. Returns the error, or an empty text. Throws only Interrupted.
   std::string attempt(const std::function<void()>& work);
-  void perform_asked();
   void pause(bool paused);
   void go_on_from_shown();
   void change_wind(double by_m_per_s);

@@ -48,10 +48,6 @@ std::string Viewer::attempt(const std::function<void()>& work) {
   }
 }
 
-void Viewer::perform_asked() {
-  for (const Action action : std::exchange(state_.asked, {})) attempt([&] { perform(action); });
-}
-
 void Viewer::perform(Action action) {
   const auto ask = [this](SimulationCommand command) { commands_.emplace_back(std::move(command)); };
   const auto step = [&] {

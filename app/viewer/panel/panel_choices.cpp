@@ -130,8 +130,8 @@ void lay_out_stiffness(ViewerState& state) {
   const double before_un_m = 1e6 * fabric.bending_rigidity_n_m;
   double bending_un_m = before_un_m;
   number_slider(state, {"bending", "fabric.bending", bending_un_m, 0.0, 200.0, "%.1f µN m", true});
-  number_slider(state, {"compression", "fabric.compression", fabric.compression_stiffness_n_per_m, 0.0, 500.0,
-                        "%.0f N/m"});
+  number_slider(state,
+                {"compression", "fabric.compression", fabric.compression_stiffness_n_per_m, 0.0, 500.0, "%.0f N/m"});
   if (bending_un_m != before_un_m) fabric.bending_rigidity_n_m = 1e-6 * bending_un_m;
 }
 
@@ -154,8 +154,8 @@ void lay_out_solver(ViewerState& state) {
   if (solver.kind == sim::SolverKind::bounded) lay_out_stiffness(state);
   if (hooke) {
     sim::SpringStiffness& springs = solver.ideal.stiffness;
-    number_slider(state, {"bending", "solver.stiffness.flexural", springs.flexural_n_per_m, 0.0, 100.0, "%.1f N/m",
-                          true});
+    number_slider(state,
+                  {"bending", "solver.stiffness.flexural", springs.flexural_n_per_m, 0.0, 100.0, "%.1f N/m", true});
     number_slider(state, {"damping", "solver.stiffness.damping", springs.damping_n_s_per_m, 0.0, 0.2, "%.3f N s/m"});
   }
   if (solver.kind == sim::SolverKind::implicit) {

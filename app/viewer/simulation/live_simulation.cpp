@@ -27,22 +27,10 @@ int reach_frames(const Snapshot& newest) {
   return std::max(min_frames, std::min(by_time, by_memory));
 }
 
-// Walks back through the snapshots that led to a snapshot.
-class PastWalk {
- public:
-  explicit PastWalk(const Snapshot& now) : loaded_(now.loaded), frame_(now.record.frame) {}
-
-  // Returns true if an older snapshot led to the ones before. A frame with several snapshots gives only its last.
-  bool takes(const Snapshot& older) {
-    if (older.loaded != loaded_ || older.record.frame >= frame_) return false;
-    frame_ = older.record.frame;
-    return true;
-  }
-
- private:
-  std::shared_ptr<const LoadedScene> loaded_;
-  int frame_;
-};
+// Returns true if a snapshot belongs to the past of a later one. A frame with several snapshots gives only its last.
+bool led_to(const Snapshot& older, const Snapshot& later) {
+  return older.loaded == later.loaded && older.record.frame < later.record.frame;
+}
 
 // Radius of cloth between the fingers. A smaller value pulls the cloth out to a point, a larger one lifts a stiff
 // plate.
@@ -123,10 +111,12 @@ void Timeline::drop_old_snapshots() {
   if (kept_.size() <= max_window_delay) return;
   const auto young = kept_.end() - max_window_delay;
   const int first = first_frame_in_reach(**young) - max_window_delay;
-  PastWalk walk(**young);
   std::deque<SnapshotPtr> useful(young, kept_.end());
+  SnapshotPtr past = *young;
   for (auto older = std::make_reverse_iterator(young); older != kept_.rend(); ++older) {
-    if (walk.takes(**older) && (*older)->record.frame >= first) useful.push_front(*older);
+    if (!led_to(**older, *past)) continue;
+    past = *older;
+    if (past->record.frame >= first) useful.push_front(past);
   }
   kept_ = std::move(useful);
 }
@@ -138,11 +128,10 @@ const SnapshotPtr& Timeline::with_serial(std::uint64_t serial) const {
 
 SnapshotPtr Timeline::of_frame(const SnapshotPtr& now, int frame) const {
   SnapshotPtr nearest_snapshot = now;
-  PastWalk walk(*now);
   const auto end = std::ranges::upper_bound(kept_, now->serial, {}, &Snapshot::serial);
   for (auto older = std::make_reverse_iterator(end); older != kept_.rend() && nearest_snapshot->record.frame > frame;
        ++older) {
-    if (walk.takes(**older)) nearest_snapshot = *older;
+    if (led_to(**older, *nearest_snapshot)) nearest_snapshot = *older;
   }
   return nearest_snapshot;
 }
@@ -177,12 +166,10 @@ std::vector<sim::GrabbedVertex> held_vertices(const Grip& grip, const sim::Vec3&
   const double mass_kg = std::accumulate(garment.masses_kg.begin(), garment.masses_kg.end(), 0.0);
   const double stiffness_n_per_m = mass_kg * swing_rad_per_s * swing_rad_per_s;
   const double force_n = max_pull_weights * mass_kg * earth_m_per_s2;
-  std::vector<sim::GrabbedVertex> held_list;
-  held_list.reserve(grip.vertices.size());
-  for (const GripVertex& part : grip.vertices) {
-    held_list.push_back({part.vertex, hand_m + part.offset_m, stiffness_n_per_m * part.share, force_n * part.share});
-  }
-  return held_list;
+  return collect<sim::GrabbedVertex>(grip.vertices, [&](const GripVertex& part) {
+    return sim::GrabbedVertex{part.vertex, hand_m + part.offset_m, stiffness_n_per_m * part.share,
+                              force_n * part.share};
+  });
 }
 
 sim::Vec3 moved_hand(const sim::Vec3& hand_m, const sim::Vec3& target_m, double time_s) {

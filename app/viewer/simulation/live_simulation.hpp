@@ -185,6 +185,7 @@ class LiveSimulation {
 
   const std::shared_ptr<const LoadedScene>& loaded() const { return now_.loaded; }
   bool is_stopped() const { return now_.stopped; }
+  bool is_paused() const { return now_.paused; }
   const std::vector<Notice>& notices() const { return *now_.notices; }
   void tell(const std::string& text, bool is_error);
 
@@ -214,9 +215,9 @@ class LiveSimulation {
   std::optional<sim::Simulation> simulation_;
   sim::Surroundings surroundings_;  ///< without the hand
   std::optional<Grip> grip_;
-  sim::Vec3 hand_m_ = {0.0, 0.0, 0.0};                          ///< hand's position, moving to the grip's target
+  sim::Vec3 hand_m_ = {0.0, 0.0, 0.0};                                ///< hand's position, moving to the grip's target
   const char* restart_hint_ = "R or any other setting starts again";  ///< hint after the simulation has stopped
-  int start_frame_ = 0;                                         ///< first frame of the scene
+  int start_frame_ = 0;                                               ///< first frame of the scene
   int frame_ = 0;
   int steps_left_ = 0;
   double speed_ = 1.0;

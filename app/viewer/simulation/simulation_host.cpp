@@ -28,8 +28,6 @@ void SimulationPair::apply(const SimulationCommand& command) {
   first_.apply(command);
   if (change != nullptr) {
     settings_ = *change;
-  } else if (const auto* pause = std::get_if<SetPaused>(&command)) {
-    paused_ = pause->paused;
   } else if (first_.loaded() != before) {
     settings_ = ChangeSettings(first_.loaded()->scene);
   }
@@ -64,7 +62,7 @@ void SimulationPair::begin_second() {
     own.scene.simulation = own_settings().simulation;
     second_.emplace(std::make_shared<const LoadedScene>(std::move(own)));
     second_->apply(own_settings());
-    second_->apply(SetPaused{paused_});
+    second_->apply(SetPaused{first_.is_paused()});
     pass_on_notices();
   } catch (const std::exception& error) {
     first_.tell(std::string(sim::to_name(*kind_)) + ": " + error.what(), true);

@@ -44,8 +44,7 @@ class SimulationPair {
   LiveSimulation first_;
   std::optional<sim::SolverKind> kind_;  ///< solver of the second simulation
   std::optional<LiveSimulation> second_;
-  ChangeSettings settings_;  ///< present settings
-  bool paused_ = false;
+  ChangeSettings settings_;        ///< present settings
   std::uint64_t told_notice_ = 0;  ///< number of the second simulation's last notice that was passed on
 };
 

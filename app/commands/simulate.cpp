@@ -4,29 +4,16 @@
 namespace taut::app {
 namespace {
 
-/// Prints a line for every frame in the range. While the cloth sleeps it prints one line only.
-class FrameLines {
- public:
-  explicit FrameLines(FrameRange range) : range_(range) {}
-
-  void print(const FrameRecord& record) {
-    const bool is_said = record.asleep && sleep_is_said_;
-    if (!range_.contains(record.frame) || is_said) return;
-    sleep_is_said_ = record.asleep;
-    fmt::print(
-        "frame {:5}  time {:8.4f} s  max stretch {:8.4f} %  p99 {:8.4f} %  surface {:8.4f} %  p99 {:8.4f} %  "
-        "rms speed {:9.6f} m/s{}\n",
-        record.frame, record.time_s, 100.0 * record.stretch.max, 100.0 * record.stretch.p99,
-        100.0 * record.surface_stretch.max, 100.0 * record.surface_stretch.p99, record.rms_speed_m_per_s,
-        record.asleep ? "  asleep, no more lines until it wakes" : "");
-    // Shows the line at once to a program that reads it through a pipe.
-    std::fflush(stdout);
-  }
-
- private:
-  FrameRange range_;
-  bool sleep_is_said_ = false;
-};
+void print_line(const FrameRecord& record) {
+  fmt::print(
+      "frame {:5}  time {:8.4f} s  max stretch {:8.4f} %  p99 {:8.4f} %  surface {:8.4f} %  p99 {:8.4f} %  "
+      "rms speed {:9.6f} m/s{}\n",
+      record.frame, record.time_s, 100.0 * record.stretch.max, 100.0 * record.stretch.p99,
+      100.0 * record.surface_stretch.max, 100.0 * record.surface_stretch.p99, record.rms_speed_m_per_s,
+      record.asleep ? "  asleep, no more lines until it wakes" : "");
+  // Shows the line at once to a program that reads it through a pipe.
+  std::fflush(stdout);
+}
 
 void print_summary(const RunSummary& summary) {
   fmt::print(
@@ -62,10 +49,10 @@ RunCheckpoint begin(const SimulateOptions& options, SceneRun& run) {
 struct Running {
   const SimulateOptions& options;
   SceneRun& run;
-  FrameLines lines;
+  FrameRange range;  ///< frames that have lines
   RunCheckpoint saved;
-  int last_frame = 0;
   int first_frame = saved.frame;
+  bool sleep_is_said = false;
   Stopwatch since_start = Stopwatch();
 
   /// Adds the frame to the counts, files and messages.
@@ -76,12 +63,15 @@ struct Running {
     if (options.json) fmt::print("{}", statistics_line(StatisticsFormat::json_lines, record));
     if (run.prints_messages) {
       run.progress.hide();
-      lines.print(record);
+      if (range.contains(record.frame) && !(record.asleep && sleep_is_said)) {
+        print_line(record);
+        sleep_is_said = record.asleep;
+      }
     }
     if (record.frame % options.checkpoint_every == 0) save();
     run.progress.begin(
-        fmt::format("frame {} of {}{}", record.frame + 1, last_frame,
-                    time_left(1e-3 * since_start.elapsed_ms(), record.frame - first_frame, last_frame - first_frame)));
+        fmt::format("frame {} of {}{}", record.frame + 1, range.last,
+                    time_left(1e-3 * since_start.elapsed_ms(), record.frame - first_frame, range.last - first_frame)));
   }
 
   void save() {
@@ -144,8 +134,9 @@ int run(const SimulateOptions& options) {
                              .look = run.scene.picture.cloth};
   if (!options.resume.empty()) run.scene.files_read.push_back(options.resume);
   std::vector<std::filesystem::path> saved;
-  if (!options.checkpoint_file().empty()) saved.push_back(options.checkpoint_file());
-  for (const std::filesystem::path& file : saved) prepare_parent_folder(file);
+  if (!options.checkpoint_file().empty()) {
+    prepare_parent_folder(saved.emplace_back(options.checkpoint_file()));
+  }
   std::error_code error;
   const bool goes_on_in_place =
       !options.resume.empty() && (options.checkpoint_file() == options.resume ||
@@ -153,7 +144,7 @@ int run(const SimulateOptions& options) {
   run.require_outputs(exported, goes_on_in_place ? std::vector<std::filesystem::path>{} : saved, saved);
   run.load();
   run.progress.begin("frame 1");
-  Running running{options, run, FrameLines(range), begin(options, run), range.last};
+  Running running{options, run, range, begin(options, run)};
   const int begun = running.first_frame;
   require_not_before_start(begun, range.last);
   const RunDescription description = {run.scene, run.simulation->garment(), run.simulation->pins().vertices.size(), "",

@@ -120,43 +120,33 @@ class FigureWriter {
     const Drawing drawing = figure.draw(offscreen_);
     renderer::Image picture = to_image(drawing, options_.scale);
     const std::vector<renderer::PngText> texts = {program_text()};
-    const std::string name = choose_stem(figure.name);
-    write_file(add_written(name + ".png"), renderer::encode_png(picture, texts));
-    write_pdf(add_written(name + ".pdf"), drawing, figure.title);
-    if (figure.csv) write_text_file(add_written(name + ".csv"), figure.csv());
-    if (figure.shapes_csv) write_text_file(add_written(name + "_shapes.csv"), figure.shapes_csv());
+    const std::filesystem::path stem = choose_stem(figure.name);
+    std::vector<std::filesystem::path> written;
+    const auto file = [&](const char* ending) { return written.emplace_back(stem).concat(ending); };
+    write_file(file(".png"), renderer::encode_png(picture, texts));
+    write_pdf(file(".pdf"), drawing, figure.title);
+    if (figure.csv) write_text_file(file(".csv"), figure.csv());
+    if (figure.shapes_csv) write_text_file(file("_shapes.csv"), figure.shapes_csv());
     drawn_.push_back({figure.name, figure.title, std::move(picture), figure.csv != nullptr});
     std::ranges::sort(drawn_, [](auto& a, auto& b) { return a.name < b.name; });
-    print_written();
+    for (const std::filesystem::path& path : written) fmt::print("wrote {}\n", path.string());
+    std::fflush(stdout);
   }
 
   DrawnFigures finish() && { return {std::move(drawn_), offscreen_.gl_renderer()}; }
 
  private:
-  /// Returns a file name without extension. Existing files of a figure may be replaced if its picture was made by this
-  /// program.
-  std::string choose_stem(const std::string& name) const {
+  /// Returns the path of a figure's files, without extension. Existing files of a figure may be replaced if its picture
+  /// was made by this program.
+  std::filesystem::path choose_stem(const std::string& name) const {
     const std::filesystem::path stem = options_.output / name;
     const bool own = is_own_picture(options_.output / (name + ".png"));
-    return choose_free_stem(stem, own, {".png", ".pdf", ".csv", "_shapes.csv"}).filename().string();
-  }
-
-  std::filesystem::path add_written(const std::string& name) {
-    written_.push_back(options_.output / name);
-    return written_.back();
-  }
-
-  // Prints the written files, over the progress line if there is one.
-  void print_written() {
-    for (const std::filesystem::path& path : written_) fmt::print("wrote {}\n", path.string());
-    std::fflush(stdout);
-    written_.clear();
+    return choose_free_stem(stem, own, {".png", ".pdf", ".csv", "_shapes.csv"});
   }
 
   const FiguresOptions& options_;
   LazyOffscreenRenderer offscreen_;
   std::vector<DrawnFigure> drawn_;
-  std::vector<std::filesystem::path> written_;
 };
 
 // Draws every figure as soon as all its experiments are done.

@@ -20,24 +20,16 @@ void keep(const sim::Simulation& simulation, int frame, Recording& recording) {
   recording.moments.push_back({measure_frame(simulation, frame), simulation.state().current});
 }
 
-/// Counts crossings and the largest stretch of every frame, without ending the run if a promise is broken.
-class PromiseCounter {
- public:
-  explicit PromiseCounter(Recording& recording) : counts_(recording.promises.emplace()) {}
-
-  void count(const sim::Simulation& simulation, FrameRecord& record) {
-    verifier_.check(simulation, record);
-    counts_.frames = verifier_.frames();
-    counts_.stretch = verifier_.largest();
-    counts_.crossing_pairs += *record.crossing_pairs;
-    counts_.max_pairs = std::max(counts_.max_pairs, *record.crossing_pairs);
-    counts_.crossing_frames += *record.crossing_pairs > 0 ? 1 : 0;
-  }
-
- private:
-  PromiseCounts& counts_;
-  FrameVerifier verifier_;
-};
+/// Counts the crossings of a frame and its largest stretch, without ending the run if a promise is broken.
+void count_promises(const sim::Simulation& simulation, FrameVerifier& verifier, FrameRecord& record,
+                    PromiseCounts& counts) {
+  verifier.check(simulation, record);
+  counts.frames = verifier.frames();
+  counts.stretch = verifier.largest();
+  counts.crossing_pairs += *record.crossing_pairs;
+  counts.max_pairs = std::max(counts.max_pairs, *record.crossing_pairs);
+  counts.crossing_frames += *record.crossing_pairs > 0 ? 1 : 0;
+}
 
 struct PatchView {
   sim::Vec3 origin_m, right, up;
@@ -154,7 +146,7 @@ Recording record_frames(const DrawnScene& scene, std::span<const int> frames, co
                         Checking checking) {
   sim::Simulation simulation = make_simulation(scene, load_garment(scene));
   Recording recording = begin_recording(scene, simulation);
-  std::optional<PromiseCounter> counter;
+  FrameVerifier verifier;
   if (frames.front() == 0) keep(simulation, 0, recording);
   FrameOutputs outputs;
   outputs.write_shape = [&](int frame, const sim::Simulation& moment, const auto& /*shown_m*/) {
@@ -165,9 +157,9 @@ Recording record_frames(const DrawnScene& scene, std::span<const int> frames, co
     report_progress(static_cast<double>(record.frame) / frames.back());
   };
   if (checking == Checking::promises) {
-    counter.emplace(recording);
+    recording.promises.emplace();
     outputs.verify = [&](const sim::Simulation& moment, FrameRecord& record) {
-      counter->count(moment, record);
+      count_promises(moment, verifier, record, *recording.promises);
       return std::string();
     };
   }
@@ -192,11 +184,11 @@ StepRecording record_steps(const DrawnScene& scene, std::span<const int> frames,
   sim::Simulation simulation = make_simulation(stepped, load_garment(stepped));
   StepRecording recording{begin_recording(scene, simulation), simulation.frame_time_s(), vertex, {}, false};
   if (frames.front() == 0) keep(simulation, 0, recording.frames);
-  std::optional<PromiseCounter> counter;
+  FrameVerifier verifier;
+  std::optional<PromiseCounts>& promises = recording.frames.promises;
   if (checking == Checking::promises) {
-    counter.emplace(recording.frames);
     FrameRecord start;
-    counter->count(simulation, start);
+    count_promises(simulation, verifier, start, promises.emplace());
   }
   for (int frame = 1; frame <= frames.back() && !recording.came_to_rest; ++frame) {
     for (int step = 0; step < steps_in_frame && !recording.came_to_rest; ++step) {
@@ -209,7 +201,7 @@ StepRecording record_steps(const DrawnScene& scene, std::span<const int> frames,
     record.time_s = simulation.state().time_s;
     measure_stretches(simulation, record);
     add_stretch(record, recording.frames);
-    if (counter) counter->count(simulation, record);
+    if (promises) count_promises(simulation, verifier, record, *promises);
     if (recording.came_to_rest || std::ranges::binary_search(frames, frame)) keep(simulation, frame, recording.frames);
     report_progress(static_cast<double>(frame) / frames.back());
   }

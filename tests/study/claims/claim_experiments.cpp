@@ -44,10 +44,8 @@ void run_strong_shirts(ClaimResults& results, const ProgressCallback& report_pro
       DrawnScene scene = strong_shirt_scene(model_sizes.back());
       scene.simulation.solver.substeps = substeps;
       scene.simulation.solver.strong.iterations = sweeps;
-      const auto before = static_cast<double>(results.strong_runs.size() - 1);
-      results.strong_runs.push_back(run_strong("shirt", scene, is_rigid, frames, [&](double fraction) {
-        report_progress((before + fraction) / (2.0 * settings.size()));
-      }));
+      const ProgressCallback part = report_part(report_progress, results.strong_runs.size() - 1, 2 * settings.size());
+      results.strong_runs.push_back(run_strong("shirt", scene, is_rigid, frames, part));
     }
   }
 }

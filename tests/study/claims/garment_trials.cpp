@@ -94,9 +94,7 @@ std::vector<GarmentTrial> try_garments(const ProgressCallback& report_progress) 
   }
   std::vector<GarmentTrial> trials;
   for (const auto& [file, kind] : models) {
-    trials.push_back(try_garment(file, kind, [&](double fraction) {
-      report_progress((static_cast<double>(trials.size()) + fraction) / static_cast<double>(models.size()));
-    }));
+    trials.push_back(try_garment(file, kind, report_part(report_progress, trials.size(), models.size())));
   }
   return trials;
 }

@@ -13,8 +13,8 @@ constexpr double frame_rate_hz = 60.0;
 constexpr int frames_in_a_turn = 4;
 
 double weight_n(const sim::Simulation& simulation) {
-  double mass_kg = 0.0;
-  for (const double vertex_kg : simulation.garment().masses_kg) mass_kg += vertex_kg;
+  const std::vector<double>& masses_kg = simulation.garment().masses_kg;
+  const double mass_kg = std::accumulate(masses_kg.begin(), masses_kg.end(), 0.0);
   return -mass_kg * simulation.surroundings().forces.gravity_m_per_s2.y;
 }
 

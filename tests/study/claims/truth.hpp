@@ -5,6 +5,11 @@
 
 namespace taut::app {
 
+/// Returns the callback for one of equal parts of some work: the part with this number, counted from 0.
+inline ProgressCallback report_part(const ProgressCallback& report, std::size_t part, std::size_t count) {
+  return [=](double fraction) { report((static_cast<double>(part) + fraction) / static_cast<double>(count)); };
+}
+
 /// A measured number beside the number of theory or a publication.
 struct TruthPoint {
   std::string curve;  ///< points of one line: a load case, a fabric, a coefficient

@@ -87,9 +87,7 @@ std::vector<TruthPoint> run_extension(double physics, const ProgressCallback& re
 }
 
 Vec3 compute_middle(std::span<const Vec3> positions) {
-  Vec3 sum(0.0);
-  for (const Vec3& p : positions) sum += p;
-  return sum / static_cast<double>(positions.size());
+  return std::accumulate(positions.begin(), positions.end(), Vec3(0.0)) / static_cast<double>(positions.size());
 }
 
 /// Measures the acceleration of a sheet of 40 cm on a slope or, if `is_on_cloth`, on another sheet that is pinned
@@ -119,8 +117,8 @@ TruthPoint slide_sheet(const Size& size, double friction, double slope, bool is_
   // The rest shapes are farther apart: layers modelled nearer than two thicknesses would keep only half of that
   // distance where they were modelled, and be lifted where they have slid to.
   for (std::size_t v = 0; is_on_cloth && v < count; ++v) mesh.positions[v].y = 0.01;
-  sim::Simulation simulation = begin(sim::share(sim::make_garment(std::move(mesh), {}, material)), std::move(pins),
-                                     surroundings, 0.01, true, std::move(start_m));
+  sim::Simulation simulation =
+      begin(std::move(mesh), material, std::move(pins), surroundings, true, std::move(start_m));
   const auto sliding = [&] { return compute_middle(std::span(simulation.state().current).first(count)).x; };
   const double before_m = sliding();
   advance(simulation, frames);

@@ -126,9 +126,7 @@ Job make_job(std::string name, double seconds, std::vector<TruthExperiment> expe
              std::vector<TruthPoint>& points) {
   const auto run = [experiments = std::move(experiments), &points](const ProgressCallback& report) {
     for (std::size_t i = 0; i < experiments.size(); ++i) {
-      const auto part = [&](double fraction) {
-        report((static_cast<double>(i) + fraction) / static_cast<double>(experiments.size()));
-      };
+      const ProgressCallback part = report_part(report, i, experiments.size());
       std::ranges::move(run_experiment(experiments[i], 1.0, part), std::back_inserter(points));
     }
   };

@@ -81,8 +81,8 @@ sim::Simulation begin_sheet(const HeldSheet& sheet, double speed_m_per_s, double
     const double x = (p.x - mesh.positions.front().x) / sheet_length_m;
     p.y += start * sheet_length_m * (is_free ? x * x : std::sin(pi * x) + 0.5 * std::sin(2.0 * pi * x));
   }
-  sim::Simulation simulation = begin(sim::share(sim::make_garment(std::move(mesh), {}, material)), std::move(pins),
-                                     std::move(windy), 0.01, false, std::move(start_m));
+  sim::Simulation simulation =
+      begin(std::move(mesh), material, std::move(pins), std::move(windy), false, std::move(start_m));
   sim::SimulationSettings settings = simulation.settings();
   settings.frame_rate_hz = sheet_frames_per_unit / sheet.unit_s();
   simulation.set_settings(settings);

@@ -57,9 +57,10 @@ inline sim::Simulation begin(std::shared_ptr<const sim::Garment> garment, std::v
 }
 
 inline sim::Simulation begin(sim::Mesh mesh, const Material& material, std::vector<Index> pins,
-                             Surroundings surroundings, bool contact = false) {
+                             Surroundings surroundings, bool contact = false,
+                             std::optional<std::vector<Vec3>> start_m = {}) {
   return begin(sim::share(sim::make_garment(std::move(mesh), {}, material)), std::move(pins), std::move(surroundings),
-               0.01, contact);
+               0.01, contact, std::move(start_m));
 }
 
 inline void advance(sim::Simulation& simulation, int frames) {

@@ -133,9 +133,9 @@ std::vector<TruthPoint> run_buckling(double physics, const ProgressCallback& rep
                                       {0.5, {{{10, 22}, {11, 24}, {12, 27}}}}}};
   std::vector<TruthPoint> points;
   for (std::size_t i = 0; i < all.size(); ++i) {
-    const auto part = [&](double fraction) { report((static_cast<double>(i) + fraction) / all.size()); };
     const auto run = [&](double width, const Size& size) { return buckle_strip(size, width, physics); };
-    std::ranges::move(run_all(std::array{all[i].width}, all[i].sizes, part, run), std::back_inserter(points));
+    std::ranges::move(run_all(std::array{all[i].width}, all[i].sizes, report_part(report, i, all.size()), run),
+                      std::back_inserter(points));
   }
   return points;
 }

@@ -88,8 +88,7 @@ sim::Simulation hoist_flag(const Size& size, const Flag& flag, double speed_m_pe
   windy.forces.wind.speed_m_per_s = speed_m_per_s;
   windy.forces.wind.pressure_coefficient *= physics;
   std::vector<Vec3> start_m = uneven_flag(mesh.positions, flag.length_m);
-  return begin(sim::share(sim::make_garment(std::move(mesh), {}, material)), std::move(pins), std::move(windy), 0.01,
-               false, std::move(start_m));
+  return begin(std::move(mesh), material, std::move(pins), std::move(windy), false, std::move(start_m));
 }
 
 std::vector<TruthPoint> run_hanging(double physics, const ProgressCallback& report) {

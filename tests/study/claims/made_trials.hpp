@@ -4,19 +4,10 @@
 
 namespace taut::test {
 
-/// Selects a trial of the results.
-struct WhichTrial {
-  app::MethodTest test = app::MethodTest::time;
-  sim::SolverKind kind = sim::SolverKind::bounded;
-  int triangles = app::trial_shirt_triangles;
-  int step_factor = 1;
-};
-
-/// Returns that trial, for a test to change.
-inline app::MethodTrial& trial_in(app::ClaimResults& results, const WhichTrial& which) {
-  app::MethodTrials& trials = results.trials_of(which.test);
-  const auto& found = app::find_trial(trials, which.kind, which.triangles, which.step_factor);
-  return trials[static_cast<std::size_t>(&found - trials.data())];
+/// Returns a trial of the results, as find_trial() does, for a test to change.
+inline app::MethodTrial& trial_in(app::ClaimResults& results, app::MethodTest test, sim::SolverKind kind,
+                                  int triangles = app::trial_shirt_triangles, int step_factor = 1) {
+  return const_cast<app::MethodTrial&>(app::find_trial(results.trials_of(test), kind, triangles, step_factor));
 }
 
 /// Fills the trials of figure 8 with two frames each, for which every claim about them holds.

@@ -64,9 +64,7 @@ ClaimResults results_of_the_paper() {
 
 using enum sim::SolverKind;
 
-MethodTrial& trial(ClaimResults& results, MethodTest test, sim::SolverKind kind) {
-  return test::trial_in(results, {test, kind});
-}
+using test::trial_in;
 
 ClaimResults results_in_part() {
   ClaimResults results = results_of_the_paper();
@@ -80,14 +78,14 @@ ClaimResults results_in_part() {
   }
   results.methods[1].moved_rms_m = {1e-9};
   results.ideal_stiffnesses[1].max_stretch = {0.04};
-  trial(results, MethodTest::time, implicit).frames = {{0.1, 10.0, 0.1}};
-  trial(results, MethodTest::time, strong).frames = {{0.1, 20.0, 0.01}};
-  trial(results, MethodTest::time, fast_projection).frames = {{0.1, 10.0, 0.005}, {0.2, 10.0, 0.005}};
-  for (TrialFrame& frame : trial(results, MethodTest::rest, vassilev).frames) frame.speed_m_per_s = 0.005;
+  trial_in(results, MethodTest::time, implicit).frames = {{0.1, 10.0, 0.1}};
+  trial_in(results, MethodTest::time, strong).frames = {{0.1, 20.0, 0.01}};
+  trial_in(results, MethodTest::time, fast_projection).frames = {{0.1, 10.0, 0.005}, {0.2, 10.0, 0.005}};
+  for (TrialFrame& frame : trial_in(results, MethodTest::rest, vassilev).frames) frame.speed_m_per_s = 0.005;
   for (const sim::SolverKind kind : {vassilev, implicit}) {
-    test::trial_in(results, {MethodTest::time, kind, 10600}).frames = {{0.1, 10.0, 0.04}};
+    trial_in(results, MethodTest::time, kind, 10600).frames = {{0.1, 10.0, 0.04}};
   }
-  trial(results, MethodTest::steps, strong).frames[1].stretch = 0.06;
+  trial_in(results, MethodTest::steps, strong).frames[1].stretch = 0.06;
   return results;
 }
 
@@ -109,8 +107,8 @@ ClaimResults results_against_it() {
       frame.stretch = 0.01;
     }
   }
-  trial(results, MethodTest::rest, vassilev).frames = trial(results, MethodTest::rest, ideal).frames;
-  trial(results, MethodTest::steps, strong).is_lost = true;
+  trial_in(results, MethodTest::rest, vassilev).frames = trial_in(results, MethodTest::rest, ideal).frames;
+  trial_in(results, MethodTest::steps, strong).is_lost = true;
   return results;
 }
 
@@ -337,8 +335,7 @@ TEST(Report, IsOneFileWithPicturesInside) {
 
 TEST(Report, SaysBelowFigure8WhatWasMeasuredOfEachMethod) {
   ClaimResults results = results_of_the_paper();
-  MethodTrial& longest =
-      test::trial_in(results, {MethodTest::steps, ideal, trial_shirt_triangles, trial_step_factors.back()});
+  MethodTrial& longest = trial_in(results, MethodTest::steps, ideal, trial_shirt_triangles, trial_step_factors.back());
   longest.is_lost = true;
   const std::string html = report_html({}, {}, {}, {}, methods_html(results));
   EXPECT_CONTAINS(html,

@@ -27,7 +27,7 @@ ClaimResults results_with_losses() {
   test::make_up_trials(results);
   for (const int factor : {2, 5}) {
     MethodTrial& lost =
-        test::trial_in(results, {MethodTest::steps, sim::SolverKind::ideal, trial_shirt_triangles, factor});
+        test::trial_in(results, MethodTest::steps, sim::SolverKind::ideal, trial_shirt_triangles, factor);
     lost.is_lost = true;
     lost.frames.resize(factor == 2 ? 1 : 0);
   }

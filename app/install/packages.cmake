@@ -35,6 +35,7 @@ taut_package(addon blender-taut graphics
   "This is the add-on as Blender installs it: /usr/share/taut/taut_cloth.zip." "${of_library}")
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS "ffmpeg, libosmesa6")
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS snakemake)
+set(CPACK_DEBIAN_LIBRARY_PACKAGE_SUGGESTS libosmesa6)
 set(CPACK_DEBIAN_HEADERS_PACKAGE_SUGGESTS mono-runtime)
 set(CPACK_DEBIAN_PYTHON_PACKAGE_RECOMMENDS python3-numpy)
 set(CPACK_DEBIAN_ADDON_PACKAGE_RECOMMENDS blender)

@@ -34,7 +34,8 @@ void take_mesh(const TautBody& given, const app::Scene& scene, GivenBody& taken)
 }
 
 // Settings that may change while a cloth moves. All others define the cloth or its start.
-constexpr std::array changeable_sections = {"air.", "cloth.", "gravity.", "pins.motion.", "rest.", "solver.", "wind."};
+constexpr std::array changeable_sections = {"air.",         "camera.", "cloth.",  "gravity.", "picture.",
+                                            "pins.motion.", "rest.",   "solver.", "wind."};
 
 bool is_live(const std::string& key) {
   return key == "forces" ||
@@ -75,19 +76,17 @@ std::string trim(const std::string& text) {
   return first == std::string::npos ? "" : text.substr(first, text.find_last_not_of(' ') + 1 - first);
 }
 
-app::Scene make_scene(const TautOptions& options, const std::vector<app::Override>& overrides) {
+app::DrawnScene make_scene(const TautOptions& options, const std::vector<app::Override>& overrides) {
   const int named =
       (options.scene != nullptr ? 1 : 0) + (options.scene_text != nullptr ? 1 : 0) + (options.mesh != nullptr ? 1 : 0);
   require(named == 1, "expected exactly one of scene, scene_text and mesh");
-  if (options.scene != nullptr) return app::find_scene(app::undrawn_format(), options.scene, overrides);
-  if (options.scene_text != nullptr) {
-    return app::read_scene(app::undrawn_format(), options.scene_text, "scene text", overrides);
-  }
-  app::Scene scene;
+  if (options.scene != nullptr) return app::find_scene(options.scene, overrides);
+  if (options.scene_text != nullptr) return app::read_scene_text(options.scene_text, "scene text", overrides);
+  app::DrawnScene scene;
   scene.name = "mesh";
   scene.garment.given = std::make_shared<const app::ImportedModel>(model_from(options.mesh));
   scene.garment.mesh = app::MeshChoice::model;
-  app::apply_overrides(app::undrawn_format(), overrides, scene);
+  app::apply_overrides(overrides, scene);
   require(scene.garment.file.empty(), "garment.file: expected no file where a mesh is given");
   require(scene.garment.subdivisions == 0, "garment.subdivisions: expected a mesh that is subdivided already");
   return scene;
@@ -165,7 +164,7 @@ std::size_t add_to_scene(const GivenBody& given, app::Scene& scene) {
 std::size_t Session::add_body(const TautBody* body) {
   GivenBody parsed = take_body(body, scene_);
   require(parsed.source.dress == 0, "dress: expected 0 of a body that is added later");
-  app::Scene next = scene_;
+  app::DrawnScene next = scene_;
   const std::size_t number = add_to_scene(parsed, next);
   change(std::move(next));
   if (parsed.lent) caller_bodies_[number] = std::move(*parsed.lent);
@@ -320,7 +319,7 @@ sim::Surroundings Session::surroundings_of(const app::Scene& scene) const {
   return surroundings;
 }
 
-void Session::change(app::Scene next) {
+void Session::change(app::DrawnScene next) {
   require_not_diverged();
   simulation_.set_surroundings(surroundings_of(next));
   simulation_.set_settings(app::simulation_settings(next.simulation));
@@ -330,18 +329,19 @@ void Session::change(app::Scene next) {
 
 void Session::set(const std::string& key, const std::string& value) {
   if (!is_live(key)) {
-    throw ArgumentError(key +
-                        ": expected a key of wind, gravity, forces, air, solver, cloth, rest or pins.motion; "
-                        "others are set when a cloth is made");
+    throw ArgumentError(
+        key +
+        ": expected a key of wind, gravity, forces, air, solver, cloth, rest, pins.motion, camera or picture; "
+        "others are set when a cloth is made");
   }
-  app::Scene next = scene_;
+  app::DrawnScene next = scene_;
   const app::Override changed{key, value, key + " = " + value};
-  app::apply_overrides(app::undrawn_format(), {&changed, 1}, next);
+  app::apply_overrides({&changed, 1}, next);
   change(std::move(next));
 }
 
 void Session::set_wind(const sim::Vec3& velocity_m_per_s) {
-  app::Scene next = scene_;
+  app::DrawnScene next = scene_;
   sim::Wind& wind = next.surroundings.forces.wind;
   wind.speed_m_per_s = glm::length(velocity_m_per_s);
   wind.direction = wind.speed_m_per_s > 0.0 ? velocity_m_per_s : wind.direction;
@@ -349,7 +349,7 @@ void Session::set_wind(const sim::Vec3& velocity_m_per_s) {
 }
 
 void Session::set_gravity(const sim::Vec3& gravity_m_per_s2) {
-  app::Scene next = scene_;
+  app::DrawnScene next = scene_;
   next.surroundings.forces.gravity_m_per_s2 = gravity_m_per_s2;
   change(std::move(next));
 }
@@ -443,8 +443,9 @@ std::vector<double> Session::stretch() const {
 std::string Session::save() const {
   app::RunCheckpoint run;
   run.scene_name = scene_.name;
-  const app::SceneFormat<app::Scene> format = app::simulation_format();
-  run.scene = app::to_scene_text(app::scene_to_json(format, scene_), scene_, app::GarmentNaming::in_assets);
+  const app::Scene& simulated = scene_;
+  run.scene = app::to_scene_text(app::scene_to_json(app::simulation_format(), simulated), simulated,
+                                 app::GarmentNaming::in_assets);
   run.frame = frame_;
   run.simulation = sim::encode(simulation_.save(), simulation_.garment());
   return app::to_bytes(run);
@@ -477,6 +478,7 @@ Start load(const TautOptions& options) {
   start.loaded = app::load_garment(start.scene);
   start.listener.tell(app::put_where_it_begins(start.loaded, start.scene));
   start.listener.tell(app::collect_remarks(start.loaded));
+  app::face_front(start.loaded, start.scene);
   const app::StartRemarks remarks = app::remarks_on_start(start.scene, start.loaded);
   start.listener.tell(remarks.lines);
   start.crossings = remarks.crossings;

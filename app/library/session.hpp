@@ -1,10 +1,10 @@
 #pragma once
 
 #include "app/bodies/frame_source.hpp"
+#include "app/drawing/framing.hpp"
 #include "app/library/taut.h"
 #include "app/runs/frame_verifier.hpp"
 #include "app/runs/run_checkpoint.hpp"
-#include "app/scene/scene_file.hpp"
 
 namespace taut::library {
 
@@ -85,7 +85,7 @@ struct Listener {
 
 /// A scene and its garment, ready to start.
 struct Start {
-  app::Scene scene;
+  app::DrawnScene scene;
   app::LoadedGarment loaded;
   std::map<std::size_t, CallerBody> lent = {};  ///< key: body number
   std::size_t crossings = 0;                    ///< see TautInfo::crossings_at_start
@@ -107,6 +107,7 @@ class Session {
   /// Throws as make_simulation() and go_to_start() do.
   Session(const TautOptions& options, Start start);
 
+  const app::DrawnScene& scene() const { return scene_; }
   const sim::Simulation& simulation() const { return simulation_; }
   const app::GarmentInScene& garment() const { return loaded_; }
   int frame() const { return frame_; }
@@ -151,7 +152,7 @@ class Session {
   sim::Surroundings surroundings_of(const app::Scene& scene) const;
   /// Throws sim::Diverged if a position is not finite or too far away.
   void require_not_diverged() const;
-  void change(app::Scene next);
+  void change(app::DrawnScene next);
   void apply_targets(sim::Surroundings& surroundings) const;
   void stay_at_targets();
   void forget_targets();
@@ -162,7 +163,7 @@ class Session {
   sim::Vec3 vertex_offset_m(sim::Index in_mesh, sim::Index own) const;
   std::vector<sim::Vec3> to_mesh_positions(const std::vector<sim::Vec3>& positions_m) const;
 
-  app::Scene scene_;
+  app::DrawnScene scene_;
   app::GarmentInScene loaded_;
   std::vector<sim::Index> mesh_vertex_;  ///< mesh vertex of each of the caller's vertices, or sim::no_vertex
   std::vector<sim::Index> own_vertex_;   ///< caller's vertex of each mesh vertex

@@ -1,4 +1,5 @@
 #include "app/library/border.hpp"
+#include "app/library/drawing.hpp"
 #include "app/scene/fabric.hpp"
 
 namespace taut::library {
@@ -245,6 +246,18 @@ TautResult taut_get_edges(TautCloth cloth, uint32_t* vertices, double* rest_leng
         rest_lengths[e] = glm::distance(garment.mesh.positions[a], garment.mesh.positions[b]);
       }
     }
+  });
+}
+
+TautResult taut_draw(TautCloth cloth, int32_t width_px, int32_t height_px, uint8_t* rgb, size_t size) {
+  return with(cloth, [&](const Session& session) {
+    for (const int32_t side_px : {width_px, height_px}) {
+      if (side_px < 16 || side_px > 16384) throw ArgumentError("found {} pixels, expected 16 to 16384", side_px);
+    }
+    require(session.scene().picture.background.kind != app::BackgroundKind::transparent,
+            "picture.background: found none, expected a background");
+    require_array_length(rgb, size, std::size_t{3} * width_px * height_px);
+    std::ranges::copy(draw(session, width_px, height_px).pixels, rgb);
   });
 }
 

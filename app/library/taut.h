@@ -125,7 +125,7 @@ typedef struct TautOptions {
   const char *scene_text;      /* scene as TOML; its file names are relative to the working folder */
   const TautMesh *mesh;        /* garment at rest, without pins, under gravity */
   const TautPoints *start;     /* start positions of its vertices, at rest; NULL: as modelled */
-  const char *const *settings; /* "wind.speed = 4": any key of `taut help scene` except pictures */
+  const char *const *settings; /* "wind.speed = 4": any key of `taut help scene` */
   size_t setting_count;
   const char *importer;        /* program that reads model files; NULL: libexec/taut/taut-import beside the library */
   TautLog log;                 /* NULL: no messages */
@@ -213,8 +213,8 @@ TAUT_API TautResult taut_get_info(TautCloth cloth, TautInfo *info);
  * and bodies are forgotten afterwards, also after these errors. */
 TAUT_API TautResult taut_step(TautCloth cloth, TautFrame *frame);
 
-/* Changes a setting of wind, gravity, forces, air, solver, cloth, rest or pins.motion: taut_set(cloth, "cloth.fabric",
- * "silk"), ("solver.max_stretch", "0.01"). TAUT_ERROR_ARGUMENT for other keys. */
+/* Changes a setting of wind, gravity, forces, air, solver, cloth, rest, pins.motion, camera or picture: taut_set(cloth,
+ * "cloth.fabric", "silk"), ("solver.max_stretch", "0.01"). TAUT_ERROR_ARGUMENT for other keys. */
 TAUT_API TautResult taut_set(TautCloth cloth, const char *key, const char *value);
 /* Sets the velocity of the air in m/s. Gusts and coefficients do not change. */
 TAUT_API TautResult taut_set_wind(TautCloth cloth, double x, double y, double z);
@@ -254,6 +254,12 @@ TAUT_API TautResult taut_get_stretch(TautCloth cloth, double *stretch, size_t co
 TAUT_API TautResult taut_get_triangles(TautCloth cloth, uint32_t *vertices, size_t count);
 /* Gets the two vertices and the rest length in m of each edge. Either array may be NULL. `count` is info.edge_count. */
 TAUT_API TautResult taut_get_edges(TautCloth cloth, uint32_t *vertices, double *rest_lengths, size_t count);
+
+/* Draws the cloth and the bodies as `taut render` does, without its legend: three bytes for each pixel, red, green and
+ * blue of sRGB, row by row from the upper left corner. Keys of pictures set the look, except picture.width and .height;
+ * the background cannot be transparent. The sides are 16 to 16384 pixels and `size` is 3 * width_px * height_px.
+ * TAUT_ERROR_INPUT without Mesa's libOSMesa.so.8 and without EGL, which are opened when the first picture is drawn. */
+TAUT_API TautResult taut_draw(TautCloth cloth, int32_t width_px, int32_t height_px, uint8_t *rgb, size_t size);
 
 /* Gets the hash of all bits of positions and velocities: TautFrame.state_hash. */
 TAUT_API TautResult taut_state_hash(TautCloth cloth, uint64_t *hash);

@@ -65,6 +65,8 @@ static class TestTaut {
       cloth.GetPositions(numbers);
       Require(numbers[1] == 0.01f, "the target of a pin");
       Require(cloth.Stretch.Length == Side * Side, "stretch of vertices");
+      var picture = cloth.Draw(32, 24);
+      Require(picture.Length == 3 * 32 * 24 && Array.Exists(picture, value => value != picture[0]), "picture");
       cloth.Restore(state);
       Require(cloth.StateHash == frame.StateHash, "restored hash");
       Require(ResultOf(() => cloth.SetPins(99), "found vertex 99") == 3, "a pin that is none");

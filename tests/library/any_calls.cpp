@@ -211,7 +211,7 @@ class Calls {
     std::vector<std::uint32_t> whole(4096);
     std::vector<double> real(4096);
     const TautPointsOut out = {or_null(real[0]), count(16), seldom() ? 3U : 24U, type()};
-    switch (next() % 5) {
+    switch (next() % 6) {
       case 0:
         return taut_get_positions(cloth, or_null(out));
       case 1:
@@ -220,9 +220,17 @@ class Calls {
         return taut_get_stretch(cloth, or_null(real[0]), count(16));
       case 3:
         return taut_get_triangles(cloth, or_null(whole[0]), count(54));
+      case 4:
+        return refuse_to_draw(cloth);
       default:
         return taut_get_edges(cloth, or_null(whole[0]), or_null(real[0]), count(33));
     }
+  }
+
+  // A picture takes longer than all other calls, so that one argument is always wrong.
+  TautResult refuse_to_draw(TautCloth cloth) {
+    std::uint8_t rgb = 0;
+    return taut_draw(cloth, next() % 20, 16 + next(), or_null(rgb), count(16));
   }
 
   TautResult lead(TautCloth cloth) {

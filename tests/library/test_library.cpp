@@ -193,6 +193,42 @@ TEST(Library, WindGravityForcesAndSettingsAct) {
   EXPECT_EQ(taut_step(cloth, nullptr), TAUT_OK) << cloth.error();
 }
 
+TEST(Library, DrawsTheClothInItsLookAndTheBodiesWhereTheyAre) {
+  constexpr int width_px = 40, height_px = 32;
+  Square square;
+  const Box box(-0.2);
+  const TautBody* const bodies[] = {&box.body};
+  const char* settings[] = {"picture.outside_colour = \"#ff0000\"", "camera.elevation = 50"};
+  square.options.settings = settings;
+  square.options.setting_count = 2;
+  square.options.bodies = bodies;
+  square.options.body_count = 1;
+  OwnCloth cloth(square.options);
+  std::vector<std::uint8_t> rgb(3 * width_px * height_px);
+  const auto count_red = [&] {
+    EXPECT_EQ(taut_draw(cloth, width_px, height_px, rgb.data(), rgb.size()), TAUT_OK) << cloth.error();
+    int count = 0;
+    for (std::size_t k = 0; k < rgb.size(); k += 3) count += rgb[k] > 2 * rgb[k + 1] ? 1 : 0;
+    return count;
+  };
+  const int red_count = count_red();
+  EXPECT_GT(red_count, 300) << "the cloth fills much of the picture";
+  Box moved(1.0);
+  ASSERT_EQ(taut_place_body(cloth, 0, &moved.mesh.positions), TAUT_OK) << cloth.error();
+  EXPECT_LT(count_red(), red_count / 2) << "the picture shows the box far above too";
+  ASSERT_EQ(taut_set(cloth, "picture.outside_colour", "\"#00ff00\""), TAUT_OK) << cloth.error();
+  EXPECT_EQ(count_red(), 0);
+  const auto refusal = [&](int width, int height, std::size_t size) {
+    EXPECT_EQ(taut_draw(cloth, width, height, rgb.data(), size), TAUT_ERROR_ARGUMENT);
+    return std::string(cloth.error());
+  };
+  EXPECT_EQ(refusal(15, height_px, rgb.size()), "found 15 pixels, expected 16 to 16384");
+  EXPECT_EQ(refusal(width_px, 16385, rgb.size()), "found 16385 pixels, expected 16 to 16384");
+  EXPECT_EQ(refusal(width_px, height_px, 3), "found an array of 3, expected 3840");
+  ASSERT_EQ(taut_set(cloth, "picture.background", "none"), TAUT_OK) << cloth.error();
+  EXPECT_EQ(refusal(width_px, height_px, rgb.size()), "picture.background: found none, expected a background");
+}
+
 TEST(Library, GoesOnFromABufferAndAFileWithTheSameBits) {
   const TemporaryFolder folder;
   Square square;

@@ -100,6 +100,17 @@ class Calls(unittest.TestCase):
         with self.assertRaisesRegex(taut.Error, 'to be dressed'):
             self.square(bodies=[taut.Body(box, SIDES, dress=9)])
 
+    def test_pictures(self):
+        with self.square(settings={'picture.outside_colour': '"#ff0000"'}) as cloth, tempfile.TemporaryDirectory() as folder:
+            rows = np.frombuffer(cloth.draw(48, 32), np.uint8).reshape(32, 48, 3)
+            self.assertGreater((rows[..., 0] > 2 * rows[..., 1]).sum(), 50)
+            file = pathlib.Path(folder, 'square.png')
+            cloth.save_picture(file, 48, 32)
+            self.assertEqual(file.read_bytes()[:8], b'\x89PNG\r\n\x1a\n')
+            for size in ((15, 32), (48, -1)):
+                with self.assertRaisesRegex(taut.Error, 'pixels, expected 16 to 16384'):
+                    cloth.draw(*size)
+
     def test_names(self):
         self.assertIn('silk', taut.fabrics())
         self.assertIn('tshirt', taut.scenes())

@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
-# The wheel in a virtual environment with nothing else in it, without a network: it simulates and draws, with the bits of the
-# program, and in Debian's Python its arrays are numpy's. Usage: wheel.sh FOLDER_OF_WHEEL TAUT
+# The wheel in a virtual environment with nothing else in it, without a network: it simulates and draws, with the bits and the
+# picture of the program, and in Debian's Python its arrays are numpy's. Usage: wheel.sh FOLDER_OF_WHEEL TAUT COMPARE_PICTURES
 set -euo pipefail
 wheel=$(echo "$1"/taut_cloth-*.whl)
-taut=$2
+taut=$2 compare=$3
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 cd "$folder"
@@ -25,12 +25,19 @@ for file in "$libraries"/* "$libraries"/../libexec/taut/taut-import; do
     grep -Ev '^(libc|libm|libstdc\+\+|libgcc_s|libz)\.so' && fail "$file needs more than every Linux has"
 done
 unshare -n bare/bin/python3 -m taut_cloth --wind 10 --frames 60 -o shirt.png --set garment.file=tshirt_1028 | tee said.txt
-"$taut" simulate tshirt-gravity --set garment.file=tshirt_1028 --set wind.speed=10 --set 'wind.direction=[0.3, 0.0, 1.0]' \
-  --frames 60 --stats stats.csv >/dev/null
+"$taut" render tshirt-gravity --set garment.file=tshirt_1028 --set wind.speed=10 --set 'wind.direction=[0.3, 0.0, 1.0]' \
+  --resolution 640,640 --frames 60 -o program.png --stats stats.csv >/dev/null
 hash=$(tail -n 1 stats.csv | grep -oE '\b[0-9a-f]{16}\b') || fail "no hash in the statistics"
 grep -q "$hash" said.txt || fail "the program has the state $hash"
-[ "$(file -b shirt.png | cut -d, -f1,2)" = 'PNG image data, 640 x 640' ] || fail "$(file shirt.png)"
+"$compare" program.png shirt.png . 0 0 0 || fail "the program draws another picture"
 cp shirt.png "$1/"
+
+# Libraries that cannot be loaded stand before those of the machine.
+mkdir broken
+touch broken/lib{OSMesa.so,OSMesa.so.6,OSMesa.so.8,EGL.so,EGL.so.1}
+LD_LIBRARY_PATH=broken bare/bin/python3 -m taut_cloth --frames 1 -o none.png >said.txt 2>error.txt && fail "it draws without OpenGL"
+grep -q '^1 frames in .* s: the largest stretch is' said.txt || fail "without OpenGL it does not simulate"
+grep -q '^taut_cloth: cannot draw: .*(apt install libosmesa6)' error.txt || fail "$(cat error.txt)"
 
 PYTHONPATH=$(dirname "$(dirname "$libraries")") /usr/bin/python3 - <<'END'
 import numpy, taut_cloth

@@ -138,6 +138,8 @@ static class Native {
   [DllImport(Library)] internal static extern int taut_get_triangles(Cloth cloth, uint[] vertices, UIntPtr count);
   [DllImport(Library)]
   internal static extern int taut_get_edges(Cloth cloth, uint[] vertices, double[] lengths, UIntPtr count);
+  [DllImport(Library)]
+  internal static extern int taut_draw(Cloth cloth, int width, int height, byte[] rgb, UIntPtr size);
   [DllImport(Library)] internal static extern int taut_state_hash(Cloth cloth, out ulong hash);
   [DllImport(Library)]
   internal static extern int taut_save(Cloth cloth, byte[] buffer, UIntPtr capacity, out UIntPtr size);
@@ -348,6 +350,11 @@ public sealed class Cloth : IDisposable {
 
   public uint[] Pins {
     get { return Filled<uint>((int)Info.PinCount, (to, count) => Native.taut_get_pins(cloth, to, count)); }
+  }
+
+  /// The picture that `taut render` draws of this frame: red, green and blue of each pixel, row by row from above.
+  public byte[] Draw(int width, int height) {
+    return Filled<byte>(3 * width * height, (to, count) => Native.taut_draw(cloth, width, height, to, count));
   }
 
   public ulong StateHash {

@@ -4,6 +4,7 @@ reads models, and scenes. And an extension for Blender: the add-on with the libr
 usage: build.py LIBRARY IMPORTER ADD_ON SOURCES VERSION OUT
 """
 import base64
+import ctypes
 import hashlib
 import pathlib
 import re
@@ -39,6 +40,32 @@ Description-Content-Type: text/markdown
 WHEEL = 'Wheel-Version: 1.0\nGenerator: taut\nRoot-Is-Purelib: false\nTag: {tag}\n'
 # The libstdc++ of GCC 11, which every Linux has whose glibc is 2.34 or newer.
 MAX_GLIBCXX = (3, 4, 29)
+
+
+class Deflate:
+    """Packs for every reader of ZIP as zlib does, but a twentieth smaller."""
+    library = ctypes.CDLL('libdeflate.so.0')
+    library.libdeflate_alloc_compressor.restype = ctypes.c_void_p
+    library.libdeflate_deflate_compress.restype = ctypes.c_size_t
+    packer = ctypes.c_void_p(library.libdeflate_alloc_compressor(12))
+
+    def __init__(self):
+        self.content = bytearray()
+
+    def compress(self, content):
+        self.content += content
+        return b''
+
+    def flush(self):
+        content, packed = bytes(self.content), ctypes.create_string_buffer(len(self.content) + 1024)
+        size = self.library.libdeflate_deflate_compress(self.packer, content, ctypes.c_size_t(len(content)), packed,
+                                                        ctypes.c_size_t(len(packed)))
+        if content and not size:
+            raise SystemExit('build.py: libdeflate makes something longer')
+        return packed.raw[:size]
+
+
+zipfile._get_compressor = lambda *_: Deflate()
 
 
 def needed(file):
@@ -104,7 +131,7 @@ def put_texts(sources, version, package, info, tag):
 
 def write_wheel(folder, record, wheel):
     lines = []
-    with zipfile.ZipFile(wheel, 'w', zipfile.ZIP_DEFLATED, compresslevel=9) as archive:
+    with zipfile.ZipFile(wheel, 'w', zipfile.ZIP_DEFLATED) as archive:
         for file in sorted(path for path in folder.rglob('*') if path.is_file()):
             name, content = str(file.relative_to(folder)), file.read_bytes()
             digest = base64.urlsafe_b64encode(hashlib.sha256(content).digest()).rstrip(b'=').decode()
@@ -113,13 +140,13 @@ def write_wheel(folder, record, wheel):
             is_program = '/libexec/' in name
             entry.external_attr = (0o100755 if is_program else 0o100644) << 16
             entry.compress_type = zipfile.ZIP_DEFLATED
-            archive.writestr(entry, content, compresslevel=9)
+            archive.writestr(entry, content)
         archive.writestr(record, ''.join(lines) + f'{record},,\n')
 
 
 def write_extension(package, addon, manifest, extension):
     shutil.copy(addon, extension)
-    with zipfile.ZipFile(extension, 'a', zipfile.ZIP_DEFLATED, compresslevel=9) as archive:
+    with zipfile.ZipFile(extension, 'a', zipfile.ZIP_DEFLATED) as archive:
         archive.write(manifest, 'taut_cloth/blender_manifest.toml')
         for file in sorted((package / 'lib').iterdir()):
             archive.write(file, f'taut_cloth/lib/{file.name}')

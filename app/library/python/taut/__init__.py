@@ -15,6 +15,8 @@ from __future__ import annotations
 import ctypes
 import os
 import pathlib
+import struct
+import zlib
 from ctypes import POINTER, byref, c_char, c_char_p, c_double, c_int32, c_int64, c_size_t, c_uint32, c_uint64, c_void_p
 from typing import Callable, NamedTuple, Optional, Sequence
 
@@ -115,7 +117,7 @@ def _load() -> ctypes.CDLL:
         'add_body': [POINTER(_Body), POINTER(c_int32)], 'move_body': [c_int32, points],
         'place_body': [c_int32, points], 'get_positions': [points], 'set_positions': [points],
         'get_stretch': [c_void_p, c_size_t], 'get_triangles': [c_void_p, c_size_t],
-        'get_edges': [c_void_p, c_void_p, c_size_t], 'state_hash': [POINTER(c_uint64)],
+        'get_edges': [c_void_p, c_void_p, c_size_t], 'draw': [c_int32, c_int32, c_char_p, c_size_t], 'state_hash': [POINTER(c_uint64)],
         'save': [c_void_p, c_size_t, POINTER(c_size_t)], 'restore': [c_char_p, c_size_t], 'save_file': [c_char_p],
         'restore_file': [c_char_p]}
     for name, types in arguments.items():
@@ -394,6 +396,24 @@ class Cloth:
         lengths = np.empty(len(edges))
         self._call('get_edges', edges.ctypes.data, lengths.ctypes.data, len(edges))
         return edges, lengths
+
+    def draw(self, width: int = 640, height: int = 640) -> bytes:
+        """The picture that `taut render` draws of this frame: red, green and blue of each pixel, row by row from above. Keys of
+        pictures set its look. Needs Mesa's libOSMesa.so.8 (apt install libosmesa6) or EGL."""
+        picture = ctypes.create_string_buffer(max(3 * width * height, 1))
+        self._call('draw', width, height, picture, len(picture))
+        return picture.raw
+
+    def save_picture(self, path, width: int = 640, height: int = 640) -> None:
+        """Draws this frame to a PNG file."""
+        picture = self.draw(width, height)
+        rows = b''.join(b'\0' + picture[at:at + 3 * width] for at in range(0, len(picture), 3 * width))
+        size = struct.pack('>IIBBBBB', width, height, 8, 2, 0, 0, 0)
+        with open(path, 'wb') as file:
+            file.write(b'\x89PNG\r\n\x1a\n')
+            for kind, content in ((b'IHDR', size), (b'IDAT', zlib.compress(rows, 9)), (b'IEND', b'')):
+                checksum = zlib.crc32(kind + content)
+                file.write(struct.pack('>I', len(content)) + kind + content + struct.pack('>I', checksum))
 
     @property
     def state_hash(self) -> int:

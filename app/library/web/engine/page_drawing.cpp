@@ -1,17 +1,10 @@
-#include "app/drawing/garment_painter.hpp"
 #include "app/drawing/picking.hpp"
 #include "app/library/border.hpp"
+#include "app/library/drawing.hpp"
 #include "app/library/web/engine/web_context.hpp"
 
 // Draws a cloth with the program's renderer on the page's canvas.
 namespace taut::library {
-
-/// Canvas of the page.
-struct Stage {
-  WebContext context;
-  renderer::SceneRenderer renderer{context};
-  std::optional<app::GarmentPainter> painter = {};
-};
 
 namespace {
 
@@ -38,24 +31,20 @@ extern "C" {
 /// Returns the stage of the WebGL context that is current, or NULL.
 TAUT_API Stage* taut_page_stage() {
   try {
-    return new Stage;  // stays for the life of the page
+    return new Stage(std::make_unique<WebContext>());  // stays for the life of the page
   } catch (const std::exception& error) {
     std::fprintf(stderr, "%s\n", error.what());
     return nullptr;
   }
 }
 
-/// Dresses the stage in a scene's cloth, as the scene draws it or with its stretch as colours.
-TAUT_API TautResult taut_page_dress(TautCloth cloth, Stage* stage, const char* scene, const char* const* settings,
-                                    std::size_t count, int is_stretch) {
+/// Dresses the stage in the cloth, as its scene draws it or with its stretch as colours.
+TAUT_API TautResult taut_page_dress(TautCloth cloth, Stage* stage, int is_stretch) {
   return with(cloth, [&](const Session& session) {
-    const TautOptions options{.settings = settings, .setting_count = count};
-    app::DrawnScene drawn = app::find_scene(scene, parse_overrides(options));
-    drawn.surroundings = session.simulation().surroundings();
+    app::DrawnScene drawn = session.scene();
     drawn.picture.surface = is_stretch != 0 ? app::SurfaceLook::stretch : app::SurfaceLook::shaded;
     drawn.picture.show_pins = false;
-    const app::GarmentInScene& garment = session.garment();
-    stage->painter.emplace(stage->renderer, drawn, *garment.garment, garment.pins, app::drawn_colours(drawn, garment));
+    stage->dress(session, drawn);
   });
 }
 
@@ -66,8 +55,7 @@ TAUT_API TautResult taut_page_draw(TautCloth cloth, Stage* stage, const float* v
     const renderer::Camera camera{
         .eye = {view[0], view[1], view[2]}, .target = {view[3], view[4], view[5]}, .vertical_fov_rad = view[6]};
     stage->painter->look_from(camera);
-    const sim::State& state = session.simulation().state();
-    stage->renderer.draw_to(0, stage->painter->view(state.current, state.time_s), canvas_settings(width_px, height_px));
+    stage->renderer.draw_to(0, stage->view(session), canvas_settings(width_px, height_px));
   });
 }
 

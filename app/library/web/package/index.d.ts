@@ -14,7 +14,7 @@ export interface Taut {
   readonly memoryBytes: number;
   /** Makes a cloth. Throws TautError. */
   cloth(options: ClothOptions): Cloth;
-  /** What draws cloth on a canvas with the program's renderer, by WebGL 2. Only cloth of a scene is drawn. */
+  /** What draws cloth on a canvas with the program's renderer, by WebGL 2. */
   stage(canvas: OffscreenCanvas | HTMLCanvasElement): number;
 }
 

@@ -128,14 +128,12 @@ const settingText = ([key, value]) => `${key} = ${Array.isArray(value) ? JSON.st
 export class Cloth {
   #module;
   #id = 0n;
-  #drawn;
 
   constructor(module, { scene, text, positions, triangles, start, settings = {}, log } = {}) {
     if ([scene, text, positions].filter((given) => given !== undefined).length !== 1) {
       throw new TautError(3, 'expected exactly one of scene, text and positions');
     }
     this.#module = module;
-    this.#drawn = { scene, settings };
     const listener = log ? module.addFunction((_user, line) => log(module.UTF8ToString(line)), 'vii') : 0;
     lent(module, (memory) => {
       const lines = Object.entries(settings).map(settingText);
@@ -186,7 +184,6 @@ export class Cloth {
   }
 
   set(key, value) {
-    this.#drawn.settings = { ...this.#drawn.settings, [key]: value };
     lent(this.#module, (memory) => this.#call('set', memory.text(key), memory.text(value)));
   }
   setWind(x, y, z) { this.#call('set_wind', x, y, z); }
@@ -233,12 +230,7 @@ export class Cloth {
   bodyPositions(body, out) { return this.#points(out, (at) => this.#call('page_body_positions', body, at)); }
 
   /** Has a stage draw this cloth from now on, as its scene draws it or with its stretch as colours. */
-  dress(stage, isStretch) {
-    lent(this.#module, (memory) => {
-      const lines = Object.entries(this.#drawn.settings).map(settingText);
-      this.#call('page_dress', stage, memory.text(this.#drawn.scene), memory.texts(lines), lines.length, isStretch ? 1 : 0);
-    });
-  }
+  dress(stage, isStretch) { this.#call('page_dress', stage, isStretch ? 1 : 0); }
   /** Draws it. `view`: eye and target in metres, vertical angle of view in radians. */
   draw(stage, view, width, height) {
     lent(this.#module, (memory) =>

@@ -1,10 +1,9 @@
-"""Simulates the T-shirt, or another scene, and draws it to a PNG: python3 -m taut_cloth [-o FILE] [--wind SPEED]."""
+"""Simulates the T-shirt, or another scene, and draws it as `taut render` does: python3 -m taut_cloth [-o FILE] [--wind SPEED]."""
 import argparse
 import sys
 import time
 
 import taut_cloth
-from taut_cloth import picture
 
 
 def show(line: str) -> None:
@@ -16,10 +15,11 @@ def show(line: str) -> None:
 def main() -> None:
     parser = argparse.ArgumentParser(prog='python3 -m taut_cloth', description=__doc__.split(':')[0] + '.')
     parser.add_argument('scene', nargs='?', default='tshirt-gravity', help='one of: ' + ', '.join(taut_cloth.scenes()))
-    parser.add_argument('-o', '--output', default='tshirt.png')
+    parser.add_argument('-o', '--output', default='tshirt.png', help='a PNG')
     parser.add_argument('--wind', type=float, metavar='SPEED', help='in m/s, from behind')
     parser.add_argument('--frames', type=int, default=120, help='of 1/60 s each')
-    parser.add_argument('--set', action='append', default=[], metavar='KEY=VALUE', help='any key of a scene')
+    parser.add_argument('--set', action='append', default=[], metavar='KEY=VALUE',
+                        help='any key of a scene: picture.quality=high')
     given = parser.parse_args()
     if given.frames < 1:
         parser.error(f'--frames: found {given.frames}, expected at least 1')
@@ -33,14 +33,15 @@ def main() -> None:
                 frame = cloth.step()
                 show(f'frame {number} of {given.frames}, stretch {100 * frame.max_surface_stretch:.2f} %')
             taken = time.monotonic() - began
+            show('')
+            print(f'{given.frames} frames in {taken:.1f} s: the largest stretch is {100 * frame.max_surface_stretch:.3f} %, '
+                  f'{frame.measured_crossings} triangles cross, the state is {frame.state_hash:016x}')
             show('drawing')
-            picture.write_png(given.output, *picture.draw(*cloth.shape()))
+            cloth.save_picture(given.output)
     except taut_cloth.Error as error:
         show('')
         parser.exit(1, f'taut_cloth: {error}\n')
     show('')
-    print(f'{given.frames} frames in {taken:.1f} s: the largest stretch is {100 * frame.max_surface_stretch:.3f} %, '
-          f'{frame.measured_crossings} triangles cross, the state is {frame.state_hash:016x}')
     print(f'wrote {given.output}')
 
 

@@ -114,8 +114,6 @@ void put_bodies_in(const TautOptions& options, Start& start) {
   }
 }
 
-}  // namespace
-
 std::vector<app::Override> parse_overrides(const TautOptions& options) {
   require(options.settings != nullptr || options.setting_count == 0, "found settings of NULL");
   require(options.setting_count <= 100000, "found more than 100000 settings");
@@ -131,6 +129,8 @@ std::vector<app::Override> parse_overrides(const TautOptions& options) {
   }
   return overrides;
 }
+
+}  // namespace
 
 GivenBody take_body(const TautBody* body, const app::Scene& scene) {
   const TautBody caller_body = read_struct(body);

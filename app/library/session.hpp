@@ -92,9 +92,6 @@ struct Start {
   Listener listener = {};                       ///< receives the messages of later calls
 };
 
-/// Returns the settings of the options. Throws ArgumentError.
-std::vector<app::Override> parse_overrides(const TautOptions& options);
-
 /// Loads the scene, garment and bodies of the options and sends messages to their log. Throws ArgumentError, and as
 /// find_scene(), take_body(), load_bodies(), load_garment() and put_where_it_begins() do.
 Start load(const TautOptions& options);

@@ -1,10 +1,9 @@
-#include <chrono>
-
 #include "app/base/files.hpp"
 #include "app/base/words.hpp"
 #include "app/bodies/body_loading.hpp"
 #include "app/commands/options.hpp"
 #include "app/garments/sewing/sewing.hpp"
+#include "app/runs/shirt_choice.hpp"
 #include "app/viewer/headless_viewer.hpp"
 
 namespace taut::app {
@@ -12,37 +11,12 @@ namespace {
 
 constexpr const char* first_scene = "tshirt-gusts";
 
-/// Wind in which the first scene runs in real time: that for which the window's slider is made.
-constexpr const char* usual_wind = "wind.speed=10";
-/// Frames until the cloth flutters, and frames that are timed from there on.
-constexpr int frames_before = 12, frames_timed = 24;
-/// A built-in T-shirt, and the time of its frames in this wind over that of the first scene's, tshirt_5280. Larger
-/// values choose a smaller shirt.
-struct TimedShirt {
-  const char* name;
-  double time_ratio;
-};
-constexpr std::array timed_shirts = {TimedShirt{"tshirt_10600", 2.8}, TimedShirt{"tshirt_5280", 1.0},
-                                     TimedShirt{"tshirt_2640", 0.36}};
-/// Largest time of a frame in this wind, as a fraction of real time: in 20 m/s it takes 2.3 times as long, and drawing
-/// slows it. Larger values choose a larger shirt, which falls behind there.
-constexpr double max_time_fraction = 0.5;
-constexpr const char* smallest_shirt = "tshirt_1028";
-
-/// Returns the largest T-shirt that this machine simulates in real time, in 20 m/s nearly. Takes a third of a second on
-/// two cores.
-std::string find_shirt_in_real_time() {
-  const DrawnScene scene = find_scene(first_scene, std::vector{parse_override(usual_wind)});
+/// Returns the scene's T-shirt for this machine. Takes a third of a second on two cores.
+std::string find_shirt() {
+  const DrawnScene scene = find_scene(first_scene, std::vector{parse_override("wind.speed=10")});
   sim::Simulation simulation = make_simulation(scene, load_garment(scene));
-  for (int frame = 0; frame < frames_before; ++frame) simulation.advance_frame();
-  const auto began = std::chrono::steady_clock::now();
-  for (int frame = 0; frame < frames_timed; ++frame) simulation.advance_frame();
-  const std::chrono::duration<double> took = std::chrono::steady_clock::now() - began;
-  const double of_real_time = took.count() / (frames_timed * simulation.frame_time_s());
-  const auto largest = std::find_if(timed_shirts.begin(), timed_shirts.end(), [&](const TimedShirt& shirt) {
-    return of_real_time * shirt.time_ratio <= max_time_fraction;
-  });
-  return largest == timed_shirts.end() ? smallest_shirt : largest->name;
+  const int triangles = find_shirt_in_real_time(simulation, [&] { simulation.advance_frame(); });
+  return fmt::format("garment.file=tshirt_{}", triangles);
 }
 
 std::string layout_text(const ViewerState& state) {
@@ -66,7 +40,7 @@ RecordedSession make_session(const ViewOptions& options) {
   } else if (session.start.scene.empty()) {
     session.start.scene = first_scene;
     if (!options.headless) {
-      session.start.overrides.push_back(parse_override("garment.file=\"" + find_shirt_in_real_time() + '"'));
+      session.start.overrides.push_back(parse_override(find_shirt()));
     }
   }
   session.start.overrides.insert(session.start.overrides.end(), options.overrides.begin(), options.overrides.end());

@@ -148,10 +148,10 @@ def program_hashes(scene, size, wind, frames):
 
 def test_bits(page, scene, size, wind, frames):
     """The same bits as the program's, and the page says so."""
+    expected = program_hashes(scene, size, wind, max(frames))
     page.set_wind(wind)
     page.start_over()
     found = page.run_to(max(frames))
-    expected = program_hashes(scene, size, wind, max(frames))
     for frame in map(str, frames):
         assert found[frame] == expected[frame], (scene, size, wind, frame, found[frame], expected[frame])
     if max(frames) >= 60:
@@ -230,6 +230,9 @@ def main():
         print(f'first frame after {time.monotonic() - began:.1f} s')
         page.press('size', 1028)
         expected = test_bits(page, 'hang', 1028, 0, [1, 60, 600])
+        assert float(page.data()['rate']) > 30, f'drawing slows the cloth down: {page.data()["rate"]} frames a second'
+        page.wait('the best picture, at rest', lambda: browser.execute_script(
+            'const { width, clientWidth } = document.getElementById("stage"); return width === 2 * clientWidth'))
         memory = page.data()['memory']
         page.start_over()
         test_hand(page, expected)

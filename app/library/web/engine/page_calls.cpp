@@ -1,6 +1,7 @@
 #include "app/library/border.hpp"
+#include "app/runs/shirt_choice.hpp"
 
-// Calls that a page needs in addition to taut.h, to draw the bodies of a scene.
+// Calls that a page needs in addition to taut.h.
 namespace taut::library {
 namespace {
 
@@ -37,6 +38,13 @@ TAUT_API TautResult taut_page_body_positions(TautCloth cloth, std::size_t body, 
     const sim::Simulation& simulation = session.simulation();
     sim::positions_at(simulation.surroundings().bodies[body], simulation.state().time_s, positions_m);
     put_points(positions_m, out);
+  });
+}
+
+/// Gets the number of triangles of the largest T-shirt in real time, of which this cloth is one. Advances it.
+TAUT_API TautResult taut_page_shirt(TautCloth cloth, std::int32_t* triangles) {
+  return with(cloth, [&](Session& session) {
+    *triangles = app::find_shirt_in_real_time(session.simulation(), [&] { session.step(); });
   });
 }
 }

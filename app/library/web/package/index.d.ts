@@ -101,8 +101,14 @@ export class Cloth {
   bodyPositions<Out extends Float32Array | Float64Array>(body: number, out: Out): Out;
   /** Has a stage draw this cloth from now on, as its scene draws it or with its stretch as colours. */
   dress(stage: number, isStretch: boolean): void;
-  /** Draws it. `view`: eye and target in metres and the vertical angle of view in radians; sizes in pixels. */
-  draw(stage: number, view: Numbers, width: number, height: number): void;
+  /** Draws it. `view`: eye and target in metres and the vertical angle of view in radians; sizes in pixels; `level`: 0, the
+   *  best, to 5, which takes a third of the time. */
+  draw(stage: number, view: Numbers, width: number, height: number, level?: number): void;
+  /** Chooses the best level for 30 pictures a second, from the time of each picture and the simulated time that was given up
+   *  meanwhile, and how long to wait before the next one so that the cloth does not fall behind. */
+  nextPicture(stage: number, pictureMs: number, lostMs: number): { level: number; restMs: number };
+  /** Steps a T-shirt 36 times. How many triangles the largest T-shirt has that takes half of real time. */
+  largestShirt(): number;
   /** The point of the cloth that a ray meets and its nearest vertex; null if a body is in front or nothing is met. */
   pick(from: Numbers, along: Numbers): { vertex: number; point: number[] } | null;
   readonly stateHash: string;

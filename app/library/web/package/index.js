@@ -229,12 +229,21 @@ export class Cloth {
   }
   bodyPositions(body, out) { return this.#points(out, (at) => this.#call('page_body_positions', body, at)); }
 
+  /** How many triangles the largest T-shirt has that is in real time here, of which this cloth is one. Steps it. */
+  largestShirt() { return this.#filled(new Int32Array(1), (at) => this.#call('page_shirt', at))[0]; }
+
   /** Has a stage draw this cloth from now on, as its scene draws it or with its stretch as colours. */
   dress(stage, isStretch) { this.#call('page_dress', stage, isStretch ? 1 : 0); }
   /** Draws it. `view`: eye and target in metres, vertical angle of view in radians. */
-  draw(stage, view, width, height) {
+  draw(stage, view, width, height, level = 0) {
     lent(this.#module, (memory) =>
-      this.#call('page_draw', stage, memory.array(Float32Array.from(view)), width, height));
+      this.#call('page_draw', stage, memory.array(Float32Array.from(view)), width, height, level));
+  }
+  /** After a picture, the level for the next one and how long to wait with it. */
+  nextPicture(stage, pictureMs, lostMs) {
+    const [level, restMs] = this.#filled(new Float64Array(2), (at) =>
+      this.#call('page_next_picture', stage, pictureMs, lostMs, at));
+    return { level, restMs };
   }
   /** The nearest vertex of the cloth that a ray meets and the point, or nothing. */
   pick(from, along) {

@@ -14,7 +14,7 @@ const chosen = { scene: 'hang', size: 0 };  // until the worker has found the la
 const USUAL = { hang: { wind: 1, from: 17, direction: [0.3, 0, 1], isSized: true },
   walk: { wind: 1, from: 17, direction: [0.3, 0, 1], isSized: true },
   flag: { wind: 6, from: 101, direction: [1, 0, -0.2] }, line: { wind: 3, from: 14, direction: [0.25, 0, 1] } };
-let worker, run = 0, isSteered = false, isReady = false, asked = 0, times = [];
+let worker, run = 0, isSteered = false, isReady = false, times = [];
 
 window.addEventListener('load', () => {
   // From a file a page may not start a worker's file, but one of text.
@@ -24,6 +24,7 @@ window.addEventListener('load', () => {
   const drawn = canvas.transferControlToOffscreen();
   worker.postMessage({ do: 'canvas', canvas: drawn }, [drawn]);
   worker.postMessage({ do: 'measure' });
+  sayWhetherShown();
 });
 
 const isFromUsual = () => Number(byId('direction').value) === USUAL[chosen.scene].from;
@@ -42,7 +43,6 @@ function choose(key, value) {
 function start() {
   if (!chosen.size) return;
   isReady = isSteered = false;
-  asked = 0;
   const fabric = byId('fabric').value, bound = byId('bound').value, wind = air();
   const settings = { 'solver.max_stretch': bound, ...(fabric ? { 'cloth.fabric': fabric } : {}) };
   const isUsual = fabric === '' && bound === '0.01' && isFromUsual();
@@ -64,13 +64,10 @@ const answers = {
     isReady = true;
     times = [];
     notice('');
-    ask();
     byId('build').textContent = build;
     document.body.dataset.state = `${chosen.scene}-${info.triangle_count}`;
   },
   frame(data) {
-    --asked;
-    setTimeout(ask, due - performance.now());
     promises.add(data.frame, isSteered);
     note(data);
   },
@@ -85,10 +82,7 @@ const answers = {
   },
   failed({ text, at }) {
     notice(at === 'step' ? `This frame could not be made: ${text}` : text);
-    if (at !== 'step') return;
-    --asked;
-    worker.postMessage({ do: 'release' });
-    setTimeout(ask, 500);
+    if (at === 'step') worker.postMessage({ do: 'release' });
   },
 };
 
@@ -97,29 +91,13 @@ function note({ ms, frame, memory }) {
   times.push({ now, ms });
   if (times.length > 60) times.shift();
   const rate = (times.length - 1) / (now - times[0].now) * 1000;
-  const mean = meanMs();
+  const mean = times.reduce((sum, time) => sum + time.ms, 0) / times.length;
   if (frame.frame % 15 === 0) byId('speed').textContent = `${mean.toFixed(1)} ms a frame, ${rate.toFixed(0)} a second`;
   Object.assign(document.body.dataset, { ms: mean, rate, memory, frame: frame.frame, hash: frame.state_hash });
 }
 
-// A frame each 1/60 s, however often the screen wants a picture. Where drawing takes long several are asked for at once;
-// where simulating does, few, so that what the hand does is seen soon.
-const FRAME_MS = 1000 / 60, MOST_ASKED = 8, QUICK_MS = 0.7 * FRAME_MS;
-let due = 0;
-function ask() {
-  if (!isReady || document.hidden) return;
-  const now = performance.now(), most = meanMs() < QUICK_MS ? MOST_ASKED : 2;
-  due = Math.max(due, now - most * FRAME_MS);
-  while (asked < most && due <= now) {
-    due += FRAME_MS;
-    ++asked;
-    worker.postMessage({ do: 'step' });
-  }
-  if (asked === 0) setTimeout(ask, due - now);
-}
-const meanMs = () => times.reduce((sum, time) => sum + time.ms, 0) / times.length;
-
-document.addEventListener('visibilitychange', ask);
+const sayWhetherShown = () => worker.postMessage({ do: 'show', isShown: !document.hidden });
+document.addEventListener('visibilitychange', sayWhetherShown);
 
 function steer(message) {
   if (!isReady) return;

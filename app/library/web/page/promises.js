@@ -25,7 +25,7 @@ export class Promises {
     byId('gap').textContent = Number.isFinite(frame.smallest_distance_m)
       ? `${(1000 * frame.smallest_distance_m).toFixed(2)} mm` : 'far apart';
     if (frame.frame % 60 === 0) this.#compare(frame, isSteered);
-    this.#draw();
+    this.drawing ??= requestAnimationFrame(() => this.#draw());  // frames may come faster than pictures
   }
 
   #compare(frame, isSteered) {
@@ -51,6 +51,7 @@ export class Promises {
 
   // The last four seconds below the line of the bound.
   #draw() {
+    this.drawing = null;
     const { width, height } = byId('curve'), context = byId('curve').getContext('2d');
     const x = (k) => (k + KEPT - this.stretches.length) / (KEPT - 1) * width;
     const y = (stretch) => height - (height - 10) * Math.max(stretch, 0) / this.bound;

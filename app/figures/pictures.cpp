@@ -9,9 +9,8 @@ namespace {
 
 // Fraction of the picture's width and height that stays free around the content.
 constexpr float print_margin_fraction = 0.045F;
-// Passes of pictures of the usual size; smaller ones have fewer in proportion to their pixels. Fewer show noise in
-// shadows, more take longer.
-constexpr float print_passes = 64.0F;
+// Smallest number of passes of small pictures, which have fewer than the usual in proportion to their pixels. Fewer
+// show noise in shadows, more take longer.
 constexpr float min_print_passes = 8.0F;
 
 DrawnScene scene_for_print(const PrintedMoment& moment, const glm::ivec2& size) {
@@ -167,7 +166,9 @@ Prints print_moments(LazyOffscreenRenderer& lazy, std::span<const PrintedMoment>
   prints.size_px = size;
   for (const PrintedMoment& moment : moments) {
     DrawnScene scene = scene_for_print(moment, {scaled(size.x), scaled(size.y)});
-    scene.picture.passes = static_cast<int>(std::clamp(print_passes * scale * scale, min_print_passes, print_passes));
+    const auto usual_passes = static_cast<float>(scene.picture.passes);
+    scene.picture.passes =
+        static_cast<int>(std::min(std::max(scale * scale * usual_passes, min_print_passes), usual_passes));
     scene.camera.eye = camera.eye;
     scene.camera.target = camera.target;
     GarmentPainter painter(offscreen.renderer(), scene, *moment.recording->garment, moment.recording->pins);

@@ -13,12 +13,13 @@ std::unique_ptr<renderer::Context> open_context() {
   }
 }
 
-/// Places the camera so that the cloth and the bodies fill the picture, as for a single picture of `taut render`.
-void fit_camera(const Session& session, app::DrawnScene& drawn) {
+/// Places the camera so that the cloth, drawn at `shown_m`, and the bodies fill the picture, as for a single picture of
+/// `taut render`.
+void fit_camera(const Session& session, const std::vector<sim::Vec3>& shown_m, app::DrawnScene& drawn) {
   if (!app::is_fitted(drawn)) return;
   const sim::State& state = session.simulation().state();
   app::FittedView fitted(drawn, session.simulation().garment());
-  fitted.add(state.current, session.garment().shown_m(state.current), state.time_s);
+  fitted.add(state.current, shown_m, state.time_s);
   fitted.place_camera(drawn);
 }
 
@@ -29,19 +30,21 @@ void Stage::dress(const Session& session, const app::DrawnScene& drawn) {
                   app::drawn_colours(drawn, session.garment()));
 }
 
-const renderer::FrameView& Stage::view(const Session& session) {
+const renderer::FrameView& Stage::view(const Session& session, const std::vector<sim::Vec3>& shown_m) {
   const sim::State& state = session.simulation().state();
-  return painter->view(state.current, state.time_s);
+  return painter->view(state.current, state.time_s, shown_m);
 }
 
 renderer::Image draw(const Session& session, int width_px, int height_px) {
   app::DrawnScene drawn = session.scene();
   drawn.picture.settings.width_px = width_px;
   drawn.picture.settings.height_px = height_px;
-  fit_camera(session, drawn);
+  // A model that follows is shaped once, for the camera and the picture.
+  const std::vector<sim::Vec3> shown_m = session.garment().shown_m(session.simulation().state().current);
+  fit_camera(session, shown_m, drawn);
   Stage stage(open_context());
   stage.dress(session, drawn);
-  return stage.renderer.draw(stage.view(session), app::to_picture_settings(drawn.picture));
+  return stage.renderer.draw(stage.view(session, shown_m), app::to_picture_settings(drawn.picture));
 }
 
 }  // namespace taut::library

@@ -11,8 +11,9 @@ struct Stage {
 
   /// Makes the painter of this session's cloth. `drawn`: the session's scene, in the style of the pictures.
   void dress(const Session& session, const app::DrawnScene& drawn);
-  /// Returns the dressed cloth and the bodies at the end of the last frame. Valid until the next call.
-  const renderer::FrameView& view(const Session& session);
+  /// Returns the dressed cloth and the bodies at the end of the last frame. Valid until the next call. `shown_m`: see
+  /// GarmentPainter::view().
+  const renderer::FrameView& view(const Session& session, const std::vector<sim::Vec3>& shown_m = {});
 
   std::unique_ptr<renderer::Context> context;
   renderer::SceneRenderer renderer;

@@ -2,7 +2,9 @@
 
 #include "app/drawing/drawing.hpp"
 #include "app/drawing/framing.hpp"
+#include "app/drawing/garment_colours.hpp"
 #include "app/drawing/garment_surface.hpp"
+#include "app/drawing/spring_lines.hpp"
 #include "renderer/scene_renderer.hpp"
 #include "sim/solvers/bounded/contact/clearances.hpp"
 

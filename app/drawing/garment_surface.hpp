@@ -1,29 +1,10 @@
 #pragma once
 
-#include "app/drawing/drawn_scene.hpp"
-#include "app/models/garment_loading.hpp"
-#include "renderer/surface/lines.hpp"
+#include "app/drawing/garment_sewing.hpp"
+#include "renderer/surface/smooth_surface.hpp"
+#include "renderer/surface/wrinkles.hpp"
 
 namespace taut::app {
-
-/// Returns the position of each corner of the garment's triangles on its flat piece of cloth, three per triangle, in
-/// metres: v along the warp, u to the right as seen from outside. Each piece between seams is scaled so that its area
-/// in texture coordinates becomes its area at rest, and is flipped if it is mirrored. Empty without texture coordinates
-/// or if a piece has no area in them.
-std::vector<glm::vec2> cloth_coordinates(const sim::Garment& garment, std::span<const glm::vec2> corner_uv);
-
-/// Edge finish and seams of a garment. They are drawn, not simulated.
-struct GarmentSewing {
-  std::vector<renderer::BorderBand> bands;  ///< one per vertex, or none
-  std::vector<renderer::VertexPair> seams;
-  float stitch_m = 0.004F;
-  float rim_radius_m = 0.0005F;  ///< half the thickness at the border
-};
-
-/// Finds edge finish and seams of the garment at rest. Openings get hems, the neck a ribbed band; both are narrower on
-/// small garments. A grid is plain cloth without them. Seams are edges across which `corner_coordinates`, three texture
-/// coordinates per triangle, differ; without coordinates they are long sharp edges.
-GarmentSewing make_garment_sewing(const sim::Garment& garment, std::span<const glm::vec2> corner_coordinates = {});
 
 /// The drawn surface of a garment: a finer surface through the simulated vertices, with borders as thick as cloth, hems
 /// and seams. Measurements always use the simulated triangles.
@@ -91,56 +72,5 @@ class GarmentSurface {
   std::vector<std::uint32_t> fine_colour_of_triangle_;
   std::vector<renderer::TrimmedTriangle> trims_;
 };
-
-/// Returns the colour of a kind of spring. People with any kind of colour vision can distinguish them (Okabe and Ito
-/// 2008).
-inline renderer::Colour spring_colour(sim::SpringKind kind) {
-  constexpr std::array colours = {renderer::rgb(0x0072B2), renderer::rgb(0xE69F00), renderer::rgb(0xCC3377)};
-  return colours[static_cast<std::size_t>(kind)];
-}
-
-/// Colours of a surface under lines.
-inline const renderer::Colour pale_outside = renderer::rgb(0xE8EDF2);
-inline const renderer::Colour pale_inside = renderer::rgb(0xF3DFC0);
-
-/// Draws the springs of a garment as lines over its surface.
-class SpringLines {
- public:
-  /// `width_px`: width of structural and shear springs, in pixels of the picture.
-  SpringLines(const sim::Garment& garment, WhichSprings shown, float width_px);
-
-  /// Adds the lines for these positions in metres, one per vertex. They refer to this object and are valid until its
-  /// next call.
-  void add(std::span<const glm::vec3> positions, renderer::FrameView& frame);
-
- private:
-  struct SewingLines {
-    std::vector<sim::Edge> springs;
-    renderer::Colour colour;
-    float width_px;
-    std::vector<glm::vec3> points;
-  };
-
-  std::vector<SewingLines> lines_;  ///< ordered as they are drawn
-};
-
-/// Returns true if springs of this kind are shown.
-bool shows(WhichSprings shown, sim::SpringKind kind);
-
-/// Base colours of a garment's triangles, as in renderer::SurfaceView; empty: the cloth's colours. Texture coordinates
-/// also define its seams.
-struct DrawnColours {
-  std::vector<glm::vec2> corner_coordinates;
-  std::vector<renderer::BaseColour> base_colours;
-  std::vector<std::uint32_t> base_colour_of_triangle;
-  std::vector<std::string> remarks = {};  ///< missing colours or images, a line each
-  /// Model that follows the garment and owns these triangles; null: the garment's own triangles.
-  std::shared_ptr<const FollowingModel> following = {};
-};
-
-/// Returns the colours for picture.texture. An image covers the cloth's colours. By default the model's own colours are
-/// used if it has images and the scene sets no outside colour. Throws InputError if the image cannot be read or the
-/// garment has no texture coordinates.
-DrawnColours drawn_colours(const DrawnScene& scene, const GarmentInScene& loaded);
 
 }  // namespace taut::app

@@ -6,7 +6,7 @@
 #include <set>
 
 #include "app/base/errors.hpp"
-#include "app/drawing/garment_surface.hpp"
+#include "app/drawing/garment_colours.hpp"
 #include "app/models/reading/file_mesh.hpp"
 #include "app/models/reading/garment_import.hpp"
 #include "app/models/reading/import_process.hpp"

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "renderer/surface/smooth_surface.hpp"
+#include "renderer/surface/wrinkles.hpp"
 
 namespace taut::renderer {
 namespace {

@@ -1,7 +1,7 @@
 #include <fmt/core.h>
 
 #include "app/base/words.hpp"
-#include "app/drawing/garment_surface.hpp"
+#include "app/drawing/spring_lines.hpp"
 #include "app/scene/scene.hpp"
 #include "app/viewer/panel/panel_parts.hpp"
 #include "app/viewer/panel/user_interface.hpp"

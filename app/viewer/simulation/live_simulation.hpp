@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/drawing/garment_colours.hpp"
 #include "app/drawing/garment_surface.hpp"
 #include "app/runs/frame_record.hpp"
 

@@ -198,7 +198,7 @@ void push_against(Body body, Numbers& some, Beside& beside) {
     std::vector<Vec3> ends_m = cloth.positions;
     std::generate(current.begin(), current.end(), [&] { return to_float4(some.vector(0.1)); });
     const Float4Array pushed = current;
-    regions.project_into_region(1.0F, since, previous, current, kernels);
+    regions.project_into_region(1.0F, {1.0F, 1.0F}, since, previous, current, kernels);
     for (std::size_t v = 0; v < block_size; ++v) {
       ends_m[v] += to_vec3(current[v]);
       beside.pressed += vector_length(scaled_sum(current[v], pushed[v], -1.0F)) > 0.0F ? 1 : 0;

@@ -45,7 +45,7 @@ struct Kept {
     go_further(current);
     Float4Array previous(current.size());
     const Float4Array since(current.size());
-    held_back += regions.project_into_region(time, since, previous, current, kernels).size();
+    held_back += regions.project_into_region(time, {time, 1.0F}, since, previous, current, kernels).size();
     return current;
   }
 
@@ -138,7 +138,7 @@ TEST(Lemma, BringingBackEndsWithinTheRegionFromAnywhere) {
     Float4Array previous(rows.cloth_count);
     const Float4Array once = kept.project_into_region(time, further_m, random);
     Float4Array twice = once;
-    kept.regions.project_into_region(time, since, previous, twice, kept.kernels);
+    kept.regions.project_into_region(time, {time, 1.0F}, since, previous, twice, kept.kernels);
     for (std::size_t row = 0; row < rows.cloth_count; ++row) {
       if (rows.inverse_masses_per_kg[row] > 0.0F) {
         const float off_m = vector_length(scaled_sum(once[row], rows.moves[row], -time));

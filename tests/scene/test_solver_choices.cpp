@@ -102,7 +102,7 @@ TEST(SolverChoices, FollowOneAnother) {
   int frames = 0;
   for (const sim::SolverKind to :
        {sim::SolverKind::ideal, sim::SolverKind::strong, sim::SolverKind::provot, sim::SolverKind::bounded,
-        sim::SolverKind::implicit, sim::SolverKind::fast_projection, sim::SolverKind::ideal, sim::SolverKind::vassilev,
+        sim::SolverKind::fast_projection, sim::SolverKind::implicit, sim::SolverKind::ideal, sim::SolverKind::vassilev,
         sim::SolverKind::bounded}) {
     live.apply(with_solver(scene, to));
     for (int i = 0; i < 20; ++i) {

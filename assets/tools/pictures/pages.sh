@@ -23,13 +23,13 @@ join() {
   --set 'camera.box=[[-1.62, 1.28, -0.2], [1.62, 2.05, 0.4]]' --output "$folder/2.png"
 join wind hstack=2 2
 
-print=$assets/textures/print.png
-"$taut" render tshirt-wind-1 --frames 45 --view front --texture "$print" --background "#ffffff" --quality final --resolution 391x440 \
+texture=$assets/textures/print.png
+"$taut" render tshirt-wind-1 --frames 45 --view front --texture "$texture" --background "#ffffff" --quality final --resolution 391x440 \
   --output "$folder/1.png"
-"$taut" render tshirt-worn --frames 60 --texture "$print" --background "#ffffff" --quality final --resolution 391x440 \
+"$taut" render tshirt-worn --frames 60 --texture "$texture" --background "#ffffff" --quality final --resolution 391x440 \
   --set picture.outside_colour=#2f5a45 --set camera.azimuth=0 --set 'camera.box=[[-0.42, 0.85, -0.15], [0.42, 1.92, 0.2]]' \
   --output "$folder/2.png"
-"$taut" render tshirt-wind-10 --frames 58 --texture "$print" --background "#ffffff" --quality final --resolution 575x440 \
+"$taut" render tshirt-wind-10 --frames 58 --texture "$texture" --background "#ffffff" --quality final --resolution 575x440 \
   --set picture.outside_colour=#d0182f --output "$folder/3.png"
 join printed hstack=3 3
 

@@ -431,10 +431,12 @@ void Contacts::keep_apart(const Layout& layout, double time_s, double time_step_
   const double lasts_s = until_s_ - from_s_;
   const auto time = static_cast<float>((time_s - from_s_) / lasts_s);
   const auto step = static_cast<float>(time_step_s / lasts_s);
+  const float stopped_m =
+      tuning::max_stopped_gravities * max_gravity_m_per_s2_ * static_cast<float>(time_step_s * time_step_s);
   kept_time_ = time;
   regions_.collide(time, step, start_displacements_, motion.previous, motion.current);
-  const std::span<const ClampedRow> held_back =
-      regions_.project_into_region(time, start_displacements_, motion.previous, motion.current, kernels);
+  const std::span<const ClampedRow> held_back = regions_.project_into_region(
+      time, {step, stopped_m}, start_displacements_, motion.previous, motion.current, kernels);
   const double max_fraction = tuning::max_clamped_fraction / (retry_level_ * retry_level_);
   if (static_cast<double>(held_back.size()) > max_fraction * static_cast<double>(layout.vertex_count())) {
     release_clamped(held_back, motion);

@@ -185,6 +185,9 @@ inline constexpr float over_projection_factor = 1.4F;
 /// Fraction of the missing thickness that is restored while regions last. Higher values throw layers apart; lower ones
 /// let a pile sink into itself.
 inline constexpr float separation_fraction = 0.2F;
+/// Largest acceleration that planes between movable primitives stop, in gravities. Lower values leave crumpled cloth
+/// trembling; without a limit a storm blows cloth into itself beyond its bound.
+inline constexpr float max_stopped_gravities = 16.0F;
 
 // Lists of pairs that last.
 

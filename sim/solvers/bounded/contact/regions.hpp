@@ -46,6 +46,12 @@ struct ClampedRow {
   glm::vec3 out;
 };
 
+/// A time step of vertices in their regions.
+struct StepMotion {
+  float fraction = 0.0F;       ///< fraction of the regions' time
+  float max_stopped_m = 0.0F;  ///< largest motion of it that planes between movable primitives stop
+};
+
 /// A moving convex region for every vertex, from the time 0 to the time 1. Primitives whose vertices stay within their
 /// regions do not cross, on straight paths between any two times.
 ///
@@ -73,10 +79,12 @@ class Regions {
   void collide(float time, float step, const Float4Array& since, Float4Array& previous, Float4Array& current) const;
 
   /// Projects vertices into their regions at a time from 0 to 1. `since` are their displacements at the time 0,
-  /// `previous` those a time step ago, which are adjusted so that planes change no velocity. Returns the vertices
-  /// clamped by their trust regions, in ascending order, valid until the next call.
-  std::span<const ClampedRow> project_into_region(float time, const Float4Array& since, Float4Array& previous,
-                                                  Float4Array& current, ParallelKernels& kernels);
+  /// `previous` those a time step ago, which are adjusted so that planes leave each vertex the velocity of its
+  /// predicted motion. Returns the vertices clamped by their trust regions, in ascending order, valid until the next
+  /// call.
+  std::span<const ClampedRow> project_into_region(float time, const StepMotion& step, const Float4Array& since,
+                                                  Float4Array& previous, Float4Array& current,
+                                                  ParallelKernels& kernels);
 
   /// Projects vertices into their regions at the time 1, without time passing. Returns the number of vertices clamped
   /// by their trust regions.
@@ -178,8 +186,8 @@ class Regions {
   glm::vec3 slide_along_planes(Index row, float time, const glm::vec3& aim, const glm::vec3& end) const;
   static glm::vec3 end_within_ball(const glm::vec3& centre, float radius, const glm::vec3& aim, const glm::vec3& end);
   glm::vec3 project_onto_planes(Index row, float time, const glm::vec3& start, glm::vec3& stopped) const;
-  void project_all(float time, const Float4Array& since, Float4Array* previous, Float4Array& current,
-                   ParallelKernels& kernels);
+  void project_all(float time, const StepMotion& step, const Float4Array& since, Float4Array* previous,
+                   Float4Array& current, ParallelKernels& kernels);
   /// Motion since the time 0 projected onto planes, and then clamped by the trust region.
   struct RegionProjection {
     glm::vec3 within_planes;
@@ -187,6 +195,7 @@ class Regions {
     glm::vec3 stopped;  ///< motion removed by planes of kinematic primitives
   };
   RegionProjection project_row(Index row, float time, const glm::vec3& moved) const;
+  glm::vec3 kept_push(Index row, const StepMotion& step, const glm::vec3& last_move, const glm::vec3& push) const;
 
   Float4Array extents_;              ///< see PairRows
   std::vector<RegionPair> earlier_;  ///< pairs of the last regions, which did not fit

@@ -105,8 +105,20 @@ Regions::RegionProjection Regions::project_row(Index row, float time, const glm:
   return {e, end_within_ball(centre, radii_[row], aim, e), stopped};
 }
 
-void Regions::project_all(float time, const Float4Array& since, Float4Array* previous, Float4Array& current,
-                          ParallelKernels& kernels) {
+// Returns the part of a push by planes that changes no velocity. Planes stop what forces add to the predicted motion,
+// within a limit, else cloth that stands on a plane falls ever faster without moving. Only collisions stop the
+// predicted motion itself.
+glm::vec3 Regions::kept_push(Index row, const StepMotion& step, const glm::vec3& last_move,
+                             const glm::vec3& push) const {
+  const float length = glm::length(push);
+  if (!(length > 0.0F)) return push;
+  const float predicted = std::min(step.fraction * glm::dot(vec(expected_[row]), push) / length, 0.0F);
+  const float excess = predicted - glm::dot(last_move, push) / length;
+  return (1.0F - std::clamp(excess, 0.0F, std::min(length, step.max_stopped_m)) / length) * push;
+}
+
+void Regions::project_all(float time, const StepMotion& step, const Float4Array& since, Float4Array* previous,
+                          Float4Array& current, ParallelKernels& kernels) {
   assert(time >= 0.0F);
   assert(since.size() == current.size());
   const std::size_t blocks = current.size() / block_size;
@@ -120,8 +132,11 @@ void Regions::project_all(float time, const Float4Array& since, Float4Array* pre
     for (const Index row : std::span(part.rows).first(off)) {
       const glm::vec3 moved = vec(current[row]) - vec(since[row]);
       const RegionProjection back = project_row(row, time, moved);
+      if (previous != nullptr) {
+        const glm::vec3 last_move = vec(current[row]) - vec((*previous)[row]);
+        add((*previous)[row], kept_push(row, step, last_move, back.within_planes - moved - back.stopped));
+      }
       if (back.end != moved) current[row] = to_float4(Vec3(vec(since[row]) + back.end));
-      if (previous != nullptr) add((*previous)[row], back.within_planes - moved - back.stopped);
       if (back.end != back.within_planes) part.held_back.push_back({row, back.within_planes - back.end});
     }
   });
@@ -132,15 +147,17 @@ void Regions::project_all(float time, const Float4Array& since, Float4Array* pre
   }
 }
 
-// Only collisions transfer momentum, so a vertex stopped by a plane keeps its velocity.
-std::span<const ClampedRow> Regions::project_into_region(float time, const Float4Array& since, Float4Array& previous,
-                                                         Float4Array& current, ParallelKernels& kernels) {
-  project_all(time, since, &previous, current, kernels);
+// Only collisions transfer momentum, so a vertex stopped by a plane keeps the velocity of its predicted motion.
+std::span<const ClampedRow> Regions::project_into_region(float time, const StepMotion& step, const Float4Array& since,
+                                                         Float4Array& previous, Float4Array& current,
+                                                         ParallelKernels& kernels) {
+  assert(step.fraction >= 0.0F && step.max_stopped_m >= 0.0F);
+  project_all(time, step, since, &previous, current, kernels);
   return clamped_rows_;
 }
 
 std::size_t Regions::project_into_region(const Float4Array& since, Float4Array& current, ParallelKernels& kernels) {
-  project_all(1.0F, since, nullptr, current, kernels);
+  project_all(1.0F, {}, since, nullptr, current, kernels);
   return clamped_rows_.size();
 }
 

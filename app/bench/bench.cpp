@@ -59,13 +59,13 @@ std::vector<sim::Vec3> jittered_start(const GarmentInScene& cloth, double thickn
   return start_m;
 }
 
-ContactRun run_contact(const Scene& scene, const GarmentInScene& cloth, int frames, std::uint64_t seed,
-                       const std::function<void(int, sim::Simulation&)>& before_frame) {
+ContactRun run_contact(const Scene& scene, const GarmentInScene& cloth, const std::vector<sim::Body>& bodies,
+                       int frames, std::uint64_t seed, const std::function<void(int, sim::Simulation&)>& before_frame) {
   Scene awake = scene;
   awake.simulation.rest.speed_m_per_s = 0.0;
   GarmentInScene begun = cloth;
   if (seed != 0) begun.start_m = jittered_start(cloth, cloth.garment->material.thickness_m, seed);
-  sim::Simulation simulation = make_simulation(awake, begun);
+  sim::Simulation simulation = make_simulation(awake, begun, bodies);
   // Wall-clock time counts with several threads: their CPU time includes waiting for each other.
   const bool is_alone = awake.simulation.solver.bounded.threads == 1;
   ContactRun run;

@@ -82,8 +82,8 @@ std::vector<sim::Vec3> jittered_start(const GarmentInScene& cloth, double thickn
 /// scene's own. Bodies must be loaded; they are dressed first, and if dressing fails the run has no frames. A frame
 /// that breaks a promise does not end the run; a frame that diverges or is blocked does. Calls `before_frame` with the
 /// number of every frame.
-ContactRun run_contact(const Scene& scene, const GarmentInScene& cloth, int frames, std::uint64_t seed,
-                       const std::function<void(int, sim::Simulation&)>& before_frame);
+ContactRun run_contact(const Scene& scene, const GarmentInScene& cloth, const std::vector<sim::Body>& bodies,
+                       int frames, std::uint64_t seed, const std::function<void(int, sim::Simulation&)>& before_frame);
 
 /// Sets the wind of one of `frames` frames, in which a slider is dragged evenly from 0 to `max_m_per_s` and back.
 void drag_wind(int frame, int frames, double max_m_per_s, sim::Simulation& simulation);

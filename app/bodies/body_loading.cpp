@@ -268,6 +268,29 @@ Json describe_crossings(const sim::BodyMesh& body) {
   return json;
 }
 
+/// Replaces what was loaded of a body, or adds it.
+void load_body(const Scene& scene, std::size_t number, int garments, LoadedBodies& bodies) {
+  const double frame_rate_hz = scene.simulation.frame_rate_hz;
+  const ShownTime shown = {scene.frames / frame_rate_hz, frame_rate_hz,
+                           std::max(garments, read_garment_facts(scene.garment.model()).layers)};
+  const auto& [named, source] = scene.bodies[number];
+  bodies.all.resize(std::max(bodies.all.size(), number + 1));
+  bodies.wearers.resize(bodies.all.size());
+  sim::Body& body = bodies.all[number] = named;
+  auto* mesh = std::get_if<sim::BodyMesh>(&body.shape);
+  if (mesh == nullptr || mesh->data) return;
+  const std::string name = "body " + (body.name.empty() ? fmt::format("{}", number + 1) : '\'' + body.name + '\'');
+  try {
+    ReadBody read = read_body(source, shown);
+    *mesh = std::move(read.mesh);
+    bodies.wearers[number] = std::move(read.wearer);
+    bodies.files_read.insert(bodies.files_read.end(), read.files.begin(), read.files.end());
+    for (const std::string& remark : read.remarks) bodies.remarks.push_back(name + ": " + remark);
+  } catch (const InputError& error) {
+    throw InputError(name + ": " + error.what());
+  }
+}
+
 }  // namespace
 
 std::shared_ptr<const Rig> read_rig(const std::filesystem::path& file) {
@@ -323,34 +346,19 @@ ReadBody make_body(const BodySource& source, ImportedModel model, const ShownTim
   return body;
 }
 
-std::vector<std::string> load_bodies(Scene& scene, int garments) {
-  const double frame_rate_hz = scene.simulation.frame_rate_hz;
-  const ShownTime shown = {scene.frames / frame_rate_hz, frame_rate_hz,
-                           std::max(garments, read_garment_facts(scene.garment.model()).layers)};
-  std::vector<std::string> all;
-  scene.wearers.resize(scene.surroundings.bodies.size());
-  for (std::size_t k = 0; k < scene.surroundings.bodies.size(); ++k) {
-    sim::Body& body = scene.surroundings.bodies[k];
-    auto* mesh = std::get_if<sim::BodyMesh>(&body.shape);
-    if (mesh == nullptr || mesh->data) continue;
-    const std::string name = "body " + (body.name.empty() ? fmt::format("{}", k + 1) : '\'' + body.name + '\'');
-    std::vector<std::string> remarks;
-    try {
-      ReadBody read = read_body(scene.body_sources.at(k), shown);
-      *mesh = std::move(read.mesh);
-      scene.wearers[k] = std::move(read.wearer);
-      scene.files_read.insert(scene.files_read.end(), read.files.begin(), read.files.end());
-      remarks = std::move(read.remarks);
-    } catch (const InputError& error) {
-      throw InputError(name + ": " + error.what());
-    }
-    std::transform(remarks.begin(), remarks.end(), std::back_inserter(all),
-                   [&](const std::string& remark) { return name + ": " + remark; });
-  }
-  return all;
+LoadedBodies load_bodies(const Scene& scene, int garments) {
+  LoadedBodies bodies;
+  for (std::size_t k = 0; k < scene.bodies.size(); ++k) load_body(scene, k, garments, bodies);
+  return bodies;
 }
 
-std::vector<std::string> load_bodies(Scene& scene, std::span<const Override> overrides) {
+LoadedBodies reload_body(const Scene& scene, std::size_t body, LoadedBodies bodies) {
+  bodies.remarks.clear();
+  load_body(scene, body, 1, bodies);
+  return bodies;
+}
+
+LoadedBodies choose_dressing(std::span<const Override> overrides, Scene& scene) {
   const bool lets_go = sets(overrides, "body.file") && !sets(overrides, "pins.at") && scene.moving_pins.empty();
   if (lets_go && scene.dressing_frames() > 0) scene.pins.reset();
   const bool is_unsaid = lets_go && !sets(overrides, "body.dress") && scene.dressing_frames() == 0;
@@ -358,16 +366,16 @@ std::vector<std::string> load_bodies(Scene& scene, std::span<const Override> ove
     return load_bodies(scene);
   }
   Scene dressed_scene = scene;
-  dressed_scene.body_sources.back().dress = usual_dressing_frames;
+  dressed_scene.bodies.back().source.dress = usual_dressing_frames;
   dressed_scene.pins.reset();
   try {
-    std::vector<std::string> remarks = load_bodies(dressed_scene);
-    if (dressed_scene.wearers.back() && !dressed_scene.wearers.back()->measures.girths.empty()) {
-      remarks.push_back(
+    LoadedBodies bodies = load_bodies(dressed_scene);
+    if (bodies.wearers.back() && !bodies.wearers.back()->measures.girths.empty()) {
+      bodies.remarks.push_back(
           fmt::format("it is put on the body '{}' in {} frames before frame 0; --dress 0 leaves both where they are",
-                      dressed_scene.surroundings.bodies.back().name, usual_dressing_frames));
+                      bodies.all.back().name, usual_dressing_frames));
       scene = std::move(dressed_scene);
-      return remarks;
+      return bodies;
     }
   } catch (const InputError&) {
     // The body cannot be dressed or cannot be read. The call below reports the latter.

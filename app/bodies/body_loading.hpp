@@ -7,23 +7,25 @@
 
 namespace taut::app {
 
-/// Reads the meshes of the scene's bodies and opens their motions. Bodies that were read before are skipped. Returns
-/// guesses, choices and repairs, as lines for people. Throws InputError that names the body, the file and the
-/// place:
+/// Reads the meshes of the scene's bodies and opens their motions. Meshes that the caller gave are taken as they are.
+/// Throws InputError that names the body, the file and the place:
 /// - as make_body_mesh() does for a mesh that is not closed (body_mesh.hpp);
 /// - on a motion of another number of vertices, or in which a vertex jumps by more than a metre in a frame that the run
 /// shows; placed_frames() throws it for later frames when they are read;
 /// - on a body that is to be dressed and whose vertices follow no joints.
 /// Leaves clearance for `garments` layers, or for as many as the scene's garment has (GarmentFacts).
-std::vector<std::string> load_bodies(Scene& scene, int garments = 1);
+LoadedBodies load_bodies(const Scene& scene, int garments = 1);
+
+/// Reads one body of the scene again, and returns the bodies with its remarks alone. Throws as load_bodies() does.
+LoadedBodies reload_body(const Scene& scene, std::size_t body, LoadedBodies bodies);
 
 /// Number of frames in which a body grows into its clothes if none is given.
 inline constexpr int usual_dressing_frames = 90;
 
-/// Loads the bodies of a scene that has these overrides. A garment and a body that are given together are dressed:
-/// where the overrides name a body that can be dressed and do not set `body.dress`, the body grows into the scene's
-/// model. The pins of a dressed garment are removed.
-std::vector<std::string> load_bodies(Scene& scene, std::span<const Override> overrides);
+/// Decides whether a scene that has these overrides dresses its body, changes the scene to that, and loads its bodies.
+/// A garment and a body that are given together are dressed: where the overrides name a body that can be dressed and do
+/// not set `body.dress`, the body grows into the scene's model. The pins of a dressed garment are removed.
+LoadedBodies choose_dressing(std::span<const Override> overrides, Scene& scene);
 
 /// A body with the other contents of its file.
 struct ReadBody {
@@ -33,7 +35,7 @@ struct ReadBody {
   std::shared_ptr<const Wearer> wearer;   ///< null if the body is not dressed
   std::string format;                     ///< name of the file's format
   std::vector<std::string> files = {};    ///< files that were read: the body's and those that it names
-  std::vector<std::string> remarks = {};  ///< lines that load_bodies() returns
+  std::vector<std::string> remarks = {};  ///< lines for people
   FileVertexPlaces places = {};           ///< vertices and placement of the mesh
   std::size_t file_vertices = 0;
 };
@@ -54,7 +56,7 @@ ReadBody read_body(const BodySource& source, const ShownTime& shown);
 /// Makes a body of a model that was read. The name of the source's file is used in messages.
 ReadBody make_body(const BodySource& source, ImportedModel model, const ShownTime& shown);
 
-/// Prints the lines that load_bodies() returned, with the scene's name in front. Prints nothing to a null file.
+/// Prints the remarks of load_bodies() and other lines, with the scene's name in front. Prints nothing to a null file.
 void print_body_remarks(const Scene& scene, const std::vector<std::string>& remarks, std::FILE* output);
 
 /// Reads a body and all of its motion. Returns, for programs and with units in the names of numbers: its size, the

@@ -30,20 +30,21 @@ ContactTrial run_trial(const ContactCase& one, const BenchOptions& options, Prog
     Scene scene = find_scene(one.scene, collect<Override>(settings, parse_override));
     scene.simulation.solver.bounded.vector_unit = measured_vector_unit();
     scene.simulation.solver.bounded.threads = options.threads;
-    load_bodies(scene);
+    const std::vector<sim::Body> bodies = load_bodies(scene).all;
     const LoadedGarment loaded = load_garment(scene);
     trial.bound = stretch_bound(scene).value_or(0.0);
     trial.triangles = loaded.garment->mesh.triangles.size();
     const int frames = options.frames.value_or(one.frames.value_or(scene.frames));
     for (int run = 1; run <= options.runs.value_or(1); ++run) {
       const auto seed = static_cast<std::uint64_t>(options.runs ? run : 0);
-      trial.runs.push_back(run_contact(scene, loaded, frames, seed, [&](int frame, sim::Simulation& simulation) {
-        throw_if_interrupted();
-        if (one.drags_wind) drag_wind(frame, frames, scene.surroundings.forces.wind.speed_m_per_s, simulation);
-        if (progress != nullptr) {
-          progress->show(fmt::format("{}, run {}: frame {} of {}", one.name, trial.runs.size() + 1, frame, frames));
-        }
-      }));
+      trial.runs.push_back(
+          run_contact(scene, loaded, bodies, frames, seed, [&](int frame, sim::Simulation& simulation) {
+            throw_if_interrupted();
+            if (one.drags_wind) drag_wind(frame, frames, scene.surroundings.forces.wind.speed_m_per_s, simulation);
+            if (progress != nullptr) {
+              progress->show(fmt::format("{}, run {}: frame {} of {}", one.name, trial.runs.size() + 1, frame, frames));
+            }
+          }));
     }
   }
   return trial;

@@ -92,34 +92,35 @@ int run(const FitOptions& asked) {
   std::FILE* const remarks = options.json ? stderr : stdout;
   Progress progress(scene.name);
   const auto stage = [&](const std::string& begun) { progress.begin(begun); };
-  const std::vector<std::string> said = sew_and_load_bodies(scene, {}, stage);
+  LoadedBodies bodies = sew_and_load_bodies(scene, {}, stage);
   progress.hide();
-  print_body_remarks(scene, said, remarks);
+  print_body_remarks(scene, bodies.remarks, remarks);
   LoadedGarment loaded = load_garment(scene, stage);
   progress.hide();
+  require_inputs_kept({options.output}, scene, bodies.files_read);
   require_inputs_kept({options.output}, scene, loaded.files_read);
-  print_body_remarks(scene, put_on(loaded, scene), remarks);
-  print_remarks(scene, loaded, remarks);
-  std::vector<FitRow> rows = compute_fit(scene, *loaded.garment, surface_at_start(loaded).positions_m);
+  print_body_remarks(scene, put_on(loaded, scene, bodies), remarks);
+  print_remarks(scene, loaded, bodies.all, remarks);
+  std::vector<FitRow> rows = compute_fit(bodies, *loaded.garment, surface_at_start(loaded).positions_m);
   fmt::print("{}", options.json ? "" : describe(rows));
   std::fflush(stdout);
-  sim::Simulation simulation = make_simulation(scene, loaded);
-  go_to_start(scene, simulation, stage);
+  sim::Simulation simulation = make_simulation(scene, loaded, bodies.all);
+  go_to_start(scene, bodies, simulation, stage);
   RunSummary summary;
   const SettledRun worn_garment = run_until_rest(options, scene, simulation, progress, summary);
   progress.begin("drawing it");
   measure_worn(simulation.garment(), simulation.state().current, rows);
-  const std::string tightness = describe_tightness(scene, simulation.garment(), simulation.state().current, rows);
+  const std::string tightness = describe_tightness(bodies, simulation.garment(), simulation.state().current, rows);
   const std::string measured =
       fmt::format("worn for {:.1f} s{}; largest stretch {:.2f} %, of the surface {:.2f} %", worn_garment.last.time_s,
                   worn_garment.last.asleep ? ", at rest" : "", 100.0 * worn_garment.last.stretch.max,
                   100.0 * worn_garment.last.surface_stretch.max);
-  const std::string title =
-      fmt::format("{} on {}", scene.name, scene.surroundings.bodies[dressed_body(scene).body].name);
-  write_file(options.output, renderer::encode_png(draw_fit({scene, simulation.garment(), simulation.state().current,
-                                                            worn_garment.last.time_s, rows, title, measured, tightness},
-                                                           options.backend),
-                                                  std::array{program_text()}));
+  const std::string title = fmt::format("{} on {}", scene.name, bodies.all[dressed_body(bodies).body].name);
+  write_file(options.output,
+             renderer::encode_png(draw_fit({scene, bodies, simulation.garment(), simulation.state().current,
+                                            worn_garment.last.time_s, rows, title, measured, tightness},
+                                           options.backend),
+                                  std::array{program_text()}));
   progress.hide();
   if (options.json) {
     fmt::print("{}\n", report_json(options, rows, worn_garment, tightness).dump(2));

@@ -13,14 +13,14 @@ namespace {
 
 /// Inspects the bodies of --body.
 int inspect_bodies(const InspectOptions& options, const Scene& scene) {
-  if (scene.body_sources.empty()) {
+  if (scene.bodies.empty()) {
     throw UsageError("GARMENT is required, or --body FILE; taut inspect --help says what there is");
   }
   if (!options.picture.empty()) {
     throw UsageError("--output " + options.picture.string() + ": expected a GARMENT to draw");
   }
   Json bodies = Json::array();
-  for (const BodySource& source : scene.body_sources) {
+  for (const auto& [body, source] : scene.bodies) {
     bodies.push_back(inspect_body(source));
     fmt::print("{}", options.json ? "" : describe(bodies.back()));
   }
@@ -52,13 +52,17 @@ DrawnScene make_scene(const InspectOptions& options) {
 int run(const InspectOptions& options) {
   DrawnScene scene = make_scene(options);
   if (options.garment.empty()) return inspect_bodies(options, scene);
-  print_body_remarks(scene, sew_and_load_bodies(scene), options.json ? stderr : stdout);
+  LoadedBodies bodies = sew_and_load_bodies(scene);
+  print_body_remarks(scene, bodies.remarks, options.json ? stderr : stdout);
   if (!options.picture.empty()) prepare_png(options.picture);
   scene.garment.is_drawn_finer = false;  // crossings are reported for the file's triangles
   Progress progress(options.garment.filename().string());
   LoadedGarment loaded = load_garment(scene, [&](const std::string& stage) { progress.begin(stage); });
-  if (!options.picture.empty()) require_inputs_kept({options.picture}, scene, loaded.files_read);
-  print_body_remarks(scene, put_where_it_begins(loaded, scene), options.json ? stderr : stdout);
+  if (!options.picture.empty()) {
+    require_inputs_kept({options.picture}, scene, bodies.files_read);
+    require_inputs_kept({options.picture}, scene, loaded.files_read);
+  }
+  print_body_remarks(scene, put_where_it_begins(loaded, scene, bodies), options.json ? stderr : stdout);
   progress.begin("measuring it");
   const Inspection inspection = inspect_garment(scene, loaded);
   progress.hide();
@@ -66,8 +70,9 @@ int run(const InspectOptions& options) {
                                 : describe(inspection.facts));
   if (!options.picture.empty()) {
     progress.begin("drawing it");
-    write_file(options.picture, renderer::encode_png(draw_inspection(inspection, loaded, scene, options.backend),
-                                                       std::array{program_text()}));
+    write_file(options.picture,
+               renderer::encode_png(draw_inspection(inspection, loaded, scene, bodies.all, options.backend),
+                                    std::array{program_text()}));
     progress.hide();
     // Standard output has only the report when programs read it.
     fmt::print(options.json ? stderr : stdout, "wrote {}\n", options.picture.string());

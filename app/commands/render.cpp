@@ -205,8 +205,8 @@ class Render {
 
  private:
   void begin_drawing() {
-    painter_.emplace(offscreen_->renderer(), run_.scene, run_.simulation->garment(), run_.simulation->pins().vertices,
-                     colours_);
+    painter_.emplace(offscreen_->renderer(), run_.scene, run_.simulation->garment(), run_.bodies.all,
+                     run_.simulation->pins().vertices, colours_);
     offscreen_->renderer().set_pass_report([this, since_first = Stopwatch()](int done, int all) mutable {
       if (done == 1) since_first = Stopwatch();
       run_.progress.show(
@@ -228,7 +228,7 @@ class Render {
   }
 
   void fit_camera(std::span<const FrameInWork> gathered) {
-    FittedView fitted(run_.scene, run_.simulation->garment());
+    FittedView fitted(run_.scene, run_.simulation->garment(), run_.bodies.all);
     for (const FrameInWork& frame : gathered) {
       if (frame.positions.empty()) continue;
       fitted.add(frame.positions, frame.shown_m.empty() ? frame.positions : frame.shown_m, frame.record.time_s);

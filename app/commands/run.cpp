@@ -22,10 +22,9 @@ std::filesystem::path folder_beside(const std::string& pattern, int frame) {
 
 SceneRun::SceneRun(const RunOptions& asked_options, DrawnScene asked, std::FILE* remarks_to)
     : options(asked_options), remarks(remarks_to), scene(std::move(asked)), progress(scene.name) {
-  const std::vector<std::string> said =
-      sew_and_load_bodies(scene, options.overrides, [this](const std::string& stage) { progress.begin(stage); });
+  bodies = sew_and_load_bodies(scene, options.overrides, [this](const std::string& stage) { progress.begin(stage); });
   progress.hide();
-  print_body_remarks(scene, said, remarks);
+  print_body_remarks(scene, bodies.remarks, remarks);
 }
 
 void SceneRun::require_outputs(const ExportSettings& settings, std::vector<std::filesystem::path> others,
@@ -42,7 +41,7 @@ void SceneRun::require_outputs(const ExportSettings& settings, std::vector<std::
     files_written.push_back(options.statistics);
     claimed.push_back(options.statistics);
   }
-  require_inputs_kept(files_written, scene, {});
+  require_inputs_kept(files_written, scene, bodies.files_read);
   for (const std::filesystem::path& name : claimed) claims.emplace_back(name);
 }
 
@@ -53,13 +52,14 @@ void SceneRun::load(const std::function<void()>& meanwhile) {
   loaded = garment.get();
   require_inputs_kept(files_written, scene, loaded.files_read);
   progress.hide();
-  print_body_remarks(scene, put_where_it_begins(loaded, scene), remarks);
-  if (remarks != nullptr) print_remarks(scene, loaded, remarks);
-  simulation.emplace(make_simulation(scene, loaded));
+  print_body_remarks(scene, put_where_it_begins(loaded, scene, bodies), remarks);
+  if (remarks != nullptr) print_remarks(scene, loaded, bodies.all, remarks);
+  simulation.emplace(make_simulation(scene, loaded, bodies.all));
 }
 
 int SceneRun::begin() {
-  const int frame = go_to_start(scene, *simulation, [this](const std::string& stage) { progress.begin(stage); });
+  const int frame =
+      go_to_start(scene, bodies, *simulation, [this](const std::string& stage) { progress.begin(stage); });
   const std::string crossings = options.verify ? verifier.begin(*simulation) : "";
   // Without a checkpoint, load() has already reported the crossings.
   if (prints_messages && !scene.checkpoint.empty() && !crossings.empty()) {

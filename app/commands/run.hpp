@@ -38,6 +38,7 @@ struct SceneRun {
   std::FILE* remarks;
   DrawnScene scene;
   Progress progress;
+  LoadedBodies bodies;
   LoadedGarment loaded;
   std::optional<sim::Simulation> simulation;
   FrameVerifier verifier;

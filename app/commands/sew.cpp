@@ -43,20 +43,20 @@ std::filesystem::path choose_garment_name(const std::string& stem) {
   return choose_free_stem(stem, is_sewn, {".obj", ".landmarks.toml"}) += ".obj";
 }
 
-void write_picture(const std::filesystem::path& file, const DrawnScene& scene, const SewnGarment& sewn,
-                   const std::string& measured, const std::string& backend) {
+void write_picture(const std::filesystem::path& file, const DrawnScene& scene, const LoadedBodies& bodies,
+                   const SewnGarment& sewn, const std::string& measured, const std::string& backend) {
   const sim::Garment& garment = sewn.sewn.garment;
   const std::vector<sim::Vec3>& worn_m = garment.mesh.positions;
-  const std::vector<FitRow> fit = compute_fit(scene, garment, worn_m);
-  const std::string title = scene.name + " on " + scene.surroundings.bodies[dressed_body(scene).body].name;
-  write_file(file, renderer::encode_png(draw_fit({scene, garment, worn_m, sewn.time_s, fit, title, measured,
-                                                  describe_tightness(scene, garment, worn_m, fit)},
+  const std::vector<FitRow> fit = compute_fit(bodies, garment, worn_m);
+  const std::string title = scene.name + " on " + bodies.all[dressed_body(bodies).body].name;
+  write_file(file, renderer::encode_png(draw_fit({scene, bodies, garment, worn_m, sewn.time_s, fit, title, measured,
+                                                  describe_tightness(bodies, garment, worn_m, fit)},
                                                  backend),
                                         std::array{program_text()}));
 }
 
-void write_steps(const std::filesystem::path& file, const DrawnScene& scene, const SewnGarment& sewn, const char* last,
-                 const std::string& backend) {
+void write_steps(const std::filesystem::path& file, const DrawnScene& scene, const LoadedBodies& bodies,
+                 const SewnGarment& sewn, const char* last, const std::string& backend) {
   std::vector<GarmentMoment> moments;
   for (const SewingStep& step : sewn.steps) {
     const bool is_flat = moments.empty();
@@ -64,16 +64,17 @@ void write_steps(const std::filesystem::path& file, const DrawnScene& scene, con
         {step.name, step.garment, step.positions_m, is_flat ? std::nullopt : std::optional<double>(step.time_s)});
   }
   moments.push_back({last, sewn.sewn.garment, sewn.sewn.garment.mesh.positions, sewn.time_s});
-  write_file(file, renderer::encode_png(draw_moments(scene, moments, backend), std::array{program_text()}));
+  write_file(file, renderer::encode_png(draw_moments(scene, bodies, moments, backend), std::array{program_text()}));
 }
 
-[[noreturn]] void end_failed(const SewOptions& options, const DrawnScene& scene, const SewingFailed& error) {
+[[noreturn]] void end_failed(const SewOptions& options, const DrawnScene& scene, const LoadedBodies& bodies,
+                             const SewingFailed& error) {
   const std::filesystem::path file =
       options.picture.empty() ? free_name("", scene.name + "-open", ".png") : options.picture;
   std::string shown = fmt::format("'{}' shows it", file.string());
   try {
-    if (!options.steps.empty()) write_steps(options.steps, scene, error.garment, "as it is", options.backend);
-    write_picture(file, scene, error.garment, error.what(), options.backend);
+    if (!options.steps.empty()) write_steps(options.steps, scene, bodies, error.garment, "as it is", options.backend);
+    write_picture(file, scene, bodies, error.garment, error.what(), options.backend);
   } catch (const std::exception& reason) {
     shown = std::string("there is no picture of it: ") + reason.what();
   }
@@ -102,16 +103,17 @@ int run(const SewOptions& asked) {
   SewingSettings settings = {options.triangles, options.frames, {}, options.outer_fabrics, options.is_exact};
   for (const std::filesystem::path& outer : options.outer_patterns) settings.over.push_back(read_named_pattern(outer));
   std::FILE* const remarks = options.json ? stderr : stdout;
-  print_body_remarks(scene, load_bodies(scene, static_cast<int>(options.outer_patterns.size()) + 1), remarks);
+  LoadedBodies bodies = load_bodies(scene, static_cast<int>(options.outer_patterns.size()) + 1);
+  print_body_remarks(scene, bodies.remarks, remarks);
   std::vector<std::filesystem::path> written = {options.output, landmarks_path(options.output), options.picture,
                                                 options.steps};
   std::erase(written, std::filesystem::path());
-  require_inputs_kept(written, scene, {});
+  require_inputs_kept(written, scene, bodies.files_read);
   Progress progress(scene.name);
   const std::clock_t began = std::clock();
   try {
     const SewnGarment sewn =
-        sew(std::move(pattern), scene, settings, [&](const std::string& stage) { progress.begin(stage); });
+        sew(std::move(pattern), scene, bodies, settings, [&](const std::string& stage) { progress.begin(stage); });
     const double took_s = static_cast<double>(std::clock() - began) / CLOCKS_PER_SEC;
     write_text_file(options.output, to_obj(sewn));
     write_text_file(landmarks_path(options.output), to_landmarks_text(sewn));
@@ -119,8 +121,8 @@ int run(const SewOptions& asked) {
         fmt::format("{} closed, {}, no crossing, largest stretch {:.3f} %",
                     count_text(sewn.pieces.seams.size(), "seam"), describe_rest(sewn), 100.0 * sewn.max_stretch);
     progress.begin("drawing it");
-    if (!options.picture.empty()) write_picture(options.picture, scene, sewn, measured, options.backend);
-    if (!options.steps.empty()) write_steps(options.steps, scene, sewn, "worn", options.backend);
+    if (!options.picture.empty()) write_picture(options.picture, scene, bodies, sewn, measured, options.backend);
+    if (!options.steps.empty()) write_steps(options.steps, scene, bodies, sewn, "worn", options.backend);
     progress.hide();
     print_body_remarks(scene, sewn.remarks, remarks);
     if (options.json) {
@@ -145,7 +147,7 @@ int run(const SewOptions& asked) {
   } catch (const SewingFailed& error) {
     progress.hide();
     print_body_remarks(scene, error.garment.remarks, remarks);
-    end_failed(options, scene, error);
+    end_failed(options, scene, bodies, error);
   }
   return 0;
 }

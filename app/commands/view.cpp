@@ -58,9 +58,9 @@ void require_inputs_kept(const ViewOptions& options, const DrawnScene& scene, He
   require_inputs_kept(written, shown.scene, shown.files_read);
 }
 
-void view_headless(const ViewOptions& options, const RecordedSession& session, const DrawnScene& scene) {
-  HeadlessViewer viewer(scene, session.start, options.keep_folder, options.backend);
-  require_inputs_kept(options, scene, viewer);
+void view_headless(const ViewOptions& options, const RecordedSession& session, const SceneWithBodies& loaded) {
+  HeadlessViewer viewer(loaded, session.start, options.keep_folder, options.backend);
+  require_inputs_kept(options, loaded.scene, viewer);
   std::optional<SessionRecorder> recorder;
   if (!options.record.empty()) recorder.emplace(options.record, session.start);
   try {
@@ -77,7 +77,7 @@ void view_headless(const ViewOptions& options, const RecordedSession& session, c
   for (const Message& message : viewer.viewer().state().messages) {
     fmt::print("{}{}\n", message.is_error ? "error: " : "", printable(message.text));
   }
-  require_inputs_kept(options, scene, viewer);
+  require_inputs_kept(options, loaded.scene, viewer);
   if (!options.screenshot.empty()) {
     prepare_parent_folder(options.screenshot);
     write_file(options.screenshot, renderer::encode_png(viewer.draw()));
@@ -100,12 +100,14 @@ int run(const ViewOptions& options) {
   if (options.keep_folder != ".") prepare_parent_folder(options.keep_folder / "picture.png");
   const RecordedSession session = make_session(options);
   DrawnScene scene = find_scene(session.start.scene, session.start.overrides);
-  print_body_remarks(scene, sew_and_load_bodies(scene, session.start.overrides), stdout);
+  LoadedBodies bodies = sew_and_load_bodies(scene, session.start.overrides);
+  print_body_remarks(scene, bodies.remarks, stdout);
   if (!options.script.empty()) scene.files_read.push_back(options.script);
+  const SceneWithBodies loaded = {std::move(scene), std::move(bodies)};
   if (options.headless) {
-    view_headless(options, session, scene);
+    view_headless(options, session, loaded);
   } else {
-    view_in_window(scene, session.start, options.keep_folder, options.record);
+    view_in_window(loaded, session.start, options.keep_folder, options.record);
   }
   return 0;
 }

@@ -282,17 +282,18 @@ glm::vec3 mean_position(std::span<const sim::Vec3> points) {
   return glm::vec3(sum / static_cast<double>(points.size()));
 }
 
-renderer::Box expected_reach(const DrawnScene& scene, const sim::Garment& garment, std::span<const sim::Index> pins) {
+renderer::Box expected_reach(const DrawnScene& scene, const sim::Garment& garment, std::span<const sim::Body> bodies,
+                             std::span<const sim::Index> pins) {
   renderer::Box reach = renderer::bounding_box(to_float(garment.mesh.positions));
   for (const sim::Vec3& position : pins.empty() ? std::vector<sim::Vec3>{} : garment.mesh.positions) {
     sim::Vec3 pin(0.0);
     const double distance_m = distance_to_nearest_pin(garment, pins, position, pin);
     reach.lower.y = std::min(reach.lower.y, static_cast<float>(pin.y - distance_m));
   }
-  for (const sim::Body& body : scene.surroundings.bodies) {
+  for (const sim::Body& body : bodies) {
     if (const auto box = bounding_box(body, 0.0)) reach = renderer::unite(reach, *box);
   }
-  if (const auto height_m = level_plane(scene.surroundings.bodies, 0.0)) {
+  if (const auto height_m = level_plane(bodies, 0.0)) {
     reach.lower.y = std::min(reach.lower.y, *height_m);
   }
   const glm::vec3 swing(glm::abs(glm::vec3(scene.surroundings.pin_motion.amplitude_m)));
@@ -335,27 +336,28 @@ renderer::Camera scene_camera(const DrawnScene& scene, const renderer::Box& reac
   return renderer::fit_camera_to_box(asked.box.value_or(reach), choose_framing(scene, reach), aspect);
 }
 
-std::optional<float> ground_height(const DrawnScene& scene, const renderer::Box& reach) {
+std::optional<float> ground_height(const DrawnScene& scene, std::span<const sim::Body> bodies,
+                                   const renderer::Box& reach) {
   const auto& ground = scene.picture.ground;
   if (ground.kind == GroundKind::none) return std::nullopt;
   if (ground.kind == GroundKind::fixed) return static_cast<float>(ground.height_m);
   const renderer::Box box = scene.camera.box.value_or(reach);
-  const std::vector<sim::Body>& bodies = scene.surroundings.bodies;
   const std::optional<float> plane_m = level_plane(bodies, 0.0);
   return plane_m ? plane_m : standing_height(bodies, reach.lower.y).value_or(ground_below(box.lower.y, box.upper.y));
 }
 
 bool is_fitted(const DrawnScene& scene) { return !scene.camera.box && !scene.camera.eye; }
 
-FittedView::FittedView(const DrawnScene& scene, const sim::Garment& garment)
+FittedView::FittedView(const DrawnScene& scene, const sim::Garment& garment, std::vector<sim::Body> bodies)
     : scene_(scene),
+      bodies_(std::move(bodies)),
       garment_(garment),
       framing_(choose_framing(scene, renderer::bounding_box(to_float(garment.mesh.positions)))),
       aspect_(aspect_beside_legend(scene.picture)) {}
 
 void FittedView::add(const std::vector<sim::Vec3>& positions, const std::vector<sim::Vec3>& shown, double time_s) {
   std::vector<glm::vec3> points = to_float(shown);
-  for (const sim::Body& body : scene_.surroundings.bodies) {
+  for (const sim::Body& body : bodies_) {
     if (const std::optional<renderer::Box> box = bounding_box(body, time_s)) {
       const auto corners = renderer::box_corners(*box);
       points.insert(points.end(), corners.begin(), corners.end());
@@ -384,11 +386,11 @@ void FittedView::place_camera(DrawnScene& scene) const {
   scene.camera.eye = camera.eye;
   scene.camera.target = camera.target;
   Ground& ground = scene.picture.ground;
-  const std::vector<sim::Body>& bodies = scene.surroundings.bodies;
-  if (ground.kind == GroundKind::automatic && !level_plane(bodies, 0.0)) {
+  if (ground.kind == GroundKind::automatic && !level_plane(bodies_, 0.0)) {
     const float below_m = ground_below(min_height_m_, max_height_m_);
     const float gap_m = min_height_m_ - below_m;  // feet rise and sink a little as they walk
-    ground = {GroundKind::fixed, static_cast<double>(standing_height(bodies, min_height_m_ + gap_m).value_or(below_m))};
+    ground = {GroundKind::fixed,
+              static_cast<double>(standing_height(bodies_, min_height_m_ + gap_m).value_or(below_m))};
   }
 }
 

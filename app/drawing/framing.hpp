@@ -62,7 +62,8 @@ glm::vec3 mean_position(std::span<const sim::Vec3> points);
 /// Returns the box in metres that the garment is expected to stay in. It contains the modelled shape, each vertex
 /// hanging straight below its nearest pin, and the bodies at the start. It depends only on the scene, so all frames
 /// have the same camera.
-renderer::Box expected_reach(const DrawnScene& scene, const sim::Garment& garment, std::span<const sim::Index> pins);
+renderer::Box expected_reach(const DrawnScene& scene, const sim::Garment& garment, std::span<const sim::Body> bodies,
+                             std::span<const sim::Index> pins);
 
 /// Returns the height in metres of the first level plane among the bodies at this time; empty if there is none.
 std::optional<float> level_plane(std::span<const sim::Body> bodies, double time_s);
@@ -87,7 +88,8 @@ renderer::Camera camera_at(const glm::vec3& eye, const glm::vec3& target, float 
 renderer::Camera scene_camera(const DrawnScene& scene, const renderer::Box& reach, float aspect);
 
 /// Returns the height of the floor in metres; empty if there is no floor.
-std::optional<float> ground_height(const DrawnScene& scene, const renderer::Box& reach);
+std::optional<float> ground_height(const DrawnScene& scene, std::span<const sim::Body> bodies,
+                                   const renderer::Box& reach);
 
 /// Returns true if the camera is fitted to the pictures' content, because the scene sets neither its position nor a
 /// box.
@@ -97,7 +99,7 @@ bool is_fitted(const DrawnScene& scene);
 class FittedView {
  public:
   /// `scene` and `garment` must outlive this object.
-  FittedView(const DrawnScene& scene, const sim::Garment& garment);
+  FittedView(const DrawnScene& scene, const sim::Garment& garment, std::vector<sim::Body> bodies);
 
   /// Adds the garment at these positions in metres and the bodies at this time. `shown`: positions of the drawn
   /// vertices, which differ if a model follows the garment and may reach farther.
@@ -109,6 +111,7 @@ class FittedView {
 
  private:
   const DrawnScene& scene_;
+  std::vector<sim::Body> bodies_;
   const sim::Garment& garment_;
   renderer::Framing framing_;
   float aspect_;

@@ -102,11 +102,11 @@ std::optional<sim::Garment> followed_model(const DrawnColours& colours, const si
 
 }  // namespace
 
-SurfaceClearances::SurfaceClearances(const DrawnScene& scene, const sim::Garment& garment, float edge_m,
-                                     float rim_radius_m)
+SurfaceClearances::SurfaceClearances(const DrawnScene& scene, const sim::Garment& garment,
+                                     std::vector<sim::Body> bodies, float edge_m, float rim_radius_m)
     : freedom_{max_bulge_fraction * edge_m, std::min(max_fairing_fraction * edge_m, max_fairing_m)},
       max_clearance_m_(max_clearance_fraction * edge_m + renderer::rim_depth_radii * rim_radius_m / clearance_share),
-      bodies_(scene.surroundings.bodies),
+      bodies_(std::move(bodies)),
       garment_vertices_(garment.mesh.positions.size()),
       positions_m_(garment.mesh.positions) {
   const SolverChoice& solver = scene.simulation.solver;
@@ -147,7 +147,8 @@ void SurfaceClearances::keep_off_shapes(double time_s) {
 float pin_radius_m(const renderer::Box& reach) { return 0.008F * glm::distance(reach.lower, reach.upper); }
 
 GarmentPainter::GarmentPainter(renderer::SceneRenderer& renderer, const DrawnScene& scene, const sim::Garment& garment,
-                               std::span<const sim::Index> pins, DrawnColours colours)
+                               const std::vector<sim::Body>& bodies, std::span<const sim::Index> pins,
+                               DrawnColours colours)
     : renderer_(renderer),
       style_(drawn_style(scene.picture)),
       legend_(stretch_legend(scene)),
@@ -157,19 +158,19 @@ GarmentPainter::GarmentPainter(renderer::SceneRenderer& renderer, const DrawnSce
       simulated_(garment.mesh.triangles),
       model_(followed_model(colours_, garment)),
       surface_(model_ ? *model_ : garment, colours_.corner_coordinates, colours_.base_colour_of_triangle),
-      surface_clearances_(scene, model_ ? *model_ : garment, surface_.edge_m(), surface_.rim_radius_m()),
+      surface_clearances_(scene, model_ ? *model_ : garment, bodies, surface_.edge_m(), surface_.rim_radius_m()),
       structural_edges_(garment.springs.ends.begin(),
                         garment.springs.ends.begin() + static_cast<std::ptrdiff_t>(garment.springs.structural_count)),
       line_width_px_(line_width_px(style_.settings)),
       spring_lines_(garment, style_.springs, spring_width_factor * line_width_px_),
-      bodies_(scene.surroundings.bodies) {
-  const renderer::Box reach = expected_reach(scene, garment, pins);
+      bodies_(bodies) {
+  const renderer::Box reach = expected_reach(scene, garment, bodies, pins);
   surface_.set_freedom(surface_clearances_.freedom());
   surface_.set_wrinkled(style_.wrinkles && style_.surface == SurfaceLook::shaded);
   camera_ = scene_camera(scene, reach, style_.settings.aspect());
   look_from(camera_, min_edge_px(style_));
   if (scene.camera.follow) rest_centre_m_ = mean_position(garment.mesh.positions);
-  frame_.ground_height_m = ground_height(scene, reach);
+  frame_.ground_height_m = ground_height(scene, bodies, reach);
   frame_.backdrop = to_backdrop(scene.picture.background);
   pin_radius_m_ = pin_radius_m(reach);
   if (style_.rest_outline) add_rest_outline(garment);

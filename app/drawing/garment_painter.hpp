@@ -31,7 +31,8 @@ class OffscreenRenderer {
 class SurfaceClearances {
  public:
   /// `edge_m`: mean edge length of the garment. `rim_radius_m`: of the lip along its borders.
-  SurfaceClearances(const DrawnScene& scene, const sim::Garment& garment, float edge_m, float rim_radius_m);
+  SurfaceClearances(const DrawnScene& scene, const sim::Garment& garment, std::vector<sim::Body> bodies, float edge_m,
+                    float rim_radius_m);
 
   /// Returns the limits for cloth that nothing is near.
   const renderer::SurfaceFreedom& freedom() const { return freedom_; }
@@ -61,7 +62,7 @@ class GarmentPainter {
  public:
   /// `renderer` must outlive the painter. The needed data of `scene` and `garment` is copied.
   GarmentPainter(renderer::SceneRenderer& renderer, const DrawnScene& scene, const sim::Garment& garment,
-                 std::span<const sim::Index> pins, DrawnColours colours = {});
+                 const std::vector<sim::Body>& bodies, std::span<const sim::Index> pins, DrawnColours colours = {});
 
   /// Replaces the scene's camera; the light follows it. A nearer camera gets a finer surface. Edges shorter than
   /// `min_edge_px` in the picture are not halved: a larger value is faster.

@@ -193,7 +193,6 @@ DrawnScene scene_of_side(const DrawnScene& asked, int height_px) {
   scene.picture.cloth.weave = 0.0F;
   scene.picture.cloth.sheen = 0.0F;
   scene.picture.cloth.translucency = 0.0F;
-  scene.surroundings.bodies.clear();
   return scene;
 }
 
@@ -221,9 +220,10 @@ void add_marks(const std::vector<InspectionMarks>& all, renderer::FrameView& fra
 
 /// Draws a garment at these positions with marks. `is_page`: on a white page.
 renderer::Image draw_marked(renderer::SceneRenderer& renderer, const DrawnScene& scene, const sim::Garment& garment,
-                            std::span<const sim::Index> pins, const std::vector<sim::Vec3>& positions_m, double time_s,
+                            const std::vector<sim::Body>& bodies, std::span<const sim::Index> pins,
+                            const std::vector<sim::Vec3>& positions_m, double time_s,
                             const std::vector<InspectionMarks>& marks, bool is_page) {
-  GarmentPainter painter(renderer, scene, garment, pins);
+  GarmentPainter painter(renderer, scene, garment, bodies, pins);
   renderer::FrameView frame = painter.view(positions_m, time_s);
   if (is_page) {
     frame.backdrop.plain = true;
@@ -235,9 +235,9 @@ renderer::Image draw_marked(renderer::SceneRenderer& renderer, const DrawnScene&
 
 /// Makes both views from the user's scene.
 InspectionViews inspection_views(const DrawnScene& asked, const sim::Garment& garment,
-                                 std::span<const sim::Index> pins) {
+                                 std::span<const sim::Body> bodies, std::span<const sim::Index> pins) {
   const std::vector<glm::vec3> points =
-      points_to_be_seen(garment, pins, pin_radius_m(expected_reach(asked, garment, pins)));
+      points_to_be_seen(garment, pins, pin_radius_m(expected_reach(asked, garment, bodies, pins)));
   InspectionViews views{.sides = {{{"from the front", {}}, {"from behind", {}}}},
                         .height_px = height_of_panel_px(points)};
   const float aspect = static_cast<float>(inspection_panel_px) / static_cast<float>(views.height_px);
@@ -458,9 +458,10 @@ void look_from_front(const sim::Vec3& front, std::span<const sim::Vec3> position
 
 renderer::Image draw_side(OffscreenRenderer& offscreen, const WornGarment& worn, float turned_rad) {
   DrawnScene scene = worn.scene;
-  look_from_front(front_of_dressed(scene), worn.positions_m, turned_rad, scene);
+  look_from_front(front_of_dressed(worn.bodies), worn.positions_m, turned_rad, scene);
   scene.picture.surface = SurfaceLook::stretch;
-  return draw_marked(offscreen.renderer(), scene, worn.garment, {}, worn.positions_m, worn.time_s, {}, true);
+  return draw_marked(offscreen.renderer(), scene, worn.garment, worn.bodies.all, {}, worn.positions_m, worn.time_s, {},
+                     true);
 }
 
 void draw_table(renderer::Canvas& canvas, const WornGarment& worn, float top_px) {
@@ -528,9 +529,9 @@ std::vector<InspectionMarks> inspection_marks(const LoadedGarment& loaded, std::
 }
 
 renderer::Image draw_inspection(const Inspection& inspection, const LoadedGarment& loaded, const DrawnScene& scene,
-                                const std::string& backend) {
+                                std::span<const sim::Body> bodies, const std::string& backend) {
   OffscreenRenderer offscreen(backend);
-  InspectionViews views = inspection_views(scene, *loaded.garment, loaded.pins);
+  InspectionViews views = inspection_views(scene, *loaded.garment, bodies, loaded.pins);
   const MarkWidths widths = mark_widths(inspection.facts, views.px_per_m);
   std::array<LoadedGarment, 2> shown = {loaded, loaded};
   if (loaded.following) {
@@ -553,8 +554,8 @@ renderer::Image draw_inspection(const Inspection& inspection, const LoadedGarmen
     const float x_px = border_px + static_cast<float>(k) * (panel_px + gap_px);
     const sim::Garment& garment = *shown[k].garment;
     canvas.image(x_px, header_px,
-                 draw_marked(offscreen.renderer(), views.sides[k].scene, garment, shown[k].pins, garment.mesh.positions,
-                             0.0, k == 0 ? all : simulated, true));
+                 draw_marked(offscreen.renderer(), views.sides[k].scene, garment, {}, shown[k].pins,
+                             garment.mesh.positions, 0.0, k == 0 ? all : simulated, true));
     canvas.text(x_px + 0.5F * panel_px, below_px + row_px, views.sides[k].name, caption);
   }
   draw_bar(canvas, border_px + 12.0F, below_px + row_px, views.px_per_m);
@@ -568,8 +569,8 @@ renderer::Image draw_blocked(renderer::SceneRenderer& renderer, const DrawnScene
   const std::vector<InspectionMarks> marks = make_marks(simulation, blocked);
   const auto draw = [&](DrawnScene seen) {
     seen.picture.smooth = false;
-    return draw_marked(renderer, seen, simulation.garment(), simulation.pins().vertices, simulation.state().current,
-                       simulation.state().time_s, marks, false);
+    return draw_marked(renderer, seen, simulation.garment(), simulation.surroundings().bodies,
+                       simulation.pins().vertices, simulation.state().current, simulation.state().time_s, marks, false);
   };
   const auto width_px = static_cast<float>(scene.picture.settings.width_px);
   const renderer::TextStyle style = text_style(0.02F * width_px);
@@ -587,8 +588,8 @@ renderer::Image draw_blocked(renderer::SceneRenderer& renderer, const DrawnScene
   return canvas.to_image();
 }
 
-renderer::Image draw_moments(const DrawnScene& scene, std::span<const GarmentMoment> moments,
-                             const std::string& backend) {
+renderer::Image draw_moments(const DrawnScene& scene, const LoadedBodies& bodies,
+                             std::span<const GarmentMoment> moments, const std::string& backend) {
   OffscreenRenderer offscreen(backend);
   const float height_px = fit_panel_height_px + 1.6F * row_px;
   const auto count = static_cast<float>(moments.size());
@@ -602,12 +603,12 @@ renderer::Image draw_moments(const DrawnScene& scene, std::span<const GarmentMom
   }
   for (const GarmentMoment& moment : moments) {
     DrawnScene shown = scene;
-    look_from_front(moment.time_s ? front_of_dressed(scene) : sim::Vec3(0.0, 0.0, 1.0),
+    look_from_front(moment.time_s ? front_of_dressed(bodies) : sim::Vec3(0.0, 0.0, 1.0),
                     moment.time_s ? about_body_m : moment.positions_m, 0.0F, shown);
-    if (!moment.time_s) shown.surroundings.bodies.clear();
-    canvas.image(x_px, 0.0F,
-                 draw_marked(offscreen.renderer(), shown, moment.garment, {}, moment.positions_m,
-                             moment.time_s.value_or(0.0), {}, true));
+    canvas.image(
+        x_px, 0.0F,
+        draw_marked(offscreen.renderer(), shown, moment.garment, moment.time_s ? bodies.all : std::vector<sim::Body>{},
+                    {}, moment.positions_m, moment.time_s.value_or(0.0), {}, true));
     canvas.text(x_px + 0.5F * fit_panel_px, fit_panel_height_px + row_px, moment.name, caption);
     x_px += fit_panel_px + fit_gap_px;
   }

@@ -34,7 +34,7 @@ std::vector<InspectionMarks> inspection_marks(const LoadedGarment& loaded, std::
 /// borders, welded vertices, edges with more than two triangles, and edges whose triangles disagree about the outside.
 /// It has a legend, counts and a scale bar. `backend`: see renderer::create_context. Throws renderer::ContextError.
 renderer::Image draw_inspection(const Inspection& inspection, const LoadedGarment& loaded, const DrawnScene& scene,
-                                const std::string& backend);
+                                std::span<const sim::Body> bodies, const std::string& backend);
 
 /// Returns a page that shows the current state, with the blocked triangles outlined and the position marked: in the
 /// scene's view and as a close-up. `text` is the heading.
@@ -45,6 +45,7 @@ renderer::Image draw_blocked(renderer::SceneRenderer& renderer, const DrawnScene
 /// A worn garment to draw.
 struct WornGarment {
   const DrawnScene& scene;
+  const LoadedBodies& bodies;
   const sim::Garment& garment;
   const std::vector<sim::Vec3>& positions_m;
   double time_s = 0.0;  ///< time of the bodies
@@ -67,7 +68,7 @@ struct GarmentMoment {
 };
 
 /// Draws the moments side by side from the front, in the scene's style. Throws as draw_fit() does.
-renderer::Image draw_moments(const DrawnScene& scene, std::span<const GarmentMoment> moments,
-                             const std::string& backend);
+renderer::Image draw_moments(const DrawnScene& scene, const LoadedBodies& bodies,
+                             std::span<const GarmentMoment> moments, const std::string& backend);
 
 }  // namespace taut::app

@@ -37,7 +37,7 @@ renderer::Camera camera_for(std::span<const PrintedMoment> moments, const glm::i
   DrawnScene scene = scene_for_print(moments.front(), size);
   scene.camera.framing.margin = print_margin_fraction;
   const renderer::Box reach =
-      expected_reach(scene, *moments.front().recording->garment, moments.front().recording->pins);
+      expected_reach(scene, *moments.front().recording->garment, named_bodies(scene), moments.front().recording->pins);
   const float aspect = scene.picture.settings.aspect();
   const renderer::Camera near = scene_camera(scene, reach, aspect);
   std::vector<glm::vec3> points;
@@ -171,7 +171,8 @@ Prints print_moments(LazyOffscreenRenderer& lazy, std::span<const PrintedMoment>
         static_cast<int>(std::min(std::max(scale * scale * usual_passes, min_print_passes), usual_passes));
     scene.camera.eye = camera.eye;
     scene.camera.target = camera.target;
-    GarmentPainter painter(offscreen.renderer(), scene, *moment.recording->garment, moment.recording->pins);
+    GarmentPainter painter(offscreen.renderer(), scene, *moment.recording->garment, named_bodies(scene),
+                           moment.recording->pins);
     prints.pictures.push_back(painter.draw(moment.moment->positions, moment.moment->record.time_s));
   }
   const float seen_m = 2.0F * glm::distance(camera.eye, camera.target) * std::tan(0.5F * camera.vertical_fov_rad);

@@ -18,7 +18,7 @@ std::unique_ptr<renderer::Context> open_context() {
 void fit_camera(const Session& session, const std::vector<sim::Vec3>& shown_m, app::DrawnScene& drawn) {
   if (!app::is_fitted(drawn)) return;
   const sim::State& state = session.simulation().state();
-  app::FittedView fitted(drawn, session.simulation().garment());
+  app::FittedView fitted(drawn, session.simulation().garment(), session.bodies());
   fitted.add(state.current, shown_m, state.time_s);
   fitted.place_camera(drawn);
 }
@@ -26,8 +26,8 @@ void fit_camera(const Session& session, const std::vector<sim::Vec3>& shown_m, a
 }  // namespace
 
 void Stage::dress(const Session& session, const app::DrawnScene& drawn) {
-  painter.emplace(renderer, drawn, session.simulation().garment(), session.simulation().pins().vertices,
-                  app::drawn_colours(drawn, session.garment()));
+  painter.emplace(renderer, drawn, session.simulation().garment(), session.bodies(),
+                  session.simulation().pins().vertices, app::drawn_colours(drawn, session.garment()));
 }
 
 const renderer::FrameView& Stage::view(const Session& session, const std::vector<sim::Vec3>& shown_m) {

@@ -95,7 +95,7 @@ app::DrawnScene make_scene(const TautOptions& options, const std::vector<app::Ov
 void set_importer(const TautOptions& options, app::Scene& scene) {
   if (options.importer != nullptr) {
     scene.garment.importer = options.importer;
-    for (app::BodySource& source : scene.body_sources) source.importer = options.importer;
+    for (app::BodyInScene& body : scene.bodies) body.source.importer = options.importer;
   }
 }
 
@@ -104,14 +104,13 @@ void set_threads(const TautOptions& options, app::Scene& scene) {
   if (options.threads > 0) scene.simulation.solver.bounded.threads = options.threads;
 }
 
-void put_bodies_in(const TautOptions& options, Start& start) {
+std::vector<GivenBody> take_bodies(const TautOptions& options, const Start& start) {
   require(options.bodies != nullptr || options.body_count == 0, "found bodies of NULL");
+  std::vector<GivenBody> all;
   for (std::size_t k = 0; k < options.body_count; ++k) {
-    GivenBody given = take_body(options.bodies[k], start.scene);
-    const std::size_t number = add_to_scene(given, start.scene);
-    if (given.lent) start.lent[number] = std::move(*given.lent);
-    start.listener.tell(given.remarks);
+    start.listener.tell(all.emplace_back(take_body(options.bodies[k], start.scene)).remarks);
   }
+  return all;
 }
 
 std::vector<app::Override> parse_overrides(const TautOptions& options) {
@@ -150,14 +149,12 @@ GivenBody take_body(const TautBody* body, const app::Scene& scene) {
   return parsed;
 }
 
-std::size_t add_to_scene(const GivenBody& given, app::Scene& scene) {
-  std::vector<sim::Body>& bodies = scene.surroundings.bodies;
-  const std::size_t number = bodies.size();
-  bodies.push_back(given.body);
-  scene.body_sources.resize(number);
-  scene.body_sources.push_back(given.source);
-  scene.wearers.resize(number);
-  scene.wearers.push_back(given.wearer);
+std::size_t add_to_scene(const GivenBody& given, app::Scene& scene, app::LoadedBodies& bodies) {
+  const std::size_t number = bodies.all.size();
+  scene.bodies.push_back({given.body, given.source});
+  bodies.all.push_back(given.body);
+  bodies.wearers.resize(number);
+  bodies.wearers.push_back(given.wearer);
   return number;
 }
 
@@ -165,13 +162,19 @@ std::size_t Session::add_body(const TautBody* body) {
   GivenBody parsed = take_body(body, scene_);
   require(parsed.source.dress == 0, "dress: expected 0 of a body that is added later");
   app::DrawnScene next = scene_;
-  const std::size_t number = add_to_scene(parsed, next);
-  change(std::move(next));
+  app::LoadedBodies others = bodies_;
+  const std::size_t number = add_to_scene(parsed, next, bodies_);
+  try {
+    change(std::move(next));
+  } catch (...) {
+    std::swap(bodies_, others);
+    throw;
+  }
   if (parsed.lent) caller_bodies_[number] = std::move(*parsed.lent);
   const sim::State& state = simulation_.state();
   const app::StartRemarks remarks =
-      app::remarks_on_body(scene_.surroundings.bodies, number, state.time_s,
-                           {state.current, simulation_.garment().mesh.triangles}, simulation_.pins().vertices);
+      app::remarks_on_body(bodies_.all, number, state.time_s, {state.current, simulation_.garment().mesh.triangles},
+                           simulation_.pins().vertices);
   crossings_at_start_ += remarks.crossings;
   begin_again();
   listener_.tell(parsed.remarks);
@@ -195,13 +198,12 @@ std::vector<sim::Vec3> Session::to_body_positions(const CallerBody& lent,
 }
 
 std::vector<sim::Vec3> Session::shape_m(std::size_t body) const {
-  return app::mesh_positions_m(scene_.surroundings.bodies[body], simulation_.state().time_s);
+  return app::mesh_positions_m(bodies_.all[body], simulation_.state().time_s);
 }
 
 // Keeps the body's mesh data as the caller first gave them, as for a file's body, because the last bits depend on them.
 void Session::set_shape(std::size_t body, std::vector<sim::Vec3> positions_m) {
-  std::get<sim::BodyMesh>(scene_.surroundings.bodies[body].shape).frames =
-      std::make_shared<const StillBody>(std::move(positions_m));
+  std::get<sim::BodyMesh>(bodies_.all[body].shape).frames = std::make_shared<const StillBody>(std::move(positions_m));
 }
 
 void Session::move_body(std::size_t body, const std::vector<sim::Vec3>& positions_m) {
@@ -228,12 +230,13 @@ void Session::place_body(std::size_t body, const std::vector<sim::Vec3>& positio
 
 Session::Session(const TautOptions& options, Start start)
     : scene_(std::move(start.scene)),
+      bodies_(std::move(start.bodies)),
       loaded_(std::move(start.loaded)),
       mesh_vertex_(scene_.garment.given ? loaded_.file_vertices.mesh_vertex
                                         : counted_up(loaded_.garment->mesh.positions.size())),
       own_vertex_(caller_vertices(loaded_, mesh_vertex_)),
-      simulation_(app::make_simulation(scene_, loaded_)),
-      frame_(app::go_to_start(scene_, simulation_)),
+      simulation_(app::make_simulation(scene_, loaded_, bodies_.all)),
+      frame_(app::go_to_start(scene_, bodies_, simulation_)),
       caller_bodies_(std::move(start.lent)),
       crossings_at_start_(start.crossings),
       listener_(start.listener) {
@@ -313,7 +316,7 @@ void Session::forget_targets() {
 }
 
 sim::Surroundings Session::surroundings_of(const app::Scene& scene) const {
-  sim::Surroundings surroundings = app::settle_surroundings(scene.surroundings, loaded_);
+  sim::Surroundings surroundings = app::settle_surroundings(scene.surroundings, loaded_, bodies_.all);
   std::vector<sim::PointForce>& all = surroundings.forces.artificial_forces;
   all.insert(all.end(), forces_.begin(), forces_.end());
   return surroundings;
@@ -473,13 +476,18 @@ Start load(const TautOptions& options) {
   if (options.start != nullptr) {
     start.scene.garment.given_start_m = std::make_shared<const std::vector<sim::Vec3>>(points_from(options.start));
   }
-  put_bodies_in(options, start);
-  start.listener.tell(app::sew_and_load_bodies(start.scene));
+  std::vector<GivenBody> given = take_bodies(options, start);
+  start.bodies = app::sew_and_load_bodies(start.scene);
+  start.listener.tell(start.bodies.remarks);
+  for (GivenBody& body : given) {
+    const std::size_t number = add_to_scene(body, start.scene, start.bodies);
+    if (body.lent) start.lent[number] = std::move(*body.lent);
+  }
   start.loaded = app::load_garment(start.scene);
-  start.listener.tell(app::put_where_it_begins(start.loaded, start.scene));
+  start.listener.tell(app::put_where_it_begins(start.loaded, start.scene, start.bodies));
   start.listener.tell(app::collect_remarks(start.loaded));
   app::face_front(start.loaded, start.scene);
-  const app::StartRemarks remarks = app::remarks_on_start(start.scene, start.loaded);
+  const app::StartRemarks remarks = app::remarks_on_start(start.scene, start.loaded, start.bodies.all);
   start.listener.tell(remarks.lines);
   start.crossings = remarks.crossings;
   if (options.struct_size == min_struct_size<TautOptions>) {

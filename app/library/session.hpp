@@ -72,8 +72,8 @@ struct GivenBody {
 /// Converts a body for a scene. Throws ArgumentError, and InputError for a mesh that is not closed.
 GivenBody take_body(const TautBody* body, const app::Scene& scene);
 
-/// Adds a body to the scene and returns its number.
-std::size_t add_to_scene(const GivenBody& given, app::Scene& scene);
+/// Adds a body to the scene and its loaded bodies and returns its number.
+std::size_t add_to_scene(const GivenBody& given, app::Scene& scene, app::LoadedBodies& bodies);
 
 /// Receiver of messages about guesses, repairs and choices.
 struct Listener {
@@ -83,9 +83,10 @@ struct Listener {
   void tell(const std::vector<std::string>& lines) const;
 };
 
-/// A scene and its garment, ready to start.
+/// A scene with its bodies and its garment, ready to start.
 struct Start {
   app::DrawnScene scene;
+  app::LoadedBodies bodies;
   app::LoadedGarment loaded;
   std::map<std::size_t, CallerBody> lent = {};  ///< key: body number
   std::size_t crossings = 0;                    ///< see TautInfo::crossings_at_start
@@ -105,6 +106,7 @@ class Session {
   Session(const TautOptions& options, Start start);
 
   const app::DrawnScene& scene() const { return scene_; }
+  const std::vector<sim::Body>& bodies() const { return bodies_.all; }
   const sim::Simulation& simulation() const { return simulation_; }
   const app::GarmentInScene& garment() const { return loaded_; }
   int frame() const { return frame_; }
@@ -161,6 +163,7 @@ class Session {
   std::vector<sim::Vec3> to_mesh_positions(const std::vector<sim::Vec3>& positions_m) const;
 
   app::DrawnScene scene_;
+  app::LoadedBodies bodies_;
   app::GarmentInScene loaded_;
   std::vector<sim::Index> mesh_vertex_;  ///< mesh vertex of each of the caller's vertices, or sim::no_vertex
   std::vector<sim::Index> own_vertex_;   ///< caller's vertex of each mesh vertex

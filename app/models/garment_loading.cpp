@@ -189,7 +189,7 @@ bool is_hung(const Scene& scene) {
 void find_up(const Scene& scene, const sim::Mesh& model_m, const sim::Mesh& simulated_m, const StageReport& begin,
              PlacementHints& hints) {
   hints.up_by_openings = up_by_openings(model_m, sim::make_adjacency(model_m));
-  if (!hints.up_by_openings && is_hung(scene) && scene.surroundings.bodies.empty()) {
+  if (!hints.up_by_openings && is_hung(scene) && scene.bodies.empty()) {
     begin("hanging it both ways to see which is up");
     hints.up_by_hanging = up_by_hanging(simulated_m);
   }
@@ -309,7 +309,7 @@ std::vector<sim::Index> choose_pins(const Scene& scene, const sim::Mesh& mesh, L
     begin("hanging it");
     const sim::Adjacency adjacency = sim::make_adjacency(mesh);
     // A garment with a body is meant to be worn, not hung on a hanger.
-    loaded.hanging = scene.surroundings.bodies.empty() ? hang_as_in_a_shop(mesh, adjacency) : hang(mesh, adjacency);
+    loaded.hanging = scene.bodies.empty() ? hang_as_in_a_shop(mesh, adjacency) : hang(mesh, adjacency);
     loaded.hanger = loaded.hanging->hanger;
     return loaded.hanging->pins;
   }
@@ -515,19 +515,25 @@ sim::Surface surface_at_start(const GarmentInScene& loaded) {
   return {loaded.start_m ? *loaded.start_m : mesh.positions, mesh.triangles};
 }
 
-sim::Surroundings settle_surroundings(sim::Surroundings surroundings, const GarmentInScene& loaded) {
+sim::Surroundings settle_surroundings(sim::Surroundings surroundings, const GarmentInScene& loaded,
+                                      std::vector<sim::Body> bodies) {
   for (sim::PointForce& force : surroundings.forces.artificial_forces) {
     const std::optional<sim::Index> vertex = loaded.file_vertices.find(force.vertex);
     if (!vertex) throw InputError("forces.vertex: " + loaded.file_vertices.why_missing(force.vertex));
     force.vertex = *vertex;
   }
   surroundings.moving_pins = loaded.moving_pins;
+  surroundings.bodies = std::move(bodies);
   return surroundings;
 }
 
-sim::Simulation make_simulation(const Scene& scene, const GarmentInScene& loaded) {
+sim::Simulation make_simulation(const Scene& scene, const GarmentInScene& loaded, std::vector<sim::Body> bodies) {
   return {loaded.garment, loaded.pins, simulation_settings(scene.simulation),
-          settle_surroundings(scene.surroundings, loaded), loaded.start_m};
+          settle_surroundings(scene.surroundings, loaded, std::move(bodies)), loaded.start_m};
+}
+
+sim::Simulation make_simulation(const Scene& scene, const GarmentInScene& loaded) {
+  return make_simulation(scene, loaded, named_bodies(scene));
 }
 
 }  // namespace taut::app

@@ -91,11 +91,14 @@ LoadedGarment load_garment(const Scene& scene, const StageReport& begin = {});
 sim::Surface surface_at_start(const GarmentInScene& loaded);
 
 /// Completes the surroundings of a scene for the simulation: maps the vertices of forces from the file to the mesh, and
-/// adds the moving pins. Throws InputError for a force at a vertex that does not exist.
-sim::Surroundings settle_surroundings(sim::Surroundings surroundings, const GarmentInScene& loaded);
+/// adds the bodies and the moving pins. Throws InputError for a force at a vertex that does not exist.
+sim::Surroundings settle_surroundings(sim::Surroundings surroundings, const GarmentInScene& loaded,
+                                      std::vector<sim::Body> bodies);
 
 /// Returns the simulation at its start, in the scene's settled surroundings. Throws std::invalid_argument as
 /// sim::Simulation does, and InputError for a force at a vertex that does not exist.
+sim::Simulation make_simulation(const Scene& scene, const GarmentInScene& loaded, std::vector<sim::Body> bodies);
+/// Returns the same for a scene whose bodies have no meshes of files.
 sim::Simulation make_simulation(const Scene& scene, const GarmentInScene& loaded);
 
 }  // namespace taut::app

@@ -69,8 +69,8 @@ DrawnScene read_scene(const std::string& text, const PictureFile& picture) {
   KeyReader(format.keys, source, scene).read(settings);
   find_files(settings["garment"], garment_files, picture, scene.garment);
   find_files(settings["start"], std::array{std::pair("checkpoint", &DrawnScene::checkpoint)}, picture, scene);
-  for (std::size_t k = 0; k < scene.body_sources.size(); ++k) {
-    find_files(settings["bodies"][k], body_files, picture, scene.body_sources[k]);
+  for (std::size_t k = 0; k < scene.bodies.size(); ++k) {
+    find_files(settings["bodies"][k], body_files, picture, scene.bodies[k].source);
   }
   if (names_image(scene.picture.texture)) {
     scene.picture.texture = find_file(*settings["picture"]["texture"].value<std::string>(), picture);

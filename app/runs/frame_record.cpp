@@ -102,8 +102,7 @@ FrameRecord measure_frame(const sim::Simulation& simulation, int frame, Measured
   const sim::ShapeChange change = simulation.change();
   record.rms_speed_m_per_s = sim::rms_speed(change);
   record.energy = sim::measure_energy(garment, change, sim::gravity_at(simulation.surroundings().forces, state.time_s));
-  record.wind = sim::measure_wind(garment, state, simulation.surroundings().forces.wind,
-                                 simulation.wind_fractions());
+  record.wind = sim::measure_wind(garment, state, simulation.surroundings().forces.wind, simulation.wind_fractions());
   record.convergence_m = sim::measure_convergence(change).max_m;
   record.state_hash = sim::hash(state);
   return record;
@@ -186,7 +185,7 @@ int judge_bound(const Scene& scene, const RunSummary& summary) {
              "taut: {}: {}. {} may pull the cloth apart, or more time steps are needed (solver.max_substeps "
              "= {}){}\n",
              allowed ? "warning" : "error", excess,
-             scene.surroundings.bodies.empty() ? "Pins" : "Pins, or a body that it is too tight for,",
+             scene.bodies.empty() ? "Pins" : "Pins, or a body that it is too tight for,",
              scene.simulation.solver.max_substeps,
              allowed ? "" : "; solver.allow_exceeding = \"bound\" accepts such frames");
   return allowed ? 0 : exit_promise_broken;

@@ -164,11 +164,11 @@ int start_frame(const Scene& scene) {
   return scene.checkpoint.empty() ? 0 : read_run_checkpoint(scene.checkpoint).frame;
 }
 
-int go_to_start(const Scene& scene, sim::Simulation& simulation, const StageReport& begin) {
+int go_to_start(const Scene& scene, const LoadedBodies& bodies, sim::Simulation& simulation, const StageReport& begin) {
   if (scene.checkpoint.empty()) {
     const std::vector<FitRow> fit = scene.dressing_frames() == 0
                                         ? std::vector<FitRow>{}
-                                        : compute_fit(scene, simulation.garment(), simulation.state().current);
+                                        : compute_fit(bodies, simulation.garment(), simulation.state().current);
     require_wearable(scene, fit);
     try {
       dress(scene, simulation, begin);

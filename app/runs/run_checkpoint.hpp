@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/garments/dressing/dressing.hpp"
 #include "app/models/garment_loading.hpp"
 #include "app/runs/frame_record.hpp"
 
@@ -44,7 +45,8 @@ void dress(const Scene& scene, sim::Simulation& simulation, const StageReport& b
 /// returns 0. Throws InputError, also if the garment's girths are too small for a body (require_wearable()). Throws as
 /// dress() does, and PromiseBroken if the dressed garment crosses a body that the solver keeps apart; the message says
 /// where the garment is too small (app/garments/dressing/fit.hpp).
-int go_to_start(const Scene& scene, sim::Simulation& simulation, const StageReport& begin = {});
+int go_to_start(const Scene& scene, const LoadedBodies& bodies, sim::Simulation& simulation,
+                const StageReport& begin = {});
 
 /// Returns the frame that go_to_start() would go to. Throws InputError if the checkpoint cannot be read.
 int start_frame(const Scene& scene);

@@ -64,7 +64,6 @@ struct RunSettings {
 sim::SimulationSettings simulation_settings(const RunSettings& run);
 
 struct ImportedModel;
-struct Wearer;
 
 /// Mesh of a model that is simulated.
 enum class MeshChoice {
@@ -134,7 +133,14 @@ struct BodySource {
   std::filesystem::path importer;       ///< see GarmentSource
 };
 
-/// A scene as the simulation needs it. DrawnScene adds how it is drawn.
+/// A body as a scene file describes it. Its mesh is given by the caller, or else read by load_bodies().
+struct BodyInScene {
+  sim::Body body;
+  BodySource source = {};  ///< used for meshes
+};
+
+/// What a scene file says, as the simulation needs it. DrawnScene adds how it is drawn. LoadedBodies and LoadedGarment
+/// hold what is loaded of it.
 struct Scene {
   std::string name;  ///< the user's name for it; not a key of the file
   std::string title;
@@ -146,11 +152,8 @@ struct Scene {
   double pin_width_m = 0.0;                      ///< width around each of `pins` in which cloth is pinned
   std::vector<MovingPinsInScene> moving_pins;    ///< added to `pins`
   RunSettings simulation;
-  /// Without moving pins. load_bodies() sets the meshes of the bodies.
-  sim::Surroundings surroundings;
-  std::vector<BodySource> body_sources;  ///< one for each body; used for meshes
-  /// Wearer of each body, set by load_bodies() (app/garments/dressing/dressing.hpp); null: not dressed.
-  std::vector<std::shared_ptr<const Wearer>> wearers;
+  sim::Surroundings surroundings;  ///< without bodies and moving pins, which settle_surroundings() adds
+  std::vector<BodyInScene> bodies;
   std::filesystem::path checkpoint;  ///< saved state to start from (run_checkpoint.hpp); empty: none
   int frames = 600;                  ///< frames of the run
   /// Files that were read in addition to those in the members: the scene's own, and the files that these name; not a
@@ -160,6 +163,9 @@ struct Scene {
   /// Returns the number of frames before frame 0, in which bodies grow into the clothes.
   int dressing_frames() const;
 };
+
+/// Returns the scene's bodies without the meshes of files.
+std::vector<sim::Body> named_bodies(const Scene& scene);
 
 /// Returns the reason why the `bounded` solver cannot promise its bound for this scene. Empty if it can, if the scene
 /// has no bound, or if the scene allows exceeding it.

@@ -100,7 +100,9 @@ std::vector<fs::path> input_files(const Scene& scene) {
   const bool is_model = !garment.file.empty() && !is_sewing_pattern(garment.file);
   if (is_model) files.push_back(landmarks_path(garment.file));
   if (std::filesystem::path(scene.fabric).has_extension()) files.emplace_back(scene.fabric);
-  for (const BodySource& body : scene.body_sources) files.insert(files.end(), {body.file, body.motion, body.importer});
+  for (const auto& [body, source] : scene.bodies) {
+    files.insert(files.end(), {source.file, source.motion, source.importer});
+  }
   std::erase(files, fs::path());
   return files;
 }
@@ -163,8 +165,8 @@ std::string to_scene_text(Json settings, const Scene& scene, GarmentNaming namin
   Json& garment = settings["garment"];
   if (!scene.garment.file.empty()) garment.erase("grid");
   name_files(garment_files, scene.garment, naming, garment);
-  for (std::size_t k = 0; k < scene.body_sources.size(); ++k) {
-    name_files(body_files, scene.body_sources[k], naming, settings["bodies"][k]);
+  for (std::size_t k = 0; k < scene.bodies.size(); ++k) {
+    name_files(body_files, scene.bodies[k].source, naming, settings["bodies"][k]);
   }
   return settings_text(settings);
 }

@@ -151,11 +151,6 @@ constexpr const char* shape_names = "\"plane\" or \"sphere\" or \"capsule\" or \
 
 const char* to_name(const sim::Shape& shape) { return shapes[shape.index()].first; }
 
-struct BodyInScene {
-  sim::Body body;
-  BodySource source;
-};
-
 /// Makes a key that writes the full path of a file.
 Key<BodyInScene> body_file_key(std::string name, std::filesystem::path BodySource::*member) {
   Key<BodyInScene> key = file_key<BodyInScene>(
@@ -231,7 +226,7 @@ sim::Shape parse_shape(const toml::table& entry, const Source& source) {
 }
 
 BodyInScene read_body(const toml::table& table, const Source& source) {
-  BodyInScene entry{.body = {.shape = parse_shape(table, source)}, .source = {}};
+  BodyInScene entry{.body = {.shape = parse_shape(table, source)}};
   const auto keys = body_keys(entry.body.shape);
   KeyReader(keys, source, entry).read(table);
   check_motion(source, line_number(table), entry.body.motion);
@@ -255,31 +250,25 @@ std::string entry_help(const std::string& title, const std::string& list, const 
 
 int Scene::dressing_frames() const {
   int max_frames = 0;
-  for (const BodySource& source : body_sources) max_frames = std::max(max_frames, source.dress);
+  for (const BodyInScene& entry : bodies) max_frames = std::max(max_frames, entry.source.dress);
   return max_frames;
 }
+
+std::vector<sim::Body> named_bodies(const Scene& scene) { return collect<sim::Body>(scene.bodies, &BodyInScene::body); }
 
 bool set_body_key(const std::string& name, const toml::node& value, const Source& source, Scene& scene) {
   constexpr std::string_view section = "body.";
   if (!name.starts_with(section)) return false;
-  std::vector<sim::Body>& bodies = scene.surroundings.bodies;
-  scene.body_sources.resize(bodies.size());
-  if (name == "body.file") {
-    bodies.push_back({.shape = sim::BodyMesh{}});
-    scene.body_sources.emplace_back();
-  }
-  const auto is_model = [](const sim::Body& body) { return std::holds_alternative<sim::BodyMesh>(body.shape); };
-  const auto last = std::find_if(bodies.rbegin(), bodies.rend(), is_model);
-  if (last == bodies.rend()) {
+  if (name == "body.file") scene.bodies.push_back({.body = {.shape = sim::BodyMesh{}}});
+  const auto last = std::find_if(scene.bodies.rbegin(), scene.bodies.rend(), [](const BodyInScene& entry) {
+    return std::holds_alternative<sim::BodyMesh>(entry.body.shape);
+  });
+  if (last == scene.bodies.rend()) {
     fail(source, 0, name + ": the scene has no body that is a model; expected one, as --body FILE adds");
   }
-  const auto k = static_cast<std::size_t>(bodies.rend() - last - 1);
-  BodyInScene entry{bodies[k], scene.body_sources[k]};
-  const std::vector<Key<BodyInScene>> keys = body_keys(entry.body.shape);
-  KeyReader(keys, source, entry).read_value(name.substr(section.size()), value);
-  if (name == "body.file") entry.body.name = entry.source.file.stem().string();
-  bodies[k] = std::move(entry.body);
-  scene.body_sources[k] = std::move(entry.source);
+  const std::vector<Key<BodyInScene>> keys = body_keys(last->body.shape);
+  KeyReader(keys, source, *last).read_value(name.substr(section.size()), value);
+  if (name == "body.file") last->body.name = last->source.file.stem().string();
   return true;
 }
 
@@ -324,21 +313,12 @@ Key<Scene> forces_key() {
 
 Key<Scene> bodies_key() {
   auto read = [](const toml::node& value, const Source& source, Scene& scene) {
-    scene.surroundings.bodies.clear();
-    scene.body_sources.clear();
-    return read_list(value, [&](const toml::table& table) {
-      BodyInScene entry = read_body(table, source);
-      scene.surroundings.bodies.push_back(std::move(entry.body));
-      scene.body_sources.push_back(std::move(entry.source));
-    });
+    scene.bodies.clear();
+    return read_list(value, [&](const toml::table& table) { scene.bodies.push_back(read_body(table, source)); });
   };
   auto write = [](const Scene& scene) {
     Json list = Json::array();
-    for (std::size_t k = 0; k < scene.surroundings.bodies.size(); ++k) {
-      const BodyInScene entry{scene.surroundings.bodies[k],
-                              k < scene.body_sources.size() ? scene.body_sources[k] : BodySource{}};
-      list.push_back(write_entry(body_keys(entry.body.shape), entry));
-    }
+    for (const BodyInScene& entry : scene.bodies) list.push_back(write_entry(body_keys(entry.body.shape), entry));
     return list;
   };
   return {"bodies", "", "a list of tables [[bodies]]", read, write};
@@ -368,8 +348,7 @@ std::string list_entries_help() {
                      entry_help("Each [[bodies]]", "bodies.", common_keys(), BodyInScene{});
   for (const auto& [name, shape] : shapes) {
     text += entry_help(std::string("Each [[bodies]] with shape = \"") + name + "\" also",
-                       std::string("bodies.") + name + '.', shape_keys(shape),
-                       BodyInScene{.body = {.shape = shape}, .source = {}});
+                       std::string("bodies.") + name + '.', shape_keys(shape), BodyInScene{.body = {.shape = shape}});
   }
   return text +
          "\nOn the command line, --set body.file=FILE adds a body with shape = \"mesh\", and --set "

@@ -2,7 +2,7 @@
 
 namespace taut::app {
 
-HeadlessViewer::HeadlessViewer(const DrawnScene& scene, const SessionStart& start,
+HeadlessViewer::HeadlessViewer(const SceneWithBodies& scene, const SessionStart& start,
                                const std::filesystem::path& keep_folder, const std::string& backend)
     : simulation_(scene, SimulationHost::Runs::when_asked),
       viewer_(simulation_, {start.size, start.scale, keep_folder, start.compared_with, false}),

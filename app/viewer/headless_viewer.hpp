@@ -10,7 +10,7 @@ class HeadlessViewer {
  public:
   /// `backend`: see renderer::create_context. Throws InputError if the garment cannot be loaded;
   /// renderer::ContextError.
-  HeadlessViewer(const DrawnScene& scene, const SessionStart& start, const std::filesystem::path& keep_folder,
+  HeadlessViewer(const SceneWithBodies& scene, const SessionStart& start, const std::filesystem::path& keep_folder,
                  const std::string& backend);
 
   /// Plays one frame of a session, and draws it only if a screenshot or a recording needs it. Throws InputError with

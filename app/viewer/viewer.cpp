@@ -38,7 +38,7 @@ std::vector<PinSelector> numbered_in_file(const std::vector<sim::Index>& pins, c
 }
 
 sim::Surroundings make_surroundings(const ViewerState& state) {
-  return settle_surroundings(state.scene.surroundings, *state.shown->loaded);
+  return settle_surroundings(state.scene.surroundings, *state.shown->loaded, state.shown->loaded->bodies.all);
 }
 
 }  // namespace
@@ -326,12 +326,12 @@ renderer::Camera Viewer::first_camera() const {
   scene.picture.settings.height_px = area.height_px;
   if (is_fitted(scene)) {
     scene.camera.framing.margin = std::max(scene.camera.framing.margin, window_margin);
-    FittedView fitted(scene, *loaded.garment);
+    FittedView fitted(scene, *loaded.garment, loaded.bodies.all);
     const std::vector<sim::Vec3>& positions = state_.newest->positions();
     fitted.add(positions, loaded.shown_m(positions), state_.newest->checkpoint->state.time_s);
     fitted.place_camera(scene);
   }
-  return scene_camera(scene, expected_reach(scene, *loaded.garment, loaded.pins), area.aspect());
+  return scene_camera(scene, expected_reach(scene, *loaded.garment, loaded.bodies.all, loaded.pins), area.aspect());
 }
 
 // Adds the measurements of all new frames, because the window may have missed some. After a return to an earlier frame

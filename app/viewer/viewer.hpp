@@ -217,7 +217,7 @@ class Viewer {
 
 /// Opens a window and returns when the user closes it. Records all input to `record_to` unless it is empty. Throws
 /// renderer::ContextError without a display or OpenGL, InputError if a file cannot be written, Interrupted.
-void view_in_window(const DrawnScene& scene, const SessionStart& start, const std::filesystem::path& keep_folder,
+void view_in_window(const SceneWithBodies& scene, const SessionStart& start, const std::filesystem::path& keep_folder,
                     const std::filesystem::path& record_to);
 
 }  // namespace taut::app

@@ -22,13 +22,14 @@ std::filesystem::path file_kind(const std::filesystem::path& file) {
   return file.parent_path() / stem.substr(0, stem.find('_'));
 }
 
-void take_garment(const std::filesystem::path& file, DrawnScene& scene) {
+void take_garment(const std::filesystem::path& file, SceneWithBodies& asked) {
+  DrawnScene& scene = asked.scene;
   if (file_kind(scene.garment.file) != file_kind(file)) {
     scene.pins.reset();
     scene.camera = {};
     scene.picture.ground = {};
   }
-  take_off_hanger(scene);
+  take_off_hanger(scene, asked.bodies.all);
   scene.garment.file = file;
   scene.garment.start.clear();
   scene.garment.sewn.clear();
@@ -177,21 +178,20 @@ void Viewer::load_asked() {
   attempt([&] {
     if (fabric) choose_fabric(*fabric);
     if (!name && !motion && !garment) return;
-    DrawnScene scene = state_.scene;
-    std::vector<std::string> remarks;
+    SceneWithBodies asked = {state_.scene, state_.newest->loaded->bodies};
     if (name) {
-      scene = is_picture(*name) ? read_picture_record(*name, {}).scene : find_scene(*name, {});
-      remarks = sew_and_load_bodies(scene);
+      asked.scene = is_picture(*name) ? read_picture_record(*name, {}).scene : find_scene(*name, {});
+      asked.bodies = sew_and_load_bodies(asked.scene);
       opened_.reset();
     } else if (motion) {
-      remarks = set_motion(scene, state_.motions.body, *motion);
+      set_motion(state_.motions.body, *motion, asked);
     } else {
-      take_garment(*garment, scene);
-      remarks = sew_garment(scene);
+      take_garment(*garment, asked);
+      asked.bodies.remarks = sew_garment(asked.scene);
     }
-    for (const std::string& remark : remarks) tell(remark, false);
-    tell("loading " + scene.name, false);
-    commands_.emplace_back(LoadScene{std::make_shared<const DrawnScene>(std::move(scene))});
+    for (const std::string& remark : asked.bodies.remarks) tell(remark, false);
+    tell("loading " + asked.scene.name, false);
+    commands_.emplace_back(LoadScene{std::make_shared<const SceneWithBodies>(std::move(asked))});
   });
 }
 

@@ -16,16 +16,16 @@ constexpr double until_best_s = 0.3;
 
 class WindowViewer {
  public:
-  WindowViewer(const DrawnScene& scene, const SessionStart& start, const std::filesystem::path& keep_folder,
+  WindowViewer(const SceneWithBodies& scene, const SessionStart& start, const std::filesystem::path& keep_folder,
                const std::filesystem::path& record_to)
       : simulation_(scene, SimulationHost::Runs::by_itself),
-        title_(title_of(scene)),
+        title_(title_of(scene.scene)),
         context_(open(title_, start.size)),
         picture_(*context_),
         viewer_(simulation_,
                 {window_->framebuffer_size(), window_->content_scale(), keep_folder, start.compared_with, true}) {
     if (!record_to.empty()) {
-      require_inputs_kept({record_to}, scene, viewer_.state().shown->loaded->files_read);
+      require_inputs_kept({record_to}, scene.scene, viewer_.state().shown->loaded->files_read);
       SessionStart actual = start;
       actual.size = window_->framebuffer_size();
       actual.scale = window_->content_scale();
@@ -163,7 +163,7 @@ class WindowViewer {
 
 }  // namespace
 
-void view_in_window(const DrawnScene& scene, const SessionStart& start, const std::filesystem::path& keep_folder,
+void view_in_window(const SceneWithBodies& scene, const SessionStart& start, const std::filesystem::path& keep_folder,
                     const std::filesystem::path& record_to) {
   WindowViewer session(scene, start, keep_folder, record_to);
   session.run();

@@ -19,7 +19,8 @@ bool are_one_layer(const sim::Triangle& a, const sim::Triangle& b) {
 std::size_t crossings_of_drawn(const DrawnScene& scene, const sim::Simulation& simulation, float pixels_per_m) {
   const sim::Garment& garment = simulation.garment();
   GarmentSurface surface(garment);
-  SurfaceClearances clearances(scene, garment, surface.edge_m(), surface.rim_radius_m());
+  SurfaceClearances clearances(scene, garment, simulation.surroundings().bodies, surface.edge_m(),
+                               surface.rim_radius_m());
   surface.set_freedom(clearances.freedom());
   surface.set_wrinkled(true);
   surface.set_detail(pixels_per_m, renderer::min_split_px);
@@ -50,9 +51,9 @@ class DrawnLayers : public testing::TestWithParam<Moment> {};
 
 TEST_P(DrawnLayers, DoNotCross) {
   DrawnScene scene = find_scene(GetParam().scene, {});
-  load_bodies(scene);
-  sim::Simulation simulation = make_simulation(scene, load_garment(scene));
-  go_to_start(scene, simulation);
+  const LoadedBodies bodies = load_bodies(scene);
+  sim::Simulation simulation = make_simulation(scene, load_garment(scene), bodies.all);
+  go_to_start(scene, bodies, simulation);
   for (int frame = 0; frame < GetParam().frame; ++frame) simulation.advance_frame();
   // A hem alone leaves the triangles, or the whole surface does.
   for (const float pixels_per_m : {900.0F, 3000.0F}) {

@@ -17,7 +17,7 @@ DrawnScene horizontal_cloth() {
 }
 
 renderer::Box compute_reach(const DrawnScene& scene, const std::vector<sim::Index>& pins) {
-  return expected_reach(scene, sim::make_garment(sim::make_grid(scene.garment.grid)), pins);
+  return expected_reach(scene, sim::make_garment(sim::make_grid(scene.garment.grid)), named_bodies(scene), pins);
 }
 
 TEST(Framing, ExpectsClothToHangBelowItsPins) {
@@ -30,21 +30,21 @@ TEST(Framing, ExpectsClothToHangBelowItsPins) {
 
 TEST(Framing, SeesWhatClothFallsOnto) {
   DrawnScene scene = horizontal_cloth();
-  scene.surroundings.bodies = {{.shape = sim::Sphere{sim::Vec3(0, -2, 0), 0.5}},
-                               {.shape = sim::Plane{sim::Vec3(0, -3, 0)}}};
+  scene.bodies.push_back({.body = {.shape = sim::Sphere{sim::Vec3(0, -2, 0), 0.5}}});
+  scene.bodies.push_back({.body = {.shape = sim::Plane{sim::Vec3(0, -3, 0)}}});
   const renderer::Box reach = compute_reach(scene, {});
   EXPECT_EQ(reach.lower.y, -3.0F);
-  EXPECT_EQ(*ground_height(scene, reach), -3.0F);
+  EXPECT_EQ(*ground_height(scene, named_bodies(scene), reach), -3.0F);
 }
 
 TEST(Framing, PutsTheGroundBelowEverything) {
   DrawnScene scene;
   const renderer::Box reach{{-1, -1, -1}, {1, 1, 1}};
-  EXPECT_LT(*ground_height(scene, reach), -1.0F);
+  EXPECT_LT(*ground_height(scene, {}, reach), -1.0F);
   scene.picture.ground = {GroundKind::fixed, 0.5};
-  EXPECT_EQ(*ground_height(scene, reach), 0.5F);
+  EXPECT_EQ(*ground_height(scene, {}, reach), 0.5F);
   scene.picture.ground = {GroundKind::none, 0.0};
-  EXPECT_FALSE(ground_height(scene, reach).has_value());
+  EXPECT_FALSE(ground_height(scene, {}, reach).has_value());
 }
 
 TEST(Framing, TakesTheEyeAsGiven) {
@@ -80,7 +80,7 @@ TEST(FittedView, SeesTheGarmentInEveryFrameAndNoMore) {
   DrawnScene scene = horizontal_cloth();
   const sim::Garment cloth = make_cloth(scene);
   const std::vector<sim::Vec3> far = translate(cloth.mesh.positions, {3, 1, 0});
-  FittedView both(scene, cloth);
+  FittedView both(scene, cloth, {});
   both.add(cloth.mesh.positions, cloth.mesh.positions, 0.0);
   both.add(far, far, 0.1);
   const float aspect = scene.picture.settings.aspect();
@@ -92,12 +92,12 @@ TEST(FittedView, SeesTheGarmentInEveryFrameAndNoMore) {
   EXPECT_LT(placed.picture.ground.height_m, 0.0);
 
   DrawnScene followed = scene;
-  FittedView of_model(scene, cloth);
+  FittedView of_model(scene, cloth, {});
   of_model.add(cloth.mesh.positions, far, 0.0);
   of_model.place_camera(followed);
   EXPECT_EQ(share_in_picture(scene_camera(followed, {}, aspect), aspect, far), 1.0F) << "which reaches farther";
 
-  FittedView one(scene, cloth);
+  FittedView one(scene, cloth, {});
   one.add(cloth.mesh.positions, cloth.mesh.positions, 0.0);
   one.place_camera(scene);
   const renderer::Camera near = scene_camera(scene, {}, aspect);
@@ -120,18 +120,18 @@ TEST(FittedView, OfACameraThatFollowsIsThatOfAGarmentThatStays) {
   scene.camera.follow = true;
   const sim::Garment cloth = make_cloth(scene);
   DrawnScene stays = scene;
-  FittedView still(scene, cloth);
+  FittedView still(scene, cloth, {});
   still.add(cloth.mesh.positions, cloth.mesh.positions, 0.0);
   still.place_camera(stays);
   DrawnScene moves = scene;
-  FittedView moving(scene, cloth);
+  FittedView moving(scene, cloth, {});
   const std::vector<sim::Vec3> away = translate(cloth.mesh.positions, {30, -7, 2});
   moving.add(away, away, 0.0);
   moving.place_camera(moves);
   EXPECT_LT(glm::distance(*stays.camera.eye, *moves.camera.eye), 1e-4F);
 
   OffscreenRenderer offscreen("auto");
-  GarmentPainter painter(offscreen.renderer(), stays, cloth, {});
+  GarmentPainter painter(offscreen.renderer(), stays, cloth, {}, {});
   painter.view(translate(cloth.mesh.positions, {30, -7, 2}), 0.0);
   EXPECT_LT(glm::distance(painter.camera().eye, *stays.camera.eye + glm::vec3(30, -7, 2)), 1e-4F);
 }
@@ -240,7 +240,7 @@ TEST(GarmentPainter, ColoursTheStretchOfWhatTheSceneNames) {
   OffscreenRenderer offscreen("auto");
   const auto colours = [&](StretchOf shown) {
     scene.picture.stretch_of = shown;
-    GarmentPainter painter(offscreen.renderer(), scene, garment, {});
+    GarmentPainter painter(offscreen.renderer(), scene, garment, {}, {});
     const std::span<const float> values = painter.view(sheared, 0.0).surfaces.back().scalars->values;
     return std::vector<float>(values.begin(), values.begin() + sheared.size());
   };
@@ -258,13 +258,13 @@ TEST(GarmentPainter, DrawsBodiesWhereTheyAreAtTheTimeOfTheFrame) {
   const auto corner = std::make_shared<const sim::BodyMeshData>(
       sim::BodyMeshData{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}});
   const sim::RigidMotion upwards = {.shift = {{0, 1, 0}, 0, 2}};
-  DrawnScene scene = horizontal_cloth();
-  scene.surroundings.bodies = {{.shape = sim::Sphere{{0, -2, 0}, 0.5}, .motion = upwards},
-                               {.shape = sim::BodyMesh{corner}, .motion = upwards},
-                               {.shape = sim::Plane{{0, -4, 0}}, .motion = upwards}};
+  const DrawnScene scene = horizontal_cloth();
+  const std::vector<sim::Body> bodies = {{.shape = sim::Sphere{{0, -2, 0}, 0.5}, .motion = upwards},
+                                         {.shape = sim::BodyMesh{corner}, .motion = upwards},
+                                         {.shape = sim::Plane{{0, -4, 0}}, .motion = upwards}};
   const sim::Garment garment = sim::make_garment(sim::make_grid(scene.garment.grid));
   OffscreenRenderer offscreen("auto");
-  GarmentPainter painter(offscreen.renderer(), scene, garment, {});
+  GarmentPainter painter(offscreen.renderer(), scene, garment, bodies, {});
   for (const double time_s : {0.0, 1.5, 9.0, 0.5}) {
     const auto raised_m = static_cast<float>(std::min(time_s, 2.0));
     const renderer::FrameView& view = painter.view(garment.mesh.positions, time_s);

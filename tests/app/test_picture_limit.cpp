@@ -31,7 +31,7 @@ class PictureLimit : public testing::Test {
     scene.picture.settings.width_px = scene.picture.settings.height_px = 360;
     const LoadedGarment loaded = load_garment(scene, [](const std::string&) {});
     const sim::Garment garment = make_simulation(scene, loaded).garment();
-    painter.emplace(offscreen.renderer(), scene, garment, std::span<const sim::Index>());
+    painter.emplace(offscreen.renderer(), scene, garment, std::vector<sim::Body>(), std::span<const sim::Index>());
     frame = painter->view(garment.mesh.positions, 0.0);
     expected = drawn(frame);
   }
@@ -50,9 +50,7 @@ class PictureLimit : public testing::Test {
   renderer::Image expected;
 };
 
-TEST_F(PictureLimit, PassesTheSamePicture) {
-  EXPECT_FALSE(is_seen(frame));
-}
+TEST_F(PictureLimit, PassesTheSamePicture) { EXPECT_FALSE(is_seen(frame)); }
 
 TEST_F(PictureLimit, TellsNormalsTurnedByADegree) {
   const std::span<const glm::vec3> before = frame.surfaces.back().normals;

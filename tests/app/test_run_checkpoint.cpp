@@ -15,19 +15,19 @@ class BuiltIn : public testing::TestWithParam<BuiltInScene> {};
 
 TEST_P(BuiltIn, GoesOnWithTheSameBits) {
   DrawnScene scene = find_scene(GetParam().name, {});
-  load_bodies(scene);
+  const LoadedBodies bodies = load_bodies(scene);
   const LoadedGarment loaded = load_garment(scene);
   // Scenes about contact are ten times as large, and their contacts begin in the first frames.
   const int last = GetParam().is_of_contact ? 4 : 16;
-  sim::Simulation whole = make_simulation(scene, loaded);
-  go_to_start(scene, whole);  // some scenes dress a body first
+  sim::Simulation whole = make_simulation(scene, loaded, bodies.all);
+  go_to_start(scene, bodies, whole);  // some scenes dress a body first
   std::vector<std::string> saved;
   for (int frame = 0; frame < last; ++frame) {
     saved.push_back(sim::encode(whole.save(), whole.garment()));
     whole.advance_frame();
   }
   for (const int from : GetParam().is_of_contact ? std::vector{2} : std::vector{0, 1, 9}) {
-    sim::Simulation simulation = make_simulation(scene, loaded);
+    sim::Simulation simulation = make_simulation(scene, loaded, bodies.all);
     simulation.restore(sim::decode(saved[static_cast<std::size_t>(from)], simulation.garment()));
     for (int frame = from; frame < last; ++frame) {
       simulation.advance_frame();
@@ -90,19 +90,16 @@ TEST(RunCheckpoint, RefusesEveryDamage) {
 }
 
 TEST(RunCheckpoint, BelongsToItsScene) {
-  const RunCheckpoint run{
-      "small", "title = \"a\"\n\n[garment]\nfile = \"x.obj\"\n\n[wind]\nspeed = 4.0\n", 0, {}, ""};
-  EXPECT_NO_THROW(require_same_scene(
-      "run", run, "moved", "title = \"a\"\n\n[garment]\nfile = \"/y/x.obj\"\n\n[wind]\nspeed = 4.0\n"));
+  const RunCheckpoint run{"small", "title = \"a\"\n\n[garment]\nfile = \"x.obj\"\n\n[wind]\nspeed = 4.0\n", 0, {}, ""};
+  EXPECT_NO_THROW(require_same_scene("run", run, "moved",
+                                     "title = \"a\"\n\n[garment]\nfile = \"/y/x.obj\"\n\n[wind]\nspeed = 4.0\n"));
   const auto refusal = [&](const std::string& text) {
     return test::error_message<InputError>([&] { require_same_scene("run", run, "other", text); });
   };
-  EXPECT_EQ(
-      refusal("title = \"a\"\n\n[wind]\nspeed = 5.0\n"),
-      "cannot go on from 'run': it was saved of the scene 'small', which has wind.speed = 4.0; found the "
-      "scene 'other' with wind.speed = 5.0");
-  EXPECT_CONTAINS(refusal("title = \"a\"\n"),
-                  "which has wind.speed = 4.0; found the scene 'other' with nothing");
+  EXPECT_EQ(refusal("title = \"a\"\n\n[wind]\nspeed = 5.0\n"),
+            "cannot go on from 'run': it was saved of the scene 'small', which has wind.speed = 4.0; found the "
+            "scene 'other' with wind.speed = 5.0");
+  EXPECT_CONTAINS(refusal("title = \"a\"\n"), "which has wind.speed = 4.0; found the scene 'other' with nothing");
   EXPECT_CONTAINS(refusal("title = \"a\"\n\n[wind]\nspeed = 4.0\nseed = 2\n"),
                   "nothing; found the scene 'other' with wind.seed = 2");
 }
@@ -121,9 +118,9 @@ TEST(RunCheckpoint, IsWhereASceneBegins) {
   const DrawnScene kept = read_scene_file(file);
   EXPECT_EQ(kept.checkpoint, folder / "moment");
   sim::Simulation begun = make_simulation(kept, load_garment(kept));
-  EXPECT_EQ(go_to_start(kept, begun), 7);
+  EXPECT_EQ(go_to_start(kept, {}, begun), 7);
   EXPECT_EQ(sim::hash(begun.state()), sim::hash(simulation.state()));
-  EXPECT_EQ(go_to_start(find_scene("pinned-9x9-5", {}), begun), 0);
+  EXPECT_EQ(go_to_start(find_scene("pinned-9x9-5", {}), {}, begun), 0);
   EXPECT_EQ(sim::hash(begun.state()), sim::hash(simulation.state()));
   const std::vector<Override> none = {parse_override("start.checkpoint=\"\"")};
   EXPECT_TRUE(read_scene_file(file, none).checkpoint.empty());

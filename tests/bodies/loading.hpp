@@ -34,11 +34,11 @@ struct LoadedBody {
 
 inline LoadedBody load(const BodySource& source) {
   Scene scene;
-  scene.surroundings.bodies = {{.name = "avatar", .shape = sim::BodyMesh{}}};
-  scene.body_sources = {source};
+  scene.bodies.push_back({.body = {.name = "avatar", .shape = sim::BodyMesh{}}, .source = source});
+  const LoadedBodies bodies = load_bodies(scene);
   LoadedBody loaded;
-  loaded.remarks = load_bodies(scene);
-  loaded.body = scene.surroundings.bodies.front();
+  loaded.remarks = bodies.remarks;
+  loaded.body = bodies.all.front();
   return loaded;
 }
 

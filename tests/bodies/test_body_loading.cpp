@@ -67,10 +67,11 @@ struct BodyLoading : testing::Test {
       std::ofstream(source.motion, std::ios::binary) << frames;
     }
     Scene scene;
-    scene.surroundings.bodies = {{.shape = sim::Plane{}}, {.name = "avatar", .shape = sim::BodyMesh{}}};
-    scene.body_sources = {{}, source};
-    remarks = load_bodies(scene);
-    return std::get<sim::BodyMesh>(scene.surroundings.bodies[1].shape);
+    scene.bodies.push_back({.body = {.shape = sim::Plane{}}});
+    scene.bodies.push_back({.body = {.name = "avatar", .shape = sim::BodyMesh{}}, .source = source});
+    const LoadedBodies bodies = load_bodies(scene);
+    remarks = bodies.remarks;
+    return std::get<sim::BodyMesh>(bodies.all[1].shape);
   }
   std::string error_text(const std::string& obj, const std::string& frames = "") {
     return test::error_message<InputError>([&] { load(obj, frames); });
@@ -109,12 +110,11 @@ TEST_F(BodyLoading, FacesOutwardsHoweverItsTrianglesWereTurned) {
   EXPECT_GT(volume_m3(*load(corners + "f 1 2 3\nf 1 2 4\nf 1 4 3\nf 2 3 4\n").data), 0.1) << "one is turned";
 }
 
-TEST_F(BodyLoading, LeavesWhatWasReadAlone) {
+TEST_F(BodyLoading, LeavesAGivenMeshAlone) {
   Scene scene;
-  scene.surroundings.bodies = {{.shape = sim::BodyMesh{std::make_shared<const sim::BodyMeshData>()}}};
-  scene.body_sources = {file_source("none.obj")};
-  load_bodies(scene);
-  EXPECT_TRUE(std::get<sim::BodyMesh>(scene.surroundings.bodies[0].shape).data->positions_m.empty());
+  scene.bodies.push_back({.body = {.shape = sim::BodyMesh{std::make_shared<const sim::BodyMeshData>()}},
+                          .source = file_source("none.obj")});
+  EXPECT_TRUE(std::get<sim::BodyMesh>(load_bodies(scene).all[0].shape).data->positions_m.empty());
 }
 
 TEST_F(BodyLoading, NamesWhatIsNotClosed) {
@@ -234,8 +234,7 @@ TEST_F(BodyLoading, NamesWhatIsNoModel) {
                   "body.obj': vertex 0 has a coordinate that is not finite: found [0, nan, 0], expected numbers");
   EXPECT_CONTAINS(error_text("v 0 0 0\nv 1 0 0\n"), "it has no faces");
   Scene scene;
-  scene.surroundings.bodies = {{.shape = sim::BodyMesh{}}};
-  scene.body_sources = {file_source(folder / "none.obj")};
+  scene.bodies.push_back({.body = {.shape = sim::BodyMesh{}}, .source = file_source(folder / "none.obj")});
   EXPECT_CONTAINS(test::error_message<InputError>([&] { load_bodies(scene); }), "body 1: there is no file '");
 }
 

@@ -47,7 +47,6 @@ struct Dressing : testing::Test {
         read_scene_file(folder.write("scene.toml",
                                      "[garment]\nfile = \"ring.obj\"\nscale = 1\nup = \"y\"\n[pins]\nat = \"none\"\n"
                                      "[[bodies]]\nshape = \"mesh\"\nfile = \"body.gltf\"\ndress = 60\n"));
-    load_bodies(scene);
     return scene;
   }
   test::TemporaryFolder folder;
@@ -117,19 +116,20 @@ TEST_F(Dressing, NeedsJoints) {
 }
 
 TEST_F(Dressing, ClothThatBeganInTheBodyIsAroundItAtFrame0) {
-  DrawnScene scene = ring_at(0.1);
+  const DrawnScene scene = ring_at(0.1);
+  const LoadedBodies bodies = load_bodies(scene);
   const LoadedGarment loaded = load_garment(scene);
-  sim::Simulation simulation = make_simulation(scene, loaded);
+  sim::Simulation simulation = make_simulation(scene, loaded, bodies.all);
   const auto crossings = [&] {
-    return scene_crossings({simulation.state().current, simulation.garment().mesh.triangles}, scene.surroundings.bodies,
-                           0.0)
+    return scene_crossings({simulation.state().current, simulation.garment().mesh.triangles}, bodies.all, 0.0)
         .back()
         .pairs.size();
   };
   EXPECT_GT(crossings(), 0U) << "as it was modelled";
-  EXPECT_EQ(remarks_on_start(scene, loaded).lines, std::vector<std::string>{}) << "the run begins with a thin body";
+  EXPECT_EQ(remarks_on_start(scene, loaded, bodies.all).lines, std::vector<std::string>{})
+      << "the run begins with a thin body";
   const sim::Surroundings surroundings = simulation.surroundings();
-  EXPECT_EQ(go_to_start(scene, simulation), 0);
+  EXPECT_EQ(go_to_start(scene, bodies, simulation), 0);
   EXPECT_EQ(simulation.surroundings(), surroundings) << "with gravity again";
   EXPECT_EQ(simulation.state().time_s, 0.0);
   EXPECT_EQ(crossings(), 0U);
@@ -140,12 +140,14 @@ TEST_F(Dressing, ClothThatBeganInTheBodyIsAroundItAtFrame0) {
 
 TEST_F(Dressing, ClothThatCrossesTheBodyWhenItHasGrownEndsTheRun) {
   DrawnScene scene = ring_at(0.25);
+  const LoadedBodies bodies = load_bodies(scene);
   const LoadedGarment loaded = load_garment(scene);
-  sim::Simulation simulation = make_simulation(scene, loaded);
-  EXPECT_CONTAINS(test::error_message<PromiseBroken>([&] { go_to_start(scene, simulation); }), "when it is dressed, ");
+  sim::Simulation simulation = make_simulation(scene, loaded, bodies.all);
+  EXPECT_CONTAINS(test::error_message<PromiseBroken>([&] { go_to_start(scene, bodies, simulation); }),
+                  "when it is dressed, ");
   scene.simulation.solver.bounded.allow_crossing = true;
-  sim::Simulation allowed = make_simulation(scene, loaded);
-  EXPECT_EQ(go_to_start(scene, allowed), 0);
+  sim::Simulation allowed = make_simulation(scene, loaded, bodies.all);
+  EXPECT_EQ(go_to_start(scene, bodies, allowed), 0);
 }
 
 /// Clearance for two upright square tubes whose walls are `gap_m` apart. Each has a joint in its middle: a leg, or a

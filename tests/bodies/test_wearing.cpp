@@ -20,15 +20,16 @@ const std::filesystem::path assets = TAUT_ASSETS_FOLDER;
 /// A garment, the body that wears it, and the messages.
 struct Fitting {
   Scene scene;
+  LoadedBodies bodies;
   LoadedGarment loaded;
   std::vector<std::string> said;
 
   const std::vector<sim::Vec3>& places_m() const { return loaded.garment->mesh.positions; }
   std::size_t crossings(double time_s) const {
     const sim::Surface cloth = {places_m(), loaded.garment->mesh.triangles};
-    return scene_crossings(cloth, scene.surroundings.bodies, time_s).back().pairs.size();
+    return scene_crossings(cloth, bodies.all, time_s).back().pairs.size();
   }
-  std::vector<FitRow> fit() const { return compute_fit(scene, *loaded.garment, places_m()); }
+  std::vector<FitRow> fit() const { return compute_fit(bodies, *loaded.garment, places_m()); }
 };
 
 struct Wearing : testing::Test {
@@ -39,13 +40,12 @@ struct Wearing : testing::Test {
     scene.garment.scale = scale;
     scene.garment.up = ModelAxis::y;
     scene.garment.mesh = mesh_choice;
-    scene.surroundings.bodies = {{.name = mannequin, .shape = sim::BodyMesh{}, .motion = motion}};
     source.file = assets / "bodies" / ("mannequin_" + mannequin + ".glb");
     source.dress = 90;
-    scene.body_sources = {source};
-    load_bodies(scene);
+    scene.bodies.push_back({.body = {.name = mannequin, .shape = sim::BodyMesh{}, .motion = motion}, .source = source});
+    fitting.bodies = load_bodies(scene);
     fitting.loaded = load_garment(scene);
-    fitting.said = put_on(fitting.loaded, scene);
+    fitting.said = put_on(fitting.loaded, scene, fitting.bodies);
     return fitting;
   }
 
@@ -111,10 +111,10 @@ TEST_F(Wearing, AShirtOfAManIsWornByAWoman) {
   EXPECT_CONTAINS(worn.said.at(0), "it is moved by 0.24");
   EXPECT_EQ(worn.crossings(-1.5), 0U);
   EXPECT_GT(worn.crossings(0.0), 0U) << "the body has still to grow into it";
-  sim::Simulation simulation = make_simulation(worn.scene, worn.loaded);
-  EXPECT_EQ(go_to_start(worn.scene, simulation), 0);
+  sim::Simulation simulation = make_simulation(worn.scene, worn.loaded, worn.bodies.all);
+  EXPECT_EQ(go_to_start(worn.scene, worn.bodies, simulation), 0);
   const sim::Surface cloth = {simulation.state().current, simulation.garment().mesh.triangles};
-  EXPECT_TRUE(scene_crossings(cloth, worn.scene.surroundings.bodies, 0.0).back().pairs.empty());
+  EXPECT_TRUE(scene_crossings(cloth, worn.bodies.all, 0.0).back().pairs.empty());
 }
 
 TEST_F(Wearing, WhatTheShouldersCrossBeginsAboveThem) {
@@ -131,27 +131,26 @@ TEST_F(Wearing, WhatTheShouldersCrossBeginsAboveThem) {
 // A scan has no joints.
 TEST_F(Wearing, ABodyWithoutJointsGrowsFromThoseOfItsShape) {
   const Fitting person = put(tshirt, "female_34");
-  const auto& mesh = *std::get<sim::BodyMesh>(person.scene.surroundings.bodies[0].shape).data;
+  const auto& mesh = *std::get<sim::BodyMesh>(person.bodies.all[0].shape).data;
   Scene scene;
   scene.garment.file = tshirt;
-  scene.surroundings.bodies = {{.name = "scan", .shape = sim::BodyMesh{}}};
   BodySource scan;
   scan.file = folder.write("scan.obj", obj_text({mesh.positions_m, mesh.triangles, {}}, mesh.positions_m));
   scan.dress = 90;
-  scene.body_sources = {scan};
-  const std::vector<std::string> remarks = load_bodies(scene);
-  ASSERT_FALSE(remarks.empty());
-  EXPECT_CONTAINS(remarks[0], "those that it grows from are guessed from its shape");
+  scene.bodies.push_back({.body = {.name = "scan", .shape = sim::BodyMesh{}}, .source = scan});
+  LoadedBodies bodies = load_bodies(scene);
+  ASSERT_FALSE(bodies.remarks.empty());
+  EXPECT_CONTAINS(bodies.remarks[0], "those that it grows from are guessed from its shape");
   LoadedGarment loaded = load_garment(scene);
-  put_on(loaded, scene);
-  const JointPlaces found = compute_joint_positions(*scene.wearers[0]->rig, scene.wearers[0]->pose, {});
-  const Wearer& known = *person.scene.wearers[0];
+  put_on(loaded, scene, bodies);
+  const JointPlaces found = compute_joint_positions(*bodies.wearers[0]->rig, bodies.wearers[0]->pose, {});
+  const Wearer& known = *person.bodies.wearers[0];
   const JointPlaces there = compute_joint_positions(*known.rig, known.pose, known.places.placement);
   for (const char* joint : {"neck", "left arm", "right arm"}) {
     EXPECT_LT(glm::distance(found.at(joint), there.at(joint)), 0.06) << joint;
   }
-  sim::Simulation simulation = make_simulation(scene, loaded);
-  EXPECT_EQ(go_to_start(scene, simulation), 0) << "nothing crosses";
+  sim::Simulation simulation = make_simulation(scene, loaded, bodies.all);
+  EXPECT_EQ(go_to_start(scene, bodies, simulation), 0) << "nothing crosses";
 }
 
 TEST_F(Wearing, ABodyIsLedFromWhereTheGarmentLiesToItsMotion) {
@@ -171,18 +170,18 @@ TEST_F(Wearing, ArmsBeginInTheSleeves) {
   ASSERT_EQ(worn.said.size(), 2U);
   EXPECT_EQ(worn.said[1], "the arms begin in its sleeves");
   EXPECT_EQ(worn.crossings(-1.5), 0U);
-  const auto& mesh = std::get<sim::BodyMesh>(worn.scene.surroundings.bodies[0].shape);
+  const auto& mesh = std::get<sim::BodyMesh>(worn.bodies.all[0].shape);
   std::vector<sim::Vec3> grown_m(mesh.data->positions_m.size());
   mesh.frames->positions_in(90, grown_m);
   std::vector<sim::Vec3> expected_m(grown_m.size());
-  worn.scene.wearers[0]->frames->positions_in(90, expected_m);
+  worn.bodies.wearers[0]->frames->positions_in(90, expected_m);
   EXPECT_EQ(grown_m, expected_m) << "they end where the motion begins";
 }
 
 TEST_F(Wearing, WhatIsTooSmallByItsGirthsIsRefusedBeforeTheFirstFrame) {
   Fitting worn = put(tshirt, "male_40", 0.8);
-  sim::Simulation simulation = make_simulation(worn.scene, worn.loaded);
-  const std::string error = test::error_message<InputError>([&] { go_to_start(worn.scene, simulation); });
+  sim::Simulation simulation = make_simulation(worn.scene, worn.loaded, worn.bodies.all);
+  const std::string error = test::error_message<InputError>([&] { go_to_start(worn.scene, worn.bodies, simulation); });
   EXPECT_CONTAINS(error, "the garment cannot be put on: found ");
   EXPECT_CONTAINS(error, "chest 102.6 cm in a garment of ");
   EXPECT_CONTAINS(error, "stretched by at most solver.max_stretch = ");
@@ -191,8 +190,9 @@ TEST_F(Wearing, WhatIsTooSmallByItsGirthsIsRefusedBeforeTheFirstFrame) {
 TEST_F(Wearing, WhatIsTooSmallSaysWhere) {
   Fitting worn = put(tshirt, "male_40", 0.93);
   worn.scene.simulation.solver.max_substeps = 40;  // the run gives up sooner
-  sim::Simulation simulation = make_simulation(worn.scene, worn.loaded);
-  const std::string error = test::error_message<PromiseBroken>([&] { go_to_start(worn.scene, simulation); });
+  sim::Simulation simulation = make_simulation(worn.scene, worn.loaded, worn.bodies.all);
+  const std::string error =
+      test::error_message<PromiseBroken>([&] { go_to_start(worn.scene, worn.bodies, simulation); });
   EXPECT_CONTAINS(error, "while it is dressed, in frame ");
   EXPECT_CONTAINS(error, "; it does not fit: ");
   EXPECT_CONTAINS(error, "upper chest 111.9 cm in a garment of 109.8 cm");
@@ -240,7 +240,7 @@ TEST_F(Wearing, ASkirtComesToTheWaist) {
   EXPECT_CONTAINS(worn.said.at(0), "so that its waist is at that of the body");
   const GarmentMarks marks = find_garment_marks(*worn.loaded.garment, worn.places_m(), {});
   EXPECT_TRUE(marks.is_worn_at_waist);
-  EXPECT_NEAR(marks.top_height_m, find_girth(worn.scene.wearers[0]->measures, "waist")->height_m, 1e-6);
+  EXPECT_NEAR(marks.top_height_m, find_girth(worn.bodies.wearers[0]->measures, "waist")->height_m, 1e-6);
   const std::vector<FitRow> rows = worn.fit();
   ASSERT_FALSE(rows.empty());
   EXPECT_EQ(rows.front().name, "waist") << "it does not reach to the chest";
@@ -249,7 +249,7 @@ TEST_F(Wearing, ASkirtComesToTheWaist) {
 TEST_F(Wearing, WhatIsNearAndFacesAsTheBodyDoesStays) {
   const Fitting worn = put(written(test::skirt()), "female_34");
   const double low_m = sim::compute_extent(worn.places_m()).lower.y;
-  const sim::Vec3 there_m = {0.0, low_m, worn.scene.wearers[0]->measures.waist_m->z};
+  const sim::Vec3 there_m = {0.0, low_m, worn.bodies.wearers[0]->measures.waist_m->z};
   EXPECT_EQ(said_of_skirt(there_m + sim::Vec3(0.04, 0.0, 0.0), 0.0), "");
   EXPECT_CONTAINS(said_of_skirt(there_m + sim::Vec3(0.06, 0.0, 0.0), 0.0), "it is moved by 0.06 m");
   EXPECT_EQ(said_of_skirt(there_m, 40.0), "");
@@ -269,7 +269,7 @@ TEST_F(Wearing, AWaistAtTheEdgeOfAGarmentCounts) {
     for (sim::Vec3& p : places_m) {
       p.y -= lower_m;
     }
-    return compute_fit(worn.scene, *worn.loaded.garment, places_m).at(0).name;
+    return compute_fit(worn.bodies, *worn.loaded.garment, places_m).at(0).name;
   };
   EXPECT_EQ(first_row(0.015), "waist");
   EXPECT_EQ(first_row(0.025), "seat");
@@ -284,7 +284,7 @@ TEST_F(Wearing, WhatHasNoOpeningStaysAndSaysSo) {
 TEST_F(Wearing, TrousersComeForkToForkAndAreMeasuredRoundBothLegs) {
   sim::Mesh mesh = test::translate(test::trousers(), {3.0, 0.0, 0.0});
   const Fitting worn = put(written(mesh), "female_34");
-  const BodyMeasures& measures = worn.scene.wearers[0]->measures;
+  const BodyMeasures& measures = worn.bodies.wearers[0]->measures;
   const auto tube = find_tube({worn.places_m(), worn.loaded.garment->mesh.triangles});
   ASSERT_TRUE(tube && tube->fork_m);
   EXPECT_NEAR(*tube->fork_m, measures.levels[measures.fork].height_m - 0.01, 0.005);
@@ -311,11 +311,11 @@ TEST_F(Wearing, SaysWhereClothIsStretchedMost) {
   const Fitting worn = put(tshirt, "male_40");
   const std::vector<FitRow> rows = worn.fit();
   std::vector<sim::Vec3> wide_m = worn.places_m();
-  EXPECT_EQ(describe_tightness(worn.scene, *worn.loaded.garment, wide_m, rows), "");
+  EXPECT_EQ(describe_tightness(worn.bodies, *worn.loaded.garment, wide_m, rows), "");
   for (sim::Vec3& p : wide_m) {
     p.z *= p.y < 1.25 && p.z > 0.0 ? 1.2 : 1.0;  // widens the waist in front
   }
-  EXPECT_CONTAINS(describe_tightness(worn.scene, *worn.loaded.garment, wide_m, rows), "stretched most: at the ");
+  EXPECT_CONTAINS(describe_tightness(worn.bodies, *worn.loaded.garment, wide_m, rows), "stretched most: at the ");
 }
 
 }  // namespace

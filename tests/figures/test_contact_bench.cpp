@@ -20,13 +20,12 @@ Scene falling_sheet(double depth_m, double max_stretch = 0.01) {
   scene.simulation.solver.kind = sim::SolverKind::bounded;
   scene.simulation.solver.bounded = {.max_stretch = max_stretch, .contact = true, .threads = 1};
   const sim::Vec3 middle_m = load_garment(scene).garment->mesh.positions[12];
-  scene.surroundings.bodies = {
-      {.name = "ball", .shape = sim::Sphere{middle_m - sim::Vec3(0.0, 0.2 - depth_m, 0.0), 0.2}}};
+  scene.bodies = {{.body = {.name = "ball", .shape = sim::Sphere{middle_m - sim::Vec3(0.0, 0.2 - depth_m, 0.0), 0.2}}}};
   return scene;
 }
 
 ContactRun make_run(const Scene& scene, int frames, std::uint64_t seed = 0) {
-  return run_contact(scene, load_garment(scene), frames, seed, [](int, sim::Simulation&) {});
+  return run_contact(scene, load_garment(scene), load_bodies(scene).all, frames, seed, [](int, sim::Simulation&) {});
 }
 
 TEST(ContactBench, StartsAreMovedAtRandomAndCanBeRepeated) {
@@ -54,7 +53,7 @@ TEST(ContactBench, DragsTheWindUpAndBack) {
   const Scene scene = falling_sheet(-0.01);
   const LoadedGarment cloth = load_garment(scene);
   std::vector<double> speeds_m_per_s;
-  run_contact(scene, cloth, 4, 0, [&](int frame, sim::Simulation& simulation) {
+  run_contact(scene, cloth, named_bodies(scene), 4, 0, [&](int frame, sim::Simulation& simulation) {
     drag_wind(frame, 4, 20.0, simulation);
     speeds_m_per_s.push_back(simulation.surroundings().forces.wind.speed_m_per_s);
   });
@@ -123,13 +122,12 @@ TEST(ContactBench, HasTheScenesInWhichSomethingIsWorn) {
 }
 
 TEST(ContactBench, BodiesAreDressedBeforeTheStart) {
-  DrawnScene scene = find_scene("tshirt-worn", std::vector{parse_override("garment.file=\"" TAUT_ASSETS_FOLDER
-                                                                          "/garments/tshirt_1028.obj\"")});
-  load_bodies(scene);
+  DrawnScene scene = find_scene(
+      "tshirt-worn", std::vector{parse_override("garment.file=\"" TAUT_ASSETS_FOLDER "/garments/tshirt_1028.obj\"")});
   const ContactRun dressed = make_run(scene, 1);
   EXPECT_EQ(dressed.start.crossing_pairs, 0U);
   EXPECT_EQ(dressed.first_broken, "");
-  scene.body_sources.front().dress = 0;
+  scene.bodies.front().source.dress = 0;
   EXPECT_GT(make_run(scene, 0).start.crossing_pairs, 0U) << "on a body that did not grow";
 }
 
@@ -141,8 +139,7 @@ TEST(ContactBench, MeasuresTheVectorsThatMostProcessorsHave) {
   }
   EXPECT_STREQ(sim::to_name(measured_vector_unit()), "avx2");
   EXPECT_CONTAINS(contact_head(sim::to_name(measured_vector_unit()), 1), "with avx2. ");
-  EXPECT_NE(&sim::bounded::kernels_for(sim::VectorUnit::avx2),
-            &sim::bounded::kernels_for(sim::VectorUnit::sse));
+  EXPECT_NE(&sim::bounded::kernels_for(sim::VectorUnit::avx2), &sim::bounded::kernels_for(sim::VectorUnit::sse));
 }
 
 TEST(ContactBench, FactsAreThoseOfAllFrames) {

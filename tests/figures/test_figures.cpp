@@ -52,10 +52,9 @@ TEST(Jobs, ResultsDoNotDependOnTheNumberOfThreads) {
     std::vector<Recording> recordings(4);
     std::vector<Job> jobs;
     for (std::size_t i = 0; i < recordings.size(); ++i) {
-      jobs.push_back(
-          {"run", 1.0, [&, i](const ProgressCallback& report_progress) {
-             recordings[i] = record_frames(scene, std::array{0, 20 + static_cast<int>(i)}, report_progress);
-           }});
+      jobs.push_back({"run", 1.0, [&, i](const ProgressCallback& report_progress) {
+                        recordings[i] = record_frames(scene, std::array{0, 20 + static_cast<int>(i)}, report_progress);
+                      }});
     }
     std::vector<std::size_t> finished;
     run_jobs(jobs, threads, [&](std::size_t job) { finished.push_back(job); });
@@ -83,8 +82,7 @@ TEST(Jobs, FirstErrorStopsTheOthersAndIsThrownOn) {
                            throw;
                          }
                        }};
-  const Job failing = {"failing", 1.0,
-                       [](const ProgressCallback&) { throw std::runtime_error("no such garment"); }};
+  const Job failing = {"failing", 1.0, [](const ProgressCallback&) { throw std::runtime_error("no such garment"); }};
   const std::vector<Job> jobs = {endless, failing};
   try {
     run_jobs(jobs, 2, [](std::size_t) { FAIL(); });
@@ -95,8 +93,7 @@ TEST(Jobs, FirstErrorStopsTheOthersAndIsThrownOn) {
   EXPECT_EQ(stopped, 1);
   // An exception while drawing stops the work as well.
   const std::vector<Job> drawn = {endless, {"short", 1.0, [](const ProgressCallback&) {}}};
-  EXPECT_THROW(run_jobs(drawn, 2, [](std::size_t) { throw std::logic_error("pen broken"); }),
-               std::logic_error);
+  EXPECT_THROW(run_jobs(drawn, 2, [](std::size_t) { throw std::logic_error("pen broken"); }), std::logic_error);
   EXPECT_EQ(stopped, 2);
 }
 
@@ -128,8 +125,8 @@ TEST(Recording, LargestStretchesAreOfAllFramesThoseNotKeptIncluded) {
   const sim::SurfaceStretch last = every.last().record.surface_stretch;
   EXPECT_GT(surface, last.max) << "the last frame is not the one";
   EXPECT_GT(surface, springs);
-  for (const Recording& one : {record_frames(scene, std::array{12}, nothing),
-                               record_steps(scene, std::array{12}, 76, nothing).frames}) {
+  for (const Recording& one :
+       {record_frames(scene, std::array{12}, nothing), record_steps(scene, std::array{12}, 76, nothing).frames}) {
     ASSERT_EQ(one.moments.size(), 1U);
     EXPECT_EQ(one.max_stretch_seen, springs);
     EXPECT_EQ(one.max_surface_stretch.max, surface);
@@ -142,7 +139,7 @@ TEST(Recording, CountsWhatCrossesInEveryFrameWhereAskedTo) {
   scene.simulation.solver.substeps = 1;
   // The ball begins within the cloth and is pushed out later.
   const sim::Vec3 middle_m = load_garment(scene).garment->mesh.positions[40];
-  scene.surroundings.bodies = {{.name = "ball", .shape = sim::Sphere{middle_m, 0.1}}};
+  scene.bodies.push_back({.body = {.name = "ball", .shape = sim::Sphere{middle_m, 0.1}}});
   const std::array frames = {0, 5};
   EXPECT_FALSE(record_frames(scene, frames, [](double) {}).promises);
   sim::Simulation simulation = make_simulation(scene, load_garment(scene));
@@ -160,7 +157,9 @@ TEST(Recording, CountsWhatCrossesInEveryFrameWhereAskedTo) {
   EXPECT_GT(expected.crossing_pairs, 0U);
   for (const Recording& recording : {record_frames(
                                          scene, frames, [](double) {}, Checking::promises),
-                                     record_steps(scene, frames, 40, [](double) {}, Checking::promises).frames}) {
+                                     record_steps(
+                                         scene, frames, 40, [](double) {}, Checking::promises)
+                                         .frames}) {
     ASSERT_TRUE(recording.promises);
     EXPECT_EQ(recording.promises->frames, 6);
     EXPECT_EQ(recording.promises->crossing_pairs, expected.crossing_pairs);

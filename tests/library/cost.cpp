@@ -18,7 +18,7 @@ int main(int count, char** arguments) {
   const int frames = std::atoi(arguments[2]);
   const TautOptions options = test::OwnCloth::options_of(arguments[1], 1);
   library::Start start = library::load(options);
-  sim::Simulation inside = app::make_simulation(start.scene, start.loaded);
+  sim::Simulation inside = app::make_simulation(start.scene, start.loaded, start.bodies.all);
   const test::OwnCloth through(options);
   auto frame = test::make_struct<TautFrame>(taut_frame_init);
   std::vector<float> positions(3 * through.info().vertex_count);

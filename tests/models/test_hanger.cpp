@@ -42,17 +42,18 @@ TEST(Hanger, HoldsTheLargestPartAndPinsTheOthers) {
   EXPECT_EQ(loaded.hanger.size(), 2U);
   EXPECT_EQ(loaded.pins.size(), 24U);
   Scene scene;
-  put_on_hanger(loaded, scene);
+  std::vector<sim::Body> bodies;
+  put_on_hanger(loaded, scene, bodies);
   ASSERT_EQ(scene.pins->size(), 24U);
   EXPECT_EQ(std::get<sim::Index>(scene.pins->front()), *loaded.file_vertices.number_of(loaded.pins.front()));
-  EXPECT_EQ(scene.surroundings.bodies, loaded.hanger);
-  EXPECT_EQ(scene.body_sources.size(), 2U);
-  scene.surroundings.bodies.insert(scene.surroundings.bodies.begin(),
-                                   sim::Body{.name = "ball", .shape = sim::Sphere{}});
-  scene.body_sources.emplace_back();
-  take_off_hanger(scene);
-  ASSERT_EQ(scene.surroundings.bodies.size(), 1U);
-  EXPECT_EQ(scene.surroundings.bodies[0].name, "ball");
+  EXPECT_EQ(named_bodies(scene), loaded.hanger);
+  EXPECT_EQ(bodies, loaded.hanger);
+  const sim::Body ball = {.name = "ball", .shape = sim::Sphere{}};
+  scene.bodies.insert(scene.bodies.begin(), BodyInScene{ball});
+  bodies.insert(bodies.begin(), ball);
+  take_off_hanger(scene, bodies);
+  EXPECT_EQ(named_bodies(scene), std::vector{ball});
+  EXPECT_EQ(bodies, std::vector{ball});
   EXPECT_FALSE(scene.pins);
 }
 
@@ -72,9 +73,10 @@ struct OnHanger : testing::Test {
 
 TEST_F(OnHanger, AGarmentStaysInTheRunAndCrossesNothing) {
   const LoadedGarment loaded = load_on_hanger(test::shirt());
-  put_on_hanger(loaded, scene);
+  std::vector<sim::Body> bodies;
+  put_on_hanger(loaded, scene, bodies);
   ASSERT_EQ(scene.pins->size(), 0U);
-  sim::Simulation simulation = make_simulation(scene, loaded);
+  sim::Simulation simulation = make_simulation(scene, loaded, bodies);
   for (int frame = 0; frame < 90; ++frame) {
     simulation.advance_frame();
   }
@@ -119,8 +121,7 @@ TEST_F(OnHanger, NeedsRoom) {
 /// to each side.
 sim::Mesh yoke(double half_width_m) {
   const auto body = [=](double x, double y) { return std::abs(x) < half_width_m && y > 0.0 && y < 0.7; };
-  return test::sewn(
-      {.front = body, .back = body, .open = [](double, double y) { return y < 0.01; }, .depth_m = 0.3});
+  return test::sewn({.front = body, .back = body, .open = [](double, double y) { return y < 0.01; }, .depth_m = 0.3});
 }
 
 /// Raises the top of the mesh by `height_m` within `half_width_m` of the middle.
@@ -168,8 +169,7 @@ TEST_F(OnHanger, IsAtLeastHalfAsLongAsTheLongest) {
     const auto body = [=](double x, double y) {
       return std::abs(x) < (y < 0.5 ? 0.3 : half_width_m) && y > 0.0 && y < 0.7;
     };
-    return test::sewn(
-        {.front = body, .back = body, .open = [](double, double y) { return y < 0.01; }, .depth_m = 0.3});
+    return test::sewn({.front = body, .back = body, .open = [](double, double y) { return y < 0.01; }, .depth_m = 0.3});
   };
   EXPECT_NEAR(half_length_m(load_on_hanger(mesh(0.15)).hanger), 0.2 * std::pow(0.93, 5), 1e-9);
   EXPECT_LT(half_length_m(load_on_hanger(mesh(0.12)).hanger), 0.12);

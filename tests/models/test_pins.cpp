@@ -35,13 +35,9 @@ TEST_F(Pins, NameCornersAndEdgesOfAGrid) {
   EXPECT_EQ(select(Selectors{"bottom-edge"}), (Vertices{3, 4, 5}));
 }
 
-TEST_F(Pins, AreTheUpperEdgeOfAGridWhereNoneAreGiven) {
-  EXPECT_EQ(select(std::nullopt), (Vertices{0, 1, 2}));
-}
+TEST_F(Pins, AreTheUpperEdgeOfAGridWhereNoneAreGiven) { EXPECT_EQ(select(std::nullopt), (Vertices{0, 1, 2})); }
 
-TEST_F(Pins, CanBeNone) {
-  EXPECT_TRUE(select(Selectors{}).empty());
-}
+TEST_F(Pins, CanBeNone) { EXPECT_TRUE(select(Selectors{}).empty()); }
 
 TEST_F(Pins, CanBeVerticesAndPoints) {
   EXPECT_EQ(select(Selectors{sim::Index{4}, NearestTo{{0.4, -0.9, 0.1}}}), (Vertices{4, 5}));
@@ -106,8 +102,7 @@ TEST_F(PinsOfAFile, MustBeVerticesThatWereKept) {
   };
   EXPECT_CONTAINS(error(10), "pins.at: found vertex 10, expected one of the vertices of the file, 0 to 9");
   for (const sim::Index dropped : {0U, 7U, 8U}) {
-    EXPECT_CONTAINS(error(dropped),
-                    "pins.at: vertex " + std::to_string(dropped) + " of the file belongs to no face");
+    EXPECT_CONTAINS(error(dropped), "pins.at: vertex " + std::to_string(dropped) + " of the file belongs to no face");
   }
 }
 
@@ -142,10 +137,10 @@ TEST_F(PinsOfAFile, NumberForcesToo) {
   const LoadedGarment loaded = load("strip.obj", strip_obj, {});
   sim::Surroundings surroundings;
   surroundings.forces.artificial_forces = {{.vertex = 1, .force_n = {1, 0, 0}}};
-  const auto forces = settle_surroundings(surroundings, loaded).forces.artificial_forces;
+  const auto forces = settle_surroundings(surroundings, loaded, {}).forces.artificial_forces;
   EXPECT_EQ(loaded.garment->mesh.positions[forces.at(0).vertex], sim::Vec3(2, 1, 0));
   surroundings.forces.artificial_forces[0].vertex = 0;
-  EXPECT_CONTAINS(test::error_message<InputError>([&] { settle_surroundings(surroundings, loaded); }),
+  EXPECT_CONTAINS(test::error_message<InputError>([&] { settle_surroundings(surroundings, loaded, {}); }),
                   "forces.vertex: vertex 0 of the file belongs to no face");
 }
 

@@ -81,10 +81,10 @@ TEST_F(Start, TellsOfClothAndPinsInBodiesAndOfBodiesThatCrossThemselves) {
   Scene scene;
   scene.garment.grid = {.columns = 5, .rows = 5, .width_m = 1.0, .height_m = 1.0};
   scene.pins = std::vector<PinSelector>{"top-left", "top-right"};
-  const auto remarks = [&] { return remarks_on_start(scene, load_garment(scene)).lines; };
+  const auto remarks = [&] { return remarks_on_start(scene, load_garment(scene), named_bodies(scene)).lines; };
   EXPECT_EQ(remarks(), std::vector<std::string>());
   const sim::Vec3 corner = load_garment(scene).garment->mesh.positions[0];
-  scene.surroundings.bodies = {{.name = "ball", .shape = sim::Sphere{corner - sim::Vec3(0.0, 0.0, 0.04), 0.05}}};
+  scene.bodies.push_back({.body = {.name = "ball", .shape = sim::Sphere{corner - sim::Vec3(0.0, 0.0, 0.04), 0.05}}});
   std::vector<std::string> said = remarks();
   ASSERT_EQ(said.size(), 2U);
   EXPECT_CONTAINS(said[0], "at the start ");
@@ -96,7 +96,7 @@ TEST_F(Start, TellsOfClothAndPinsInBodiesAndOfBodiesThatCrossThemselves) {
   around.positions_m = {
       {far_m, far_m, far_m}, {far_m, -far_m, -far_m}, {-far_m, far_m, -far_m}, {-far_m, -far_m, far_m}};
   around.triangles = {{0, 1, 2}, {0, 3, 1}, {0, 2, 3}, {1, 3, 2}};
-  scene.surroundings.bodies = {{.shape = sim::BodyMesh{std::make_shared<sim::BodyMeshData>(around)}}};
+  scene.bodies[0].body = {.shape = sim::BodyMesh{std::make_shared<sim::BodyMeshData>(around)}};
   said = remarks();
   ASSERT_EQ(said.size(), 2U);
   EXPECT_CONTAINS(said[0],
@@ -112,7 +112,7 @@ TEST_F(Start, TellsOfClothAndPinsInBodiesAndOfBodiesThatCrossThemselves) {
   spike(data.positions_m, {5.0, 0.0, 0.0}, {5.0, 1.0, 0.02});
   spike(data.positions_m, {5.0, 0.5, -0.5}, {5.03, 0.5, 0.5});
   data.triangles = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}, {4, 6, 5}, {4, 5, 7}, {5, 6, 7}, {6, 4, 7}};
-  scene.surroundings.bodies = {{.shape = sim::BodyMesh{std::make_shared<sim::BodyMeshData>(data)}}};
+  scene.bodies[0].body = {.shape = sim::BodyMesh{std::make_shared<sim::BodyMeshData>(data)}};
   said = remarks();
   ASSERT_EQ(said.size(), 1U);
   EXPECT_CONTAINS(said[0], "body 0 crosses itself: ");

@@ -208,7 +208,7 @@ TEST_F(Untangle, SaysWhatCannotBeParted) {
   EXPECT_EQ(loaded.untangling->pairs_left, left);
   EXPECT_LE(left, loaded.untangling->pairs_before);
   EXPECT_LT(loaded.untangling->max_move_m, 0.15) << "about five edges";
-  const std::vector<std::string> remarks = remarks_on_start(scene, loaded).lines;
+  const std::vector<std::string> remarks = remarks_on_start(scene, loaded, {}).lines;
   ASSERT_EQ(remarks.size(), 2U);
   EXPECT_CONTAINS(remarks[0], "that crossed at the start " + std::to_string(left));
   EXPECT_CONTAINS(remarks[1], "at the start " + std::to_string(left));
@@ -223,7 +223,7 @@ TEST_F(Untangle, LeavesWhatDoesNotCrossAsItIs) {
   EXPECT_FALSE(asked.start_m);
   EXPECT_TRUE(asked.garment->untangled_m.empty());
   EXPECT_EQ(surface_at_start(asked).positions_m.size(), plain.garment->mesh.positions.size());
-  EXPECT_TRUE(remarks_on_start(make_scene(tube, true), asked).lines.empty());
+  EXPECT_TRUE(remarks_on_start(make_scene(tube, true), asked, {}).lines.empty());
 }
 
 TEST(UntangleBudget, EndsWithTheBestShapeSoFar) {
@@ -274,7 +274,7 @@ TEST_F(Untangle, IsOfferedWhereSomethingCrosses) {
   const Scene scene = make_scene(sheet_and_tongue(), false);
   const LoadedGarment loaded = load_garment(scene);
   EXPECT_FALSE(loaded.untangling);
-  const std::vector<std::string> remarks = remarks_on_start(scene, loaded).lines;
+  const std::vector<std::string> remarks = remarks_on_start(scene, loaded, {}).lines;
   ASSERT_EQ(remarks.size(), 1U);
   EXPECT_CONTAINS(remarks[0], "--untangle");
 }

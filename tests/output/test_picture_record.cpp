@@ -14,18 +14,15 @@ namespace {
 using test::error_message;
 using test::TemporaryFolder;
 
-renderer::Image small_picture() {
-  return renderer::make_image(4, 3);
-}
+renderer::Image small_picture() { return renderer::make_image(4, 3); }
 
 std::filesystem::path write_record(const TemporaryFolder& folder, const DrawnScene& scene) {
   FrameRecord record;
   record.frame = 12;
   record.state_hash = 0xFEDCBA9876543210U;
   const auto file = folder / "picture.png";
-  write_file(file,
-             renderer::encode_png(small_picture(),
-                                  picture_texts({"taut render x", scene_text(scene), "llvmpipe"}, record)));
+  write_file(file, renderer::encode_png(small_picture(),
+                                        picture_texts({"taut render x", scene_text(scene), "llvmpipe"}, record)));
   return file;
 }
 
@@ -45,8 +42,7 @@ TEST(PictureRecord, BuiltInScenesReadBackAsTheyWere) {
     EXPECT_EQ(record.frame, 12);
     EXPECT_EQ(record.state_hash, 0xFEDCBA9876543210U);
     EXPECT_EQ(record.gl_renderer, "llvmpipe");
-    EXPECT_EQ(scene_text(scene).find(assets_folder().string()), std::string::npos)
-        << "a path of this machine";
+    EXPECT_EQ(scene_text(scene).find(assets_folder().string()), std::string::npos) << "a path of this machine";
   }
 }
 
@@ -106,7 +102,7 @@ TEST(PictureRecord, EveryKindOfValueReadsBackBitForBit) {
   EXPECT_EQ(again.title, scene.title);
   EXPECT_EQ(again.simulation.solver.strong.rigidity.compression, 0.30000000000000004);
   EXPECT_EQ(*again.camera.eye, *scene.camera.eye);
-  EXPECT_EQ(again.surroundings.bodies.size(), 3U);
+  EXPECT_EQ(again.bodies.size(), 3U);
   // The text alone is a scene file.
   EXPECT_EQ(scene_text(read_scene_file(folder.write("again.toml", text))), text);
 }
@@ -134,8 +130,7 @@ TEST(PictureRecord, AGarmentIsFoundInTheAssetsOrBesideThePicture) {
   const TemporaryFolder folder;
   const DrawnScene shirt = find_scene("tshirt-gravity", {});
   EXPECT_CONTAINS(scene_text(shirt), "file = \"garments/tshirt_10600.obj\"");
-  EXPECT_TRUE(
-      std::filesystem::exists(read_picture_record(write_record(folder, shirt), {}).scene.garment.file));
+  EXPECT_TRUE(std::filesystem::exists(read_picture_record(write_record(folder, shirt), {}).scene.garment.file));
 
   DrawnScene other = shirt;
   other.garment.file = "/nowhere/any.obj";
@@ -149,18 +144,18 @@ TEST(PictureRecord, ABodyIsFoundInTheAssetsOrBesideThePicture) {
   const TemporaryFolder folder;
   DrawnScene scene = find_scene("needles", {});
   EXPECT_CONTAINS(scene_text(scene), "file = \"bodies/needles.obj\"");
-  const BodySource found = read_picture_record(write_record(folder, scene), {}).scene.body_sources.at(0);
+  const BodySource found = read_picture_record(write_record(folder, scene), {}).scene.bodies.at(0).source;
   EXPECT_EQ(found.file, assets_folder() / "bodies/needles.obj");
   EXPECT_TRUE(found.motion.empty());
   EXPECT_CONTAINS(scene_text(scene, GarmentNaming::full_path), assets_folder().string() + "/bodies/needles");
 
-  scene.body_sources[0].file = "/nowhere/any.obj";
-  scene.body_sources[0].motion = "/nowhere/any.pc2";
+  scene.bodies[0].source.file = "/nowhere/any.obj";
+  scene.bodies[0].source.motion = "/nowhere/any.pc2";
   const auto picture = write_record(folder, scene);
-  EXPECT_EQ(read_picture_record(picture, {}).scene.body_sources.at(0).file, "/nowhere/any.obj");
+  EXPECT_EQ(read_picture_record(picture, {}).scene.bodies.at(0).source.file, "/nowhere/any.obj");
   const auto beside = folder.write("any.obj", "v 0 0 0\n"), frames = folder.write("any.pc2", "");
-  EXPECT_EQ(read_picture_record(picture, {}).scene.body_sources.at(0).file, beside);
-  EXPECT_EQ(read_picture_record(picture, {}).scene.body_sources.at(0).motion, frames);
+  EXPECT_EQ(read_picture_record(picture, {}).scene.bodies.at(0).source.file, beside);
+  EXPECT_EQ(read_picture_record(picture, {}).scene.bodies.at(0).source.motion, frames);
 }
 
 TEST(PictureRecord, AFileOutsideOfThePicturesFolderIsOpenedWhereThatIsTrusted) {
@@ -186,7 +181,7 @@ TEST(PictureRecord, AFileOutsideOfThePicturesFolderIsOpenedWhereThatIsTrusted) {
   scene.picture.texture = elsewhere;
   EXPECT_CONTAINS(refusal(), "not in the picture's folder");
   scene = find_scene("needles", {});
-  scene.body_sources[0].motion = elsewhere;
+  scene.bodies[0].source.motion = elsewhere;
   EXPECT_CONTAINS(refusal(), "not in the picture's folder");
 }
 

@@ -13,9 +13,7 @@ using test::error_message;
 
 const std::string grid = "[garment.grid]\ncolumns = 5\nrows = 5\n";
 
-DrawnScene read(const std::string& rest) {
-  return read_scene_text(grid + rest, "scene.toml");
-}
+DrawnScene read(const std::string& rest) { return read_scene_text(grid + rest, "scene.toml"); }
 
 std::string error_text(const std::string& rest) {
   return error_message<InputError>([&] { read(rest); });
@@ -51,15 +49,14 @@ TEST(MovingKeys, AreReadForBodiesAndPinsAlike) {
   EXPECT_EQ(std::get<sim::Index>(scene.moving_pins[0].at.at(1)), 7U);
   EXPECT_EQ(scene.moving_pins[0].motion, (sim::RigidMotion{.shift = {{1, 0, 0.5}, 0.25}}));
   EXPECT_EQ(std::get<std::string>(scene.moving_pins[1].at.at(0)), "bottom-edge");
-  EXPECT_EQ(scene.moving_pins[1].motion,
-            (sim::RigidMotion{.spin = {{0, 0.1, 0}, {0, 0, 1}, -0.5, 0.0, 2.0}}));
-  const auto& bodies = scene.surroundings.bodies;
+  EXPECT_EQ(scene.moving_pins[1].motion, (sim::RigidMotion{.spin = {{0, 0.1, 0}, {0, 0, 1}, -0.5, 0.0, 2.0}}));
+  const std::vector<sim::Body> bodies = named_bodies(scene);
   ASSERT_EQ(bodies.size(), 2U);
   EXPECT_EQ(bodies[0].name, "ball");
   EXPECT_EQ(bodies[0].motion, (sim::RigidMotion{.path = {{0, {0, 0, 0}}, {1.5, {0.1, 0.2, 0.3}}}}));
   EXPECT_EQ(bodies[1].motion, (sim::RigidMotion{.shift = {{0, 1, 0}, 0, 3}}));
   EXPECT_EQ(bodies[1].friction, 0.0);
-  const BodySource& source = scene.body_sources.at(1);
+  const BodySource& source = scene.bodies.at(1).source;
   EXPECT_EQ(source.file, "avatar.obj");
   EXPECT_EQ(source.scale, 0.01);
   EXPECT_EQ(source.up, ModelAxis::z);
@@ -68,16 +65,16 @@ TEST(MovingKeys, AreReadForBodiesAndPinsAlike) {
 }
 
 TEST(MovingKeys, AreWrittenAsTheyWereRead) {
-  const std::string text = scene_text(
-      read(moving + "[[pins.moving]]\nat = [3]\nspin = { turns_per_second = 1, axis = [1, 2, 3] }\n"));
+  const std::string text =
+      scene_text(read(moving + "[[pins.moving]]\nat = [3]\nspin = { turns_per_second = 1, axis = [1, 2, 3] }\n"));
   const DrawnScene again = read_scene_text(text, "again.toml");
   EXPECT_EQ(scene_text(again), text);
   const DrawnScene first = read(moving);
-  EXPECT_EQ(again.surroundings.bodies[0].motion, first.surroundings.bodies[0].motion);
-  EXPECT_EQ(again.surroundings.bodies[1].motion, first.surroundings.bodies[1].motion);
+  EXPECT_EQ(again.bodies[0].body.motion, first.bodies[0].body.motion);
+  EXPECT_EQ(again.bodies[1].body.motion, first.bodies[1].body.motion);
   EXPECT_EQ(again.moving_pins[1].motion, first.moving_pins[1].motion);
-  EXPECT_EQ(again.body_sources[1].file, std::filesystem::absolute("avatar.obj"));
-  EXPECT_EQ(again.body_sources[1].frame_rate_hz, 25.0);
+  EXPECT_EQ(again.bodies[1].source.file, std::filesystem::absolute("avatar.obj"));
+  EXPECT_EQ(again.bodies[1].source.frame_rate_hz, 25.0);
 }
 
 TEST(MovingKeys, OfOneBodyAreSetOnTheCommandLine) {
@@ -86,11 +83,11 @@ TEST(MovingKeys, OfOneBodyAreSetOnTheCommandLine) {
       {"body.clip", "Run", "--body-clip Run"},      {"body.scale", "0.01", "--body-units cm"},
       {"body.dress", "90", "--dress 90"},           {"body.loop", "true", "--body-loop"}};
   const DrawnScene scene = read_scene_text(grid + moving, "scene.toml", options);
-  ASSERT_EQ(scene.surroundings.bodies.size(), 3U);
-  EXPECT_TRUE(std::holds_alternative<sim::BodyMesh>(scene.surroundings.bodies[2].shape));
-  EXPECT_EQ(scene.body_sources.at(1).motion, "walk.pc2") << "as it was";
-  const BodySource& source = scene.body_sources.at(2);
-  EXPECT_EQ(scene.surroundings.bodies[2].name, "doll");
+  ASSERT_EQ(scene.bodies.size(), 3U);
+  EXPECT_TRUE(std::holds_alternative<sim::BodyMesh>(scene.bodies[2].body.shape));
+  EXPECT_EQ(scene.bodies.at(1).source.motion, "walk.pc2") << "as it was";
+  const BodySource& source = scene.bodies.at(2).source;
+  EXPECT_EQ(scene.bodies[2].body.name, "doll");
   EXPECT_EQ(source.file, "doll.glb");
   EXPECT_EQ(source.motion, "run.bvh");
   EXPECT_EQ(source.clip, "Run");
@@ -98,10 +95,10 @@ TEST(MovingKeys, OfOneBodyAreSetOnTheCommandLine) {
   EXPECT_EQ(source.dress, 90);
   EXPECT_EQ(scene.dressing_frames(), 90);
   const DrawnScene again = read_scene_text(scene_text(scene), "again.toml");
-  EXPECT_EQ(again.body_sources.at(2).clip, "Run");
-  EXPECT_EQ(again.body_sources.at(2).dress, 90);
-  EXPECT_TRUE(again.body_sources.at(2).loop);
-  EXPECT_FALSE(again.body_sources.at(1).loop) << "unless it is asked for";
+  EXPECT_EQ(again.bodies.at(2).source.clip, "Run");
+  EXPECT_EQ(again.bodies.at(2).source.dress, 90);
+  EXPECT_TRUE(again.bodies.at(2).source.loop);
+  EXPECT_FALSE(again.bodies.at(1).source.loop) << "unless it is asked for";
 }
 
 TEST(MovingKeys, OfOneBodyNeedABody) {
@@ -110,8 +107,7 @@ TEST(MovingKeys, OfOneBodyNeedABody) {
   };
   EXPECT_CONTAINS(error_with("", {"body.motion", "run.bvh", "--body-motion run.bvh"}),
                   "--body-motion run.bvh: body.motion: the scene has no body that is a model");
-  EXPECT_CONTAINS(error_with(moving, {"body.frame_rate", "-1", "--body-fps -1"}),
-                  "found -1, expected a number from 0");
+  EXPECT_CONTAINS(error_with(moving, {"body.frame_rate", "-1", "--body-fps -1"}), "found -1, expected a number from 0");
   EXPECT_CONTAINS(error_with(moving, {"body.clips", "Run", "--set body.clips=Run"}),
                   "unknown key 'clips'; did you mean 'clip'");
 }
@@ -120,8 +116,8 @@ TEST(MovingKeys, TakeDirectionsOfAnyLength) {
   for (const char* axis : {"[0, 1e-150, 0]", "[0, 5e-324, 0]", "[0, 1e6, 0]"}) {
     const DrawnScene scene = read(std::string("[[bodies]]\nshape = \"plane\"\nnormal = ") + axis +
                                   "\nspin = { turns_per_second = 1, axis = " + axis + " }\n");
-    EXPECT_EQ(scene.surroundings.bodies[0].motion.spin.axis, sim::Vec3(0, 1, 0)) << axis;
-    EXPECT_EQ(std::get<sim::Plane>(scene.surroundings.bodies[0].shape).normal, sim::Vec3(0, 1, 0)) << axis;
+    EXPECT_EQ(scene.bodies[0].body.motion.spin.axis, sim::Vec3(0, 1, 0)) << axis;
+    EXPECT_EQ(std::get<sim::Plane>(scene.bodies[0].body.shape).normal, sim::Vec3(0, 1, 0)) << axis;
   }
 }
 

@@ -81,7 +81,7 @@ shadows = false
   EXPECT_EQ(scene.simulation.solver.kind, sim::SolverKind::ideal);
   EXPECT_EQ(scene.simulation.solver.substeps, 7);
   EXPECT_EQ(scene.surroundings.forces.artificial_forces, (std::vector<sim::PointForce>{{3, sim::Vec3(0, 1, 0)}}));
-  const auto& bodies = scene.surroundings.bodies;
+  const std::vector<sim::Body> bodies = named_bodies(scene);
   ASSERT_EQ(bodies.size(), 2U);
   EXPECT_EQ(std::get<sim::Sphere>(bodies[0].shape), (sim::Sphere{sim::Vec3(0, -1, 0), 0.25}));
   EXPECT_EQ(std::get<sim::Plane>(bodies[1].shape).normal, sim::Vec3(0, 1, 0));

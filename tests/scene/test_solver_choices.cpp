@@ -163,7 +163,7 @@ TEST_F(AfterDivergence, AnotherSettingStartsAnew) {
 }
 
 TEST_F(AfterDivergence, AnotherSceneStartsAnew) {
-  live.apply(LoadScene{std::make_shared<const DrawnScene>(find_scene("pinned-9x9-20", {}))});
+  live.apply(LoadScene{std::make_shared<const SceneWithBodies>(find_scene("pinned-9x9-20", {}))});
   expect_anew();
 }
 

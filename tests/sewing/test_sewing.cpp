@@ -60,27 +60,27 @@ PatternPanel rectangle(const std::string& name, double width_m, double height_m,
 }
 
 struct Sewing : testing::Test {
-  Scene scene_with(const std::filesystem::path& pattern) const {
+  Scene scene_with(const std::filesystem::path& pattern) {
     Scene scene;
     scene.garment.file = pattern;
     scene.simulation.solver.bounded.max_stretch = 0.01;
-    scene.surroundings.bodies = {{.name = "mannequin", .shape = sim::BodyMesh{}}};
     BodySource source;
     source.file = assets / "bodies/mannequin_female_34.glb";
     source.dress = 90;
-    scene.body_sources = {source};
-    load_bodies(scene);
+    scene.bodies.push_back({.body = {.name = "mannequin", .shape = sim::BodyMesh{}}, .source = source});
+    bodies = load_bodies(scene);
     return scene;
   }
-  SewnGarment sewn(Scene& scene, int triangles, int frames = 60) const {
-    return sew(read_named_pattern(scene.garment.file), scene, {triangles, frames}, [](const std::string&) {});
+  SewnGarment sewn(const Scene& scene, int triangles, int frames = 60) {
+    return sew(read_named_pattern(scene.garment.file), scene, bodies, {triangles, frames}, [](const std::string&) {});
   }
 
   test::TemporaryFolder folder;
+  LoadedBodies bodies;  ///< bodies of the last scene
 };
 
 TEST_F(Sewing, ASkirtIsClosedWornAndAtRestAsItWasCut) {
-  Scene scene = scene_with(folder.write("skirt.json", skirt(40.0, 60.0)));
+  const Scene scene = scene_with(folder.write("skirt.json", skirt(40.0, 60.0)));
   const SewnGarment garment = sewn(scene, 800);
   EXPECT_LE(garment.max_stretch, 0.01 + 1e-6);
   const sim::Mesh& mesh = garment.sewn.garment.mesh;
@@ -90,7 +90,7 @@ TEST_F(Sewing, ASkirtIsClosedWornAndAtRestAsItWasCut) {
   EXPECT_EQ(topology.non_manifold_edges, 0u);
   EXPECT_EQ(topology.misoriented_edges, 0u);
   for (const SceneCrossings& crossings :
-       scene_crossings({mesh.positions, mesh.triangles}, scene.surroundings.bodies, garment.time_s)) {
+       scene_crossings({mesh.positions, mesh.triangles}, bodies.all, garment.time_s)) {
     EXPECT_TRUE(crossings.pairs.empty());
   }
   EXPECT_EQ(mesh.positions.size(),
@@ -98,7 +98,7 @@ TEST_F(Sewing, ASkirtIsClosedWornAndAtRestAsItWasCut) {
 }
 
 TEST_F(Sewing, ItsFileIsAGarmentThatIsAtRestAsItWasCut) {
-  Scene scene = scene_with(folder.write("skirt.json", skirt(40.0, 60.0)));
+  const Scene scene = scene_with(folder.write("skirt.json", skirt(40.0, 60.0)));
   const SewnGarment garment = sewn(scene, 800, 1);
   const std::filesystem::path file = folder.write("sewn.obj", to_obj(garment));
   folder.write("sewn.landmarks.toml", to_landmarks_text(garment));
@@ -141,19 +141,19 @@ TEST_F(Sewing, SaysThatWhatWasSewnIsTooSmall) {
 }
 
 TEST_F(Sewing, AWaistThatGoesAroundNothingBeginsAtThatOfTheBody) {
-  const Scene scene = scene_with(folder.write("skirt.json", skirt(40.0, 60.0)));
-  const Wearer& wearer = *dressed_body(scene).wearer;
+  scene_with(folder.write("skirt.json", skirt(40.0, 60.0)));
+  const Wearer& wearer = *dressed_body(bodies).wearer;
   const sim::Vec3 top_m = {0.0, 0.9, 0.2};
   const SewingPattern pattern = {
       {rectangle("front", 0.3, 0.6, top_m), rectangle("back", 0.3, 0.6, top_m - sim::Vec3(0.0, 0.0, 0.4))},
       {{{0, 1}, {1, 1}}, {{0, 3}, {1, 3}}}};
   CutPieces pieces = cut_pieces(pattern, 300);
-  bring_to_body(pattern, scene, pieces);
+  bring_to_body(pattern, bodies, pieces);
   EXPECT_NEAR(sim::compute_extent(pieces.placed_m).upper.y, wearer.measures.waist_m->y, 1e-6);
 }
 
 TEST_F(Sewing, ATopWithoutStrapsIsHeldUntilItRests) {
-  Scene scene = scene_with(folder.write("top.json", skirt(48.0, 39.0, 24.0, 24.0, 128.0)));
+  const Scene scene = scene_with(folder.write("top.json", skirt(48.0, 39.0, 24.0, 24.0, 128.0)));
   const SewnGarment garment = sewn(scene, 800, 600);
   const sim::Extent range = sim::compute_extent(garment.sewn.garment.mesh.positions);
   EXPECT_TRUE(garment.is_at_rest);
@@ -161,7 +161,7 @@ TEST_F(Sewing, ATopWithoutStrapsIsHeldUntilItRests) {
 }
 
 TEST_F(Sewing, ComesToRestInTwoSecondsOrThree) {
-  Scene scene = scene_with(folder.write("skirt.json", skirt(40.0, 60.0)));
+  const Scene scene = scene_with(folder.write("skirt.json", skirt(40.0, 60.0)));
   const SewnGarment garment = sewn(scene, 800, 600);
   EXPECT_TRUE(garment.is_at_rest);
   EXPECT_LE(garment.frames, 180);
@@ -169,7 +169,7 @@ TEST_F(Sewing, ComesToRestInTwoSecondsOrThree) {
 }
 
 TEST_F(Sewing, ComesToRestInTheAirOfTheScene) {
-  Scene scene = scene_with(folder.write("skirt.json", skirt(40.0, 60.0)));
+  const Scene scene = scene_with(folder.write("skirt.json", skirt(40.0, 60.0)));
   const SewnGarment garment = sewn(scene, 800, 600);
   ASSERT_TRUE(garment.is_at_rest);
   EXPECT_EQ(describe_rest(garment), "at rest");
@@ -177,8 +177,8 @@ TEST_F(Sewing, ComesToRestInTheAirOfTheScene) {
   folder.write("sewn.landmarks.toml", to_landmarks_text(garment));
   Scene again = scene;
   again.garment.file = file;
-  again.body_sources[0].dress = 0;
-  sim::Simulation simulation = make_simulation(again, load_garment(again));
+  again.bodies[0].source.dress = 0;
+  sim::Simulation simulation = make_simulation(again, load_garment(again), bodies.all);
   simulation.set_time(garment.time_s);
   for (int frame = 0; frame < 60; ++frame) simulation.advance_frame();
   EXPECT_LE(sim::rms_speed(simulation.change()), 0.02);
@@ -198,35 +198,36 @@ TEST_F(Sewing, WhatMovesInTheAirOfTheSceneIsNotAtRest) {
 }
 
 TEST_F(Sewing, KeepsTheBoundInEveryFrameInWhichPiecesAreJoined) {
-  Scene scene = scene_with(folder.write("skirt.json", skirt(40.0, 60.0)));
+  const Scene scene = scene_with(folder.write("skirt.json", skirt(40.0, 60.0)));
   const SewingPattern pattern = read_sewing_pattern(scene.garment.file);
   CutPieces pieces = cut_pieces(pattern, 800);
-  bring_to_body(pattern, scene, pieces);
-  place_pieces(pieces, scene);
+  bring_to_body(pattern, bodies, pieces);
+  place_pieces(pieces, scene, bodies);
   std::set<double> shares;
   double max_stretch = 0.0;
-  const SewnPieces sewn = close_seams(
-      pieces, scene, thin_time_s(scene), [&](double share, const sim::Garment& garment, const auto& positions_m) {
-        const sim::SurfaceStretch stretch = sim::measure_surface_stretch(garment, positions_m);
-        max_stretch = std::max(max_stretch, stretch.max);
-        shares.insert(share);
-      });
+  const SewnPieces sewn = close_seams(pieces, scene, bodies, thin_time_s(bodies),
+                                      [&](double share, const sim::Garment& garment, const auto& positions_m) {
+                                        const sim::SurfaceStretch stretch =
+                                            sim::measure_surface_stretch(garment, positions_m);
+                                        max_stretch = std::max(max_stretch, stretch.max);
+                                        shares.insert(share);
+                                      });
   EXPECT_EQ(sewn.gap_m, 0.0);
   EXPECT_GE(shares.size(), 2u) << "it was not joined while it was looked at";
   EXPECT_LE(max_stretch, 0.01 + 1e-6);
 }
 
 TEST_F(Sewing, RefusesWhatFellCrossesOrIsStretched) {
-  Scene scene = scene_with(folder.write("skirt.json", skirt(40.0, 60.0)));
+  const Scene scene = scene_with(folder.write("skirt.json", skirt(40.0, 60.0)));
   const SewnGarment garment = sewn(scene, 400, 1);
   const auto refusal_of = [&](const std::function<sim::Vec3(const sim::Vec3&)>& move) {
     SewnGarment moved = garment;
     std::vector<sim::Vec3>& positions_m = moved.sewn.garment.mesh.positions;
     std::transform(positions_m.begin(), positions_m.end(), positions_m.begin(), move);
-    return test::error_message<SewingFailed>([&] { require_worn(scene, moved); });
+    return test::error_message<SewingFailed>([&] { require_worn(scene, bodies, moved); });
   };
   SewnGarment as_sewn = garment;
-  EXPECT_NO_THROW(require_worn(scene, as_sewn));
+  EXPECT_NO_THROW(require_worn(scene, bodies, as_sewn));
   EXPECT_NE(refusal_of([](sim::Vec3 p) { return p - sim::Vec3(0.0, 1.0, 0.0); }).find("it falls down"),
             std::string::npos);
   EXPECT_NE(refusal_of([](sim::Vec3 p) { return p + sim::Vec3(0.15, 0.0, 0.0); }).find("when it is worn, "),
@@ -237,10 +238,10 @@ TEST_F(Sewing, RefusesWhatFellCrossesOrIsStretched) {
 
 TEST_F(Sewing, ShortLevelSideSeamsAreNoShoulders) {
   // Each side of a wide tier is as level as a shoulder, and nothing of the body is below it.
-  Scene scene = scene_with(folder.write("tier.json", skirt(44.0, 80.0, 20.0, 15.0)));
+  const Scene scene = scene_with(folder.write("tier.json", skirt(44.0, 80.0, 20.0, 15.0)));
   const SewingPattern tier = read_sewing_pattern(scene.garment.file);
   CutPieces pieces = cut_pieces(tier, 300);
-  bring_to_body(tier, scene, pieces);
+  bring_to_body(tier, bodies, pieces);
   for (const sim::Vec3& p : pieces.placed_m) EXPECT_TRUE(std::isfinite(p.y));
   EXPECT_TRUE(pieces.first_seams.empty());
 }
@@ -249,7 +250,7 @@ TEST_F(Sewing, SaysWhichSeamStaysOpenAndByHowMuch) {
   // The waist is sewn together as well, and the body is in between.
   std::string text = skirt(40.0, 60.0);
   text.replace(text.rfind("]}}"), 3, R"(, [{"panel": "front", "edge": 3}, {"panel": "back", "edge": 3}]]}})");
-  Scene scene = scene_with(folder.write("skirt.json", text));
+  const Scene scene = scene_with(folder.write("skirt.json", text));
   try {
     sewn(scene, 400);
     FAIL() << "it was sewn";
@@ -264,7 +265,7 @@ TEST_F(Sewing, SaysWhichSeamStaysOpenAndByHowMuch) {
 }
 
 TEST_F(Sewing, PanelsThatBeginWithinTheBodyGoAroundIt) {
-  Scene scene = scene_with(folder.write("skirt.json", skirt(40.0, 60.0, 2.0)));
+  const Scene scene = scene_with(folder.write("skirt.json", skirt(40.0, 60.0, 2.0)));
   const SewnGarment garment = sewn(scene, 400, 1);
   EXPECT_EQ(garment.sewn.gap_m, 0.0);
   EXPECT_EQ(garment.remarks.size(), 2u) << "that it was moved to the body and apart";
@@ -275,7 +276,7 @@ TEST_F(Sewing, APatternIsWornOverAnother) {
   const std::filesystem::path outer = folder.write("outer.json", skirt(48.0, 80.0));
   scene.fabric = "cotton";
   scene.material = find_fabric_material("cotton", "--fabric");
-  const SewnGarment garment = sew(read_named_pattern(scene.garment.file), scene,
+  const SewnGarment garment = sew(read_named_pattern(scene.garment.file), scene, bodies,
                                   {1200, 60, {read_named_pattern(outer)}, {"denim"}}, [](const std::string&) {});
   const sim::Mesh& mesh = garment.sewn.garment.mesh;
   EXPECT_EQ(garment.pattern.panels[2].name, "outer.back");
@@ -302,7 +303,7 @@ TEST_F(Sewing, APatternIsWornOverAnother) {
   EXPECT_EQ(sim::measure_topology(mesh, sim::make_adjacency(mesh)).components, 2u);
   EXPECT_LE(garment.max_stretch, 0.01 + 1e-6);
   for (const SceneCrossings& crossings :
-       scene_crossings({mesh.positions, mesh.triangles}, scene.surroundings.bodies, garment.time_s)) {
+       scene_crossings({mesh.positions, mesh.triangles}, bodies.all, garment.time_s)) {
     EXPECT_TRUE(crossings.pairs.empty());
   }
   // The outer skirt surrounds the inner one: its box is larger on all sides.
@@ -340,7 +341,7 @@ TEST_F(Sewing, WhatWasSewnTightIsSimulatedWithinTheBoundItWasSewnWithin) {
 }
 
 TEST_F(Sewing, ASleeveIsTurnedToTheArmWithItsCuff) {
-  const Scene scene = scene_with(folder.write("skirt.json", skirt(40.0, 60.0)));
+  scene_with(folder.write("skirt.json", skirt(40.0, 60.0)));
   // A sleeve as wide as an arm, which hangs at 45 degrees, and a cuff at its end, 30 cm below the shoulder.
   constexpr double hanging = 0.785398;
   SewingPattern pattern;
@@ -356,7 +357,7 @@ TEST_F(Sewing, ASleeveIsTurnedToTheArmWithItsCuff) {
   }
   pattern.panels.push_back(rectangle("hood", 0.15, 0.35, {0.24, 1.8, 0.1}));
   CutPieces pieces = cut_pieces(pattern, 600);
-  turn_sleeves(pattern, sim::Vec3(0.0), *dressed_body(scene).wearer, pieces);
+  turn_sleeves(pattern, sim::Vec3(0.0), *dressed_body(bodies).wearer, pieces);
   const std::vector<sim::Extent> boxes = panel_boxes(pieces);
   EXPECT_GT(boxes[2].middle().y, boxes[0].upper.y - 0.2) << "the cuff still hangs";
   EXPECT_LT(glm::distance(boxes[1].middle(), boxes[2].middle()), 0.3) << "it is torn from the sleeve";
@@ -364,12 +365,12 @@ TEST_F(Sewing, ASleeveIsTurnedToTheArmWithItsCuff) {
 }
 
 TEST_F(Sewing, SaysThatPanelsLieOnEachOther) {
-  const Scene scene = scene_with(folder.write("skirt.json", skirt(40.0, 60.0)));
+  scene_with(folder.write("skirt.json", skirt(40.0, 60.0)));
   const SewingPattern pattern = {{rectangle("front", 0.4, 0.6, {}), rectangle("back", 0.4, 0.6, {})},
                                  {{{0, 1}, {1, 1}}}};
   CutPieces pieces = cut_pieces(pattern, 300);
   EXPECT_NE(test::error_message<InputError>([&] {
-              bring_to_body(pattern, scene, pieces);
+              bring_to_body(pattern, bodies, pieces);
             }).find("found all 2 panels of the pattern at "),
             std::string::npos);
 }
@@ -398,19 +399,19 @@ TEST_F(Sewing, SeamsOfTheTShirtAreAsLongAsDrafted) {
 }
 
 TEST_F(Sewing, ShouldersAreFoundBelowAHood) {
-  const Scene scene = scene_with(folder.write("skirt.json", skirt(40.0, 60.0)));
+  scene_with(folder.write("skirt.json", skirt(40.0, 60.0)));
   const SewingPattern pattern = {
       {rectangle("front", 0.2, 0.6, {0.15, 1.4, 0.1}), rectangle("back", 0.2, 0.6, {0.15, 1.4, -0.1}),
        rectangle("hood", 0.2, 0.4, {0.0, 1.8, 0.0})},
       {{{0, 2}, {1, 2}}}};
   CutPieces pieces = cut_pieces(pattern, 300);
-  bring_to_body(pattern, scene, pieces);
+  bring_to_body(pattern, bodies, pieces);
   EXPECT_EQ(pieces.first_seams, std::vector<std::size_t>{0});
 }
 
 TEST_F(Sewing, LegsBeginInTrousersOnly) {
-  const Scene scene = scene_with(folder.write("skirt.json", skirt(40.0, 60.0)));
-  const Wearer& wearer = *dressed_body(scene).wearer;
+  scene_with(folder.write("skirt.json", skirt(40.0, 60.0)));
+  const Wearer& wearer = *dressed_body(bodies).wearer;
   SewingPattern pattern = {
       {rectangle("left", 0.3, 0.9, {0.2, 1.0, 0.1}), rectangle("right", 0.3, 0.9, {-0.2, 1.0, 0.1})}, {}};
   constexpr std::size_t bones_of_arms = 4, bones_of_all = 8;
@@ -446,7 +447,7 @@ TEST_F(Sewing, SewsAShirtThatNobodyHereMade) {
   if (!std::filesystem::exists(pattern)) {
     GTEST_SKIP() << "TAUT_PATTERNS names no folder with shirt_mean.json of GarmentCode";
   }
-  Scene scene = scene_with(pattern);
+  const Scene scene = scene_with(pattern);
   const SewnGarment garment = sewn(scene, 2000);
   EXPECT_LE(garment.max_stretch, 0.01 + 1e-6);
   EXPECT_EQ(garment.sewn.gap_m, 0.0);

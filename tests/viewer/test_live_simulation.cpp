@@ -148,7 +148,7 @@ TEST(LiveSimulation, GoesBackFromWhereItDiverged) {
 TEST(LiveSimulation, DoesNotGoBackToAnotherGarment) {
   LiveSimulation live(small_scene());
   const SnapshotPtr past = live.take_snapshot();
-  live.apply(LoadScene{std::make_shared<const DrawnScene>(find_scene("pinned-9x9-20", {}))});
+  live.apply(LoadScene{std::make_shared<const SceneWithBodies>(find_scene("pinned-9x9-20", {}))});
   advance(live, 5);
   const std::uint64_t state = live.state_hash();
   live.apply(GoBack{past});
@@ -316,7 +316,7 @@ TEST(LiveSimulation, ABrokenGarmentLeavesTheOldOne) {
   const std::uint64_t state = live.state_hash();
   DrawnScene broken = small_scene();
   broken.garment.file = file;
-  live.apply(LoadScene{std::make_shared<const DrawnScene>(broken)});
+  live.apply(LoadScene{std::make_shared<const SceneWithBodies>(broken)});
   EXPECT_TRUE(live.take_snapshot()->notices->back().is_error);
   EXPECT_NE(live.take_snapshot()->notices->back().text.find("broken.obj"), std::string::npos);
   EXPECT_EQ(live.take_snapshot()->loaded->generation, 1U);

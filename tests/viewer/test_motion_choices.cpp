@@ -58,7 +58,7 @@ TEST_F(MotionList, StartsTheSceneAgainWithTheMotionThatIsChosen) {
   person.click("motion.walk");
   person.wait(3);
   EXPECT_LT(state.newest->record.frame, 10) << "it begins anew";
-  const BodySource& source = state.scene.body_sources.at(0);
+  const BodySource& source = state.scene.bodies.at(0).source;
   EXPECT_EQ(source.motion.filename(), "walk.bvh");
   EXPECT_TRUE(source.loop);
   EXPECT_EQ(source.start_s, 0.0);
@@ -68,8 +68,8 @@ TEST_F(MotionList, StartsTheSceneAgainWithTheMotionThatIsChosen) {
 
   const DrawnScene kept = read_scene_text(
       scene_text(kept_scene(state, scene_area(person.viewer.layout())), GarmentNaming::full_path), "kept.toml");
-  EXPECT_EQ(kept.body_sources.at(0).motion, source.motion);
-  EXPECT_TRUE(kept.body_sources.at(0).loop);
+  EXPECT_EQ(kept.bodies.at(0).source.motion, source.motion);
+  EXPECT_TRUE(kept.bodies.at(0).source.loop);
 }
 
 TEST_F(MotionList, HasTheMotionsThatFitAndThoseOfTheBodyItself) {
@@ -92,12 +92,13 @@ TEST_F(MotionList, AnAnimationWhoseEndIsFarFromItsBeginIsPlayedOnce) {
   test::GltfModel model = test::tube();
   const auto loops_up_to = [&](float height_m) {
     model.clips = {{"Rise", {{0, "translation", {0.0F, 2.0F}, {0, 1, 0, 0, height_m, 0}}}}};
-    DrawnScene moved = find_scene(tube(model).string(), {});
-    set_motion(moved, 0, motion_choices(moved, {}).choices.back());
-    EXPECT_EQ(moved.body_sources.at(0).clip, "Rise");
-    EXPECT_TRUE(is_chosen({"Rise", "", ""}, moved.body_sources.at(0)));
-    EXPECT_FALSE(is_chosen({"walk", "", "walk.bvh"}, moved.body_sources.at(0)));
-    return moved.body_sources.at(0).loop;
+    SceneWithBodies moved = find_scene(tube(model).string(), {});
+    set_motion(0, motion_choices(moved.scene, {}).choices.back(), moved);
+    const BodySource& source = moved.scene.bodies.at(0).source;
+    EXPECT_EQ(source.clip, "Rise");
+    EXPECT_TRUE(is_chosen({"Rise", "", ""}, source));
+    EXPECT_FALSE(is_chosen({"walk", "", "walk.bvh"}, source));
+    return source.loop;
   };
   EXPECT_TRUE(loops_up_to(1.5F));
   EXPECT_FALSE(loops_up_to(2.5F));

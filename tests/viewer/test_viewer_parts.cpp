@@ -213,6 +213,8 @@ TEST(Grip, MovesNoFasterThanAnArm) {
   EXPECT_EQ(moved_hand(hand, {0.05, 0, 0}, 0.01), sim::Vec3(0.05, 0, 0));
 }
 
+LoadedScene no_scene() { return {{}, DrawnScene(), {}, 0}; }
+
 SnapshotPtr make_snapshot(const std::shared_ptr<const LoadedScene>& loaded, std::uint64_t serial, int frame) {
   Snapshot snapshot;
   snapshot.serial = serial;
@@ -225,7 +227,7 @@ SnapshotPtr make_snapshot(const std::shared_ptr<const LoadedScene>& loaded, std:
 }
 
 TEST(Timeline, ReachesTenSecondsBackAndForgetsWhatIsBeyond) {
-  const auto loaded = std::make_shared<const LoadedScene>();
+  const auto loaded = std::make_shared<const LoadedScene>(no_scene());
   Timeline timeline;
   for (int frame = 0; frame <= 2000; ++frame) {
     timeline.add(make_snapshot(loaded, static_cast<std::uint64_t>(frame) + 1, frame));
@@ -239,7 +241,7 @@ TEST(Timeline, ReachesTenSecondsBackAndForgetsWhatIsBeyond) {
 }
 
 TEST(Timeline, WhatWasBeforeAResetIsNotThePastOfWhatCameAfter) {
-  const auto loaded = std::make_shared<const LoadedScene>();
+  const auto loaded = std::make_shared<const LoadedScene>(no_scene());
   Timeline timeline;
   timeline.add(make_snapshot(loaded, 1, 40));
   timeline.add(make_snapshot(loaded, 2, 41));
@@ -248,13 +250,13 @@ TEST(Timeline, WhatWasBeforeAResetIsNotThePastOfWhatCameAfter) {
   EXPECT_EQ(timeline.of_frame(timeline.newest(), 41)->serial, 3U);
   EXPECT_EQ(timeline.of_frame(before, 40)->serial, 1U) << "a window that is one snapshot behind";
   EXPECT_EQ(timeline.with_serial(2)->serial, 2U);
-  timeline.add(make_snapshot(std::make_shared<const LoadedScene>(), 4, 50));
+  timeline.add(make_snapshot(std::make_shared<const LoadedScene>(no_scene()), 4, 50));
   EXPECT_EQ(timeline.of_frame(timeline.newest(), 41)->serial, 4U);
 }
 
 // Frames 0 to 99, back to 60, 60 to 79, back to 30, then 30 to the last.
 TEST(Timeline, GoingBackTwiceLeavesOnePast) {
-  const auto loaded = std::make_shared<const LoadedScene>();
+  const auto loaded = std::make_shared<const LoadedScene>(no_scene());
   for (const int last : {35, 900}) {
     Timeline timeline;
     std::uint64_t serial = 0;
@@ -275,7 +277,7 @@ TEST(Timeline, GoingBackTwiceLeavesOnePast) {
 }
 
 TEST(Timeline, ManyChangesOfOneFrameDoNotGrowIt) {
-  const auto loaded = std::make_shared<const LoadedScene>();
+  const auto loaded = std::make_shared<const LoadedScene>(no_scene());
   Timeline timeline;
   for (std::uint64_t serial = 1; serial <= 10000; ++serial) {
     timeline.add(make_snapshot(loaded, serial, 7));
@@ -358,7 +360,7 @@ TEST(Panel, LeavesNarrowWindowsToTheScene) {
 
 // The mesh has other numbers: vertex 0 of the file belongs to no face, and 3 is welded to 1.
 TEST(KeptScene, NumbersItsPinsAsTheGarmentsFile) {
-  LoadedScene loaded;
+  LoadedScene loaded = no_scene();
   loaded.file_vertices.mesh_vertex = {sim::no_vertex, 2, 0, 2, 1};
   Snapshot snapshot;
   snapshot.loaded = std::make_shared<const LoadedScene>(loaded);

@@ -26,6 +26,14 @@ struct Wearer {
   std::shared_ptr<const sim::BodyFrames> frames = {};  ///< growth in `pose`, then the motion
 };
 
+/// What was loaded of a scene's bodies, in their order.
+struct LoadedBodies {
+  std::vector<sim::Body> all = {};
+  std::vector<std::shared_ptr<const Wearer>> wearers = {};  ///< wearer of each body; null or missing: not dressed
+  std::vector<std::filesystem::path> files_read = {};       ///< also files that the scene does not name itself
+  std::vector<std::string> remarks = {};                    ///< guesses, choices and repairs, as lines for people
+};
+
 /// Returns the positions of the body's vertices in the scene, in m, from the positions in its file.
 std::vector<sim::Vec3> placed_m(const FileVertexPlaces& places, const std::vector<sim::Vec3>& in_file);
 

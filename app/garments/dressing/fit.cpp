@@ -174,11 +174,12 @@ std::string fit_thresholds() {
                      100.0 * fitted_below_m);
 }
 
-std::vector<FitRow> compute_fit(const Scene& scene, const sim::Garment& garment, std::span<const sim::Vec3> start_m) {
-  const Dressed dressed = dressed_body(scene);
+std::vector<FitRow> compute_fit(const LoadedBodies& bodies, const sim::Garment& garment,
+                                std::span<const sim::Vec3> start_m) {
+  const Dressed dressed = dressed_body(bodies);
   std::vector<FitRow> rows;
   if (dressed.wearer == nullptr) return rows;
-  const sim::Body& body = scene.surroundings.bodies[dressed.body];
+  const sim::Body& body = bodies.all[dressed.body];
   const Fitting fitting = {*dressed.wearer, sim::pose_at(body.motion, 0.0), compute_lift(body, *dressed.wearer),
                            sim::Surface{start_m, garment.mesh.triangles}, find_garment_marks(garment, start_m, {})};
   if (!fitting.marks.is_worn_at_waist) fitting.add("neck", fitting.marks.top_m, rows);
@@ -208,10 +209,10 @@ void require_wearable(const Scene& scene, std::span<const FitRow> rows) {
   }
 }
 
-std::string describe_tightness(const Scene& scene, const sim::Garment& garment, std::span<const sim::Vec3> worn_m,
-                               std::span<const FitRow> rows) {
+std::string describe_tightness(const LoadedBodies& bodies, const sim::Garment& garment,
+                               std::span<const sim::Vec3> worn_m, std::span<const FitRow> rows) {
   const std::vector<double> stretch = sim::triangle_surface_stretch(garment, worn_m);
-  const sim::Vec3 front = front_of_dressed(scene);
+  const sim::Vec3 front = front_of_dressed(bodies);
   std::vector<std::pair<double, std::string>> places;
   const auto look = [&](const std::string& name, double from_m, double to_m) {
     std::vector<std::pair<double, sim::Vec3>> near;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/garments/dressing/dressing.hpp"
 #include "app/scene/scene.hpp"
 
 namespace taut::app {
@@ -33,7 +34,8 @@ std::string fit_thresholds();
 /// opening, the armholes and, without sleeves, the width between them; the sleeves, the legs and the hem. Heights
 /// belong to the body's stored pose. The garment begins at these positions, in m. Girths that the garment does not
 /// cover, or that it does not go all around, are left out. Returns nothing if no body is dressed.
-std::vector<FitRow> compute_fit(const Scene& scene, const sim::Garment& garment, std::span<const sim::Vec3> start_m);
+std::vector<FitRow> compute_fit(const LoadedBodies& bodies, const sim::Garment& garment,
+                                std::span<const sim::Vec3> start_m);
 
 /// Requires that the garment at its largest stretch goes around the dressed body. Throws InputError with the girths
 /// where it does not.
@@ -41,8 +43,8 @@ void require_wearable(const Scene& scene, std::span<const FitRow> rows);
 
 /// Returns the line "stretched most: at the seat behind 4.9 %, at the chest in front 3.1 %" for a garment worn at these
 /// positions. It names the places that are tight in pictures of stretch.
-std::string describe_tightness(const Scene& scene, const sim::Garment& garment, std::span<const sim::Vec3> worn_m,
-                               std::span<const FitRow> rows);
+std::string describe_tightness(const LoadedBodies& bodies, const sim::Garment& garment,
+                               std::span<const sim::Vec3> worn_m, std::span<const FitRow> rows);
 
 /// Measures the length of worn cloth at the heights of the rows. Positions are in m.
 void measure_worn(const sim::Garment& garment, std::span<const sim::Vec3> worn_m, std::span<FitRow> rows);

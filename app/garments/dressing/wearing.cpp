@@ -149,26 +149,25 @@ bool lies_about(const Move& move) {
 
 }  // namespace
 
-Dressed dressed_body(const Scene& scene) {
-  for (std::size_t b = 0; b < scene.wearers.size(); ++b) {
-    if (scene.wearers[b]) return {scene.wearers[b].get(), b};
+Dressed dressed_body(const LoadedBodies& bodies) {
+  for (std::size_t b = 0; b < bodies.wearers.size(); ++b) {
+    if (bodies.wearers[b]) return {bodies.wearers[b].get(), b};
   }
   return {};
 }
 
-sim::Vec3 front_of_dressed(const Scene& scene) {
-  const Dressed dressed = dressed_body(scene);
+sim::Vec3 front_of_dressed(const LoadedBodies& bodies) {
+  const Dressed dressed = dressed_body(bodies);
   if (dressed.wearer == nullptr) return {0.0, 0.0, 1.0};
-  return sim::pose_at(scene.surroundings.bodies[dressed.body].motion, 0.0).rotation *
-         facing_direction(dressed.wearer->joints);
+  return sim::pose_at(bodies.all[dressed.body].motion, 0.0).rotation * facing_direction(dressed.wearer->joints);
 }
 
-std::vector<std::string> put_on(LoadedGarment& loaded, Scene& scene) {
-  const Dressed dressed = dressed_body(scene);
+std::vector<std::string> put_on(LoadedGarment& loaded, const Scene& scene, LoadedBodies& bodies) {
+  const Dressed dressed = dressed_body(bodies);
   if (dressed.wearer == nullptr || scene.garment.has_start()) return {};
   const Wearer& wearer = *dressed.wearer;
   const std::size_t b = dressed.body;
-  sim::Body& body = scene.surroundings.bodies[b];
+  sim::Body& body = bodies.all[b];
   const auto marks_now = [&] {
     return find_garment_marks(*loaded.garment, surface_at_start(loaded).positions_m, loaded.landmarks);
   };
@@ -179,7 +178,7 @@ std::vector<std::string> put_on(LoadedGarment& loaded, Scene& scene) {
   if (!marks.top || !measured_m) {
     return {fmt::format("it stays where it is: {} was found on {}",
                         marks.top ? "no neck" : "no neck opening and no waist",
-                        marks.top ? describe_body(scene.surroundings.bodies, b) : "it")};
+                        marks.top ? describe_body(bodies.all, b) : "it")};
   }
   const sim::Surface garment = surface_at_start(loaded);
   const auto move_in = [&](const JointPlaces& joints) {
@@ -196,15 +195,15 @@ std::vector<std::string> put_on(LoadedGarment& loaded, Scene& scene) {
       return {
           fmt::format("{} begins as it was stored, where the garment lies about it, and is led to the first "
                       "frame of its motion",
-                      describe_body(scene.surroundings.bodies, b))};
+                      describe_body(bodies.all, b))};
     }
     frames = wearer.frames;
   }
   apply(move, loaded);
-  std::vector<std::string> said = {
-      fmt::format("it is moved by {:.3g} m{}, so that its {} is at that of {}", glm::distance(move.from_m, move.to_m),
-                  move.cosine == 1.0 ? "" : " and turned about the vertical", at_waist ? "waist" : "neck",
-                  describe_body(scene.surroundings.bodies, b))};
+  std::vector<std::string> said = {fmt::format("it is moved by {:.3g} m{}, so that its {} is at that of {}",
+                                               glm::distance(move.from_m, move.to_m),
+                                               move.cosine == 1.0 ? "" : " and turned about the vertical",
+                                               at_waist ? "waist" : "neck", describe_body(bodies.all, b))};
   // Garments that were draped on wider shoulders hang lower beside the neck.
   std::string limbs = begin_in_limbs(wearer, marks_now(), loaded, body);
   double lifted_m = 0.0;
@@ -221,9 +220,9 @@ std::vector<std::string> put_on(LoadedGarment& loaded, Scene& scene) {
   return said;
 }
 
-std::vector<std::string> put_where_it_begins(LoadedGarment& loaded, Scene& scene) {
-  put_on_hanger(loaded, scene);
-  return put_on(loaded, scene);
+std::vector<std::string> put_where_it_begins(LoadedGarment& loaded, Scene& scene, LoadedBodies& bodies) {
+  put_on_hanger(loaded, scene, bodies.all);
+  return put_on(loaded, scene, bodies);
 }
 
 }  // namespace taut::app

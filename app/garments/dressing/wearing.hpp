@@ -8,12 +8,12 @@ namespace taut::app {
 /// A garment stays if it lies about the body and does not cross the thin body, or if it begins in a shape of its own
 /// (garment.start). Other garments are moved and turned about the vertical, so that the neck opening lies about the
 /// neck or the waist at the waist. The arms begin in the sleeves where they would cross them, which changes the body's
-/// frames. Garments are moved at rest: nothing is stretched. Requires a scene whose bodies are loaded.
-std::vector<std::string> put_on(LoadedGarment& loaded, Scene& scene);
+/// frames. Garments are moved at rest: nothing is stretched.
+std::vector<std::string> put_on(LoadedGarment& loaded, const Scene& scene, LoadedBodies& bodies);
 
 /// Puts the garment where the run begins: on its hanger, and about the body that is to be dressed. Returns what
 /// put_on() returns.
-std::vector<std::string> put_where_it_begins(LoadedGarment& loaded, Scene& scene);
+std::vector<std::string> put_where_it_begins(LoadedGarment& loaded, Scene& scene, LoadedBodies& bodies);
 
 /// The body that put_on() dresses.
 struct Dressed {
@@ -21,10 +21,10 @@ struct Dressed {
   std::size_t body = 0;            ///< index of the body
 };
 
-Dressed dressed_body(const Scene& scene);
+Dressed dressed_body(const LoadedBodies& bodies);
 
 /// Returns the direction in which the dressed body looks when the run begins, level and of length 1. It is z if the
 /// joints are not known.
-sim::Vec3 front_of_dressed(const Scene& scene);
+sim::Vec3 front_of_dressed(const LoadedBodies& bodies);
 
 }  // namespace taut::app

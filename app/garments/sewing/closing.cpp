@@ -103,7 +103,8 @@ SewnPieces join_pieces(const CutPieces& pieces, const std::vector<Index>& set_of
 
 class Closing {
  public:
-  Closing(const CutPieces& pieces, const Scene& scene, const sim::Body& dressed, double time_s)
+  Closing(const CutPieces& pieces, const Scene& scene, const LoadedBodies& bodies, const sim::Body& dressed,
+          double time_s)
       : pieces_(pieces),
         scene_(scene),
         time_s_(time_s),
@@ -122,6 +123,7 @@ class Closing {
     forces.wind = {};
     forces.wind.speed_m_per_s = 0.0;
     forces.air_drag_per_s = drag_per_s;
+    scene_.surroundings.bodies = bodies.all;
     for (sim::Body& body : scene_.surroundings.bodies) body.friction = 0.0;
     begin(join_pieces(pieces, label_sets(joined_, pieces.flat_m.size()), pieces.placed_m, scene_));
     panel_masses_kg_.assign(pieces.panel_count(), 0.0);
@@ -474,9 +476,9 @@ class Closing {
 
 }  // namespace
 
-SewnPieces close_seams(const CutPieces& pieces, const Scene& scene, double time_s, const SewingReport& report) {
-  const sim::Body& dressed = scene.surroundings.bodies[dressed_body(scene).body];
-  return Closing(pieces, scene, dressed, time_s).run(report);
+SewnPieces close_seams(const CutPieces& pieces, const Scene& scene, const LoadedBodies& bodies, double time_s,
+                       const SewingReport& report) {
+  return Closing(pieces, scene, bodies, bodies.all[dressed_body(bodies).body], time_s).run(report);
 }
 
 }  // namespace taut::app

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/garments/dressing/dressing.hpp"
 #include "app/garments/sewing/cutting.hpp"
 #include "app/scene/scene.hpp"
 
@@ -21,10 +22,11 @@ struct SewnPieces {
 using SewingReport =
     std::function<void(double share, const sim::Garment& garment, const std::vector<sim::Vec3>& positions_m)>;
 
-/// Draws the seams of placed pieces together, without gravity, among the scene's bodies at `time_s`. A
+/// Draws the seams of placed pieces together, without gravity, among the bodies at `time_s`. A
 /// thread with limited force pulls each vertex of a seam to the middle of the vertices that it is sewn to, and the
 /// solver keeps both promises. Vertices that have met are joined unless this makes something cross. Ends when all seams
 /// are closed or no more of them close. Throws Interrupted.
-SewnPieces close_seams(const CutPieces& pieces, const Scene& scene, double time_s, const SewingReport& report = {});
+SewnPieces close_seams(const CutPieces& pieces, const Scene& scene, const LoadedBodies& bodies, double time_s,
+                       const SewingReport& report = {});
 
 }  // namespace taut::app

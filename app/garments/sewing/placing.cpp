@@ -229,8 +229,8 @@ class FramesBetween final : public sim::BodyFrames {
   double rate_hz_;
 };
 
-const Wearer& require_wearer(const Scene& scene) {
-  const Dressed dressed = dressed_body(scene);
+const Wearer& require_wearer(const LoadedBodies& bodies) {
+  const Dressed dressed = dressed_body(bodies);
   if (dressed.wearer == nullptr) {
     throw InputError("found no body that is dressed, expected someone to sew the pattern on");
   }
@@ -246,13 +246,13 @@ std::size_t part_and_draw_in(const sim::Body& body, double time_s, const Vec3& a
   return moved;
 }
 
-double thin_time_s(const Scene& scene) {
-  const Dressed dressed = dressed_body(scene);
-  return std::get<sim::BodyMesh>(scene.surroundings.bodies[dressed.body].shape).frames->first_s() - 1000.0;
+double thin_time_s(const LoadedBodies& bodies) {
+  const Dressed dressed = dressed_body(bodies);
+  return std::get<sim::BodyMesh>(bodies.all[dressed.body].shape).frames->first_s() - 1000.0;
 }
 
-std::vector<std::string> bring_to_body(const SewingPattern& pattern, const Scene& scene, CutPieces& pieces) {
-  const Wearer& wearer = require_wearer(scene);
+std::vector<std::string> bring_to_body(const SewingPattern& pattern, const LoadedBodies& bodies, CutPieces& pieces) {
+  const Wearer& wearer = require_wearer(bodies);
   require_placed(pattern);
   std::vector<std::string> said;
   const Vec3 shift = move_to_height(pattern, wearer, pieces, said);
@@ -261,13 +261,13 @@ std::vector<std::string> bring_to_body(const SewingPattern& pattern, const Scene
   return said;
 }
 
-std::vector<std::string> place_pieces(CutPieces& pieces, Scene& scene) {
-  Wearer wearer = require_wearer(scene);
-  const std::size_t b = dressed_body(scene).body;
-  sim::Body& body = scene.surroundings.bodies[b];
+std::vector<std::string> place_pieces(CutPieces& pieces, const Scene& scene, LoadedBodies& bodies) {
+  Wearer wearer = require_wearer(bodies);
+  const std::size_t b = dressed_body(bodies).body;
+  sim::Body& body = bodies.all[b];
   const double frame_rate_hz = scene.simulation.frame_rate_hz;
   // An undressed body has no clearance for cloth.
-  BodySource undressed = scene.body_sources[b];
+  BodySource undressed = scene.bodies[b].source;
   undressed.dress = 0;
   wearer.motion = std::make_shared<const FramesBetween>(
       wearer.full_m, read_body(undressed, {1.0, frame_rate_hz}).mesh.data->positions_m, frame_rate_hz);
@@ -279,7 +279,7 @@ std::vector<std::string> place_pieces(CutPieces& pieces, Scene& scene) {
     std::vector<RigPose> poses = make_turning_poses(*wearer.rig, wearer.pose, turned_limbs(wearer, pieces));
     poses.insert(poses.end(), poses.size(), wearer.pose);
     std::get<sim::BodyMesh>(body.shape).frames = make_growing_frames(wearer, poses);
-    last = moved == 0 ? part_and_draw_in(body, thin_time_s(scene), *wearer.measures.neck_m, pieces) : 0;
+    last = moved == 0 ? part_and_draw_in(body, thin_time_s(bodies), *wearer.measures.neck_m, pieces) : 0;
     moved += last;
   }
   if (moved == 0) return {};

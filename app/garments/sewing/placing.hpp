@@ -15,11 +15,11 @@ std::size_t part_and_draw_in(const sim::Body& body, double time_s, const sim::Ve
 /// above its shoulders, or the upper border where the body is as wide. Sleeves are turned to where arms begin. Requires
 /// loaded bodies (load_bodies()). Returns a report for people. Throws InputError if no body is dressed or its measures
 /// are unknown.
-std::vector<std::string> bring_to_body(const SewingPattern& pattern, const Scene& scene, CutPieces& pieces);
+std::vector<std::string> bring_to_body(const SewingPattern& pattern, const LoadedBodies& bodies, CutPieces& pieces);
 
 /// Lets the body begin thin, with its arms nearly level and its legs in the legs of trousers. Moves pieces outwards
 /// that cross the body or each other. Requires bring_to_body(). Returns a report for people.
-std::vector<std::string> place_pieces(CutPieces& pieces, Scene& scene);
+std::vector<std::string> place_pieces(CutPieces& pieces, const Scene& scene, LoadedBodies& bodies);
 
 // Steps of bring_to_body(). move_to_height() moves all pieces up or down, returns how far, and marks the shoulder
 // seams, which are closed first.
@@ -35,6 +35,6 @@ std::vector<TurnedBone> turned_limbs(const Wearer& wearer, const CutPieces& piec
 inline constexpr int frames_to_own_shape = 30;
 
 /// Returns a time at which the dressed body is thin, in s.
-double thin_time_s(const Scene& scene);
+double thin_time_s(const LoadedBodies& bodies);
 
 }  // namespace taut::app

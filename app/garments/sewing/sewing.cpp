@@ -75,7 +75,8 @@ sim::Garment of_fabrics(sim::Garment cloth, const SewnGarment& garment) {
 
 /// Returns the panel with the largest stretch, the nearest seam, and the girths of garment and body there. `start_m`
 /// are the positions before the body grew.
-std::string describe_tightest(const Scene& scene, const SewnGarment& garment, const std::vector<Vec3>& start_m) {
+std::string describe_tightest(const LoadedBodies& bodies, const SewnGarment& garment,
+                              const std::vector<Vec3>& start_m) {
   const sim::Mesh& mesh = garment.sewn.garment.mesh;
   const std::vector<double> stretch = sim::triangle_surface_stretch(garment.sewn.garment, mesh.positions);
   const auto t = static_cast<std::size_t>(std::ranges::max_element(stretch) - stretch.begin());
@@ -91,7 +92,7 @@ std::string describe_tightest(const Scene& scene, const SewnGarment& garment, co
   }
   const sim::Index panel = garment.pieces.panel_of[garment.pieces.triangles[t][0]];
   std::string around;
-  const BodyMeasures& measures = dressed_body(scene).wearer->measures;
+  const BodyMeasures& measures = dressed_body(bodies).wearer->measures;
   const sim::Surface start = {start_m, mesh.triangles};
   const GarmentMarks marks = find_garment_marks(garment.sewn.garment, start_m, {});
   const auto tube = find_tube(start);
@@ -108,8 +109,9 @@ std::string describe_tightest(const Scene& scene, const SewnGarment& garment, co
 
 /// Returns hands that hold up the upper ends of parts without shoulder seams that begin well above the waist: they
 /// would slide down while the body grows into them and before friction holds them.
-std::vector<sim::GrabbedVertex> hold_strapless(const Scene& scene, const SewnGarment& garment) {
-  const BodyMeasures& measures = dressed_body(scene).wearer->measures;
+std::vector<sim::GrabbedVertex> hold_strapless(const Scene& scene, const LoadedBodies& bodies,
+                                               const SewnGarment& garment) {
+  const BodyMeasures& measures = dressed_body(bodies).wearer->measures;
   std::vector<sim::GrabbedVertex> hands;
   if (!garment.pieces.first_seams.empty() || !measures.waist_m) return hands;
   const sim::Garment& cloth = garment.sewn.garment;
@@ -127,7 +129,7 @@ std::vector<sim::GrabbedVertex> hold_strapless(const Scene& scene, const SewnGar
 }
 
 /// Lets the body grow into the sewn garment, which then comes to rest.
-void dress_sewn_garment(const Scene& scene, const SewingSettings& settings,
+void dress_sewn_garment(const Scene& scene, const LoadedBodies& bodies, const SewingSettings& settings,
                         const std::function<void(const std::string&)>& stage, SewnGarment& garment) {
   SewnPieces& sewn = garment.sewn;
   sewn.garment = of_fabrics(sim::with_material(std::move(sewn.garment), scene.material), garment);
@@ -135,8 +137,10 @@ void dress_sewn_garment(const Scene& scene, const SewingSettings& settings,
   sewn.garment.untangled_m.clear();
   RunSettings run = scene.simulation;
   run.solver.max_substeps = std::min(run.solver.max_substeps, max_substeps);
-  sim::Surroundings thick_air = scene.surroundings;
-  thick_air.forces.grabbed_vertices = hold_strapless(scene, garment);
+  sim::Surroundings air = scene.surroundings;
+  air.bodies = bodies.all;
+  sim::Surroundings thick_air = air;
+  thick_air.forces.grabbed_vertices = hold_strapless(scene, bodies, garment);
   double& air_per_s = thick_air.forces.air_drag_per_s;
   air_per_s = std::max(air_per_s, resting_drag_per_s);
   sim::SimulationSettings run_settings = simulation_settings(run);
@@ -147,17 +151,17 @@ void dress_sewn_garment(const Scene& scene, const SewingSettings& settings,
     sewn.garment.mesh.positions = simulation.state().current;
     garment.time_s = simulation.state().time_s;
   };
-  std::vector<FitRow> fit = compute_fit(scene, sewn.garment, sewn.garment.mesh.positions);
+  std::vector<FitRow> fit = compute_fit(bodies, sewn.garment, sewn.garment.mesh.positions);
   // A level may meet one limb alone where the body is thin.
   std::erase_if(fit, [](const FitRow& row) { return row.garment_m < of_one_limb * row.body_m; });
   const std::vector<Vec3> start_m = sewn.garment.mesh.positions;
   const auto refuse = [&](const std::exception& error) {
     keep();
-    const std::string tight = describe_tightness(scene, sewn.garment, sewn.garment.mesh.positions, fit);
+    const std::string tight = describe_tightness(bodies, sewn.garment, sewn.garment.mesh.positions, fit);
     std::string misfit = describe_misfit(fit);
     if (!misfit.empty()) misfit = misfit.substr(2) + "; ";
     const std::string message = "its seams are closed, but it cannot be worn: " + misfit +
-                                describe_tightest(scene, garment, start_m) + (tight.empty() ? "" : "; " + tight) +
+                                describe_tightest(bodies, garment, start_m) + (tight.empty() ? "" : "; " + tight) +
                                 "; " + error.what();
     throw SewingFailed(message, std::move(garment));
   };
@@ -172,7 +176,7 @@ void dress_sewn_garment(const Scene& scene, const SewingSettings& settings,
       if (simulation.state().asleep) {
         if (!is_thick) break;
         is_thick = false;
-        simulation.set_surroundings(scene.surroundings);
+        simulation.set_surroundings(air);
       } else if (is_thick && garment.frames % frames_to_thicker == 0) {
         simulation.set_surroundings(thick_air);
         air_per_s = std::max(air_per_s, std::min(drag_growth_factor * air_per_s, thickest_per_s));
@@ -214,26 +218,26 @@ void keep_step(double share, const sim::Garment& now, const std::vector<Vec3>& p
 
 /// Returns the scene with the body to sew on, the last one that is read from a file, and no other.
 Scene scene_to_sew(const Scene& scene) {
-  const auto of_file = [](const BodySource& source) { return !source.file.empty(); };
-  const auto found = std::find_if(scene.body_sources.rbegin(), scene.body_sources.rend(), of_file);
-  if (found == scene.body_sources.rend()) {
+  const auto of_file = [](const BodyInScene& entry) { return !entry.source.file.empty(); };
+  const auto found = std::find_if(scene.bodies.rbegin(), scene.bodies.rend(), of_file);
+  if (found == scene.bodies.rend()) {
     throw InputError("'{}' is a sewing pattern: found no body to sew it on, expected one (--body FILE, body.file)",
                      scene.garment.file.string());
   }
-  const auto number = static_cast<std::size_t>(scene.body_sources.rend() - found) - 1;
   Scene sewn = scene;
-  sewn.body_sources = {*found};
-  sewn.body_sources[0].motion.clear();
-  sewn.body_sources[0].clip = "none";
-  sewn.body_sources[0].dress = usual_dressing_frames;
+  sewn.bodies.assign(1, *found);
+  auto& [body, source] = sewn.bodies[0];
+  body = {.name = found->body.name, .shape = sim::BodyMesh{}};
+  source.motion.clear();
+  source.clip = "none";
+  source.dress = usual_dressing_frames;
   sewn.surroundings = {};
-  sewn.surroundings.bodies = {{.name = scene.surroundings.bodies[number].name, .shape = sim::BodyMesh{}}};
   return sewn;
 }
 
 /// Returns a hash of all inputs that change the sewn garment.
 std::uint64_t compute_fingerprint(const Scene& scene) {
-  const BodySource& body = scene.body_sources[0];
+  const BodySource& body = scene.bodies[0].source;
   const sim::Material& m = scene.material;
   sim::ByteWriter bytes;
   bytes.put_text(program_version());
@@ -269,7 +273,7 @@ std::filesystem::path own_folder() {
 
 }  // namespace
 
-SewnGarment sew(NamedPattern inner, Scene& scene, const SewingSettings& settings,
+SewnGarment sew(NamedPattern inner, const Scene& scene, LoadedBodies& bodies, const SewingSettings& settings,
                 const std::function<void(const std::string&)>& stage) {
   SewnGarment garment;
   std::vector<NamedPattern> patterns = {std::move(inner)};
@@ -280,7 +284,7 @@ SewnGarment sew(NamedPattern inner, Scene& scene, const SewingSettings& settings
   stage("meshing its panels");
   for (auto& [file, pattern] : patterns) {
     CutPieces pieces = cut(file, pattern, settings.triangles / static_cast<int>(patterns.size()), settings.is_exact);
-    for (std::string& remark : bring_to_body(pattern, scene, pieces)) {
+    for (std::string& remark : bring_to_body(pattern, bodies, pieces)) {
       garment.remarks.push_back((patterns.size() > 1 ? file.stem().string() + ": " : "") + remark);
     }
     if (garment.pattern.panels.empty()) {
@@ -292,30 +296,30 @@ SewnGarment sew(NamedPattern inner, Scene& scene, const SewingSettings& settings
       add_over(pieces, garment.pieces);
     }
   }
-  for (std::string& remark : place_pieces(garment.pieces, scene)) garment.remarks.push_back(std::move(remark));
-  garment.time_s = thin_time_s(scene);
+  for (std::string& remark : place_pieces(garment.pieces, scene, bodies)) garment.remarks.push_back(std::move(remark));
+  garment.time_s = thin_time_s(bodies);
   garment.sewn =
-      close_seams(garment.pieces, scene, garment.time_s,
+      close_seams(garment.pieces, scene, bodies, garment.time_s,
                   [&](double share, const sim::Garment& now, const std::vector<Vec3>& positions_m) {
                     stage(fmt::format("drawing its seams together, {:.0f} % are closed", std::floor(100.0 * share)));
                     keep_step(share, now, positions_m, garment);
                   });
   if (garment.sewn.gap_m > 0.0) refuse_open(std::move(garment));
-  dress_sewn_garment(scene, settings, stage, garment);
-  require_worn(scene, garment);
+  dress_sewn_garment(scene, bodies, settings, stage, garment);
+  require_worn(scene, bodies, garment);
   return garment;
 }
 
-void require_worn(const Scene& scene, SewnGarment& garment) {
+void require_worn(const Scene& scene, const LoadedBodies& bodies, SewnGarment& garment) {
   const sim::Mesh& mesh = garment.sewn.garment.mesh;
-  const BodyMeasures& measures = dressed_body(scene).wearer->measures;
+  const BodyMeasures& measures = dressed_body(bodies).wearer->measures;
   if (sim::compute_extent(mesh.positions).upper.y < measures.levels[measures.fork].height_m) {
     throw SewingFailed("its seams are closed, but it does not stay on the body: it falls down", std::move(garment));
   }
   const sim::Surface cloth = {mesh.positions, mesh.triangles};
-  for (const SceneCrossings& crossings : scene_crossings(cloth, scene.surroundings.bodies, garment.time_s)) {
+  for (const SceneCrossings& crossings : scene_crossings(cloth, bodies.all, garment.time_s)) {
     if (!crossings.pairs.empty()) {
-      const std::string found = describe(crossings, cloth, scene.surroundings.bodies);
+      const std::string found = describe(crossings, cloth, bodies.all);
       throw SewingFailed("when it is worn, " + found, std::move(garment));
     }
   }
@@ -384,9 +388,10 @@ std::vector<std::string> sew_garment(Scene& scene, const std::function<void(cons
   if (std::filesystem::exists(scene.garment.sewn)) {
     return {fmt::format("its pattern was sewn before, to '{}'", scene.garment.sewn.string())};
   }
-  std::vector<std::string> said = load_bodies(to_sew);
+  LoadedBodies bodies = load_bodies(to_sew);
+  std::vector<std::string> said = bodies.remarks;
   const SewnGarment garment = sew(
-      read_named_pattern(to_sew.garment.file), to_sew, {}, stage ? stage : [](const std::string&) {});
+      read_named_pattern(to_sew.garment.file), to_sew, bodies, {}, stage ? stage : [](const std::string&) {});
   said.insert(said.end(), garment.remarks.begin(), garment.remarks.end());
   said.push_back(fmt::format("its pattern was sewn to '{}', {}", scene.garment.sewn.string(), describe_rest(garment)));
   // A reader that finds the OBJ file also finds the other one.
@@ -395,13 +400,13 @@ std::vector<std::string> sew_garment(Scene& scene, const std::function<void(cons
   return said;
 }
 
-std::vector<std::string> sew_and_load_bodies(Scene& scene, std::span<const Override> overrides,
-                                             const std::function<void(const std::string&)>& stage) {
-  std::vector<std::string> said = sew_garment(scene, stage);
+LoadedBodies sew_and_load_bodies(Scene& scene, std::span<const Override> overrides,
+                                 const std::function<void(const std::string&)>& stage) {
+  const std::vector<std::string> said = sew_garment(scene, stage);
   if (stage) stage("reading its bodies");
-  const std::vector<std::string> of_bodies = load_bodies(scene, overrides);
-  said.insert(said.end(), of_bodies.begin(), of_bodies.end());
-  return said;
+  LoadedBodies bodies = choose_dressing(overrides, scene);
+  bodies.remarks.insert(bodies.remarks.begin(), said.begin(), said.end());
+  return bodies;
 }
 
 }  // namespace taut::app

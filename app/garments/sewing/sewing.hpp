@@ -59,15 +59,15 @@ struct SewingFailed : PromiseBroken {
 };
 
 /// Sews a pattern on the dressed body of a scene: pieces are placed about the thin body, their seams are drawn
-/// together, the body grows into the garment, and the garment comes to rest in the scene's air. Requires loaded bodies.
+/// together, the body grows into the garment, and the garment comes to rest in the scene's air.
 /// `stage` is called with a description of each stage. Throws InputError, SewingFailed if a seam stays open or the
 /// garment is too small, and Interrupted.
-SewnGarment sew(NamedPattern pattern, Scene& scene, const SewingSettings& settings,
+SewnGarment sew(NamedPattern pattern, const Scene& scene, LoadedBodies& bodies, const SewingSettings& settings,
                 const std::function<void(const std::string&)>& stage);
 
 /// Measures the stretch of a garment that was sewn. Throws SewingFailed if it is not on the body, crosses something or
 /// exceeds the bound.
-void require_worn(const Scene& scene, SewnGarment& garment);
+void require_worn(const Scene& scene, const LoadedBodies& bodies, SewnGarment& garment);
 
 /// Returns "at rest", or how the garment still moves.
 std::string describe_rest(const SewnGarment& garment);
@@ -86,8 +86,8 @@ std::string to_landmarks_text(const SewnGarment& garment);
 /// people. Throws as sew() does, and InputError if there is no body.
 std::vector<std::string> sew_garment(Scene& scene, const std::function<void(const std::string&)>& stage = {});
 
-/// Calls sew_garment() and then load_bodies() for a scene with these overrides. Returns and throws as both do.
-std::vector<std::string> sew_and_load_bodies(Scene& scene, std::span<const Override> overrides = {},
-                                             const std::function<void(const std::string&)>& stage = {});
+/// Calls sew_garment() and then choose_dressing(). Returns and throws as both do; the report comes before the remarks.
+LoadedBodies sew_and_load_bodies(Scene& scene, std::span<const Override> overrides = {},
+                                 const std::function<void(const std::string&)>& stage = {});
 
 }  // namespace taut::app

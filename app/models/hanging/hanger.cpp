@@ -251,7 +251,7 @@ bool asks_for_hanger(const Scene& scene) {
   return name != nullptr && *name == "hanger";
 }
 
-void put_on_hanger(const LoadedGarment& loaded, Scene& scene) {
+void put_on_hanger(const LoadedGarment& loaded, Scene& scene, std::vector<sim::Body>& bodies) {
   if (loaded.hanger.empty()) return;
   scene.pins.emplace();
   for (const sim::Index pin : loaded.hanging ? loaded.hanging->pins : std::vector<sim::Index>{}) {
@@ -259,21 +259,14 @@ void put_on_hanger(const LoadedGarment& loaded, Scene& scene) {
       scene.pins->emplace_back(static_cast<sim::Index>(*number));
     }
   }
-  std::vector<sim::Body>& bodies = scene.surroundings.bodies;
+  for (const sim::Body& bar : loaded.hanger) scene.bodies.push_back({bar});
   bodies.insert(bodies.end(), loaded.hanger.begin(), loaded.hanger.end());
-  scene.body_sources.resize(bodies.size());
 }
 
-void take_off_hanger(Scene& scene) {
-  std::vector<sim::Body>& bodies = scene.surroundings.bodies;
-  scene.body_sources.resize(bodies.size());
-  for (std::size_t k = bodies.size(); k-- > 0;) {
-    if (bodies[k].name == hanger_left || bodies[k].name == right_bar) {
-      bodies.erase(bodies.begin() + static_cast<std::ptrdiff_t>(k));
-      scene.body_sources.erase(scene.body_sources.begin() + static_cast<std::ptrdiff_t>(k));
-      scene.pins.reset();
-    }
-  }
+void take_off_hanger(Scene& scene, std::vector<sim::Body>& bodies) {
+  const auto is_bar = [](const sim::Body& body) { return body.name == hanger_left || body.name == right_bar; };
+  std::erase_if(bodies, is_bar);
+  if (std::erase_if(scene.bodies, [&](const BodyInScene& entry) { return is_bar(entry.body); }) > 0) scene.pins.reset();
 }
 
 std::vector<sim::Index> neck_below_hood(const sim::Mesh& mesh, const GarmentPart& part, int across) {

@@ -24,13 +24,13 @@ std::string describe(const std::vector<sim::Body>& hanger);
 /// Returns whether the scene asks for a hanger: pins.at = "hanger".
 bool asks_for_hanger(const Scene& scene);
 
-/// Adds the hanger that a garment was loaded with to the bodies of the scene. The scene then names its bars and all its
-/// pins, so that it hangs on the same hanger, and on no second one, when it is read again. Does nothing without a
-/// hanger.
-void put_on_hanger(const LoadedGarment& loaded, Scene& scene);
+/// Adds the hanger that a garment was loaded with to the scene and to its loaded bodies. The scene then names its bars
+/// and all its pins, so that it hangs on the same hanger, and on no second one, when it is read again. Does nothing
+/// without a hanger.
+void put_on_hanger(const LoadedGarment& loaded, Scene& scene, std::vector<sim::Body>& bodies);
 
-/// Removes the hanger of another garment, with the pins that were named with it.
-void take_off_hanger(Scene& scene);
+/// Removes the hanger of another garment from the scene and its loaded bodies, with the pins that were named with it.
+void take_off_hanger(Scene& scene, std::vector<sim::Body>& bodies);
 
 /// Returns the vertices around the neck of a garment with a hood, just above the level at which it widens into
 /// shoulders. `across` is the axis of its width, 0 or 2. Empty if there is no hood: a hood is high, and open over most

@@ -140,9 +140,8 @@ StartRemarks remarks_on_body(std::span<const sim::Body> bodies, std::size_t body
   return remarks;
 }
 
-StartRemarks remarks_on_start(const Scene& scene, const GarmentInScene& loaded) {
+StartRemarks remarks_on_start(const Scene& scene, const GarmentInScene& loaded, std::span<const sim::Body> bodies) {
   const sim::Surface start = surface_at_start(loaded);
-  const std::vector<sim::Body>& bodies = scene.surroundings.bodies;
   StartRemarks all;
   if (loaded.untangling) all.lines.push_back(describe(*loaded.untangling));
   const std::vector<sim::CrossingPair> own_pairs = sim::find_crossing_pairs(start);
@@ -160,13 +159,14 @@ StartRemarks remarks_on_start(const Scene& scene, const GarmentInScene& loaded) 
   return all;
 }
 
-void print_remarks(const Scene& scene, const LoadedGarment& loaded, std::FILE* output) {
+void print_remarks(const Scene& scene, const LoadedGarment& loaded, std::span<const sim::Body> bodies,
+                   std::FILE* output) {
   const std::string file = loaded.model ? scene.garment.file.filename().string() : scene.name;
   std::vector<std::string> lines = collect_remarks(loaded);
   if (loaded.file_vertices.are_corners && has_numbers(scene.pins)) {
     lines.push_back("pins.at counts " + loaded.file_vertices.describe());
   }
-  const std::vector<std::string> on_start = remarks_on_start(scene, loaded).lines;
+  const std::vector<std::string> on_start = remarks_on_start(scene, loaded, bodies).lines;
   lines.insert(lines.end(), on_start.begin(), on_start.end());
   for (const std::string& line : lines) fmt::print(output, "{}: {}\n", file, printable(line));
 }

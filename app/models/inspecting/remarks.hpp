@@ -14,12 +14,13 @@ struct StartRemarks {
 };
 
 /// Returns the faults: triangles that cross, triangles and pins in bodies, and bodies that cross themselves.
-StartRemarks remarks_on_start(const Scene& scene, const GarmentInScene& loaded);
+StartRemarks remarks_on_start(const Scene& scene, const GarmentInScene& loaded, std::span<const sim::Body> bodies);
 /// Returns the faults with one of the bodies, for cloth at this time.
 StartRemarks remarks_on_body(std::span<const sim::Body> bodies, std::size_t body, double time_s,
                              const sim::Surface& cloth, std::span<const sim::Index> pins);
 
 /// Prints the lines of collect_remarks() and remarks_on_start() after the name of the garment's file.
-void print_remarks(const Scene& scene, const LoadedGarment& loaded, std::FILE* output = stdout);
+void print_remarks(const Scene& scene, const LoadedGarment& loaded, std::span<const sim::Body> bodies,
+                   std::FILE* output = stdout);
 
 }  // namespace taut::app

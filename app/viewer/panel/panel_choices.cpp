@@ -53,7 +53,7 @@ void lay_out_fabric_list(ViewerState& state) {
 void lay_out_motion_list(ViewerState& state) {
   const auto& [body, file, choices] = state.motions;
   if (choices.empty()) return;
-  const BodySource& source = state.scene.body_sources.at(body);
+  const BodySource& source = state.scene.bodies.at(body).source;
   std::string shown = source.motion.empty() ? "none" : source.motion.stem().string();
   std::vector<ListEntry> entries;
   for (const Choice& motion : choices) {

@@ -131,7 +131,8 @@ GarmentPainter& ScenePicture::painter_for(const GarmentSight& sight) {
     DrawnScene scene = sight.state.scene;
     scene.picture.settings.width_px = sight.area.width_px;
     scene.picture.settings.height_px = sight.area.height_px;
-    painter_.emplace(renderer_, scene, *shown.loaded->garment, *shown.pins, shown.loaded->drawn_colours);
+    painter_.emplace(renderer_, scene, *shown.loaded->garment, shown.loaded->bodies.all, *shown.pins,
+                     shown.loaded->drawn_colours);
     painted_as_ = std::move(wanted);
   }
   return *painter_;

@@ -55,11 +55,12 @@ double reach_around(const sim::Garment& garment, sim::Index vertex) {
   return min_length_m;
 }
 
-std::shared_ptr<const LoadedScene> load(const DrawnScene& scene, std::uint64_t generation) {
-  LoadedGarment loaded = load_garment(scene);
-  DrawnScene hung = scene;
-  put_where_it_begins(loaded, hung);
-  DrawnColours colours = drawn_colours(hung, loaded);
+std::shared_ptr<const LoadedScene> load(const SceneWithBodies& asked, std::uint64_t generation) {
+  LoadedGarment loaded = load_garment(asked.scene);
+  SceneWithBodies hung = asked;
+  put_where_it_begins(loaded, hung.scene, hung.bodies);
+  loaded.files_read.insert(loaded.files_read.end(), hung.bodies.files_read.begin(), hung.bodies.files_read.end());
+  DrawnColours colours = drawn_colours(hung.scene, loaded);
   return std::make_shared<const LoadedScene>(
       LoadedScene{std::move(loaded), std::move(hung), std::move(colours), generation});
 }
@@ -179,7 +180,7 @@ sim::Vec3 moved_hand(const sim::Vec3& hand_m, const sim::Vec3& target_m, double 
   return length_m <= reachable_m ? target_m : hand_m + way * (reachable_m / length_m);
 }
 
-LiveSimulation::LiveSimulation(const DrawnScene& scene) {
+LiveSimulation::LiveSimulation(const SceneWithBodies& scene) {
   start(load(scene, 1));
   tell_of_start();
 }
@@ -191,8 +192,8 @@ LiveSimulation::LiveSimulation(std::shared_ptr<const LoadedScene> loaded) : rest
 // Does everything that can fail first, so that a scene that cannot be simulated changes nothing.
 void LiveSimulation::start(std::shared_ptr<const LoadedScene> loaded) {
   const DrawnScene& scene = loaded->scene;
-  sim::Simulation simulation = make_simulation(scene, *loaded);
-  start_frame_ = frame_ = go_to_start(scene, simulation);
+  sim::Simulation simulation = make_simulation(scene, *loaded, loaded->bodies.all);
+  start_frame_ = frame_ = go_to_start(scene, loaded->bodies, simulation);
   now_.record = measure_frame(simulation, frame_);
   simulation_.emplace(std::move(simulation));
   now_.loaded = std::move(loaded);
@@ -220,13 +221,14 @@ void LiveSimulation::apply(const SimulationCommand& command) {
 
 void LiveSimulation::perform(const LoadScene& asked) {
   start(load(*asked.scene, now_.loaded->generation + 1));
-  tell("loaded " + asked.scene->name, false);
+  tell("loaded " + asked.scene->scene.name, false);
   tell_of_start();
 }
 
 void LiveSimulation::tell_of_start() {
   for (const std::string& remark : now_.loaded->drawn_colours.remarks) tell(remark, false);
-  for (const std::string& remark : remarks_on_start(now_.loaded->scene, *now_.loaded).lines) tell(remark, false);
+  const LoadedScene& loaded = *now_.loaded;
+  for (const std::string& remark : remarks_on_start(loaded.scene, loaded, loaded.bodies.all).lines) tell(remark, false);
 }
 
 void LiveSimulation::perform(const ChangeSettings& change) {
@@ -243,7 +245,7 @@ void LiveSimulation::perform(const ChangeSettings& change) {
     // Another bound may move the cloth before the next frame.
     measure_stretches(*simulation_, now_.record);
   }
-  surroundings_ = settle_surroundings(change.surroundings, *now_.loaded);
+  surroundings_ = settle_surroundings(change.surroundings, *now_.loaded, now_.loaded->bodies.all);
   simulation_->set_surroundings(surroundings_);
 }
 

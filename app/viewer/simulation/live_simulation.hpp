@@ -2,13 +2,23 @@
 
 #include "app/drawing/garment_colours.hpp"
 #include "app/drawing/garment_surface.hpp"
+#include "app/garments/dressing/dressing.hpp"
 #include "app/runs/frame_record.hpp"
 
 namespace taut::app {
 
-/// A scene with its loaded garment.
-struct LoadedScene : GarmentInScene {
+/// A scene with its bodies.
+struct SceneWithBodies {
+  /// Takes a scene whose bodies have no meshes of files.
+  SceneWithBodies(DrawnScene asked) : scene(std::move(asked)), bodies{named_bodies(scene)} {}
+  SceneWithBodies(DrawnScene asked, LoadedBodies loaded) : scene(std::move(asked)), bodies(std::move(loaded)) {}
+
   DrawnScene scene;
+  LoadedBodies bodies;
+};
+
+/// A scene with its loaded garment and bodies.
+struct LoadedScene : GarmentInScene, SceneWithBodies {
   DrawnColours drawn_colours;
   std::uint64_t generation = 0;  ///< number of the load
 };
@@ -109,7 +119,7 @@ sim::Vec3 moved_hand(const sim::Vec3& hand_m, const sim::Vec3& target_m, double 
 
 /// Replaces scene and garment.
 struct LoadScene {
-  std::shared_ptr<const DrawnScene> scene;
+  std::shared_ptr<const SceneWithBodies> scene;
 };
 /// Changes everything that can change while a garment moves. Artificial forces are the scene's; a hand's forces are
 /// added.
@@ -164,7 +174,7 @@ using SimulationCommand = std::variant<LoadScene, ChangeSettings, TogglePin, Tak
 class LiveSimulation {
  public:
   /// Throws InputError if the garment cannot be loaded.
-  explicit LiveSimulation(const DrawnScene& scene);
+  explicit LiveSimulation(const SceneWithBodies& scene);
 
   /// Simulates the garment of another simulation beside it.
   explicit LiveSimulation(std::shared_ptr<const LoadedScene> loaded);

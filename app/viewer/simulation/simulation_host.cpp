@@ -18,7 +18,7 @@ constexpr double rounding_s = 1e-9;
 
 }  // namespace
 
-SimulationPair::SimulationPair(const DrawnScene& scene) : first_(scene), settings_(first_.loaded()->scene) {}
+SimulationPair::SimulationPair(const SceneWithBodies& scene) : first_(scene), settings_(first_.loaded()->scene) {}
 
 void SimulationPair::apply(const SimulationCommand& command) {
   if (const auto* asked = std::get_if<Compare>(&command)) return compare(*asked);
@@ -103,7 +103,7 @@ SnapshotPtr SimulationPair::take_snapshot() {
   return first_.take_snapshot(second_ ? second_->take_snapshot() : nullptr);
 }
 
-SimulationHost::SimulationHost(const DrawnScene& scene, Runs runs)
+SimulationHost::SimulationHost(const SceneWithBodies& scene, Runs runs)
     : runs_(runs), simulation_(scene), due_(Clock::now()) {
   timeline_.add(simulation_.take_snapshot());
   if (runs == Runs::by_itself) thread_ = std::thread([this] { run(); });

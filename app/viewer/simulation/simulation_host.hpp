@@ -17,7 +17,7 @@ namespace taut::app {
 class SimulationPair {
  public:
   /// Starts with one garment. Throws InputError if it cannot be loaded.
-  explicit SimulationPair(const DrawnScene& scene);
+  explicit SimulationPair(const SceneWithBodies& scene);
 
   void apply(const SimulationCommand& command);
 
@@ -60,7 +60,7 @@ class SimulationHost {
     when_asked
   };
   /// Throws InputError if the garment cannot be loaded.
-  SimulationHost(const DrawnScene& scene, Runs runs);
+  SimulationHost(const SceneWithBodies& scene, Runs runs);
   /// Calls end().
   ~SimulationHost() { end(); }
 

@@ -341,8 +341,8 @@ std::vector<Choice> files_in(const std::string& folder, const std::string& endin
 }
 
 MotionChoices motion_choices(const DrawnScene& scene, const MotionChoices& known) {
-  for (std::size_t body = 0; body < scene.body_sources.size(); ++body) {
-    const BodySource& source = scene.body_sources[body];
+  for (std::size_t body = 0; body < scene.bodies.size(); ++body) {
+    const BodySource& source = scene.bodies[body].source;
     if (source.file.empty()) continue;
     if (source.file == known.of) return {body, known.of, known.choices};
     try {
@@ -360,16 +360,15 @@ bool is_chosen(const Choice& motion, const BodySource& source) {
                              : source.motion.lexically_normal() == motion.file.lexically_normal();
 }
 
-std::vector<std::string> set_motion(DrawnScene& scene, std::size_t body, const Choice& motion) {
-  scene.checkpoint.clear();
-  BodySource& source = scene.body_sources.at(body);
+void set_motion(std::size_t body, const Choice& motion, SceneWithBodies& shown) {
+  shown.scene.checkpoint.clear();
+  BodySource& source = shown.scene.bodies.at(body).source;
   source = moved_by(source, motion);
-  std::get<sim::BodyMesh>(scene.surroundings.bodies.at(body).shape) = {};
   try {
-    return load_bodies(scene);
+    shown.bodies = reload_body(shown.scene, body, shown.bodies);
   } catch (const InputError&) {
     source.loop = false;
-    return load_bodies(scene);
+    shown.bodies = reload_body(shown.scene, body, std::move(shown.bodies));
   }
 }
 

@@ -223,7 +223,7 @@ struct ViewerState {
 
   // Data to show.
   SnapshotPtr newest;
-  SnapshotPtr shown;         ///< drawn snapshot: `newest` or an earlier one
+  SnapshotPtr shown;            ///< drawn snapshot: `newest` or an earlier one
   bool is_over_second = false;  ///< the pointer is over the second garment, or its drag began there
   std::optional<HeldCloth> held;
   Measurements measurements;
@@ -282,8 +282,8 @@ MotionChoices motion_choices(const DrawnScene& scene, const MotionChoices& known
 bool is_chosen(const Choice& motion, const BodySource& source);
 
 /// Gives the body of the scene this motion, which repeats unless its end is too far from its start. The scene starts
-/// again. Returns the messages of load_bodies(). Throws InputError; the scene is then unusable.
-std::vector<std::string> set_motion(DrawnScene& scene, std::size_t body, const Choice& motion);
+/// again. Throws InputError; the scene is then unusable.
+void set_motion(std::size_t body, const Choice& motion, SceneWithBodies& shown);
 
 /// A key, or a gesture of the pointer, with its effect.
 struct KeyBinding {

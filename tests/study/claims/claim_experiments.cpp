@@ -77,7 +77,7 @@ RestartRun run_restart(const DrawnScene& scene, int steps_before, int steps_afte
   const LoadedGarment loaded = load_garment(stepped);
   const sim::Garment& garment = *loaded.garment;
   const sim::Pins pins = sim::make_pins(garment, loaded.pins);
-  const sim::Surroundings surroundings = settle_surroundings(stepped.surroundings, loaded);
+  const sim::Surroundings surroundings = settle_surroundings(stepped.surroundings, loaded, named_bodies(stepped));
   const double time_step_s = 1.0 / stepped.simulation.frame_rate_hz;
   const auto go_on = [&](sim::State& state, int steps) {
     const auto solver = sim::make_solver(solver_settings(stepped.simulation.solver));

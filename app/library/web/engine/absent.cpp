@@ -17,9 +17,9 @@ sim::Mesh remesh(const sim::Mesh& /*surface*/, double /*edge_m*/, std::size_t /*
 
 sim::Mesh simplify(const sim::Mesh& surface, std::size_t /*max_triangles*/) { return remesh(surface, 0.0, 0); }
 
-std::vector<std::string> sew_and_load_bodies(Scene& scene, std::span<const Override> overrides,
-                                             const std::function<void(const std::string&)>& /*stage*/) {
-  return load_bodies(scene, overrides);
+LoadedBodies sew_and_load_bodies(Scene& scene, std::span<const Override> overrides,
+                                 const std::function<void(const std::string&)>& /*stage*/) {
+  return choose_dressing(overrides, scene);
 }
 
 }  // namespace taut::app

@@ -477,11 +477,13 @@ Start load(const TautOptions& options) {
     start.scene.garment.given_start_m = std::make_shared<const std::vector<sim::Vec3>>(points_from(options.start));
   }
   std::vector<GivenBody> given = take_bodies(options, start);
+  const std::size_t first = start.scene.bodies.size();
+  for (const GivenBody& body : given) start.scene.bodies.push_back({body.body, body.source});
   start.bodies = app::sew_and_load_bodies(start.scene);
   start.listener.tell(start.bodies.remarks);
-  for (GivenBody& body : given) {
-    const std::size_t number = add_to_scene(body, start.scene, start.bodies);
-    if (body.lent) start.lent[number] = std::move(*body.lent);
+  for (std::size_t k = 0; k < given.size(); ++k) {
+    start.bodies.wearers[first + k] = given[k].wearer;
+    if (given[k].lent) start.lent[first + k] = std::move(*given[k].lent);
   }
   start.loaded = app::load_garment(start.scene);
   start.listener.tell(app::put_where_it_begins(start.loaded, start.scene, start.bodies));

@@ -25,6 +25,9 @@ constexpr std::size_t header_bytes = 1 + sizeof(std::uint64_t);
 // Limit on the bytes that the child may send: more than the largest model that can be simulated.
 constexpr std::uint64_t max_sent_bytes = std::uint64_t{1} << 31;
 
+// Ratio of the longest wait for the child to its processor time. On a busy machine it gets a fraction of a core.
+constexpr int max_wait_ratio = 6;
+
 constexpr const char* nested = "TAUT_IMPORTING";
 
 fs::path importer_program(const fs::path& chosen_program) {
@@ -134,12 +137,13 @@ std::string describe_error(const std::exception& error, const ImportLimits& limi
 }  // namespace
 
 ModelArrays read_model_in_process(const fs::path& path, const ImportLimits& limits, ReadParts parts) {
-  const auto deadline = Clock::now() + std::chrono::seconds(limits.seconds);
+  const int max_wait_s = max_wait_ratio * limits.seconds;
+  const auto deadline = Clock::now() + std::chrono::seconds(max_wait_s);
   Importer importer = start_importer(path, limits, parts);
   const std::optional<std::string> bytes = read_all(importer.output, deadline);
   if (!bytes) {
     throw InputError(Clock::now() < deadline ? "it is larger than anything that can be simulated"
-                                             : too_slow(limits.seconds));
+                                             : too_slow(max_wait_s));
   }
   const int status = importer.process.wait();
   const std::optional<std::string> content = read_envelope(*bytes);

@@ -22,7 +22,7 @@ inline constexpr bool memory_is_limited = TAUT_SHADOW_MEMORY == 0;
 /// Limits on reading one model.
 struct ImportLimits {
   std::size_t memory_mib = 4096;       ///< address space; a million triangles need about a quarter of it
-  int seconds = 18;                    ///< wall time; with the work before and after, a model is refused within 20 s
+  int seconds = 18;                    ///< processor time; a model is refused after six times as long in any case
   std::filesystem::path program = {};  ///< program that reads it; empty: see read_model_in_process()
 };
 

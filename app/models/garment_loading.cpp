@@ -188,7 +188,8 @@ bool is_hung(const Scene& scene) {
 /// hung.
 void find_up(const Scene& scene, const sim::Mesh& model_m, const sim::Mesh& simulated_m, const StageReport& begin,
              PlacementHints& hints) {
-  hints.up_by_openings = up_by_openings(model_m, sim::make_adjacency(model_m));
+  const sim::Mesh cloth_m = open_parts(model_m, sim::make_adjacency(model_m));
+  hints.up_by_openings = up_by_openings(cloth_m, sim::make_adjacency(cloth_m));
   if (!hints.up_by_openings && is_hung(scene) && scene.bodies.empty()) {
     begin("hanging it both ways to see which is up");
     hints.up_by_hanging = up_by_hanging(simulated_m);

@@ -322,6 +322,28 @@ TEST(Upright, IsWhereAClothWithoutOpeningsIsHighAndHardlyMoves) {
   EXPECT_EQ(up(piece(1.0)), ModelAxis::z);
 }
 
+TEST(Upright, HasTheNarrowerEndOfACapeAtTheTop) {
+  const test::TemporaryFolder folder;
+  const auto cape = [](double upwards) {
+    return cloth(1.0, 1.0, [upwards](double around, double down) {
+      const double angle = 4.5 * (around - 0.5), radius_m = 0.08 + 0.35 * std::sqrt(down);
+      return sim::Vec3(radius_m * std::sin(angle), -0.8 * upwards * down, -0.8 * radius_m * std::cos(angle));
+    });
+  };
+  EXPECT_EQ(test::load(folder, cape(1.0)).placement->up, ModelAxis::y);
+  EXPECT_EQ(test::load(folder, cape(-1.0)).placement->up, ModelAxis::minus_y);
+}
+
+TEST(Upright, IsThatOfTheClothAndNotOfItsStand) {
+  const test::TemporaryFolder folder;
+  const auto on_stand = [](const sim::Mesh& garment) {
+    sim::Mesh base = cloth(0.7, 0.7, [](double x, double z) { return sim::Vec3(x - 0.35, -0.4, z - 0.35); });
+    return test::both(garment, test::thick(base, 0.03));
+  };
+  EXPECT_EQ(test::load(folder, on_stand(test::strap_dress())).placement->up, ModelAxis::y);
+  EXPECT_EQ(test::load(folder, on_stand(test::shirt())).placement->up, ModelAxis::y);
+}
+
 TEST(Upright, HasLegsBelowAndLeavesABagAsItStands) {
   const test::TemporaryFolder folder;
   const auto up = [&](const sim::Mesh& mesh) { return test::load(folder, mesh).placement->up; };

@@ -51,7 +51,8 @@ TEST(Placement, BelievesTheFileWithinReason) {
 TEST(Placement, KnowsTheSizesOfGarments) {
   const auto guessed = [](double size) { return place_model(bounding_box(size, size, 0), {}).scale; };
   EXPECT_EQ(guessed(0.25), 1.0);
-  EXPECT_DOUBLE_EQ(guessed(0.15), 1.0 / 0.15);
+  EXPECT_EQ(guessed(0.15), 1.0) << "a glove";
+  EXPECT_DOUBLE_EQ(guessed(0.08), 1.0 / 0.08);
   EXPECT_EQ(guessed(2.4), 1.0);
   EXPECT_EQ(guessed(3.0), 0.3048) << "0.91 m in feet, 0.3 m in decimetres";
   EXPECT_EQ(guessed(6.0), 0.1);

@@ -271,12 +271,13 @@ std::optional<ModelAxis> up_by_hanging(const sim::Mesh& model_m) {
   const std::optional<double> y = sagging_when_hung(model_m, ModelAxis::y);
   const std::optional<double> z = sagging_when_hung(model_m, ModelAxis::z);
   if (!y || !z) return std::nullopt;
-  if (*z < max_sagging_ratio * *y) {
-    const sim::Vec3 size = sim::compute_extent(model_m.positions).size();
-    const bool is_lying = size.y < flat_part * size.z;
-    return is_lying && is_upside_down(upright(model_m, ModelAxis::z)) ? ModelAxis::minus_z : ModelAxis::z;
+  const bool is_z = *z < max_sagging_ratio * *y;
+  if (!is_z && *y >= max_sagging_ratio * *z) return std::nullopt;
+  const sim::Vec3 size = sim::compute_extent(model_m.positions).size();
+  if (is_z && size.y < flat_part * size.z) {
+    return is_upside_down(upright(model_m, ModelAxis::z)) ? ModelAxis::minus_z : ModelAxis::z;
   }
-  return *y < max_sagging_ratio * *z ? std::optional(ModelAxis::y) : std::nullopt;
+  return better_way_up(model_m, sim::make_adjacency(model_m), is_z ? ModelAxis::z : ModelAxis::y);
 }
 
 }  // namespace taut::app

@@ -25,6 +25,8 @@ constexpr double max_believed_m = 20.0;
 constexpr double clearly_longer = 2.0;
 // Fractions. Smallest fraction of the area that openings at the top have to carry for an axis to be up.
 constexpr double min_carried_area_fraction = 0.5;
+// Smallest fraction of the area that has large openings for the rest to be a stand or a body.
+constexpr double min_open_area_fraction = 0.4;
 // Smallest excess, over another axis, of the fraction of levels that the cloth goes all around.
 constexpr double min_around_excess = 0.3;
 // Smallest difference of the depths of view from above and from below for a model to stand on its head, as a fraction
@@ -102,7 +104,9 @@ const Unit* unit_by_size(double size, double part_size) {
   const Unit* unit =
       find([&](const Unit& u) { return is_usual(size * u.metres) && part_size * u.metres >= min_part_m; });
   unit = unit != nullptr ? unit : find([&](const Unit& u) { return is_usual(part_size * u.metres); });
-  return unit != nullptr ? unit : find([&](const Unit& u) { return is_usual(size * u.metres); });
+  unit = unit != nullptr ? unit : find([&](const Unit& u) { return is_usual(size * u.metres); });
+  return unit != nullptr ? unit
+                         : find([&](const Unit& u) { return is_between(size * u.metres, min_part_m, max_garment_m); });
 }
 
 void choose_unit(double size, double part_size, const PlacementHints& hints, Placement& placement) {
@@ -312,14 +316,6 @@ bool is_bag(const sim::Mesh& mesh, const sim::Adjacency& adjacency) {
   return openings.size() == 1 && openings[0]->range.size().y < level_opening * largest->range.size().y;
 }
 
-/// Returns this axis or the opposite one: legs are below, and without legs the narrower end is at the top.
-ModelAxis better_way_up(const sim::Mesh& mesh, const sim::Adjacency& adjacency, ModelAxis up, ModelAxis down,
-                        double clearly) {
-  const sim::Mesh stood = upright(mesh, up);
-  if (has_legs(stood)) return legs_below(stood) > 0 ? up : down;
-  return !is_bag(stood, adjacency) && openness_below(stood) < -clearly ? down : up;
-}
-
 /// Returns the fraction of the model's area that openings at its top can carry.
 double share_carried(const sim::Mesh& mesh, const sim::Adjacency& adjacency) {
   double area = 0.0, carried = 0.0;
@@ -339,6 +335,35 @@ sim::Mesh upright(const sim::Mesh& mesh, ModelAxis up) {
   return turned_mesh;
 }
 
+sim::Mesh open_parts(const sim::Mesh& mesh, const sim::Adjacency& adjacency) {
+  sim::Mesh open;
+  double open_area = 0.0, area = 0.0;
+  for (const GarmentPart& part : find_garment_parts(mesh, adjacency)) {
+    area += part.area_m2;
+    if (large_openings(part).empty()) continue;
+    open_area += part.area_m2;
+    for (const sim::Index t : part.triangles) open.triangles.push_back(mesh.triangles[t]);
+  }
+  if (open_area < min_open_area_fraction * area) return mesh;
+  std::map<sim::Index, sim::Index> kept;
+  for (sim::Triangle& t : open.triangles) {
+    for (sim::Index& v : t) {
+      const auto [place, is_new] = kept.try_emplace(v, open.positions.size());
+      if (is_new) open.positions.push_back(mesh.positions[v]);
+      v = place->second;
+    }
+  }
+  return open;
+}
+
+ModelAxis better_way_up(const sim::Mesh& mesh, const sim::Adjacency& adjacency, ModelAxis up) {
+  const auto down = static_cast<ModelAxis>(static_cast<int>(up) ^ 1);
+  const sim::Mesh stood = upright(mesh, up);
+  if (has_legs(stood)) return legs_below(stood) > 0 ? up : down;
+  const double clearly = up == ModelAxis::y ? upside_down : head_below;
+  return !is_bag(stood, adjacency) && openness_below(stood) < -clearly ? down : up;
+}
+
 std::optional<ModelAxis> up_by_openings(const sim::Mesh& mesh, const sim::Adjacency& adjacency) {
   const auto can_hang = [&](ModelAxis up) {
     return share_carried(upright(mesh, up), adjacency) >= min_carried_area_fraction;
@@ -350,7 +375,7 @@ std::optional<ModelAxis> up_by_openings(const sim::Mesh& mesh, const sim::Adjace
     const double y = share_around(mesh), z = share_around(upright(mesh, ModelAxis::z));
     const double x = share_around(upright(mesh, ModelAxis::x));
     if (!is_y && x >= y + min_around_excess && x >= z + min_around_excess) {
-      return better_way_up(mesh, adjacency, ModelAxis::x, ModelAxis::minus_x, head_below);
+      return better_way_up(mesh, adjacency, ModelAxis::x);
     }
     is_y = y >= z + min_around_excess;
     is_z = z >= y + min_around_excess;
@@ -360,8 +385,7 @@ std::optional<ModelAxis> up_by_openings(const sim::Mesh& mesh, const sim::Adjace
     is_z = has_legs(upright(mesh, ModelAxis::z));
   }
   if (is_y == is_z) return std::nullopt;
-  return is_z ? better_way_up(mesh, adjacency, ModelAxis::z, ModelAxis::minus_z, head_below)
-              : better_way_up(mesh, adjacency, ModelAxis::y, ModelAxis::minus_y, upside_down);
+  return better_way_up(mesh, adjacency, is_z ? ModelAxis::z : ModelAxis::y);
 }
 
 sim::Vec3 Placement::operator()(const sim::Vec3& in_file) const { return turn_up(in_file * scale, up) + moved_m; }

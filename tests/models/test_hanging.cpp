@@ -337,7 +337,7 @@ TEST(Upright, HasTheNarrowerEndOfACapeAtTheTop) {
 TEST(Upright, IsThatOfTheClothAndNotOfItsStand) {
   const test::TemporaryFolder folder;
   const auto on_stand = [](const sim::Mesh& garment) {
-    sim::Mesh base = cloth(0.7, 0.7, [](double x, double z) { return sim::Vec3(x - 0.35, -0.4, z - 0.35); });
+    sim::Mesh base = cloth(0.4, 0.4, [](double x, double z) { return sim::Vec3(x - 0.2, -0.4, z - 0.2); });
     return test::both(garment, test::thick(base, 0.03));
   };
   EXPECT_EQ(test::load(folder, on_stand(test::strap_dress())).placement->up, ModelAxis::y);

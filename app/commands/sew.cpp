@@ -141,8 +141,9 @@ int run(const SewOptions& asked) {
                  count_text(sewn.pieces.triangles.size(), "triangle"), measured, took_s, options.output.string());
     }
     if (!sewn.is_at_rest && options.frames > 0) {
-      throw PromiseBroken("{} is written, but it is not at rest: {}; --frames gives it more time",
-                          options.output.string(), describe_rest(sewn));
+      throw PromiseBroken("{} is written, but it is not at rest: {}; {}", options.output.string(), describe_rest(sewn),
+                          sewn.frames < options.frames ? "it is so tight that more frames would take minutes"
+                                                       : "--frames gives it more time");
     }
   } catch (const SewingFailed& error) {
     progress.hide();

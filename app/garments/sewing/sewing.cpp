@@ -34,9 +34,10 @@ constexpr double thickest_per_s = 60.0;
 constexpr int frames_to_thicker = 10;
 /// Largest mean speed at rest. In the thickest air the drag then bears a hundredth of the cloth's weight.
 constexpr double resting_m_per_s = 1.5e-3;
-/// Budget of sweeps until the garment rests. Cloth that is nearly too small takes as many in each frame as other cloth
-/// in all.
-constexpr double max_sweeps = 150e3;
+/// Budget of work until the garment rests, in sweeps. Cloth that is nearly too small would take minutes.
+constexpr double max_work = 150e3;
+/// Work of a search of the whole cloth, in sweeps. One around single vertices counts half.
+constexpr double search_work = 25.0;
 /// Height above the waist from which the upper end of a garment without shoulder seams is held until it rests in thick
 /// air. Less holds skirts too.
 constexpr double held_above_waist_m = 0.08;
@@ -169,8 +170,8 @@ void dress_sewn_garment(const Scene& scene, const LoadedBodies& bodies, const Se
   try {
     stage("the body grows into it");
     dress(scene, simulation);
-    double sweeps = 0.0;
-    for (; garment.frames < settings.frames && sweeps < max_sweeps; ++garment.frames) {
+    double work = 0.0;
+    for (; garment.frames < settings.frames && work < max_work; ++garment.frames) {
       throw_if_interrupted();
       stage(fmt::format("worn for {} of {} frames", garment.frames, settings.frames));
       if (simulation.state().asleep) {
@@ -182,7 +183,8 @@ void dress_sewn_garment(const Scene& scene, const LoadedBodies& bodies, const Se
         air_per_s = std::max(air_per_s, std::min(drag_growth_factor * air_per_s, thickest_per_s));
       }
       simulation.advance_frame(throw_if_interrupted);
-      sweeps += simulation.last_report().sweeps;
+      const sim::FrameReport& frame = simulation.last_report();
+      work += frame.sweeps + search_work * (frame.contact.detections + 0.5 * frame.contact.partial_detections);
     }
   } catch (const InputError& error) {
     refuse(error);

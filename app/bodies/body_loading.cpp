@@ -268,7 +268,7 @@ Json describe_crossings(const sim::BodyMesh& body) {
   return json;
 }
 
-/// Replaces what was loaded of a body, or adds it.
+/// Reads a body of the scene and puts it into `bodies`, in place of the one of this number.
 void load_body(const Scene& scene, std::size_t number, int garments, LoadedBodies& bodies) {
   const double frame_rate_hz = scene.simulation.frame_rate_hz;
   const ShownTime shown = {scene.frames / frame_rate_hz, frame_rate_hz,

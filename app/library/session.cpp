@@ -162,12 +162,12 @@ std::size_t Session::add_body(const TautBody* body) {
   GivenBody parsed = take_body(body, scene_);
   require(parsed.source.dress == 0, "dress: expected 0 of a body that is added later");
   app::DrawnScene next = scene_;
-  app::LoadedBodies others = bodies_;
+  app::LoadedBodies bodies_before = bodies_;
   const std::size_t number = add_to_scene(parsed, next, bodies_);
   try {
     change(std::move(next));
   } catch (...) {
-    std::swap(bodies_, others);
+    std::swap(bodies_, bodies_before);
     throw;
   }
   if (parsed.lent) caller_bodies_[number] = std::move(*parsed.lent);
@@ -476,14 +476,14 @@ Start load(const TautOptions& options) {
   if (options.start != nullptr) {
     start.scene.garment.given_start_m = std::make_shared<const std::vector<sim::Vec3>>(points_from(options.start));
   }
-  std::vector<GivenBody> given = take_bodies(options, start);
+  std::vector<GivenBody> given_bodies = take_bodies(options, start);
   const std::size_t first = start.scene.bodies.size();
-  for (const GivenBody& body : given) start.scene.bodies.push_back({body.body, body.source});
+  for (const GivenBody& body : given_bodies) start.scene.bodies.push_back({body.body, body.source});
   start.bodies = app::sew_and_load_bodies(start.scene);
   start.listener.tell(start.bodies.remarks);
-  for (std::size_t k = 0; k < given.size(); ++k) {
-    start.bodies.wearers[first + k] = given[k].wearer;
-    if (given[k].lent) start.lent[first + k] = std::move(*given[k].lent);
+  for (std::size_t k = 0; k < given_bodies.size(); ++k) {
+    start.bodies.wearers[first + k] = given_bodies[k].wearer;
+    if (given_bodies[k].lent) start.lent[first + k] = std::move(*given_bodies[k].lent);
   }
   start.loaded = app::load_garment(start.scene);
   start.listener.tell(app::put_where_it_begins(start.loaded, start.scene, start.bodies));

@@ -139,8 +139,8 @@ struct BodyInScene {
   BodySource source = {};  ///< used for meshes
 };
 
-/// What a scene file says, as the simulation needs it. DrawnScene adds how it is drawn. LoadedBodies and LoadedGarment
-/// hold what is loaded of it.
+/// Contents of a scene file, as the simulation needs them. DrawnScene adds how it is drawn. LoadedBodies and
+/// LoadedGarment hold what is read from the files that it names.
 struct Scene {
   std::string name;  ///< the user's name for it; not a key of the file
   std::string title;

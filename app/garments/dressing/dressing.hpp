@@ -26,7 +26,7 @@ struct Wearer {
   std::shared_ptr<const sim::BodyFrames> frames = {};  ///< growth in `pose`, then the motion
 };
 
-/// What was loaded of a scene's bodies, in their order.
+/// Bodies of a scene with the meshes of their files, in the scene's order.
 struct LoadedBodies {
   std::vector<sim::Body> all = {};
   std::vector<std::shared_ptr<const Wearer>> wearers = {};  ///< wearer of each body; null or missing: not dressed

@@ -345,10 +345,10 @@ sim::Mesh open_parts(const sim::Mesh& mesh, const sim::Adjacency& adjacency) {
     for (const sim::Index t : part.triangles) open.triangles.push_back(mesh.triangles[t]);
   }
   if (open_area < min_open_area_fraction * area) return mesh;
-  std::map<sim::Index, sim::Index> kept;
+  std::map<sim::Index, sim::Index> new_index;
   for (sim::Triangle& t : open.triangles) {
     for (sim::Index& v : t) {
-      const auto [place, is_new] = kept.try_emplace(v, open.positions.size());
+      const auto [place, is_new] = new_index.try_emplace(v, open.positions.size());
       if (is_new) open.positions.push_back(mesh.positions[v]);
       v = place->second;
     }

@@ -142,6 +142,7 @@ struct OpeningSpan {
 std::vector<OpeningSpan> find_spans(const sim::Mesh& mesh, const GarmentPart& part, int across) {
   const double step_m = part.range.size().y / levels;
   std::vector<OpeningSpan> spans(levels);
+  if (!(step_m > 0.0)) return spans;  // a level part
   const auto add_edge = [&](const sim::Vec3& high, const sim::Vec3& low) {
     const auto first = static_cast<int>(std::ceil((part.range.upper.y - high.y) / step_m - 0.5));
     for (int k = std::max(0, first); k < levels; ++k) {

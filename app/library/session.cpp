@@ -149,21 +149,14 @@ GivenBody take_body(const TautBody* body, const app::Scene& scene) {
   return parsed;
 }
 
-std::size_t add_to_scene(const GivenBody& given, app::Scene& scene, app::LoadedBodies& bodies) {
-  const std::size_t number = bodies.all.size();
-  scene.bodies.push_back({given.body, given.source});
-  bodies.all.push_back(given.body);
-  bodies.wearers.resize(number);
-  bodies.wearers.push_back(given.wearer);
-  return number;
-}
-
 std::size_t Session::add_body(const TautBody* body) {
   GivenBody parsed = take_body(body, scene_);
   require(parsed.source.dress == 0, "dress: expected 0 of a body that is added later");
   app::DrawnScene next = scene_;
   app::LoadedBodies bodies_before = bodies_;
-  const std::size_t number = add_to_scene(parsed, next, bodies_);
+  const std::size_t number = bodies_.all.size();
+  next.bodies.push_back({parsed.body, parsed.source});
+  bodies_.all.push_back(parsed.body);
   try {
     change(std::move(next));
   } catch (...) {

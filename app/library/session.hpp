@@ -72,9 +72,6 @@ struct GivenBody {
 /// Converts a body for a scene. Throws ArgumentError, and InputError for a mesh that is not closed.
 GivenBody take_body(const TautBody* body, const app::Scene& scene);
 
-/// Adds a body to the scene and its loaded bodies and returns its number.
-std::size_t add_to_scene(const GivenBody& given, app::Scene& scene, app::LoadedBodies& bodies);
-
 /// Receiver of messages about guesses, repairs and choices.
 struct Listener {
   TautLog log = nullptr;

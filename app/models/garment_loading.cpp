@@ -7,7 +7,6 @@
 #include "app/models/hanging/hanger.hpp"
 #include "app/models/mending/model_fitting.hpp"
 #include "app/scene/scene_format.hpp"
-#include "sim/contact/crossing_pairs.hpp"
 #include "sim/mesh/geodesics.hpp"
 #include "sim/mesh/subdivide.hpp"
 #include "sim/mesh/welding.hpp"
@@ -180,8 +179,7 @@ bool is_hung(const Scene& scene) {
 /// hung.
 void find_up(const Scene& scene, const sim::Mesh& model_m, const sim::Mesh& simulated_m, const StageReport& begin,
              PlacementHints& hints) {
-  const sim::Mesh cloth_m = open_parts(model_m, sim::make_adjacency(model_m));
-  hints.up_by_openings = up_by_openings(cloth_m, sim::make_adjacency(cloth_m));
+  hints.up_by_openings = up_by_openings(model_m, sim::make_adjacency(model_m));
   if (!hints.up_by_openings && is_hung(scene) && scene.bodies.empty()) {
     begin("hanging it both ways to see which is up");
     hints.up_by_hanging = up_by_hanging(simulated_m);

@@ -107,6 +107,7 @@ class Closing {
           double time_s)
       : pieces_(pieces),
         scene_(scene),
+        bodies_(bodies.all),
         time_s_(time_s),
         body_tree_(mesh_positions_m(dressed, time_s), std::get<sim::BodyMesh>(dressed.shape).data->triangles),
         joined_(pieces.flat_m.size()) {
@@ -123,8 +124,7 @@ class Closing {
     forces.wind = {};
     forces.wind.speed_m_per_s = 0.0;
     forces.air_drag_per_s = drag_per_s;
-    scene_.surroundings.bodies = bodies.all;
-    for (sim::Body& body : scene_.surroundings.bodies) body.friction = 0.0;
+    for (sim::Body& body : bodies_) body.friction = 0.0;
     begin(join_pieces(pieces, label_sets(joined_, pieces.flat_m.size()), pieces.placed_m, scene_));
     panel_masses_kg_.assign(pieces.panel_count(), 0.0);
     for (std::size_t v = 0; v < pieces.flat_m.size(); ++v) {
@@ -190,7 +190,7 @@ class Closing {
     sewn_ = std::move(sewn);
     const std::vector<Vec3> start_m = sewn_.garment.mesh.positions;
     sim::Surroundings surroundings = scene_.surroundings;
-    surroundings.moving_pins.clear();
+    surroundings.bodies = bodies_;
     simulation_.emplace(sim::share(sewn_.garment), std::vector<Index>{}, simulation_settings(scene_.simulation),
                         std::move(surroundings), start_m);
     simulation_->set_time(time_s_);
@@ -435,7 +435,7 @@ class Closing {
       for (const Index v : cloth.triangles[t]) is_crossed[v] = 1;
     };
     bool any = false;
-    for (const SceneCrossings& crossings : scene_crossings(cloth, scene_.surroundings.bodies, time_s_)) {
+    for (const SceneCrossings& crossings : scene_crossings(cloth, bodies_, time_s_)) {
       for (const sim::CrossingPair& pair : crossings.pairs) {
         mark(pair.first);
         if (!crossings.body) mark(pair.second);
@@ -460,6 +460,7 @@ class Closing {
 
   const CutPieces& pieces_;
   Scene scene_;
+  std::vector<sim::Body> bodies_;  ///< bodies without friction
   double time_s_;
   SurfaceTree body_tree_;
   sim::Groups joined_;  ///< sets of joined vertices of the pieces

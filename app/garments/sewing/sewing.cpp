@@ -16,6 +16,7 @@
 #include "app/runs/run_checkpoint.hpp"
 #include "app/scene/scene_format.hpp"
 #include "app/scene/scene_key.hpp"
+#include "sim/solvers/bounded/tuning.hpp"
 
 namespace taut::app {
 namespace {
@@ -34,10 +35,9 @@ constexpr double thickest_per_s = 60.0;
 constexpr int frames_to_thicker = 10;
 /// Largest mean speed at rest. In the thickest air the drag then bears a hundredth of the cloth's weight.
 constexpr double resting_m_per_s = 1.5e-3;
-/// Budget of work until the garment rests, in sweeps. Cloth that is nearly too small would take minutes.
+/// Budget of work until the garment rests, in sweeps, which searches count as too. Cloth that is nearly too small would
+/// take minutes.
 constexpr double max_work = 150e3;
-/// Work of a search of the whole cloth, in sweeps. One around single vertices counts half.
-constexpr double search_work = 25.0;
 /// Height above the waist from which the upper end of a garment without shoulder seams is held until it rests in thick
 /// air. Less holds skirts too.
 constexpr double held_above_waist_m = 0.08;
@@ -184,7 +184,8 @@ void dress_sewn_garment(const Scene& scene, const LoadedBodies& bodies, const Se
       }
       simulation.advance_frame(throw_if_interrupted);
       const sim::FrameReport& frame = simulation.last_report();
-      work += frame.sweeps + search_work * (frame.contact.detections + 0.5 * frame.contact.partial_detections);
+      work += frame.sweeps + sim::bounded::tuning::search_work_sweeps *
+                                 (frame.contact.detections + 0.5 * frame.contact.partial_detections);
     }
   } catch (const InputError& error) {
     refuse(error);

@@ -316,6 +316,29 @@ bool is_bag(const sim::Mesh& mesh, const sim::Adjacency& adjacency) {
   return openings.size() == 1 && openings[0]->range.size().y < level_opening * largest->range.size().y;
 }
 
+/// Returns the parts with large openings, without stands and bodies. Empty if there are no other parts, or if the open
+/// ones are too little of the model.
+std::optional<sim::Mesh> open_parts(const sim::Mesh& mesh, const sim::Adjacency& adjacency) {
+  sim::Mesh open;
+  double open_area = 0.0, area = 0.0;
+  for (const GarmentPart& part : find_garment_parts(mesh, adjacency)) {
+    area += part.area_m2;
+    if (large_openings(part).empty()) continue;
+    open_area += part.area_m2;
+    for (const sim::Index t : part.triangles) open.triangles.push_back(mesh.triangles[t]);
+  }
+  if (open.triangles.size() == mesh.triangles.size() || open_area < min_open_area_fraction * area) return std::nullopt;
+  std::map<sim::Index, sim::Index> new_index;
+  for (sim::Triangle& t : open.triangles) {
+    for (sim::Index& v : t) {
+      const auto [place, is_new] = new_index.try_emplace(v, open.positions.size());
+      if (is_new) open.positions.push_back(mesh.positions[v]);
+      v = place->second;
+    }
+  }
+  return open;
+}
+
 /// Returns the fraction of the model's area that openings at its top can carry.
 double share_carried(const sim::Mesh& mesh, const sim::Adjacency& adjacency) {
   double area = 0.0, carried = 0.0;
@@ -335,27 +358,6 @@ sim::Mesh upright(const sim::Mesh& mesh, ModelAxis up) {
   return turned_mesh;
 }
 
-sim::Mesh open_parts(const sim::Mesh& mesh, const sim::Adjacency& adjacency) {
-  sim::Mesh open;
-  double open_area = 0.0, area = 0.0;
-  for (const GarmentPart& part : find_garment_parts(mesh, adjacency)) {
-    area += part.area_m2;
-    if (large_openings(part).empty()) continue;
-    open_area += part.area_m2;
-    for (const sim::Index t : part.triangles) open.triangles.push_back(mesh.triangles[t]);
-  }
-  if (open_area < min_open_area_fraction * area) return mesh;
-  std::map<sim::Index, sim::Index> new_index;
-  for (sim::Triangle& t : open.triangles) {
-    for (sim::Index& v : t) {
-      const auto [place, is_new] = new_index.try_emplace(v, open.positions.size());
-      if (is_new) open.positions.push_back(mesh.positions[v]);
-      v = place->second;
-    }
-  }
-  return open;
-}
-
 ModelAxis better_way_up(const sim::Mesh& mesh, const sim::Adjacency& adjacency, ModelAxis up) {
   const auto down = static_cast<ModelAxis>(static_cast<int>(up) ^ 1);
   const sim::Mesh stood = upright(mesh, up);
@@ -365,6 +367,7 @@ ModelAxis better_way_up(const sim::Mesh& mesh, const sim::Adjacency& adjacency, 
 }
 
 std::optional<ModelAxis> up_by_openings(const sim::Mesh& mesh, const sim::Adjacency& adjacency) {
+  if (const auto cloth = open_parts(mesh, adjacency)) return up_by_openings(*cloth, sim::make_adjacency(*cloth));
   const auto can_hang = [&](ModelAxis up) {
     return share_carried(upright(mesh, up), adjacency) >= min_carried_area_fraction;
   };

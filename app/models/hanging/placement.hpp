@@ -42,10 +42,6 @@ Placement place_model(const sim::Mesh& mesh, const PlacementHints& hints);
 /// Returns the model turned so that this axis becomes y.
 sim::Mesh upright(const sim::Mesh& mesh, ModelAxis up);
 
-/// Returns the parts with large openings if they are a good part of the model, without stands and bodies; else all of
-/// it. Requires the adjacency of this mesh.
-sim::Mesh open_parts(const sim::Mesh& mesh, const sim::Adjacency& adjacency);
-
 /// Returns this axis or the opposite one: legs are below, and without legs the narrower end is at the top. Requires the
 /// adjacency of this mesh.
 ModelAxis better_way_up(const sim::Mesh& mesh, const sim::Adjacency& adjacency, ModelAxis up);

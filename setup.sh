@@ -48,6 +48,7 @@ packages=(
   libgtest-dev
   librapidcheck-dev   # properties of random cases
   python3             # makes models of every format, and is a terminal
+  python3-jsonschema  # checks the schema of patterns
   python3-numpy       # the library's Python
   python3-venv        # the wheel in an empty environment
   mono-mcs            # and its C#

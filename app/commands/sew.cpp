@@ -19,14 +19,12 @@ DrawnScene make_scene(const SewOptions& options) {
   const auto add = [&](const char* key, const std::string& value) {
     if (!sets(overrides, key)) overrides.push_back({key, value, std::string("--set ") + key + '=' + value});
   };
-  if (!sets(overrides, "body.file")) {
-    throw UsageError("taut sew " + options.pattern.string() + ": found no body, expected --body FILE");
-  }
-  add("body.dress", std::to_string(usual_dressing_frames));
+  const bool is_worn = sets(overrides, "body.file");
+  if (is_worn) add("body.dress", std::to_string(usual_dressing_frames));
   add("solver.max_stretch", std::to_string(usual_bound));
   DrawnScene scene = find_scene(options.pattern.string(), overrides);
   // A worn garment may stretch up to the limits of its fabrics, as in `taut fit`.
-  if (sim::has_law(scene.material) && !sets(options.overrides, "solver.max_stretch")) {
+  if (is_worn && sim::has_law(scene.material) && !sets(options.overrides, "solver.max_stretch")) {
     double& bound = scene.simulation.solver.bounded.max_stretch;
     bound = std::max({usual_bound, scene.material.warp_limit, scene.material.weft_limit});
     for (const std::string& fabric : options.outer_fabrics) {
@@ -48,7 +46,8 @@ void write_picture(const std::filesystem::path& file, const DrawnScene& scene, c
   const sim::Garment& garment = sewn.sewn.garment;
   const std::vector<sim::Vec3>& worn_m = garment.mesh.positions;
   const std::vector<FitRow> fit = compute_fit(bodies, garment, worn_m);
-  const std::string title = scene.name + " on " + bodies.all[dressed_body(bodies).body].name;
+  const std::string title =
+      scene.name + (bodies.all.empty() ? "" : " on " + bodies.all[dressed_body(bodies).body].name);
   write_file(file, renderer::encode_png(draw_fit({scene, bodies, garment, worn_m, sewn.time_s, fit, title, measured,
                                                   describe_tightness(bodies, garment, worn_m, fit)},
                                                  backend),
@@ -122,7 +121,7 @@ int run(const SewOptions& asked) {
                     count_text(sewn.pieces.seams.size(), "seam"), describe_rest(sewn), 100.0 * sewn.max_stretch);
     progress.begin("drawing it");
     if (!options.picture.empty()) write_picture(options.picture, scene, bodies, sewn, measured, options.backend);
-    if (!options.steps.empty()) write_steps(options.steps, scene, bodies, sewn, "worn", options.backend);
+    if (!options.steps.empty()) write_steps(options.steps, scene, bodies, sewn, "sewn", options.backend);
     progress.hide();
     print_body_remarks(scene, sewn.remarks, remarks);
     if (options.json) {

@@ -624,7 +624,7 @@ renderer::Image draw_fit(const WornGarment& worn, const std::string& backend) {
   const float panels_px = fit_header_px + static_cast<float>(measured.size() - 1) * row_px;
   const float table_px = panels_px + fit_panel_height_px + caption_px;
   // A body that is still thin, before dressing ends, does not show how the cloth around it fits.
-  const bool has_table = worn.time_s >= 0.0;
+  const bool has_table = worn.time_s >= 0.0 && !worn.fit.empty();
   const float rows = has_table ? static_cast<float>(worn.fit.size() + 3) : 0.0F;
   renderer::Canvas canvas(static_cast<int>(fit_page_px), static_cast<int>(table_px + rows * row_px + border_px));
   canvas.text(border_px, border_px + text_px, worn.title, text_style(1.4F * text_px, palette::ink, true));

@@ -197,7 +197,9 @@ sim::Mesh read_mesh(const Scene& scene, LoadedGarment& loaded, const StageReport
   sim::Mesh soup{std::move(model.positions), std::move(model.triangles), {}};
   const std::size_t backs = leave_out_backs(model, soup);
   loaded.strays = remove_strays(soup);
-  PlacementHints hints{source.scale, source.up, model.metres_per_unit, model.up};
+  const GarmentFacts facts = source.given ? GarmentFacts() : read_garment_facts(source.model());
+  PlacementHints hints{source.scale, source.up, facts.metres_per_unit ? facts.metres_per_unit : model.metres_per_unit,
+                       facts.up ? facts.up : model.up};
   // A given mesh stays where it is.
   loaded.placement = source.given ? Placement{} : place_model(soup, hints);
   require_size(source, *loaded.placement);
@@ -210,7 +212,6 @@ sim::Mesh read_mesh(const Scene& scene, LoadedGarment& loaded, const StageReport
     require_few_at_edges(valid.mesh);
     require_thin(scene.material.thickness_m, scale * glm::length(sim::compute_extent(valid.mesh.positions).size()));
     begin("looking whether it is fit to be simulated");
-    const GarmentFacts facts = source.given ? GarmentFacts() : read_garment_facts(source.model());
     const bool is_cut = facts.is_cut;
     std::optional<FittedModel> fitted;
     if (!is_cut) {
@@ -227,7 +228,7 @@ sim::Mesh read_mesh(const Scene& scene, LoadedGarment& loaded, const StageReport
     turn_and_sew(source, fitted.has_value() || is_cut, valid.mesh, loaded);
     loaded.colours = kept_colours(std::move(model.colours), imported, valid.result_vertices, valid.mesh.triangles);
     loaded.file_vertices = vertices_of_file(model, valid.result_vertices);
-    if (!source.up && !model.up) {
+    if (!source.up && !hints.up) {
       const sim::Mesh model_m = scale_mesh(valid.mesh, scale);
       find_up(scene, model_m, fitted ? fitted->mesh : model_m, begin, hints);
       loaded.placement = place_model(soup, hints);

@@ -13,6 +13,7 @@
 #include <set>
 
 #include "app/bodies/body_loading.hpp"
+#include "app/garments/dressing/fit.hpp"
 #include "app/garments/dressing/wearing.hpp"
 #include "app/garments/sewing/placing.hpp"
 #include "app/garments/sewing/sewing.hpp"
@@ -21,6 +22,7 @@
 #include "app/models/inspecting/scene_crossings.hpp"
 #include "app/scene/scene_format.hpp"
 #include "app/verify/stretch.hpp"
+#include "sim/contact/crossing_pairs.hpp"
 #include "sim/mesh/extent.hpp"
 #include "sim/mesh/topology.hpp"
 #include "temporary_folder.hpp"
@@ -230,7 +232,9 @@ TEST_F(Sewing, RefusesWhatFellCrossesOrIsStretched) {
   EXPECT_NO_THROW(require_worn(scene, bodies, as_sewn));
   EXPECT_NE(refusal_of([](sim::Vec3 p) { return p - sim::Vec3(0.0, 1.0, 0.0); }).find("it falls down"),
             std::string::npos);
-  EXPECT_NE(refusal_of([](sim::Vec3 p) { return p + sim::Vec3(0.15, 0.0, 0.0); }).find("when it is worn, "),
+  EXPECT_NE(refusal_of([](sim::Vec3 p) { return p + sim::Vec3(1.0, 0.0, 0.0); }).find("does not go around the body"),
+            std::string::npos);
+  EXPECT_NE(refusal_of([](sim::Vec3 p) { return p + sim::Vec3(0.1, 0.0, 0.0); }).find("when it is worn, "),
             std::string::npos);
   EXPECT_NE(refusal_of([](sim::Vec3 p) { return sim::Vec3(1.3 * p.x, p.y, 1.3 * p.z); }).find("it is stretched by "),
             std::string::npos);
@@ -320,6 +324,80 @@ TEST_F(Sewing, APatternIsWornOverAnother) {
   EXPECT_GT(boxes[1].upper.x, boxes[0].upper.x);
   EXPECT_LT(boxes[1].lower.z, boxes[0].lower.z);
   EXPECT_GT(boxes[1].upper.z, boxes[0].upper.z);
+}
+
+/// A square of this width about a point of the plane z = `depth_m`, and its four edges.
+PatternPanel square_panel(const std::string& name, double width_m, double depth_m) {
+  return rectangle(name, width_m, width_m, {0.0, 0.5 * width_m, depth_m});
+}
+
+TEST_F(Sewing, WithoutABodyACushionClosesAndRests) {
+  const SewingPattern cushion = {{square_panel("upper", 0.4, 0.05), square_panel("lower", 0.4, -0.05)},
+                                 {{{0, 0}, {1, 0}}, {{0, 1}, {1, 1}}, {{0, 2}, {1, 2}}, {{0, 3}, {1, 3}}}};
+  Scene scene;
+  scene.simulation.solver.bounded.max_stretch = 0.01;
+  const SewnGarment garment = sew({"cushion.json", cushion}, scene, bodies, {800, 600}, [](const std::string&) {});
+  EXPECT_TRUE(garment.is_at_rest);
+  EXPECT_LE(garment.max_stretch, 0.01 + 1e-6);
+  const sim::Mesh& mesh = garment.sewn.garment.mesh;
+  const sim::Topology topology = sim::measure_topology(mesh, sim::make_adjacency(mesh));
+  EXPECT_EQ(topology.components, 1u);
+  EXPECT_EQ(topology.boundary_loops, 0u);
+  EXPECT_EQ(topology.misoriented_edges, 0u);
+  EXPECT_TRUE(sim::find_crossing_pairs({mesh.positions, mesh.triangles}).empty());
+  const sim::Extent box = sim::compute_extent(mesh.positions);
+  EXPECT_LT(glm::length(box.middle()), 0.05) << "it does not stay where it was sewn";
+  EXPECT_GT(box.size().x, 0.38);
+}
+
+TEST_F(Sewing, WithoutABodyAFlatPanelIsSewnToItself) {
+  // Threads in its plane bend nothing out of the plane.
+  const SewingPattern tube = {{rectangle("tube", 0.6, 0.3, {0.0, 0.3, 0.0})}, {{{0, 1}, {0, 3}}}};
+  const SewnGarment garment = sew({"tube.json", tube}, {}, bodies, {800, 1}, [](const std::string&) {});
+  EXPECT_EQ(garment.sewn.gap_m, 0.0);
+}
+
+TEST_F(Sewing, APatternWithoutABodyIsASceneOfItsOwn) {
+  Scene scene;
+  scene.garment.file = folder.write("skirt.json", skirt(40.0, 60.0));
+  sew_garment(scene);
+  const LoadedGarment loaded = load_garment(scene);
+  const sim::Mesh& mesh = loaded.garment->mesh;
+  EXPECT_EQ(sim::measure_topology(mesh, sim::make_adjacency(mesh)).boundary_loops, 2u);
+  std::filesystem::remove(scene.garment.sewn);
+}
+
+TEST_F(Sewing, APatternLiesAboutTheJointThatItNames) {
+  scene_with(folder.write("skirt.json", skirt(40.0, 60.0)));
+  SewingPattern pattern = {{square_panel("front", 0.3, 0.2), square_panel("back", 0.3, -0.2)},
+                           {{{0, 1}, {1, 1}}, {{0, 3}, {1, 3}}}};
+  pattern.joint = "head";
+  CutPieces pieces = cut_pieces(pattern, 300);
+  bring_to_body(pattern, bodies, pieces);
+  const sim::Vec3 head_m = dressed_body(bodies).wearer->joints.at("head");
+  EXPECT_LT(glm::distance(sim::compute_extent(pieces.placed_m).middle(), head_m), 1e-3);
+  pattern.joint = "nose";
+  const std::string message = test::error_message<InputError>([&] { bring_to_body(pattern, bodies, pieces); });
+  EXPECT_NE(message.find("properties.joint: found 'nose', expected a joint of the body: "), std::string::npos);
+}
+
+TEST_F(Sewing, APonchoIsSewnOverTheArms) {
+  const auto panel = [](const char* name, double depth_cm) {
+    return fmt::format(
+        R"("{}": {{"vertices": [[-50, -20], [-50, -50], [50, -50], [50, -20], [15, 0], [-15, 0]],
+      "edges": [{{"endpoints": [0, 1]}}, {{"endpoints": [1, 2]}}, {{"endpoints": [2, 3]}}, {{"endpoints": [3, 4]}},
+                {{"endpoints": [4, 5]}}, {{"endpoints": [5, 0]}}], "translation": [0, 150, {}]}})",
+        name, depth_cm);
+  };
+  const Scene scene = scene_with(
+      folder.write("poncho.json", R"({"pattern": {"panels": {)" + panel("front", 20.0) + ", " + panel("back", -20.0) +
+                                      R"(}, "stitches": [[{"panel": "front", "edge": 3}, {"panel": "back", "edge": 3}],
+                                            [{"panel": "front", "edge": 5}, {"panel": "back", "edge": 5}]]}})"));
+  const SewnGarment garment = sewn(scene, 800, 1);
+  const Wearer& wearer = *dressed_body(bodies).wearer;
+  EXPECT_GT(sim::compute_extent(garment.sewn.garment.mesh.positions).upper.y, wearer.measures.neck_m->y - 0.05);
+  const std::vector<FitRow> fit = compute_fit(bodies, garment.sewn.garment, garment.sewn.garment.mesh.positions);
+  EXPECT_TRUE(std::ranges::none_of(fit, [](const FitRow& row) { return row.name == "waistband"; }));
 }
 
 TEST_F(Sewing, FactsOfAGarmentThatWasSewnAreNotThoseOfItsPattern) {

@@ -27,16 +27,6 @@ constexpr const char* shoulder_width = "shoulder width";
 /// is the edge of a waist. Folds of worn cloth may end the tube further down.
 bool is_about_armholes(double height_m, const GarmentTube& tube) { return height_m <= tube.max_height_m + armhole_m; }
 
-/// Returns how much higher the body is at the start of the run than in its stored pose, in m.
-double compute_lift(const sim::Body& body, const Wearer& wearer) {
-  for (const char* joint : {"neck", "hips"}) {
-    if (wearer.joints.contains(joint)) {
-      return sim::pose_at(body.motion, 0.0)(wearer.joints.at(joint)).y - wearer.stored_joints.at(joint).y;
-    }
-  }
-  return 0.0;
-}
-
 /// A garment on the body that is dressed.
 struct Fitting {
   const Wearer& wearer;
@@ -180,8 +170,9 @@ std::vector<FitRow> compute_fit(const LoadedBodies& bodies, const sim::Garment& 
   std::vector<FitRow> rows;
   if (dressed.wearer == nullptr) return rows;
   const sim::Body& body = bodies.all[dressed.body];
-  const Fitting fitting = {*dressed.wearer, sim::pose_at(body.motion, 0.0), compute_lift(body, *dressed.wearer),
-                           sim::Surface{start_m, garment.mesh.triangles}, find_garment_marks(garment, start_m, {})};
+  Fitting fitting = {*dressed.wearer, sim::pose_at(body.motion, 0.0), compute_lift(body, *dressed.wearer),
+                     sim::Surface{start_m, garment.mesh.triangles}, find_garment_marks(garment, start_m, {})};
+  fitting.marks.is_worn_at_waist = is_worn_at_waist(fitting.marks, dressed.wearer->measures, fitting.lift_m);
   if (!fitting.marks.is_worn_at_waist) fitting.add("neck", fitting.marks.top_m, rows);
   fitting.add_arms(rows);
   if (!fitting.marks.is_open_in_front) fitting.add_trunk(rows);

@@ -162,6 +162,21 @@ sim::Vec3 front_of_dressed(const LoadedBodies& bodies) {
   return sim::pose_at(bodies.all[dressed.body].motion, 0.0).rotation * facing_direction(dressed.wearer->joints);
 }
 
+double compute_lift(const sim::Body& body, const Wearer& wearer) {
+  for (const char* joint : {"neck", "hips"}) {
+    if (wearer.joints.contains(joint)) {
+      return sim::pose_at(body.motion, 0.0)(wearer.joints.at(joint)).y - wearer.stored_joints.at(joint).y;
+    }
+  }
+  return 0.0;
+}
+
+bool is_worn_at_waist(const GarmentMarks& marks, const BodyMeasures& measures, double lift_m) {
+  const bool ends_above_arms =
+      !measures.levels.empty() && marks.top_height_m - lift_m > measures.levels.back().height_m;
+  return marks.is_worn_at_waist && !ends_above_arms;
+}
+
 std::vector<std::string> put_on(LoadedGarment& loaded, const Scene& scene, LoadedBodies& bodies) {
   const Dressed dressed = dressed_body(bodies);
   if (dressed.wearer == nullptr || scene.garment.has_start()) return {};
@@ -169,7 +184,9 @@ std::vector<std::string> put_on(LoadedGarment& loaded, const Scene& scene, Loade
   const std::size_t b = dressed.body;
   sim::Body& body = bodies.all[b];
   const auto marks_now = [&] {
-    return find_garment_marks(*loaded.garment, surface_at_start(loaded).positions_m, loaded.landmarks);
+    GarmentMarks marks = find_garment_marks(*loaded.garment, surface_at_start(loaded).positions_m, loaded.landmarks);
+    marks.is_worn_at_waist = is_worn_at_waist(marks, wearer.measures, compute_lift(body, wearer));
+    return marks;
   };
   const GarmentMarks marks = marks_now();
   const bool at_waist = marks.is_worn_at_waist;

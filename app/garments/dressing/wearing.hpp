@@ -23,6 +23,13 @@ struct Dressed {
 
 Dressed dressed_body(const LoadedBodies& bodies);
 
+/// Returns how much higher the body is at the start of the run than in its stored pose, in m.
+double compute_lift(const sim::Body& body, const Wearer& wearer);
+
+/// Returns whether a garment is worn at the waist of this body, which is that much higher than in its stored pose. What
+/// ends above the arms, as a poncho does, goes around the neck.
+bool is_worn_at_waist(const GarmentMarks& marks, const BodyMeasures& measures, double lift_m);
+
 /// Returns the direction in which the dressed body looks when the run begins, level and of length 1. It is z if the
 /// joints are not known.
 sim::Vec3 front_of_dressed(const LoadedBodies& bodies);

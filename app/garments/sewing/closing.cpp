@@ -101,15 +101,22 @@ SewnPieces join_pieces(const CutPieces& pieces, const std::vector<Index>& set_of
   return sewn;
 }
 
+/// Returns a tree of the dressed body; an empty one if there is none.
+SurfaceTree tree_of_dressed(const LoadedBodies& bodies, double time_s) {
+  const Dressed dressed = dressed_body(bodies);
+  if (dressed.wearer == nullptr) return {{}, {}};
+  const sim::Body& body = bodies.all[dressed.body];
+  return {mesh_positions_m(body, time_s), std::get<sim::BodyMesh>(body.shape).data->triangles};
+}
+
 class Closing {
  public:
-  Closing(const CutPieces& pieces, const Scene& scene, const LoadedBodies& bodies, const sim::Body& dressed,
-          double time_s)
+  Closing(const CutPieces& pieces, const Scene& scene, const LoadedBodies& bodies, double time_s)
       : pieces_(pieces),
         scene_(scene),
         bodies_(bodies.all),
         time_s_(time_s),
-        body_tree_(mesh_positions_m(dressed, time_s), std::get<sim::BodyMesh>(dressed.shape).data->triangles),
+        body_tree_(tree_of_dressed(bodies, time_s)),
         joined_(pieces.flat_m.size()) {
     scene_.material.thickness_m = std::min(scene_.material.thickness_m, thickest_m);
     // Stiffness of threads matters only when cloth carries a load.
@@ -333,7 +340,7 @@ class Closing {
       if (pieces_.layer_of[pieces_.panel_of[v]] < layer_ && std::exchange(is_done[n], 1) == 0) {
         const auto nearest = body_tree_.find_nearest(at(v), std::numeric_limits<double>::infinity(), accept_all);
         const double pull_n = inwards_m_per_s2 * sewn_.garment.masses_kg[n];
-        held.push_back({n, nearest->place_m, pull_n / inwards_from_m, pull_n});
+        if (nearest) held.push_back({n, nearest->place_m, pull_n / inwards_from_m, pull_n});
       }
     }
   }
@@ -479,7 +486,7 @@ class Closing {
 
 SewnPieces close_seams(const CutPieces& pieces, const Scene& scene, const LoadedBodies& bodies, double time_s,
                        const SewingReport& report) {
-  return Closing(pieces, scene, bodies, bodies.all[dressed_body(bodies).body], time_s).run(report);
+  return Closing(pieces, scene, bodies, time_s).run(report);
 }
 
 }  // namespace taut::app

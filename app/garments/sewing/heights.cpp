@@ -17,7 +17,7 @@ constexpr double neck_over_chest_m = 0.29;
 constexpr double above_shoulders_m = 0.06;  ///< height of shoulder seams above the thin body
 constexpr double beside_seam_m = 0.015;
 constexpr double shoulder_slope = 0.9;  ///< smallest ratio of the sideways and the upward extent of a shoulder seam
-constexpr double max_shoulder_m = 0.3;
+constexpr double max_shoulder_m = 0.3;  ///< longest shoulder seam that does not begin near the neck
 constexpr double near_top_m = 0.2;
 constexpr double max_waist_height = 0.8;   ///< fraction of the way from the fork to the arms
 constexpr double min_depth_under_m = 0.1;  ///< height of a bodice's middle above its skirt's
@@ -31,9 +31,18 @@ double panel_depth(const PatternPanel& panel) {
   return extent.middle().z;
 }
 
-/// Marks the shoulder seams: seams between front and back that are nearly level, and near the highest of these. Returns
-/// points along them.
-std::vector<Vec3> find_shoulder_seams(const SewingPattern& pattern, CutPieces& pieces) {
+/// Where shoulder seams begin: above this height of the pattern, and nearer to its middle than the shoulders.
+struct NearNeck {
+  double height_m, half_width_m;
+
+  bool contains(const Vec3& from, const Vec3& to) const {
+    return std::max(from.y, to.y) > height_m && std::min(std::abs(from.x), std::abs(to.x)) < half_width_m;
+  }
+};
+
+/// Marks the shoulder seams: seams between front and back that are nearly level, and near the highest of these. Those
+/// that begin near the neck may be long, as those of a poncho. Returns points along them.
+std::vector<Vec3> find_shoulder_seams(const SewingPattern& pattern, const NearNeck& near_neck, CutPieces& pieces) {
   constexpr std::size_t steps = 8;
   const auto ends_of = [&](std::size_t s) {
     const PanelEdge& side = pattern.stitches[s].first;
@@ -48,7 +57,7 @@ std::vector<Vec3> find_shoulder_seams(const SewingPattern& pattern, CutPieces& p
     const bool is_beside = from.x * to.x >= 0.0;
     const bool is_level = std::abs(to.x - from.x) > shoulder_slope * std::abs(to.y - from.y);
     if (panel_depth(pattern.panels[first.panel]) * panel_depth(pattern.panels[second.panel]) < 0.0 && is_beside &&
-        is_level && polyline_length(pattern.line_of(first)) < max_shoulder_m) {
+        is_level && (polyline_length(pattern.line_of(first)) < max_shoulder_m || near_neck.contains(from, to))) {
       pieces.first_seams.push_back(s);
       max_height_m = std::max({max_height_m, from.y, to.y});
     }
@@ -125,15 +134,23 @@ Vec3 compute_shift(const SewingPattern& pattern, const Wearer& wearer, CutPieces
   if (!measures.neck_m || measures.levels.empty()) {
     throw InputError("found a body without a neck and arms to be told, expected someone who stands upright");
   }
+  if (!pattern.joint.empty()) {
+    const auto joint = wearer.joints.find(pattern.joint);
+    if (joint != wearer.joints.end()) return joint->second;
+    throw InputError("properties.joint: found '{}', expected a joint of the body: {}", pattern.joint,
+                     join(collect<std::string>(wearer.joints, &JointPlaces::value_type::first)));
+  }
   const double feet_m = sim::compute_extent(wearer.full_m).lower.y, top_m = box.upper.y;
   const bool stands_at_feet = box.lower.y > floor_at_m && top_m > min_top_m;
   Vec3 shift = *measures.neck_m - Vec3(0.0, measures.neck_m->y, 0.0);
   shift.y = stands_at_feet ? feet_m : measures.neck_m->y - neck_over_chest_m;
-  const std::vector<Vec3> shoulders_m = find_shoulder_seams(pattern, pieces);
   const std::vector<ArmJoints> arms = find_arms(wearer.joints);
+  const double half_width_m = arms.empty() ? 0.0 : std::abs(arms[0].shoulder_m.x - shift.x);
+  const double waist_m = measures.waist_m ? measures.waist_m->y : measures.neck_m->y;
+  const NearNeck near_neck = {0.5 * (waist_m + measures.neck_m->y) - shift.y, half_width_m};
+  const std::vector<Vec3> shoulders_m = find_shoulder_seams(pattern, near_neck, pieces);
   std::optional<double> rise_m;
   if (!shoulders_m.empty() && !arms.empty()) {
-    const double half_width_m = std::abs(arms[0].shoulder_m.x - shift.x);
     const std::vector<Vec3> thin_m = placed_m(wearer.places, compute_thin_shape(*wearer.rig, wearer.pose));
     rise_m = rise_over(shoulders_m, shift.x, thin_m, half_width_m);
     if (!rise_m) pieces.first_seams.clear();

@@ -11,7 +11,8 @@ constexpr double beside_trunk = 0.6;      ///< smallest offset of a sleeve's pan
 constexpr double below_shoulder_m = 0.2;  ///< largest depth of a sleeve's top
 constexpr double over_shoulder_m = 0.12;  ///< largest height of a sleeve panel's middle; a hood's is higher
 constexpr double outermost = 0.85;        ///< smallest offset of a cuff, as a fraction of the outermost
-constexpr double arms_down = 0.2;         ///< slope of the arms
+constexpr double arms_down = 0.2;         ///< slope of the arms, also below a seam over them
+constexpr double over_arm_m = 0.1;        ///< distance from the shoulder at which a seam is over the arm
 constexpr std::array arm_joints = {"arm", "forearm", "hand"};
 constexpr std::array leg_joints = {"upleg", "leg", "foot"};
 constexpr double near_hem_m = 0.05;
@@ -71,8 +72,20 @@ void turn(const Sleeve& sleeve, const Vec3& shoulder_m, const Vec3& along, CutPi
   }
 }
 
-/// Returns the direction of arms while the body is thin: nearly level.
-Vec3 along_arm(double side) { return {side, -arms_down, 0.0}; }
+/// Returns the direction of arms while the body is thin: nearly level, and below shoulder seams that go on over the
+/// arms, as those of a poncho.
+Vec3 along_arm(const CutPieces& pieces, const Vec3& shoulder_m, double side) {
+  double slope = 0.0;
+  for (const std::size_t s : pieces.first_seams) {
+    Vec3 inner_m = pieces.placed_m[pieces.seams[s].front().first] - shoulder_m;
+    Vec3 outer_m = pieces.placed_m[pieces.seams[s].back().first] - shoulder_m;
+    if (side * inner_m.x > side * outer_m.x) std::swap(inner_m, outer_m);
+    if (side * inner_m.x < 0.0 && side * outer_m.x > over_arm_m) {
+      slope = std::max(slope, -outer_m.y / (side * outer_m.x));
+    }
+  }
+  return {side, -arms_down - slope, 0.0};
+}
 
 /// Returns the joints of a limb: at least two, or none.
 std::vector<Index> find_chain(const Wearer& wearer, double side, const std::array<const char*, 3>& joints) {
@@ -124,7 +137,7 @@ void turn_sleeves(const SewingPattern& pattern, const Vec3& shift, const Wearer&
     if (!chain.empty()) {
       const Vec3 shoulder_m = begin_m(wearer, chain);
       const Sleeve sleeve = find_sleeve(pattern, pieces, shift, shoulder_m, side);
-      if (!sleeve.panels.empty()) turn(sleeve, shoulder_m, along_arm(side), pieces);
+      if (!sleeve.panels.empty()) turn(sleeve, shoulder_m, along_arm(pieces, shoulder_m, side), pieces);
     }
   }
 }
@@ -133,7 +146,7 @@ std::vector<TurnedBone> turned_limbs(const Wearer& wearer, const CutPieces& piec
   std::vector<TurnedBone> bones;
   for (const double side : {1.0, -1.0}) {
     const std::vector<Index> chain = find_chain(wearer, side, arm_joints);
-    if (!chain.empty()) add_bones(wearer, chain, along_arm(side), bones);
+    if (!chain.empty()) add_bones(wearer, chain, along_arm(pieces, begin_m(wearer, chain), side), bones);
   }
   add_legs(wearer, pieces, bones);
   return bones;

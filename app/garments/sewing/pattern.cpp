@@ -323,8 +323,10 @@ SewingPattern read_sewing_pattern(const std::filesystem::path& path) {
   const JsonPlace root(json, "", file);
   double metres = 0.01;
   bool is_relative = true;
+  SewingPattern pattern;
   if (root.has("properties")) {
     const JsonPlace properties = root.member("properties");
+    if (properties.has("joint")) pattern.joint = properties.member("joint").text();
     if (properties.has("units_in_meter")) {
       const JsonPlace unit = properties.member("units_in_meter");
       const double per_metre = unit.value().is_number() ? unit.value().get<double>() : 0.0;
@@ -342,7 +344,6 @@ SewingPattern read_sewing_pattern(const std::filesystem::path& path) {
   if (!panels.value().is_object() || panels.value().empty() || panels.value().size() > max_panels) {
     panels.fail(fmt::format("1 to {} panels by their names", max_panels));
   }
-  SewingPattern pattern;
   for (const auto& [name, value] : panels.value().items()) {
     pattern.panels.push_back(read_panel(panels.member(name), name, is_relative, metres));
   }

@@ -35,6 +35,8 @@ struct Stitch {
 struct SewingPattern {
   std::vector<PatternPanel> panels;
   std::vector<Stitch> stitches;
+  std::string joint =
+      {};  ///< joint of the body at the pattern's origin (parts_of_joints()); empty: the garment decides
 
   const std::vector<sim::Vec2>& line_of(const PanelEdge& edge) const { return panels[edge.panel].edges_m[edge.edge]; }
   /// Returns, per edge of a panel, whether it is sewn to anything.

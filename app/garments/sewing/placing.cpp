@@ -19,6 +19,9 @@ constexpr double nearly_same_way = 0.5;
 constexpr double over_m = 0.04;    ///< height of an outer layer over an inner one
 constexpr double min_level = 0.1;  ///< smallest horizontal fraction of the normal of a piece that does not lie flat
 constexpr int max_pushes = 80;
+/// Depth of the bow of panels without a body, as a fraction of the pattern's size. Threads within a plane bend no cloth
+/// out of it. More depth stretches panels beyond the bound.
+constexpr double bow_fraction = 0.02;
 
 /// Panels that cross another panel, or the body.
 using Crossings = std::set<std::pair<Index, std::optional<Index>>>;
@@ -26,11 +29,8 @@ using Crossings = std::set<std::pair<Index, std::optional<Index>>>;
 /// Pieces that must not touch each other or the body.
 class Surrounded {
  public:
-  Surrounded(const sim::Body& body, double time_s, const Vec3& axis_m, CutPieces& pieces)
-      : body_m_(mesh_positions_m(body, time_s)),
-        body_triangles_(std::get<sim::BodyMesh>(body.shape).data->triangles),
-        axis_m_(axis_m),
-        pieces_(pieces) {
+  Surrounded(const sim::Surface& body, const Vec3& axis_m, CutPieces& pieces)
+      : body_(body), axis_m_(axis_m), pieces_(pieces) {
     const std::vector<sim::Extent> boxes = panel_boxes(pieces);
     for (std::size_t p = 0; p < boxes.size(); ++p) {
       const auto [a, b, c] = pieces.triangles[pieces.panel_triangles[p]];
@@ -38,9 +38,11 @@ class Surrounded {
       const Vec3 normal = glm::cross(at[b] - at[a], at[c] - at[a]), middle = boxes[p].middle() - axis_m;
       const double across = glm::length(glm::dvec2(normal.x, normal.z));
       // A piece that lies flat is above the body.
-      Vec3 way =
-          across > min_level * glm::length(normal) ? Vec3(normal.x, 0.0, normal.z) / across : Vec3(0.0, 1.0, 0.0);
-      way = way.y == 0.0 && glm::dot(way, middle) < 0.0 ? -way : way;
+      const bool is_free = body.triangles.empty(), is_flat = across <= min_level * glm::length(normal);
+      Vec3 way = is_free   ? glm::normalize(normal)
+                 : is_flat ? Vec3(0.0, 1.0, 0.0)
+                           : Vec3(normal.x, 0.0, normal.z) / across;
+      way = (is_free || !is_flat) && glm::dot(way, middle) < 0.0 ? -way : way;
       ways_.push_back(way);
       out_m_.push_back(glm::dot(middle, way));
     }
@@ -107,6 +109,17 @@ class Surrounded {
     }
   }
 
+  /// Bends pieces towards the middle of all.
+  void bend() {
+    const double size_m = glm::length(sim::compute_extent(pieces_.placed_m).size());
+    for (std::size_t v = 0; v < pieces_.placed_m.size(); ++v) {
+      const Vec3& way = ways_[pieces_.panel_of[v]];
+      Vec3 along_m = pieces_.placed_m[v] - axis_m_;
+      along_m -= glm::dot(along_m, way) * way;
+      pieces_.placed_m[v] -= bow_fraction / size_m * glm::dot(along_m, along_m) * way;
+    }
+  }
+
  private:
   /// Moves pieces of outer layers further out than pieces of inner layers that face nearly the same way.
   void put_over() {
@@ -138,7 +151,7 @@ class Surrounded {
     const sim::Surface cloth = {positions_m, pieces_.triangles};
     const auto panel = [&](Index t) { return pieces_.panel_of[pieces_.triangles[t][0]]; };
     Crossings found;
-    for (const sim::CrossingPair& pair : sim::find_crossing_pairs(cloth, {body_m_, body_triangles_})) {
+    for (const sim::CrossingPair& pair : sim::find_crossing_pairs(cloth, body_)) {
       found.insert({panel(pair.first), std::nullopt});
     }
     for (const sim::CrossingPair& pair : sim::find_crossing_pairs(cloth))
@@ -153,8 +166,7 @@ class Surrounded {
     }
   }
 
-  std::vector<Vec3> body_m_;
-  std::span<const sim::Triangle> body_triangles_;
+  sim::Surface body_;
   Vec3 axis_m_;
   CutPieces& pieces_;
   std::vector<Vec3> ways_;     ///< per panel, level and outwards
@@ -237,31 +249,8 @@ const Wearer& require_wearer(const LoadedBodies& bodies) {
   return *dressed.wearer;
 }
 
-}  // namespace
-
-std::size_t part_and_draw_in(const sim::Body& body, double time_s, const Vec3& axis_m, CutPieces& pieces) {
-  Surrounded surrounded(body, time_s, axis_m, pieces);
-  const std::size_t moved = surrounded.part();
-  Surrounded(body, time_s, axis_m, pieces).draw_in();
-  return moved;
-}
-
-double thin_time_s(const LoadedBodies& bodies) {
-  const Dressed dressed = dressed_body(bodies);
-  return std::get<sim::BodyMesh>(bodies.all[dressed.body].shape).frames->first_s() - 1000.0;
-}
-
-std::vector<std::string> bring_to_body(const SewingPattern& pattern, const LoadedBodies& bodies, CutPieces& pieces) {
-  const Wearer& wearer = require_wearer(bodies);
-  require_placed(pattern);
-  std::vector<std::string> said;
-  const Vec3 shift = move_to_height(pattern, wearer, pieces, said);
-  push_ease_together(pattern, pieces);
-  turn_sleeves(pattern, shift, wearer, pieces);
-  return said;
-}
-
-std::vector<std::string> place_pieces(CutPieces& pieces, const Scene& scene, LoadedBodies& bodies) {
+/// Lets the body begin thin and moves pieces as place_pieces() does. Returns how many moved.
+std::size_t place_about_body(CutPieces& pieces, const Scene& scene, LoadedBodies& bodies) {
   Wearer wearer = require_wearer(bodies);
   const std::size_t b = dressed_body(bodies).body;
   sim::Body& body = bodies.all[b];
@@ -279,12 +268,49 @@ std::vector<std::string> place_pieces(CutPieces& pieces, const Scene& scene, Loa
     std::vector<RigPose> poses = make_turning_poses(*wearer.rig, wearer.pose, turned_limbs(wearer, pieces));
     poses.insert(poses.end(), poses.size(), wearer.pose);
     std::get<sim::BodyMesh>(body.shape).frames = make_growing_frames(wearer, poses);
-    last = moved == 0 ? part_and_draw_in(body, thin_time_s(bodies), *wearer.measures.neck_m, pieces) : 0;
+    const std::vector<Vec3> thin_m = mesh_positions_m(body, thin_time_s(bodies));
+    const sim::Surface thin = {thin_m, std::get<sim::BodyMesh>(body.shape).data->triangles};
+    last = moved == 0 ? part_and_draw_in(thin, *wearer.measures.neck_m, pieces) : 0;
     moved += last;
   }
+  return moved;
+}
+
+}  // namespace
+
+std::size_t part_and_draw_in(const sim::Surface& body, const Vec3& axis_m, CutPieces& pieces) {
+  const std::size_t moved = Surrounded(body, axis_m, pieces).part();
+  Surrounded apart(body, axis_m, pieces);
+  body.triangles.empty() ? apart.bend() : apart.draw_in();
+  return moved;
+}
+
+double thin_time_s(const LoadedBodies& bodies) {
+  if (bodies.all.empty()) return 0.0;
+  return std::get<sim::BodyMesh>(bodies.all[dressed_body(bodies).body].shape).frames->first_s() - 1000.0;
+}
+
+std::vector<std::string> bring_to_body(const SewingPattern& pattern, const LoadedBodies& bodies, CutPieces& pieces) {
+  require_placed(pattern);
+  std::vector<std::string> said;
+  if (bodies.all.empty()) {
+    push_ease_together(pattern, pieces);
+    return said;
+  }
+  const Wearer& wearer = require_wearer(bodies);
+  const Vec3 shift = move_to_height(pattern, wearer, pieces, said);
+  push_ease_together(pattern, pieces);
+  turn_sleeves(pattern, shift, wearer, pieces);
+  return said;
+}
+
+std::vector<std::string> place_pieces(CutPieces& pieces, const Scene& scene, LoadedBodies& bodies) {
+  const std::size_t moved = bodies.all.empty()
+                                ? part_and_draw_in({}, sim::compute_extent(pieces.placed_m).middle(), pieces)
+                                : place_about_body(pieces, scene, bodies);
   if (moved == 0) return {};
-  return {fmt::format("{} of its {} pieces crossed another or the body where they were placed: moved apart", moved,
-                      pieces.panel_count())};
+  return {fmt::format("{} of its {} pieces crossed another{} where they were placed: moved apart", moved,
+                      pieces.panel_count(), bodies.all.empty() ? "" : " or the body")};
 }
 
 }  // namespace taut::app

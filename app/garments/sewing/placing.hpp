@@ -5,20 +5,21 @@
 
 namespace taut::app {
 
-/// Moves pieces that cross the body at that time, each other or another layer outwards from the body's axis, or
-/// sideways. Then moves all pieces inwards as far as they keep clear, so that threads have less to draw. Returns how
-/// many crossed.
-std::size_t part_and_draw_in(const sim::Body& body, double time_s, const sim::Vec3& axis_m, CutPieces& pieces);
+/// Moves pieces that cross the body, each other or another layer outwards from this axis, or sideways. Then moves all
+/// pieces inwards to the body as far as they keep clear, so that threads have less to draw. Without a body, pieces move
+/// only apart, from this point. Returns how many crossed.
+std::size_t part_and_draw_in(const sim::Surface& body, const sim::Vec3& axis_m, CutPieces& pieces);
 
 /// Moves the pieces of a pattern to the dressed body of the scene. The pattern places them about a body of similar
 /// size, with its feet or its chest at the origin. All pieces move up or down together, so that shoulder seams lie
-/// above its shoulders, or the upper border where the body is as wide. Sleeves are turned to where arms begin. Requires
-/// loaded bodies (load_bodies()). Returns a report for people. Throws InputError if no body is dressed or its measures
-/// are unknown.
+/// above its shoulders, or the upper border where the body is as wide. Sleeves are turned to where arms begin. A
+/// pattern that names a joint lies about that. Without a body, pieces stay where the pattern places them. Requires
+/// loaded bodies (load_bodies()). Returns a report for people. Throws InputError if no body is dressed, or if its
+/// measures or the joint are unknown.
 std::vector<std::string> bring_to_body(const SewingPattern& pattern, const LoadedBodies& bodies, CutPieces& pieces);
 
-/// Lets the body begin thin, with its arms nearly level and its legs in the legs of trousers. Moves pieces outwards
-/// that cross the body or each other. Requires bring_to_body(). Returns a report for people.
+/// Lets the body, if there is one, begin thin, with its arms nearly level and its legs in the legs of trousers. Moves
+/// pieces outwards that cross the body or each other. Requires bring_to_body(). Returns a report for people.
 std::vector<std::string> place_pieces(CutPieces& pieces, const Scene& scene, LoadedBodies& bodies);
 
 // Steps of bring_to_body(). move_to_height() moves all pieces up or down, returns how far, and marks the shoulder
@@ -34,7 +35,7 @@ std::vector<TurnedBone> turned_limbs(const Wearer& wearer, const CutPieces& piec
 /// cloth.
 inline constexpr int frames_to_own_shape = 30;
 
-/// Returns a time at which the dressed body is thin, in s.
+/// Returns a time at which the dressed body is thin, in s; 0 without a body.
 double thin_time_s(const LoadedBodies& bodies);
 
 }  // namespace taut::app

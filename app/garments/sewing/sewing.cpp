@@ -45,8 +45,12 @@ constexpr double held_above_waist_m = 0.08;
 /// the body, less lets it slide down.
 constexpr double hold_weights = 2.0;
 constexpr double hold_reach_m = 0.01;
-constexpr double of_one_limb = 0.6;  ///< fraction of a girth below which a level meets one limb alone
-constexpr double of_waist_m = 0.05;  ///< depth below the upper end of a garment that is worn at the waist
+/// Upper limit of the compression stiffness without a body. More lets gathered cloth tremble for ever, without any the
+/// bending of curved cloth shrinks it.
+constexpr double max_free_compression_n_per_m = 3.0;
+constexpr int frames_to_unfold = 60;  ///< frames after which a garment without a body begins anew
+constexpr double of_one_limb = 0.6;   ///< fraction of a girth below which a level meets one limb alone
+constexpr double of_waist_m = 0.05;   ///< depth below the upper end of a garment that is worn at the waist
 
 [[noreturn]] void refuse_open(SewnGarment garment) {
   const SewnPieces& sewn = garment.sewn;
@@ -112,21 +116,58 @@ std::string describe_tightest(const LoadedBodies& bodies, const SewnGarment& gar
 /// would slide down while the body grows into them and before friction holds them.
 std::vector<sim::GrabbedVertex> hold_strapless(const Scene& scene, const LoadedBodies& bodies,
                                                const SewnGarment& garment) {
-  const BodyMeasures& measures = dressed_body(bodies).wearer->measures;
+  const Wearer* wearer = dressed_body(bodies).wearer;
   std::vector<sim::GrabbedVertex> hands;
-  if (!garment.pieces.first_seams.empty() || !measures.waist_m) return hands;
+  if (!garment.pieces.first_seams.empty() || wearer == nullptr || !wearer->measures.waist_m) return hands;
   const sim::Garment& cloth = garment.sewn.garment;
   const double weight_n = glm::length(scene.surroundings.forces.gravity_m_per_s2) *
                           std::reduce(cloth.masses_kg.begin(), cloth.masses_kg.end());
   for (const GarmentPart& part : find_garment_parts(cloth.mesh, sim::make_adjacency(cloth.mesh))) {
     const Opening* top = top_opening(part);
-    if (top == nullptr || top->mean_height_m < measures.waist_m->y + held_above_waist_m) continue;
+    if (top == nullptr || top->mean_height_m < wearer->measures.waist_m->y + held_above_waist_m) continue;
     const double force_n = hold_weights * weight_n / static_cast<double>(top->vertices.size());
     for (const Index v : top->vertices) {
       hands.push_back({v, cloth.mesh.positions[v], force_n / hold_reach_m, force_n});
     }
   }
   return hands;
+}
+
+/// Lets a sewn garment come to rest without a body, gravity and wind, in which it would fall or fly away. It begins
+/// anew each second, as bending counts the shape at the start as flat: creases that closing has left would last.
+void rest_freely(const Scene& scene, const SewingSettings& settings,
+                 const std::function<void(const std::string&)>& stage, SewnGarment& garment) {
+  sim::Surroundings air = scene.surroundings;
+  air.forces.gravity_m_per_s2 = Vec3(0.0);
+  air.forces.gravity_path.clear();
+  air.forces.wind.speed_m_per_s = 0.0;
+  air.forces.air_drag_per_s = std::max(air.forces.air_drag_per_s, resting_drag_per_s);
+  sim::Material material = scene.material;
+  double& compression_n_per_m = material.compression_stiffness_n_per_m;
+  compression_n_per_m = std::min(compression_n_per_m, max_free_compression_n_per_m);
+  sim::SimulationSettings run_settings = simulation_settings(scene.simulation);
+  run_settings.rest_settings.speed_m_per_s = std::max(run_settings.rest_settings.speed_m_per_s, resting_m_per_s);
+  sim::Garment& cloth = garment.sewn.garment;
+  std::optional<sim::Simulation> simulation;
+  for (; garment.frames < settings.frames && !garment.is_at_rest; ++garment.frames) {
+    throw_if_interrupted();
+    stage(fmt::format("coming to rest, {} of {} frames", garment.frames, settings.frames));
+    if (garment.frames % frames_to_unfold == 0) {
+      sim::Garment unfolded = sim::make_garment(std::move(cloth.mesh), scene.mapping, material);
+      unfolded.warps = std::move(cloth.warps);
+      cloth = of_fabrics(std::move(unfolded), garment);
+      simulation.emplace(sim::share(cloth), std::vector<Index>{}, run_settings, air, cloth.mesh.positions);
+    }
+    try {
+      simulation->advance_frame(throw_if_interrupted);
+    } catch (const sim::ContactBlocked& error) {
+      throw SewingFailed(std::string("its seams are closed, but it does not come to rest: ") + error.what(),
+                         std::move(garment));
+    }
+    cloth.mesh.positions = simulation->state().current;
+    garment.rms_speed_m_per_s = sim::rms_speed(simulation->change());
+    garment.is_at_rest = simulation->state().asleep;
+  }
 }
 
 /// Lets the body grow into the sewn garment, which then comes to rest.
@@ -173,7 +214,7 @@ void dress_sewn_garment(const Scene& scene, const LoadedBodies& bodies, const Se
     double work = 0.0;
     for (; garment.frames < settings.frames && work < max_work; ++garment.frames) {
       throw_if_interrupted();
-      stage(fmt::format("worn for {} of {} frames", garment.frames, settings.frames));
+      stage(fmt::format("coming to rest, {} of {} frames", garment.frames, settings.frames));
       if (simulation.state().asleep) {
         if (!is_thick) break;
         is_thick = false;
@@ -219,35 +260,49 @@ void keep_step(double share, const sim::Garment& now, const std::vector<Vec3>& p
   }
 }
 
-/// Returns the scene with the body to sew on, the last one that is read from a file, and no other.
+/// Returns whether the upper ends of all parts lie around the body.
+bool lies_around(const Wearer& wearer, const sim::Mesh& mesh) {
+  const std::vector<LevelTape>& levels = wearer.measures.levels;
+  const auto around = [&](const GarmentPart& part) {
+    const Opening* top = top_opening(part);
+    if (top == nullptr) return true;
+    const bool is_on_trunk = top->mean_height_m < levels.back().height_m;
+    const Vec3 middle = is_on_trunk ? wearer.measures.level_at(top->mean_height_m).middle_m : *wearer.measures.neck_m;
+    return top->range.lower.x < middle.x && middle.x < top->range.upper.x && top->range.lower.z < middle.z &&
+           middle.z < top->range.upper.z;
+  };
+  return std::ranges::all_of(find_garment_parts(mesh, sim::make_adjacency(mesh)), around);
+}
+
+/// Returns the scene with the body to sew on, the last one that is read from a file, and no other. Without such a body
+/// there is none.
 Scene scene_to_sew(const Scene& scene) {
   const auto of_file = [](const BodyInScene& entry) { return !entry.source.file.empty(); };
   const auto found = std::find_if(scene.bodies.rbegin(), scene.bodies.rend(), of_file);
-  if (found == scene.bodies.rend()) {
-    throw InputError("'{}' is a sewing pattern: found no body to sew it on, expected one (--body FILE, body.file)",
-                     scene.garment.file.string());
-  }
   Scene sewn = scene;
-  sewn.bodies.assign(1, *found);
+  sewn.bodies.clear();
+  sewn.surroundings = {};
+  if (found == scene.bodies.rend()) return sewn;
+  sewn.bodies.push_back(*found);
   auto& [body, source] = sewn.bodies[0];
   body = {.name = found->body.name, .shape = sim::BodyMesh{}};
   source.motion.clear();
   source.clip = "none";
   source.dress = usual_dressing_frames;
-  sewn.surroundings = {};
   return sewn;
 }
 
 /// Returns a hash of all inputs that change the sewn garment.
 std::uint64_t compute_fingerprint(const Scene& scene) {
-  const BodySource& body = scene.bodies[0].source;
   const sim::Material& m = scene.material;
   sim::ByteWriter bytes;
   bytes.put_text(program_version());
   bytes.put_text(read_text_file(scene.garment.file));
-  bytes.put_text(read_text_file(body.file, max_model_bytes));
-  bytes.put(body.scale.value_or(0.0));
-  bytes.put(body.up ? static_cast<std::uint8_t>(*body.up) : std::uint8_t{255});
+  for (const auto& [placed, body] : scene.bodies) {
+    bytes.put_text(read_text_file(body.file, max_model_bytes));
+    bytes.put(body.scale.value_or(0.0));
+    bytes.put(body.up ? static_cast<std::uint8_t>(*body.up) : std::uint8_t{255});
+  }
   for (const double value : {m.areal_density_kg_per_m2, m.bending_rigidity_n_m, m.compression_stiffness_n_per_m,
                              m.tensile_warp_n_per_m, m.tensile_weft_n_per_m, m.shear_n_per_m, m.thickness_m, m.friction,
                              scene.simulation.solver.bounded.max_stretch}) {
@@ -308,16 +363,24 @@ SewnGarment sew(NamedPattern inner, const Scene& scene, LoadedBodies& bodies, co
                     keep_step(share, now, positions_m, garment);
                   });
   if (garment.sewn.gap_m > 0.0) refuse_open(std::move(garment));
-  dress_sewn_garment(scene, bodies, settings, stage, garment);
+  if (bodies.all.empty()) {
+    rest_freely(scene, settings, stage, garment);
+  } else {
+    dress_sewn_garment(scene, bodies, settings, stage, garment);
+  }
   require_worn(scene, bodies, garment);
   return garment;
 }
 
 void require_worn(const Scene& scene, const LoadedBodies& bodies, SewnGarment& garment) {
   const sim::Mesh& mesh = garment.sewn.garment.mesh;
-  const BodyMeasures& measures = dressed_body(bodies).wearer->measures;
-  if (sim::compute_extent(mesh.positions).upper.y < measures.levels[measures.fork].height_m) {
+  const Wearer* wearer = dressed_body(bodies).wearer;
+  const auto fork_m = [&] { return wearer->measures.levels[wearer->measures.fork].height_m; };
+  if (wearer != nullptr && sim::compute_extent(mesh.positions).upper.y < fork_m()) {
     throw SewingFailed("its seams are closed, but it does not stay on the body: it falls down", std::move(garment));
+  }
+  if (wearer != nullptr && garment.pattern.joint.empty() && !lies_around(*wearer, mesh)) {
+    throw SewingFailed("its seams are closed, but its upper end does not go around the body", std::move(garment));
   }
   const sim::Surface cloth = {mesh.positions, mesh.triangles};
   for (const SceneCrossings& crossings : scene_crossings(cloth, bodies.all, garment.time_s)) {
@@ -357,8 +420,9 @@ std::string to_obj(const SewnGarment& garment) {
 }
 
 std::string to_landmarks_text(const SewnGarment& garment) {
-  std::string text = "# As it is cut: lengths at rest are those of the texture coordinates, which are cm.\n" +
-                     fmt::format("metres_per_uv = {}\nis_cut = true\n", metres_per_uv_of_cut);
+  std::string text =
+      "# As it is cut: lengths at rest are those of the texture coordinates, which are cm.\n" +
+      fmt::format("metres_per_unit = 1\nup = \"y\"\nmetres_per_uv = {}\nis_cut = true\n", metres_per_uv_of_cut);
   if (!garment.fabric.empty()) text += "fabric = " + toml_text(garment.fabric) + "\n";
   if (garment.max_stretch > sim::BoundedSettings().max_stretch) {
     text += fmt::format("# It is worn within this bound.\nmax_stretch = {:g}\n", garment.bound);

@@ -32,7 +32,7 @@ struct SewingStep {
   double time_s = 0.0;  ///< time of the bodies; the flat pattern lies where there are none
 };
 
-/// A pattern sewn on the body of a scene, at rest.
+/// A pattern that was sewn, at rest.
 struct SewnGarment {
   SewingPattern pattern = {};  ///< pattern of all layers; panels of outer layers are named "FILE.NAME"
   CutPieces pieces = {};
@@ -59,13 +59,14 @@ struct SewingFailed : PromiseBroken {
 };
 
 /// Sews a pattern on the dressed body of a scene: pieces are placed about the thin body, their seams are drawn
-/// together, the body grows into the garment, and the garment comes to rest in the scene's air.
+/// together, the body grows into the garment, and the garment comes to rest in the scene's air. Without a body, the
+/// pieces close where the pattern places them, and the garment comes to rest without gravity and wind.
 /// `stage` is called with a description of each stage. Throws InputError, SewingFailed if a seam stays open or the
 /// garment is too small, and Interrupted.
 SewnGarment sew(NamedPattern pattern, const Scene& scene, LoadedBodies& bodies, const SewingSettings& settings,
                 const std::function<void(const std::string&)>& stage);
 
-/// Measures the stretch of a garment that was sewn. Throws SewingFailed if it is not on the body, crosses something or
+/// Measures the stretch of a garment that was sewn. Throws SewingFailed if it is not on its body, crosses something or
 /// exceeds the bound.
 void require_worn(const Scene& scene, const LoadedBodies& bodies, SewnGarment& garment);
 
@@ -80,10 +81,10 @@ std::string to_obj(const SewnGarment& garment);
 /// lengths.
 std::string to_landmarks_text(const SewnGarment& garment);
 
-/// Sews the scene's garment, if it is a sewing pattern, on the last body that is read from a file, and lets the scene
-/// begin with the result. The result is a file for this pattern, body, fabric and bound in the folder for temporary
-/// files, which is sewn once. Other scenes are unchanged. Must be called before load_bodies(). Returns a report for
-/// people. Throws as sew() does, and InputError if there is no body.
+/// Sews the scene's garment, if it is a sewing pattern, on the last body that is read from a file, or without a body,
+/// and lets the scene begin with the result. The result is a file for this pattern, body, fabric and bound in the
+/// folder for temporary files, which is sewn once. Other scenes are unchanged. Must be called before load_bodies().
+/// Returns a report for people. Throws as sew() does.
 std::vector<std::string> sew_garment(Scene& scene, const std::function<void(const std::string&)>& stage = {});
 
 /// Calls sew_garment() and then choose_dressing(). Returns and throws as both do; the report comes before the remarks.

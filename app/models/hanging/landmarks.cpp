@@ -28,7 +28,9 @@ std::vector<Key<GarmentFacts>> keys_of_facts(bool has_scale) {
     }
     return true;
   };
-  return {number_key<F>("metres_per_uv", "", positive, MEMBER(metres_per_uv)),
+  return {number_key<F>("metres_per_unit", "m", positive, MEMBER(metres_per_unit)),
+          up_key<F>("up", MEMBER(up)),
+          number_key<F>("metres_per_uv", "", positive, MEMBER(metres_per_uv)),
           {"is_cut", "", "true or false, and metres_per_uv beside it", read_cut, {}},
           whole_key<F>("layers", {1, 8}, MEMBER(layers)),
           {"fabrics", "", "a table of groups = fabric", read_fabrics, {}}};

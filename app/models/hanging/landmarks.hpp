@@ -16,6 +16,8 @@ Landmarks read_landmarks(const std::filesystem::path& garment, const Placement& 
 
 /// Facts about the garment itself in the same file.
 struct GarmentFacts {
+  std::optional<double> metres_per_unit = {};  ///< unit of its positions; empty if the file does not say
+  std::optional<ModelAxis> up = {};
   std::optional<double> metres_per_uv = {};  ///< scale of its texture coordinates; empty if the file does not say
   bool is_cut = false;  ///< true if it is at rest as cut: with the lengths of its texture coordinates, in that scale
   int layers = 1;       ///< count of garments over each other

@@ -144,6 +144,30 @@ TEST(Lemma, JoinsKeepBoundAndDistance) {
   EXPECT_GE(closed, 95) << "of a hundred tubes";
 }
 
+TEST(Lemma, AJoinThatWouldStretchClothIsNotMade) {
+  EXPECT_TRUE(sim::holds("tight", [&] {
+    sim::Numbers some(*rc::gen::arbitrary<unsigned>());
+    const double girth_m = some.between(0.4, 0.8), radius_m = girth_m / (2.0 * M_PI);
+    SewingPattern pattern;
+    const double width_m = 0.25 * girth_m * some.between(0.96, 0.985);
+    for (std::size_t p = 0; p < 4; ++p) {
+      pattern.panels.push_back(
+          panel(some, "panel " + std::to_string(p), width_m, width_m, 0.2, 0.5 * M_PI * static_cast<double>(p)));
+      pattern.panels.back().translation_m = (radius_m + 0.03) * pattern.panels.back().rotation[2] + Vec3(0.0, 1.0, 0.0);
+      pattern.stitches.push_back({{p, 1}, {(p + 1) % 4, 3}});
+    }
+    Scene scene;
+    scene.simulation.solver.bounded.max_stretch = 0.01;
+    LoadedBodies around;
+    around.all.push_back({"post", sim::Capsule{{0.0, 0.0, 0.0}, {0.0, 2.0, 0.0}, radius_m, radius_m}});
+    const SewnPieces sewn = close_seams(cut_pieces(pattern, 120), scene, around, 0.0,
+                                        [&](double, const sim::Garment& cloth, const auto& at_m) {
+                                          RC_ASSERT(sim::measure_surface_stretch(cloth, at_m).max <= 0.01 + 1e-6);
+                                        });
+    RC_ASSERT(sewn.gap_m > 0.0);
+  }));
+}
+
 TEST_F(OnBody, WhatIsWornGoesAroundTheBody) {
   sim::Numbers fixed(1);
   SewingPattern pattern = {{panel(fixed, "front", 0.4, 0.6, 0.4, 0.0), panel(fixed, "back", 0.4, 0.6, 0.4, M_PI)},

@@ -268,6 +268,32 @@ TEST_F(Sewing, SaysWhichSeamStaysOpenAndByHowMuch) {
   }
 }
 
+TEST_F(Sewing, SaysWhichPanelIsSewnToNothing) {
+  std::string text = skirt(40.0, 60.0);
+  text.replace(text.find("\"stitches\": [[") + 13, std::string::npos, "]}}");
+  const Scene scene = scene_with(folder.write("skirt.json", text));
+  const std::string message = test::error_message<InputError>([&] { sewn(scene, 200); });
+  EXPECT_NE(message.find("the panel 'back': found no stitch to another panel"), std::string::npos) << message;
+}
+
+TEST_F(Sewing, SaysThatAPatternHasTheWrongUnit) {
+  for (const double units_in_metre : {1e4, 10.0}) {
+    std::string text = skirt(40.0, 60.0);
+    text.insert(1, fmt::format(R"("properties": {{"units_in_meter": {}}}, )", units_in_metre));
+    const Scene scene = scene_with(folder.write("skirt.json", text));
+    const std::string message = test::error_message<InputError>([&] { sewn(scene, 200); });
+    EXPECT_NE(message.find("m; properties.units_in_meter says what a unit is"), std::string::npos) << message;
+  }
+}
+
+TEST_F(Sewing, SaysWhichSeamsShareAnEdge) {
+  std::string text = skirt(40.0, 60.0);
+  text.replace(text.rfind("]}}"), 3, R"(, [{"panel": "front", "edge": 0}, {"panel": "front", "edge": 2}]]}})");
+  const Scene scene = scene_with(folder.write("skirt.json", text));
+  const std::string message = test::error_message<SewingFailed>([&] { sewn(scene, 200); });
+  EXPECT_NE(message.find("it shares an edge with the seam of front, edge "), std::string::npos) << message;
+}
+
 TEST_F(Sewing, PanelsThatBeginWithinTheBodyGoAroundIt) {
   const Scene scene = scene_with(folder.write("skirt.json", skirt(40.0, 60.0, 2.0)));
   const SewnGarment garment = sewn(scene, 400, 1);
@@ -481,7 +507,7 @@ TEST_F(Sewing, ShouldersAreFoundBelowAHood) {
   const SewingPattern pattern = {
       {rectangle("front", 0.2, 0.6, {0.15, 1.4, 0.1}), rectangle("back", 0.2, 0.6, {0.15, 1.4, -0.1}),
        rectangle("hood", 0.2, 0.4, {0.0, 1.8, 0.0})},
-      {{{0, 2}, {1, 2}}}};
+      {{{0, 2}, {1, 2}}, {{0, 3}, {2, 3}}}};
   CutPieces pieces = cut_pieces(pattern, 300);
   bring_to_body(pattern, bodies, pieces);
   EXPECT_EQ(pieces.first_seams, std::vector<std::size_t>{0});

@@ -19,6 +19,9 @@ constexpr double nearly_same_way = 0.5;
 constexpr double over_m = 0.04;    ///< height of an outer layer over an inner one
 constexpr double min_level = 0.1;  ///< smallest horizontal fraction of the normal of a piece that does not lie flat
 constexpr int max_pushes = 80;
+// Sizes of patterns that are sewn on a body. Others have the wrong unit.
+constexpr double min_clothes_m = 0.04;
+constexpr double max_clothes_m = 3.5;
 /// Depth of the bow of panels without a body, as a fraction of the pattern's size. Threads within a plane bend no cloth
 /// out of it. More depth stretches panels beyond the bound.
 constexpr double bow_fraction = 0.02;
@@ -213,6 +216,12 @@ void require_placed(const SewingPattern& pattern) {
   const bool is_any_placed = std::ranges::any_of(pattern.panels, [&](const PatternPanel& panel) {
     return panel.translation_m != first.translation_m || panel.rotation != first.rotation;
   });
+  for (std::size_t p = 0; p < pattern.panels.size() && pattern.panels.size() > 1; ++p) {
+    if (pattern.sewn_with({p}, [](std::size_t) { return true; }).size() == 1) {
+      throw InputError("the panel '{}': found no stitch to another panel, expected one in pattern.stitches",
+                       pattern.panels[p].name);
+    }
+  }
   if (pattern.panels.size() > 1 && !is_any_placed) {
     throw InputError(
         "found all {} panels of the pattern at {} m, turned alike; expected translations and rotations that place them "
@@ -298,6 +307,14 @@ std::vector<std::string> bring_to_body(const SewingPattern& pattern, const Loade
     return said;
   }
   const Wearer& wearer = require_wearer(bodies);
+  const sim::Extent range = sim::compute_extent(pieces.placed_m);
+  const double size_m = range.size()[sim::long_axis(range)];
+  if (size_m < min_clothes_m || size_m > max_clothes_m) {
+    throw InputError(
+        "found a pattern of {:.3g} m, expected clothes of {} to {} m; properties.units_in_meter says what a "
+        "unit is",
+        size_m, min_clothes_m, max_clothes_m);
+  }
   const Vec3 shift = move_to_height(pattern, wearer, pieces, said);
   push_ease_together(pattern, pieces);
   turn_sleeves(pattern, shift, wearer, pieces);

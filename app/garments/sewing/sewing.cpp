@@ -50,14 +50,20 @@ constexpr double hold_reach_m = 0.01;
 constexpr double max_free_compression_n_per_m = 3.0;
 constexpr int frames_to_unfold = 60;  ///< frames after which a garment without a body begins anew
 constexpr double of_one_limb = 0.6;   ///< fraction of a girth below which a level meets one limb alone
+constexpr double min_girth_m = 0.1;   ///< smallest girth of clothes; smaller ones are measured wrong
 constexpr double of_waist_m = 0.05;   ///< depth below the upper end of a garment that is worn at the waist
 
 [[noreturn]] void refuse_open(SewnGarment garment) {
   const SewnPieces& sewn = garment.sewn;
-  const std::string message =
-      fmt::format("a seam stays open: {}, by {:.1f} cm at {}{}",
-                  garment.pattern.describe(garment.pattern.stitches[sewn.open_stitch]), sewn.gap_m / cm,
+  const Stitch& open = garment.pattern.stitches[sewn.open_stitch];
+  std::string message =
+      fmt::format("a seam stays open: {}, by {:.2g} cm at {}{}", garment.pattern.describe(open), sewn.gap_m / cm,
                   describe_place(sewn.gap_place_m), sewn.reason.empty() ? "" : "; " + sewn.reason);
+  for (const Stitch& other : garment.pattern.stitches) {
+    const bool shares = other.first == open.first || other.first == open.second || other.second == open.first ||
+                        other.second == open.second;
+    if (shares && &other != &open) message += "; it shares an edge with the seam of " + garment.pattern.describe(other);
+  }
   throw SewingFailed(message, std::move(garment));
 }
 
@@ -104,7 +110,8 @@ std::string describe_tightest(const LoadedBodies& bodies, const SewnGarment& gar
   const double height_m = start_m[mesh.triangles[t][0]].y;
   std::optional<double> cloth_m = tube ? girth_at(start, std::min(height_m, tube->max_height_m)) : std::nullopt;
   if (marks.is_worn_at_waist && height_m > marks.top_height_m - of_waist_m) cloth_m = marks.top_m;
-  if (cloth_m && at_m.y > measures.levels[measures.fork].height_m && at_m.y < measures.levels.back().height_m) {
+  if (cloth_m && *cloth_m > min_girth_m && at_m.y > measures.levels[measures.fork].height_m &&
+      at_m.y < measures.levels.back().height_m) {
     around = fmt::format(", where the body is {:.1f} cm around and the garment {:.1f} cm",
                          measures.level_at(at_m.y).girth_m / cm, *cloth_m / cm);
   }

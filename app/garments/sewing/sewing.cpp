@@ -267,16 +267,16 @@ void keep_step(double share, const sim::Garment& now, const std::vector<Vec3>& p
   }
 }
 
-/// Returns whether the upper ends of all parts lie around the body.
+/// Returns whether the upper ends of all parts lie around the body. That of a hood lies in front of the neck: there the
+/// whole part counts.
 bool lies_around(const Wearer& wearer, const sim::Mesh& mesh) {
-  const std::vector<LevelTape>& levels = wearer.measures.levels;
   const auto around = [&](const GarmentPart& part) {
     const Opening* top = top_opening(part);
     if (top == nullptr) return true;
-    const bool is_on_trunk = top->mean_height_m < levels.back().height_m;
+    const bool is_on_trunk = top->mean_height_m < wearer.measures.levels.back().height_m;
+    const sim::Extent& range = is_on_trunk ? top->range : part.range;
     const Vec3 middle = is_on_trunk ? wearer.measures.level_at(top->mean_height_m).middle_m : *wearer.measures.neck_m;
-    return top->range.lower.x < middle.x && middle.x < top->range.upper.x && top->range.lower.z < middle.z &&
-           middle.z < top->range.upper.z;
+    return range.lower.x < middle.x && middle.x < range.upper.x && range.lower.z < middle.z && middle.z < range.upper.z;
   };
   return std::ranges::all_of(find_garment_parts(mesh, sim::make_adjacency(mesh)), around);
 }

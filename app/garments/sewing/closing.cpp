@@ -3,6 +3,7 @@
 #include "app/base/errors.hpp"
 #include "app/garments/dressing/wearing.hpp"
 #include "app/garments/fitting/following.hpp"
+#include "app/garments/sewing/tuning.hpp"
 #include "app/runs/frame_record.hpp"
 #include "sim/mesh/groups.hpp"
 #include "sim/mesh/welding.hpp"
@@ -13,38 +14,7 @@ namespace {
 using sim::Index;
 using sim::Vec2;
 using sim::Vec3;
-
-constexpr double pull_m_per_s2 = 15.0;      ///< pull of all threads of a panel, over its mass
-constexpr double inwards_m_per_s2 = 10.0;   ///< pull of sewn layers towards the body
-constexpr double inwards_from_m = 0.05;     ///< distance from the body within which this pull decreases
-constexpr double slack_m = 0.001;           ///< distance within which threads pull less
-constexpr double strength_growth = 1.4;     ///< growth factor of the pull after a pass that closed less than 5 %
-constexpr double strength_reduction = 0.5;  ///< factor of the pull after a blocked frame
-constexpr double release_factor = 0.1;      ///< factor of the pull after a pass that met everything and joined nothing
-constexpr int max_blocked_frames = 8;       ///< limit of blocked frames
-constexpr double min_pass_fraction = 0.05;  ///< fraction of the open part that a pass has to close
-constexpr double max_strength = 30.0;
-constexpr double drag_per_s = 10.0;  ///< drag of the air during sewing
-constexpr double thickest_m = 3e-4;  ///< upper limit of the cloth's thickness during sewing, so that borders meet
-constexpr double max_bending_rigidity_n_m = 2e-6;  ///< upper limit of the bending rigidity during sewing
-constexpr double first_reach_fraction = 0.1;       ///< fraction of the edge length within which vertices are joined
-constexpr double reach_growth = 1.3;  ///< growth factor of this distance when the strongest pull joins nothing
-constexpr double max_reach = 0.35;
-constexpr int frames_between_joins = 4;
-constexpr double blocking_distance_m = 0.03;  ///< distance of the body from a gap that stays open
-constexpr int max_frames_between_joins = 16;  ///< limit of the frames after passes that joined nothing
-constexpr int first_join = 12;
-constexpr int max_frames_for_first = 60;
-/// Budget of time steps for a layer, on average. A new simulation costs as much as a few steps.
-constexpr int max_steps = 4000;
-constexpr int steps_to_begin = 20;
-/// Number of frames without progress after which sewing ends, and fraction to which the widest gap has to shrink for
-/// progress. A join is progress too.
-constexpr int max_frames_without_progress = 120;
-constexpr double progress_gap_ratio = 0.9;
-constexpr double lift_fraction = 0.7;  ///< lift of a joined pair, as a fraction of its distance
-constexpr int frames_to_part = 5;
-constexpr std::size_t max_trials = 6;  ///< trials of a join, each without the pairs that crossed in the trial before
+using namespace sewing;
 
 std::vector<Index> label_sets(sim::Groups groups, std::size_t count) {
   std::vector<Index> sets(count);
@@ -130,7 +100,7 @@ class Closing {
     forces.gravity_path.clear();
     forces.wind = {};
     forces.wind.speed_m_per_s = 0.0;
-    forces.air_drag_per_s = drag_per_s;
+    forces.air_drag_per_s = closing_drag_per_s;
     for (sim::Body& body : bodies_) body.friction = 0.0;
     begin(join_pieces(pieces, label_sets(joined_, pieces.flat_m.size()), pieces.placed_m, scene_));
     panel_masses_kg_.assign(pieces.panel_count(), 0.0);
@@ -170,7 +140,7 @@ class Closing {
           // Cloth that a strong pull has crumpled comes loose in a weak one.
           const bool is_strongest = strength_ * strength_growth > max_strength;
           strength_ = is_strongest ? 1.0 : strength_growth * strength_;
-          reach_m_ = std::min(max_reach * pieces_.edge_m, (is_strongest ? reach_growth : 1.0) * reach_m_);
+          reach_m_ = std::min(max_reach_fraction * pieces_.edge_m, (is_strongest ? reach_growth : 1.0) * reach_m_);
         }
       }
       const double gap_m = find_gap();

@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include "app/garments/sewing/filling.hpp"
+#include "app/garments/sewing/tuning.hpp"
 #include "sim/mesh/topology.hpp"
 
 namespace taut::app {
@@ -12,25 +13,7 @@ using sim::Index;
 using sim::Triangle;
 using sim::Vec2;
 using sim::Vec3;
-
-// Limits of the edge length. Finer meshes take too long, and bodies show through coarser ones.
-constexpr double finest_edge_m = 0.006;
-constexpr double coarsest_edge_m = 0.06;
-/// Largest length that a step may cut off a curve.
-constexpr double max_shortening_m = 4e-4;
-constexpr double between_panels_m = 0.05;
-constexpr double layer_lift_m = 0.03;
-/// Difference of the distances in both directions, over the seam's length, above which a seam closes in the shorter
-/// direction, whatever other seams say.
-constexpr double certain_direction_ratio = 0.7;
-// Limits for an exact number of triangles: number of meshes tried, growth factor of the edge length, and largest number
-// of added points as a fraction of the triangles.
-constexpr int max_meshes = 40;
-constexpr double spacing_growth = 1.002;
-constexpr double max_point_growth = 0.02;
-// Irregularity of these meshes, and fraction by which their unsewn borders may be shorter than drafted.
-constexpr double exact_jitter = 0.7;
-constexpr double exact_shortened = 0.005;
+using namespace sewing;
 
 std::vector<Vec2> fine_outline(const PatternPanel& panel) {
   std::vector<Vec2> outline;

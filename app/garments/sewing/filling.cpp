@@ -1,6 +1,7 @@
 #include "app/garments/sewing/filling.hpp"
 
 #include "app/base/errors.hpp"
+#include "app/garments/sewing/tuning.hpp"
 #include "app/verify/orientation.hpp"
 #include "sim/mesh/polygons.hpp"
 
@@ -11,13 +12,9 @@ using sim::Index;
 using sim::Triangle;
 using sim::Vec2;
 using sim::Vec3;
+using namespace sewing;
 
 constexpr Index none = static_cast<Index>(-1);
-// Fraction of the edge length.
-constexpr double clearance = 0.6;  ///< distance of inner points from the outline
-constexpr int smoothing_rounds = 8;
-/// Flips for each triangle. Only four points on a circle, which flip back and forth, need more.
-constexpr std::size_t max_flips = 100;
 
 bool is_inside(const std::vector<Vec2>& outline, const Vec2& p) {
   bool inside = false;
@@ -59,7 +56,7 @@ std::vector<Vec2> points_within(const std::vector<Vec2>& outline, double edge, d
                           number * second_step - std::floor(number * second_step) - 0.5};
       const Vec2 p =
           low + Vec2((column + (row % 2 == 0 ? 0.25 : 0.75)) * edge, (row + 0.5) * row_height) + jitter * edge * moved;
-      if (is_inside(outline, p) && distance_to(outline, p) > clearance * edge) points.push_back(p);
+      if (is_inside(outline, p) && distance_to(outline, p) > clearance_fraction * edge) points.push_back(p);
     }
   }
   return points;

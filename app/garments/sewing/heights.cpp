@@ -1,29 +1,14 @@
 #include "app/base/errors.hpp"
 #include "app/base/words.hpp"
 #include "app/garments/sewing/placing.hpp"
+#include "app/garments/sewing/tuning.hpp"
 
 namespace taut::app {
 namespace {
 
 using sim::Index;
 using sim::Vec3;
-
-// Patterns whose lowest and highest points are at least this high have the feet of their body at the origin, others its
-// chest. Legs may reach somewhat below the floor.
-constexpr double floor_at_m = -0.2;
-constexpr double min_top_m = 0.5;
-/// Height of the side of the neck above the chest, which is then at the origin.
-constexpr double neck_over_chest_m = 0.29;
-constexpr double above_shoulders_m = 0.06;  ///< height of shoulder seams above the thin body
-constexpr double beside_seam_m = 0.015;
-constexpr double shoulder_slope = 0.9;  ///< smallest ratio of the sideways and the upward extent of a shoulder seam
-constexpr double max_shoulder_m = 0.3;  ///< longest shoulder seam that does not begin near the neck
-constexpr double near_top_m = 0.2;
-constexpr double max_waist_height = 0.8;   ///< fraction of the way from the fork to the arms
-constexpr double min_depth_under_m = 0.1;  ///< height of a bodice's middle above its skirt's
-constexpr double below_top_m = 0.2;
-constexpr double level_seam = 0.3;
-constexpr double hardly_moved_m = 0.01;
+using namespace sewing;
 
 double panel_depth(const PatternPanel& panel) {
   sim::Extent extent;

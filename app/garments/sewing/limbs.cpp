@@ -1,22 +1,15 @@
 #include "app/garments/sewing/placing.hpp"
+#include "app/garments/sewing/tuning.hpp"
 
 namespace taut::app {
 namespace {
 
 using sim::Index;
 using sim::Vec3;
+using namespace sewing;
 
-constexpr double beside_shoulder = 1.1;   ///< multiple of the shoulder joint's offset; unsewn edges beyond it are cuffs
-constexpr double beside_trunk = 0.6;      ///< smallest offset of a sleeve's panel, as a multiple of the joint's
-constexpr double below_shoulder_m = 0.2;  ///< largest depth of a sleeve's top
-constexpr double over_shoulder_m = 0.12;  ///< largest height of a sleeve panel's middle; a hood's is higher
-constexpr double outermost = 0.85;        ///< smallest offset of a cuff, as a fraction of the outermost
-constexpr double arms_down = 0.2;         ///< slope of the arms, also below a seam over them
-constexpr double over_arm_m = 0.1;        ///< distance from the shoulder at which a seam is over the arm
 constexpr std::array arm_joints = {"arm", "forearm", "hand"};
 constexpr std::array leg_joints = {"upleg", "leg", "foot"};
-constexpr double near_hem_m = 0.05;
-constexpr double min_leg_offset_widths = 0.15;  ///< offset of the middle of a panel of one leg, in panel widths
 
 /// Part of a pattern that goes around an arm.
 struct Sleeve {
@@ -53,7 +46,7 @@ Sleeve find_sleeve(const SewingPattern& pattern, const CutPieces& pieces, const 
       }
     }
   }
-  std::erase_if(ends, [&](const Vec3& end) { return side * end.x < outermost * max_distance_m; });
+  std::erase_if(ends, [&](const Vec3& end) { return side * end.x < outermost_fraction * max_distance_m; });
   if (ends.empty()) return {};
   for (const Vec3& end : ends) sleeve.cuff_m += end / static_cast<double>(ends.size());
   return sleeve;

@@ -4,6 +4,7 @@
 #include "app/base/words.hpp"
 #include "app/bodies/body_loading.hpp"
 #include "app/garments/dressing/wearing.hpp"
+#include "app/garments/sewing/tuning.hpp"
 #include "sim/contact/crossing_pairs.hpp"
 
 namespace taut::app {
@@ -11,20 +12,7 @@ namespace {
 
 using sim::Index;
 using sim::Vec3;
-
-constexpr double step_m = 0.01;
-constexpr double clear_m = 0.03;  ///< distance of pieces that are drawn in
-constexpr double same_way = 0.8;  ///< smallest cosine of directions that count as equal
-constexpr double nearly_same_way = 0.5;
-constexpr double over_m = 0.04;    ///< height of an outer layer over an inner one
-constexpr double min_level = 0.1;  ///< smallest horizontal fraction of the normal of a piece that does not lie flat
-constexpr int max_pushes = 80;
-// Sizes of patterns that are sewn on a body. Others have the wrong unit.
-constexpr double min_clothes_m = 0.04;
-constexpr double max_clothes_m = 3.5;
-/// Depth of the bow of panels without a body, as a fraction of the pattern's size. Threads within a plane bend no cloth
-/// out of it. More depth stretches panels beyond the bound.
-constexpr double bow_fraction = 0.02;
+using namespace sewing;
 
 /// Panels that cross another panel, or the body.
 using Crossings = std::set<std::pair<Index, std::optional<Index>>>;
@@ -176,8 +164,6 @@ class Surrounded {
   std::vector<double> out_m_;  ///< per panel, the outward position of its middle
 };
 
-constexpr double gathered = 1.05;  ///< smallest ratio of the lengths of a gathered seam's sides
-
 /// Compresses panels that are longer than the panels that they are sewn to, along that seam. The bound allows for
 /// compression, and cloth folds by itself when it is released.
 void push_ease_together(const SewingPattern& pattern, CutPieces& pieces) {
@@ -191,7 +177,7 @@ void push_ease_together(const SewingPattern& pattern, CutPieces& pieces) {
         const auto& [first, second] = pattern.stitches[s];
         const PanelEdge &own = is_second ? second : first, &other = is_second ? first : second;
         const double length_m = polyline_length(pattern.line_of(own));
-        if (own.panel != p || other.panel == p || length_m < gathered * polyline_length(pattern.line_of(other)))
+        if (own.panel != p || other.panel == p || length_m < gathered_ratio * polyline_length(pattern.line_of(other)))
           continue;
         const auto& [begin, end] = std::pair(pieces.seams[s].front(), pieces.seams[s].back());
         const Vec3 way =

@@ -10,6 +10,7 @@
 #include "app/garments/dressing/fit.hpp"
 #include "app/garments/dressing/wearing.hpp"
 #include "app/garments/sewing/placing.hpp"
+#include "app/garments/sewing/tuning.hpp"
 #include "app/models/hanging/garment_parts.hpp"
 #include "app/models/inspecting/scene_crossings.hpp"
 #include "app/models/reading/file_mesh.hpp"
@@ -23,35 +24,9 @@ namespace {
 
 using sim::Index;
 using sim::Vec3;
+using namespace sewing;
 
 constexpr double cm = 0.01;
-/// Limit of the time steps. More steps help no garment that is too small, which then takes minutes to be refused.
-constexpr int max_substeps = 250;
-// Drag of the air. The rest position does not depend on it, but the time to reach rest does: the drag grows by the
-// factor `thicker` every `frames_to_thicker` frames.
-constexpr double resting_drag_per_s = 6.0;
-constexpr double drag_growth_factor = 1.5;
-constexpr double thickest_per_s = 60.0;
-constexpr int frames_to_thicker = 10;
-/// Largest mean speed at rest. In the thickest air the drag then bears a hundredth of the cloth's weight.
-constexpr double resting_m_per_s = 1.5e-3;
-/// Budget of work until the garment rests, in sweeps, which searches count as too. Cloth that is nearly too small would
-/// take minutes.
-constexpr double max_work = 150e3;
-/// Height above the waist from which the upper end of a garment without shoulder seams is held until it rests in thick
-/// air. Less holds skirts too.
-constexpr double held_above_waist_m = 0.08;
-/// Force of the hands over the garment's weight, and the distance at which they reach it. More force lifts cloth off
-/// the body, less lets it slide down.
-constexpr double hold_weights = 2.0;
-constexpr double hold_reach_m = 0.01;
-/// Upper limit of the compression stiffness without a body. More lets gathered cloth tremble for ever, without any the
-/// bending of curved cloth shrinks it.
-constexpr double max_free_compression_n_per_m = 3.0;
-constexpr int frames_to_unfold = 60;  ///< frames after which a garment without a body begins anew
-constexpr double of_one_limb = 0.6;   ///< fraction of a girth below which a level meets one limb alone
-constexpr double min_girth_m = 0.1;   ///< smallest girth of clothes; smaller ones are measured wrong
-constexpr double of_waist_m = 0.05;   ///< depth below the upper end of a garment that is worn at the waist
 
 [[noreturn]] void refuse_open(SewnGarment garment) {
   const SewnPieces& sewn = garment.sewn;
@@ -109,7 +84,7 @@ std::string describe_tightest(const LoadedBodies& bodies, const SewnGarment& gar
   const auto tube = find_tube(start);
   const double height_m = start_m[mesh.triangles[t][0]].y;
   std::optional<double> cloth_m = tube ? girth_at(start, std::min(height_m, tube->max_height_m)) : std::nullopt;
-  if (marks.is_worn_at_waist && height_m > marks.top_height_m - of_waist_m) cloth_m = marks.top_m;
+  if (marks.is_worn_at_waist && height_m > marks.top_height_m - waist_depth_m) cloth_m = marks.top_m;
   if (cloth_m && *cloth_m > min_girth_m && at_m.y > measures.levels[measures.fork].height_m &&
       at_m.y < measures.levels.back().height_m) {
     around = fmt::format(", where the body is {:.1f} cm around and the garment {:.1f} cm",
@@ -202,7 +177,7 @@ void dress_sewn_garment(const Scene& scene, const LoadedBodies& bodies, const Se
   };
   std::vector<FitRow> fit = compute_fit(bodies, sewn.garment, sewn.garment.mesh.positions);
   // A level may meet one limb alone where the body is thin.
-  std::erase_if(fit, [](const FitRow& row) { return row.garment_m < of_one_limb * row.body_m; });
+  std::erase_if(fit, [](const FitRow& row) { return row.garment_m < one_limb_fraction * row.body_m; });
   const std::vector<Vec3> start_m = sewn.garment.mesh.positions;
   const auto refuse = [&](const std::exception& error) {
     keep();

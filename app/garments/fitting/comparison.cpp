@@ -25,7 +25,7 @@ std::vector<sim::Vec3> sample_surface(const sim::Mesh& mesh) {
   }
   std::vector<sim::Vec3> points;
   for (std::size_t k = 0; k < sample_count && area > 0.0; ++k) {
-    const double at = (static_cast<double>(k) + 0.5) / sample_count * area;
+    const double at = (static_cast<double>(k) + 0.5) / static_cast<double>(sample_count) * area;
     const auto t =
         static_cast<std::size_t>(std::lower_bound(areas_up_to.begin(), areas_up_to.end(), at) - areas_up_to.begin());
     const auto [a, b, c] = sim::corner_positions(mesh.triangles[std::min(t, areas_up_to.size() - 1)], mesh.positions);

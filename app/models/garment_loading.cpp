@@ -176,11 +176,11 @@ bool is_hung(const Scene& scene) {
 }
 
 /// Finds the axis that is up by the openings of the model, or else by hanging what is simulated both ways if it will be
-/// hung.
-void find_up(const Scene& scene, const sim::Mesh& model_m, const sim::Mesh& simulated_m, const StageReport& begin,
-             PlacementHints& hints) {
+/// hung and is no rigid thing.
+void find_up(const Scene& scene, const sim::Mesh& model_m, const sim::Mesh& simulated_m, const RigidParts& rigid,
+             const StageReport& begin, PlacementHints& hints) {
   hints.up_by_openings = up_by_openings(model_m, sim::make_adjacency(model_m));
-  if (!hints.up_by_openings && is_hung(scene) && scene.bodies.empty()) {
+  if (!hints.up_by_openings && is_hung(scene) && scene.bodies.empty() && !rigid.are_all) {
     begin("hanging it both ways to see which is up");
     hints.up_by_hanging = up_by_hanging(simulated_m);
   }
@@ -200,11 +200,12 @@ sim::Mesh read_mesh(const Scene& scene, LoadedGarment& loaded, const StageReport
   const GarmentFacts facts = source.given ? GarmentFacts() : read_garment_facts(source.model());
   PlacementHints hints{source.scale, source.up, facts.metres_per_unit ? facts.metres_per_unit : model.metres_per_unit,
                        facts.up ? facts.up : model.up};
-  // A given mesh stays where it is.
-  loaded.placement = source.given ? Placement{} : place_model(soup, hints);
-  require_size(source, *loaded.placement);
-  begin("joining its vertices");
   try {
+    // A given mesh and what was sewn are cloth. A given mesh stays where it is.
+    if (!source.given && !facts.is_cut) loaded.rigid = remove_rigid_parts(soup);
+    loaded.placement = source.given ? Placement{} : place_model(soup, hints);
+    require_size(source, *loaded.placement);
+    begin("joining its vertices");
     const double scale = loaded.placement->scale;
     // Two walls of one cloth must not be sewn together.
     sim::ValidatedMesh valid = sim::weld_and_validate(soup, {source.weld_m.value_or(0.0) / scale, 0.0});
@@ -230,7 +231,7 @@ sim::Mesh read_mesh(const Scene& scene, LoadedGarment& loaded, const StageReport
     loaded.file_vertices = vertices_of_file(model, valid.result_vertices);
     if (!source.up && !hints.up) {
       const sim::Mesh model_m = scale_mesh(valid.mesh, scale);
-      find_up(scene, model_m, fitted ? fitted->mesh : model_m, begin, hints);
+      find_up(scene, model_m, fitted ? fitted->mesh : model_m, loaded.rigid, begin, hints);
       loaded.placement = place_model(soup, hints);
     }
     model.positions = std::move(soup.positions);
@@ -240,6 +241,7 @@ sim::Mesh read_mesh(const Scene& scene, LoadedGarment& loaded, const StageReport
       for (sim::Vec3& position : loaded.file_rest_m) position = (*loaded.placement)(position);
     }
     for (sim::Vec3& position : valid.mesh.positions) position = (*loaded.placement)(position);
+    for (sim::Vec3& position : loaded.rigid.mesh.positions) position = (*loaded.placement)(position);
     loaded.metres_per_uv = facts.metres_per_uv.value_or(metres_per_uv(valid.mesh, loaded.colours.corner_uv));
     if (is_cut) valid.mesh.cut_m = cut_by_uv(valid.mesh, loaded.colours, loaded.metres_per_uv);
     if (!fitted) return std::move(valid.mesh);
@@ -301,7 +303,8 @@ std::vector<sim::Index> choose_pins(const Scene& scene, const sim::Mesh& mesh, L
     begin("hanging it");
     const sim::Adjacency adjacency = sim::make_adjacency(mesh);
     // A garment with a body is meant to be worn, not hung on a hanger.
-    loaded.hanging = scene.bodies.empty() ? hang_as_in_a_shop(mesh, adjacency) : hang(mesh, adjacency);
+    loaded.hanging =
+        scene.bodies.empty() && loaded.rigid.count == 0 ? hang_as_in_a_shop(mesh, adjacency) : hang(mesh, adjacency);
     loaded.hanger = loaded.hanging->hanger;
     return loaded.hanging->pins;
   }

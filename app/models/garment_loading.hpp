@@ -72,6 +72,7 @@ struct LoadedGarment : GarmentInScene {
   std::optional<ImportedModel> model;
   std::optional<sim::MeshReport> repairs;
   Strays strays;                       ///< pieces that were left out
+  RigidParts rigid;                    ///< parts that are no cloth
   std::size_t trims_sewn_on = 0;       ///< count of parts that lie on others and are held by stitches
   std::string fitting_refusal;         ///< reason why a mesh that was fitted is not the model's cloth; empty if it is
   std::size_t turned_outside_out = 0;  ///< count of triangles of surfaces that faced inwards

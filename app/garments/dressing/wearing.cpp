@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include "app/bodies/body_mesh.hpp"
 #include "app/bodies/rig_pose.hpp"
 #include "app/models/hanging/garment_measures.hpp"
 #include "app/models/hanging/hanger.hpp"
@@ -147,6 +148,29 @@ bool lies_about(const Move& move) {
          way_m.y < max_worn_drop_m && move.cosine > min_worn_cosine;
 }
 
+/// Makes the parts of the model that are no cloth a body, which the scene does not name, if they can be one and cross
+/// no cloth.
+void add_rigid_parts(LoadedGarment& loaded, LoadedBodies& bodies) {
+  constexpr const char* name = "the garment's stand";
+  std::erase_if(bodies.all, [](const sim::Body& body) { return body.name == name; });
+  ImportedModel model;
+  model.positions = loaded.rigid.mesh.positions;
+  model.triangles = loaded.rigid.mesh.triangles;
+  if (model.triangles.empty() || !bodies.all.empty()) return;
+  BodySource source;
+  source.scale = 1.0;
+  source.up = ModelAxis::y;
+  try {
+    LoadedMesh made = make_body_mesh(source, model);
+    bodies.all.push_back({.name = name,
+                          .shape = sim::BodyMesh{std::make_shared<const sim::BodyMeshData>(
+                              sim::BodyMeshData{std::move(made.mesh.positions), std::move(made.mesh.triangles)})}});
+    loaded.rigid.is_body = crossings_with(bodies.all, 0, 0.0, surface_at_start(loaded)).pairs.empty();
+    if (!loaded.rigid.is_body) bodies.all.clear();
+  } catch (const InputError&) {  // it is not closed
+  }
+}
+
 }  // namespace
 
 Dressed dressed_body(const LoadedBodies& bodies) {
@@ -238,6 +262,7 @@ std::vector<std::string> put_on(LoadedGarment& loaded, const Scene& scene, Loade
 }
 
 std::vector<std::string> put_where_it_begins(LoadedGarment& loaded, Scene& scene, LoadedBodies& bodies) {
+  add_rigid_parts(loaded, bodies);
   put_on_hanger(loaded, scene, bodies.all);
   return put_on(loaded, scene, bodies);
 }

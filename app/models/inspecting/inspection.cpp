@@ -204,6 +204,7 @@ Inspection inspect_garment(const Scene& scene, const LoadedGarment& loaded) {
   facts["vertex_numbers"] = loaded.file_vertices.describe();
   facts["remarks"] = loaded.colours.remarks;
   if (loaded.model && !loaded.model->is_importer_confined) facts["remarks"].push_back(importer_remark);
+  if (loaded.rigid.count > 0) facts["remarks"].push_back(describe(loaded.rigid));
   remark(extent, facts);
   return result;
 }

@@ -93,6 +93,7 @@ std::vector<std::string> collect_remarks(const LoadedGarment& loaded) {
     lines.push_back(fmt::format("it is {:.3g} m large, which no garment is, with the unit {} (--units)",
                                 loaded.placement->scale * loaded.placement->extent, loaded.placement->unit_text));
   }
+  if (loaded.rigid.count > 0) lines.push_back(describe(loaded.rigid));
   if (loaded.strays.triangles > 0) lines.push_back(describe(loaded.strays, loaded.placement->scale));
   if (loaded.placement && loaded.placement->moved_m != sim::Vec3(0.0)) {
     lines.emplace_back("it is very far from the origin and was moved there");

@@ -42,6 +42,54 @@ std::pair<double, double> bulk_along(int axis, const std::vector<Patch>& patches
   return {beyond(places.begin(), places.end()), beyond(places.rbegin(), places.rend())};
 }
 
+/// Smallest volume of a rigid part, as a fraction of the volume of a ball of the same area. Two walls of one cloth have
+/// less than 0.01, bodies 0.08 and more, thin stands 0.02.
+constexpr double min_compactness = 0.015;
+// Fractions of the square root of the part's area: largest length of the openings of a closed part, and of one with an
+// open end, such as a bust without a base. A hat's opening is longer, that of a sock or a glove is not.
+constexpr double max_holes_length = 0.3;
+constexpr double max_end_length = 1.3;
+/// Smallest fraction of a part with an open end that lies below cloth. Of a glove below a sleeve it is less.
+constexpr double min_below_cloth = 0.3;
+/// Largest distance of cloth from what lies below it, as a fraction of the part's size.
+constexpr double below_cloth = 0.12;
+// Fractions of the area of all parts: smallest area of cloth that is left, of a rigid part that lies on cloth, and of
+// one with an open end, as socks and gloves have.
+constexpr double min_cloth_left = 0.1;
+constexpr double min_rigid_on_cloth = 0.02;
+constexpr double min_rigid_with_end = 0.1;
+/// Largest number of vertices of a part whose distance from the cloth is looked for.
+constexpr std::size_t max_places = 1000;
+
+/// Returns whether the part encloses much space and has at most one opening that is no small hole.
+bool is_thick(const GarmentPart& part, double max_opening, const sim::Mesh& mesh) {
+  double length = 0.0;
+  sim::Vec3 middle = part.centre_m;  // of its largest opening, so that the volume is that up to there
+  double max_length = 0.0, six_volumes = 0.0;
+  for (const Opening& opening : part.openings) {
+    length += opening.length_m;
+    if (opening.length_m > max_length) middle = opening.range.middle();
+    max_length = std::max(max_length, opening.length_m);
+  }
+  for (const sim::Index t : part.triangles) {
+    six_volumes += glm::dot(sim::doubled_area_vector(mesh.positions, mesh.triangles[t]),
+                            mesh.positions[mesh.triangles[t][0]] - middle);
+  }
+  const double root = std::sqrt(part.area_m2);
+  return max_length <= max_opening * root && length - max_length <= max_holes_length * root &&
+         std::numbers::pi * six_volumes * six_volumes >= min_compactness * std::pow(part.area_m2, 3);
+}
+
+/// Returns the fraction of the part's vertices that lie near the surface.
+double share_near(const GarmentPart& part, const SurfaceTree& surface, const sim::Mesh& mesh) {
+  const std::size_t step = 1 + part.vertices.size() / max_places;
+  std::size_t near = 0, looked = 0;
+  for (std::size_t k = 0; k < part.vertices.size(); k += step, ++looked) {
+    near += surface.find_nearest(mesh.positions[part.vertices[k]], below_cloth * part.size_m(), accept_all).has_value();
+  }
+  return static_cast<double>(near) / static_cast<double>(looked);
+}
+
 // Limit of the sum of an open surface's normals along the directions from its middle, as a fraction of that sum if all
 // pointed away. Collars and cuffs that are turned down point inwards, so that the limit is far from -1.
 constexpr double faces_inwards = -0.5;
@@ -156,6 +204,51 @@ std::string describe(const Strays& strays, double metres_per_unit) {
                      count_text(strays.triangles, "triangle"), 100.0 * strays.area_share,
                      strays.triangles == 1 ? "lies" : "lie", strays.distance * metres_per_unit,
                      strays.triangles == 1 ? "is" : "are");
+}
+
+RigidParts remove_rigid_parts(sim::Mesh& mesh) {
+  RigidParts rigid;
+  const sim::ValidatedMesh valid = sim::weld_and_validate(mesh);
+  const std::vector<GarmentPart> parts = find_garment_parts(valid.mesh, sim::make_adjacency(valid.mesh));
+  double area = 0.0, cloth_area = 0.0;
+  std::vector<sim::Triangle> cloth;
+  std::vector<const GarmentPart*> thick;
+  for (const GarmentPart& part : parts) {
+    area += part.area_m2;
+    if (is_thick(part, max_end_length, valid.mesh)) {
+      thick.push_back(&part);
+      continue;
+    }
+    cloth_area += part.area_m2;
+    for (const sim::Index t : part.triangles) cloth.push_back(valid.mesh.triangles[t]);
+  }
+  rigid.are_all = cloth_area < min_cloth_left * area;
+  if (thick.empty() || rigid.are_all) return rigid;
+  const SurfaceTree tree(valid.mesh.positions, cloth);
+  std::vector<char> is_rigid(valid.mesh.positions.size(), 0);
+  for (const GarmentPart* part : thick) {
+    const bool is_closed = is_thick(*part, max_holes_length, valid.mesh);
+    const bool is_small = part->area_m2 < (is_closed ? min_rigid_on_cloth : min_rigid_with_end) * area;
+    const double near = share_near(*part, tree, valid.mesh);
+    if (is_closed ? is_small && near > 0.0 : is_small || near < min_below_cloth) continue;
+    ++rigid.count;
+    rigid.area_share += part->area_m2 / area;
+    for (const sim::Index v : part->vertices) is_rigid[v] = 1;
+  }
+  std::erase_if(mesh.triangles, [&](const sim::Triangle& t) {
+    const sim::Index v = valid.result_vertices[t[0]];
+    const bool is_left_out = v != sim::no_vertex && is_rigid[v] != 0;
+    if (is_left_out) rigid.mesh.triangles.push_back(t);
+    return is_left_out;
+  });
+  if (rigid.count > 0) rigid.mesh.positions = mesh.positions;
+  return rigid;
+}
+
+std::string describe(const RigidParts& rigid) {
+  return fmt::format("{} with {:.2g} % of its area {} no cloth, but closed and thick, like a stand or a body, and {}",
+                     count_text(rigid.count, "part"), 100.0 * rigid.area_share, rigid.count == 1 ? "is" : "are",
+                     rigid.is_body ? "cloth cannot enter" : "left out");
 }
 
 std::size_t turn_outside_out(std::span<const GarmentPart> parts, const sim::Adjacency& adjacency, sim::Mesh& mesh) {

@@ -322,6 +322,34 @@ TEST(Upright, IsWhereAClothWithoutOpeningsIsHighAndHardlyMoves) {
   EXPECT_EQ(up(piece(1.0)), ModelAxis::z);
 }
 
+sim::Mesh turned_over(sim::Mesh mesh) {
+  for (sim::Vec3& p : mesh.positions) p = {p.x, -p.y, -p.z};
+  return mesh;
+}
+
+TEST(Upright, IsFoundUpsideDown) {
+  const test::TemporaryFolder folder;
+  const auto up = [&](const sim::Mesh& mesh) { return test::load(folder, mesh).placement->up; };
+  sim::Mesh sock = test::bottle(1.2, {0.0, 0.0});
+  for (sim::Vec3& p : sock.positions) p = {p.x, -p.y, p.z + std::max(p.y - 0.6, 0.0)};
+  const std::vector<std::pair<std::string, sim::Mesh>> garments = {{"skirt", test::skirt()},
+                                                                   {"shirt", test::shirt()},
+                                                                   {"dress", test::strap_dress()},
+                                                                   {"trousers", test::trousers()},
+                                                                   {"hoodie", test::hoodie()},
+                                                                   {"cape", test::cape()},
+                                                                   {"jacket", test::jacket()},
+                                                                   {"thick skirt", test::thick(test::skirt())},
+                                                                   {"thick shirt", test::thick(test::shirt())},
+                                                                   {"hat", test::bottle(0.5, {0.0, 0.0})},
+                                                                   {"sock", sock}};
+  for (const auto& [name, mesh] : garments) {
+    EXPECT_EQ(up(mesh), ModelAxis::y) << name;
+    EXPECT_EQ(up(turned_over(mesh)), ModelAxis::minus_y) << name;
+    EXPECT_EQ(up(turned_over(test::with_z_up(mesh))), ModelAxis::minus_z) << name;
+  }
+}
+
 TEST(Upright, HasTheNarrowerEndOfACapeAtTheTop) {
   const test::TemporaryFolder folder;
   const auto cape = [](double upwards) {
@@ -348,11 +376,7 @@ TEST(Upright, HasLegsBelowAndLeavesABagAsItStands) {
   const test::TemporaryFolder folder;
   const auto up = [&](const sim::Mesh& mesh) { return test::load(folder, mesh).placement->up; };
   // The legs have no taper, so taper does not show which end is up.
-  sim::Mesh head_down = test::with_z_up(test::trousers());
-  for (sim::Vec3& p : head_down.positions) {
-    p = {p.x, -p.y, -p.z};
-  }
-  EXPECT_EQ(up(head_down), ModelAxis::minus_z);
+  EXPECT_EQ(up(turned_over(test::with_z_up(test::trousers()))), ModelAxis::minus_z);
   // Bent legs let the view from above reach deeper. They hang so close that one reaches over the middle.
   sim::Mesh close = test::trousers();
   for (sim::Vec3& p : close.positions) {
@@ -360,12 +384,8 @@ TEST(Upright, HasLegsBelowAndLeavesABagAsItStands) {
     p.z += 0.3 * std::max(0.6 - p.y, 0.0);
   }
   EXPECT_EQ(up(test::with_z_up(close)), ModelAxis::z);
-  sim::Mesh sock = test::bottle(0.5, {0.0, 0.0});
-  for (sim::Vec3& p : sock.positions) {
-    p = {p.x, -p.y, -p.z};
-  }
-  EXPECT_EQ(up(sock), ModelAxis::y) << "open at its top";
-  EXPECT_EQ(up(test::bottle(0.5, {0.0, 0.0})), ModelAxis::y) << "a hat";
+  EXPECT_EQ(up(turned_over(test::bottle(1.0, {0.0, 0.0}))), ModelAxis::y) << "a glove, open at its top";
+  EXPECT_EQ(up(test::bottle(1.0, {0.0, 0.0})), ModelAxis::y);
 }
 
 TEST(Upright, IsWhereMostOfTheAreaIsCarried) {

@@ -2,6 +2,7 @@
 
 #include "app/models/hanging/hanging.hpp"
 #include "app/models/hanging/placement.hpp"
+#include "garment_shapes.hpp"
 #include "temporary_folder.hpp"
 
 namespace taut::app {
@@ -53,7 +54,8 @@ TEST(Placement, KnowsTheSizesOfGarments) {
   EXPECT_EQ(guessed(0.25), 1.0);
   EXPECT_EQ(guessed(0.15), 1.0) << "a glove";
   EXPECT_DOUBLE_EQ(guessed(0.08), 1.0 / 0.08);
-  EXPECT_EQ(guessed(2.4), 1.0);
+  EXPECT_EQ(guessed(1.9), 1.0);
+  EXPECT_EQ(guessed(2.4), 0.3048) << "0.73 m in feet";
   EXPECT_EQ(guessed(3.0), 0.3048) << "0.91 m in feet, 0.3 m in decimetres";
   EXPECT_EQ(guessed(6.0), 0.1);
   EXPECT_EQ(guessed(28.0), 0.0254) << "0.71 m in inches, 0.28 m in centimetres";
@@ -68,6 +70,23 @@ TEST(Placement, KnowsTheSizesOfGarments) {
   EXPECT_FALSE(believed(0.015));
   EXPECT_TRUE(believed(15.0));
   EXPECT_FALSE(believed(25.0));
+}
+
+sim::Mesh scaled(sim::Mesh mesh, double factor) {
+  for (sim::Vec3& position : mesh.positions) position *= factor;
+  return mesh;
+}
+
+TEST(Placement, ReadsAPersonsGarmentInEveryUnit) {
+  const sim::Mesh hat = scaled(test::bottle(0.45, {0.0, 0.0}), 0.45);
+  const sim::Mesh glove = scaled(test::bottle(1.2, {0.0, 0.0}), 0.2);
+  for (const sim::Mesh& garment : {test::shirt(), test::skirt(), test::trousers(), test::strap_dress(), test::jacket(),
+                                   test::hoodie(), hat, glove}) {
+    for (const Unit& unit : units) {
+      EXPECT_EQ(place_model(scaled(garment, 1.0 / unit.metres), {}).scale, unit.metres)
+          << unit.name << ", " << garment.triangles.size() << " triangles";
+    }
+  }
 }
 
 TEST(Placement, TurnsTheModelUpright) {

@@ -11,13 +11,33 @@ namespace taut::app {
 namespace {
 
 // Range of sizes that a guessed unit may give.
-constexpr double min_garment_m = 0.2;
+constexpr double min_garment_m = 0.1;
 constexpr double max_garment_m = 2.5;
-// Range of sizes of most garments of grown-ups.
-constexpr double min_personal_m = 0.45;
-constexpr double max_personal_m = 1.7;
-// Smallest size of the largest part of one garment. Otherwise there are several garments side by side.
-constexpr double min_part_m = 0.1;
+/// Fraction of files without a unit that are in each of the units.
+constexpr std::array<double, units.size()> unit_shares = {0.40, 0.30, 0.12, 0.07, 0.08, 0.03};
+/// Fraction of files with garments side by side, of which only the largest part has a person's size.
+constexpr double side_by_side = 0.3;
+/// Likelihood below which a second reading is not said, as a fraction of the first's.
+constexpr double min_second_likelihood = 0.1;
+/// Smallest fraction of the area of a part whose openings tell what the garment is: one of a pair of socks.
+constexpr double min_telling_area = 0.4;
+
+/// Lengths of garments of grown-ups.
+struct UsualLength {
+  double median_m;
+  double spread;  ///< standard deviation of the length's logarithm
+};
+constexpr UsualLength usual_size = {0.85, 0.38};
+constexpr UsualLength usual_waist = {0.72, 0.4};  ///< girth of the narrower opening of skirts and ponchos
+constexpr UsualLength usual_cuff = {0.36, 0.3};   ///< girth of the narrowest opening of shirts, dresses and trousers
+/// Square root of the area of hats, socks and gloves, which tells more than their size.
+constexpr UsualLength usual_bag = {0.34, 0.28};
+
+// Largest height of a level opening, as a fraction of its width, or of the height of a bag.
+constexpr double level_opening = 0.4;
+// Areas over the square of the opening's length: largest of a hat, smallest of a sock.
+constexpr double max_hat_area = 0.7;
+constexpr double min_sock_area = 1.0;
 // Range of sizes, from a glove to a tent, with which the file's own unit is accepted.
 constexpr double min_believed_m = 0.02;
 constexpr double max_believed_m = 20.0;
@@ -25,8 +45,6 @@ constexpr double max_believed_m = 20.0;
 constexpr double clearly_longer = 2.0;
 // Fractions. Smallest fraction of the area that openings at the top have to carry for an axis to be up.
 constexpr double min_carried_area_fraction = 0.5;
-// Smallest fraction of the area that has large openings for the rest to be a stand or a body.
-constexpr double min_open_area_fraction = 0.4;
 // Smallest excess, over another axis, of the fraction of levels that the cloth goes all around.
 constexpr double min_around_excess = 0.3;
 // Smallest difference of the depths of view from above and from below for a model to stand on its head, as a fraction
@@ -44,8 +62,15 @@ constexpr int level_count = 11;
 constexpr double max_share_over_middle = 0.25;
 // Smallest height of trousers, as a fraction of their larger size across.
 constexpr double min_leg_share = 0.7;
-// Largest height of a bag's opening, as a fraction of the bag's.
-constexpr double level_opening = 0.4;
+// Smallest distance of a sock's centre from the line through its opening, as a fraction of its size.
+constexpr double min_bend = 0.05;
+// Largest distance of a neck, a waist or a hem from the middle, as a fraction of the width.
+constexpr double in_the_middle = 0.15;
+// Smallest ratio of the lengths of a hem and of the opening above, and of their distance to the height.
+constexpr double min_hem_ratio = 1.05;
+constexpr double min_height_between = 0.25;
+// Largest ratio of the girths of a garment at its narrower and its wider end.
+constexpr double max_taper = 0.8;
 // Distance from the origin beyond which the model is moved, as a multiple of its size. There single precision is worse
 // than 0.1 mm on a garment.
 constexpr double max_origin_distance_ratio = 1000.0;
@@ -68,81 +93,115 @@ std::string unit_name(double metres) {
   return fmt::format("{:.6g} m", metres);
 }
 
-/// Returns the size of the largest part whose triangles share positions.
-double size_of_largest_part(const sim::Mesh& mesh) {
-  sim::Groups parts = sim::find_pieces(mesh);
-  std::map<sim::Index, sim::Extent> boxes;
-  for (const sim::Triangle& t : mesh.triangles) {
-    for (const sim::Index v : t) boxes[parts.find(v)].add(mesh.positions[v]);
+const GarmentPart& largest_part(const std::vector<GarmentPart>& parts) {
+  return *std::ranges::max_element(parts, {}, &GarmentPart::area_m2);
+}
+
+/// Returns the opening of a bag, such as a hat, a sock or a glove: the only one, in a plane at an end. Else nullptr.
+/// `axis` becomes the axis across that plane.
+const Opening* bag_opening(const GarmentPart& part, int& axis) {
+  const std::vector<const Opening*> openings = large_openings(part);
+  if (openings.size() != 1) return nullptr;
+  const sim::Vec3 size = part.range.size();
+  const sim::Vec3 share = openings[0]->range.size() / glm::max(size, sim::Vec3(std::numeric_limits<double>::min()));
+  axis = share.x < std::min(share.y, share.z) ? 0 : share.y <= share.z ? 1 : 2;
+  return share[axis] < level_opening && size[axis] > 0.0 ? openings[0] : nullptr;
+}
+
+/// Returns the length of a tape around an opening, whose border may be jagged.
+double girth(const Opening& opening) { return 2.0 * glm::length(opening.range.size()); }
+
+/// Returns the area of a bag as a multiple of the square of its opening's length.
+double bag_area(const GarmentPart& bag, const Opening& opening) {
+  return bag.area_m2 / (girth(opening) * girth(opening));
+}
+
+/// Measures of a model in its file's unit, beside those of a person's garments.
+class PersonalSize {
+ public:
+  PersonalSize(const sim::Mesh& soup, double size) : sizes_{size, size} {
+    const sim::Mesh mesh = sim::weld_and_validate(soup).mesh;
+    const std::vector<GarmentPart> parts = find_garment_parts(mesh, sim::make_adjacency(mesh));
+    const GarmentPart& part = largest_part(parts);
+    double area = 0.0;
+    for (const GarmentPart& other : parts) area += other.area_m2;
+    part_size = sizes_[1] = part.size_m();
+    if (part.area_m2 < min_telling_area * area) return;
+    const std::vector<const Opening*> openings = large_openings(part);
+    int axis = 0;
+    if (bag_opening(part, axis) != nullptr) {
+      sizes_.fill(std::sqrt(part.area_m2));
+      usual_ = usual_bag;
+    } else if (openings.size() >= 2) {
+      narrowest_ = std::numeric_limits<double>::infinity();
+      for (const Opening* opening : openings) narrowest_ = std::min(narrowest_, girth(*opening));
+      usual_narrowest_ = openings.size() == 2 ? usual_waist : usual_cuff;
+    }
   }
-  double max_size = 0.0;
-  for (const auto& [first, box] : boxes) {
-    const sim::Vec3 size = box.size();
-    max_size = std::max({max_size, size.x, size.y, size.z});
+
+  /// Returns the logarithm of the likelihood of the unit, up to a constant.
+  double likelihood(std::size_t unit) const {
+    const auto of = [&](double length, const UsualLength& usual) {
+      const double away = std::log(length * units[unit].metres / usual.median_m) / usual.spread;
+      return -0.5 * away * away;
+    };
+    return std::log(unit_shares[unit]) + (narrowest_ > 0.0 ? of(narrowest_, usual_narrowest_) : 0.0) +
+           std::max(of(sizes_[0], usual_), std::log(side_by_side) + of(sizes_[1], usual_));
   }
-  return max_size;
-}
 
-bool is_personal(double size_m) { return is_between(size_m, min_personal_m, max_personal_m); }
+  double part_size = 0.0;  ///< size of the part with the largest area
 
-/// Returns the inch or the foot if it gives the garment a person's size.
-const Unit* imperial_unit(double size) {
-  const auto found =
-      std::ranges::find_if(std::span(units).subspan(4), [&](const Unit& u) { return is_personal(size * u.metres); });
-  return found == std::span(units).subspan(4).end() ? nullptr : &*found;
-}
+ private:
+  std::array<double, 2> sizes_;  ///< of all, and of that part
+  UsualLength usual_ = usual_size;
+  double narrowest_ = 0.0;  ///< girth of its narrowest opening; 0 if it tells nothing
+  UsualLength usual_narrowest_ = usual_cuff;
+};
 
-/// Returns the first unit that gives a usual size to the garment, whose largest part has `part_size`. Otherwise returns
-/// one that gives it to the part, for garments side by side, or to the whole, for a model in shreds.
-const Unit* unit_by_size(double size, double part_size) {
-  const auto is_usual = [](double size_m) { return is_between(size_m, min_garment_m, max_garment_m); };
-  const std::span<const Unit> usual_units = std::span(units).first(4);
-  const auto find = [&](const auto& fits) {
-    const auto found = std::ranges::find_if(usual_units, fits);
-    return found == usual_units.end() ? nullptr : &*found;
-  };
-  const Unit* unit =
-      find([&](const Unit& u) { return is_usual(size * u.metres) && part_size * u.metres >= min_part_m; });
-  unit = unit != nullptr ? unit : find([&](const Unit& u) { return is_usual(part_size * u.metres); });
-  unit = unit != nullptr ? unit : find([&](const Unit& u) { return is_usual(size * u.metres); });
-  return unit != nullptr ? unit
-                         : find([&](const Unit& u) { return is_between(size * u.metres, min_part_m, max_garment_m); });
-}
-
-void choose_unit(double size, double part_size, const PlacementHints& hints, Placement& placement) {
+/// Chooses the unit. Returns the size of the garment's largest part, in the file's unit.
+double choose_unit(const sim::Mesh& mesh, double size, const PlacementHints& hints, Placement& placement) {
   if (hints.asked_scale) {
     placement.scale = *hints.asked_scale;
     placement.unit_text = unit_name(placement.scale) + ", as asked for";
-    return;
+    return size;
   }
+  const PersonalSize personal(mesh, size);
   std::string why = "guessed from its size";
   if (hints.metres_per_unit) {
     const double size_m = size * *hints.metres_per_unit;
     if (is_between(size_m, min_believed_m, max_believed_m)) {
       placement.scale = *hints.metres_per_unit;
       placement.unit_text = unit_name(placement.scale) + ", as the file says";
-      return;
+      return personal.part_size;
     }
     why = fmt::format("guessed, since the file's own, {}, would make it {:.3g} m large",
                       unit_name(*hints.metres_per_unit), size_m);
   }
-  const Unit* unit = unit_by_size(size, part_size);
-  const Unit* other = unit != nullptr && unit->metres == 1.0 ? nullptr : imperial_unit(size);
-  // Few files are in inches, so that they have to give the likelier size.
-  if (other != nullptr && (unit == nullptr || !is_personal(size * unit->metres))) std::swap(unit, other);
-  if (unit != nullptr) {
-    placement.scale = unit->metres;
-    placement.guessed = unit->metres != 1.0;
-    placement.unit_text = unit_name(unit->metres) + ", " + why;
-    if (other != nullptr) {
-      placement.unit_text += fmt::format(" of {:.2g} m; the {} would make it {:.2g} m", size * unit->metres,
-                                         other->name, size * other->metres);
+  std::vector<std::size_t> order;  // of units that give a garment's size, the likeliest first
+  for (std::size_t u = 0; u < units.size(); ++u) {
+    const auto is_usual = [&](double length) {
+      return is_between(length * units[u].metres, min_garment_m, max_garment_m);
+    };
+    if (is_usual(size) || is_usual(personal.part_size)) order.push_back(u);
+  }
+  std::ranges::stable_sort(order, std::greater{}, [&](std::size_t u) { return personal.likelihood(u); });
+  if (!order.empty()) {
+    const Unit& unit = units[order[0]];
+    placement.scale = unit.metres;
+    placement.guessed = unit.metres != 1.0;
+    placement.unit_text = std::string(unit.name) + ", " + why;
+    if (order.size() > 1 &&
+        personal.likelihood(order[1]) > personal.likelihood(order[0]) + std::log(min_second_likelihood)) {
+      placement.guessed = true;
+      placement.unit_text += fmt::format(" of {:.2g} m; the {} would make it {:.2g} m", size * unit.metres,
+                                         units[order[1]].name, size * units[order[1]].metres);
     }
-    return;
+    return personal.part_size;
   }
   placement.scale = 1.0 / size;
   placement.guessed = true;
   placement.unit_text = fmt::format("{:.4g} m, so that it is 1 m large; {} ({:.4g} units)", placement.scale, why, size);
+  return personal.part_size;
 }
 
 void choose_up(const sim::Vec3& size, const PlacementHints& hints, Placement& placement) {
@@ -308,35 +367,70 @@ double openness_below(const sim::Mesh& mesh) {
 
 bool has_legs(const sim::Mesh& mesh) { return std::abs(legs_below(mesh)) >= clearly_legs; }
 
-/// Returns whether the largest part has one opening, at an end. A sock is not worn like a skirt, nor a hat like a sock.
-bool is_bag(const sim::Mesh& mesh, const sim::Adjacency& adjacency) {
-  const std::vector<GarmentPart> parts = find_garment_parts(mesh, adjacency);
-  const auto largest = std::ranges::max_element(parts, {}, &GarmentPart::area_m2);
-  const std::vector<const Opening*> openings = large_openings(*largest);
-  return openings.size() == 1 && openings[0]->range.size().y < level_opening * largest->range.size().y;
+/// Returns the axis that is up for a hat, which is open below, or a sock, which is open above and bent.
+std::optional<ModelAxis> up_of_bag(const GarmentPart& part) {
+  int axis = 0;
+  const Opening* opening = bag_opening(part, axis);
+  if (opening == nullptr) return std::nullopt;
+  const double area = bag_area(part, *opening);
+  sim::Vec3 aside = part.centre_m - opening->range.middle();
+  aside[axis] = 0.0;
+  const bool is_hat = area < max_hat_area;
+  const bool is_sock = area > min_sock_area && glm::length(aside) > min_bend * part.size_m();
+  if (!is_hat && !is_sock) return std::nullopt;
+  const bool is_positive = (opening->range.middle()[axis] > part.range.middle()[axis]) == is_sock;
+  return static_cast<ModelAxis>(2 * axis + (is_positive ? 0 : 1));
 }
 
-/// Returns the parts with large openings, without stands and bodies. Empty if there are no other parts, or if the open
-/// ones are too little of the model.
-std::optional<sim::Mesh> open_parts(const sim::Mesh& mesh, const sim::Adjacency& adjacency) {
-  sim::Mesh open;
-  double open_area = 0.0, area = 0.0;
-  for (const GarmentPart& part : find_garment_parts(mesh, adjacency)) {
-    area += part.area_m2;
-    if (large_openings(part).empty()) continue;
-    open_area += part.area_m2;
-    for (const sim::Index t : part.triangles) open.triangles.push_back(mesh.triangles[t]);
-  }
-  if (open.triangles.size() == mesh.triangles.size() || open_area < min_open_area_fraction * area) return std::nullopt;
-  std::map<sim::Index, sim::Index> new_index;
-  for (sim::Triangle& t : open.triangles) {
-    for (sim::Index& v : t) {
-      const auto [place, is_new] = new_index.try_emplace(v, open.positions.size());
-      if (is_new) open.positions.push_back(mesh.positions[v]);
-      v = place->second;
+/// Returns 1 if the openings show that the part stands upright, -1 if they show that it stands on its head. Of two in
+/// the middle the longer one is a hem, and below; a single one is a waist, and above the level openings of legs.
+int upright_by_openings(const GarmentPart& part) {
+  const int across = part.across();
+  std::vector<const Opening*> middle;
+  double legs_m = 0.0;
+  std::size_t legs = 0;
+  const std::vector<const Opening*> openings = large_openings(part);
+  for (const Opening* opening : openings) {
+    const bool is_level = opening->range.size().y <= level_opening * opening->range.size()[across];
+    const double out_m = std::abs(opening->range.middle()[across] - part.range.middle()[across]);
+    if (out_m < in_the_middle * part.width_m()) {
+      if (!is_level) return 0;
+      middle.push_back(opening);
+    } else if (is_level) {
+      ++legs;
+      legs_m += opening->mean_height_m;
     }
   }
-  return open;
+  double above_m = 0.0;
+  if (middle.size() == 2) {
+    std::ranges::sort(middle, {}, [](const Opening* opening) { return girth(*opening); });
+    if (girth(*middle[1]) < min_hem_ratio * girth(*middle[0])) return 0;
+    above_m = middle[0]->mean_height_m - middle[1]->mean_height_m;
+  } else if (middle.size() == 1 && legs == 2) {
+    above_m = middle[0]->mean_height_m - legs_m / 2.0;
+  }
+  return std::abs(above_m) < min_height_between * part.range.size().y ? 0 : above_m > 0.0 ? 1 : -1;
+}
+
+/// Returns the length of a tight tape around the cloth at a fraction of the height.
+double tape_at(const sim::Mesh& mesh, double share) {
+  const sim::Extent box = sim::compute_extent(mesh.positions);
+  std::vector<sim::Vec2> points;
+  for (const SectionCurve& curve :
+       cut_section({mesh.positions, mesh.triangles}, {{0.0, box.lower.y + share * box.size().y, 0.0}})) {
+    points.insert(points.end(), curve.points_m.begin(), curve.points_m.end());
+  }
+  return tight_tape_m(std::move(points));
+}
+
+/// Returns 1 if the cloth is clearly narrower at its upper end, and not wider farther below; -1 if it is so at its
+/// lower end. A hem that ends in points is narrow at its end alone.
+int narrower_end(const sim::Mesh& mesh) {
+  const auto is_narrower = [&](double end, double inner) {
+    return tape_at(mesh, end) < max_taper * tape_at(mesh, 1.0 - end) &&
+           tape_at(mesh, inner) < tape_at(mesh, 1.0 - inner);
+  };
+  return is_narrower(0.98, 0.75) ? 1 : is_narrower(0.02, 0.25) ? -1 : 0;
 }
 
 /// Returns the fraction of the model's area that openings at its top can carry.
@@ -361,13 +455,20 @@ sim::Mesh upright(const sim::Mesh& mesh, ModelAxis up) {
 ModelAxis better_way_up(const sim::Mesh& mesh, const sim::Adjacency& adjacency, ModelAxis up) {
   const auto down = static_cast<ModelAxis>(static_cast<int>(up) ^ 1);
   const sim::Mesh stood = upright(mesh, up);
-  if (has_legs(stood)) return legs_below(stood) > 0 ? up : down;
-  const double clearly = up == ModelAxis::y ? upside_down : head_below;
-  return !is_bag(stood, adjacency) && openness_below(stood) < -clearly ? down : up;
+  const std::vector<GarmentPart> parts = find_garment_parts(stood, adjacency);
+  const GarmentPart& part = largest_part(parts);
+  int axis = 0;
+  if (bag_opening(part, axis) != nullptr) return up;
+  int side = upright_by_openings(part);
+  if (side == 0 && has_legs(stood)) side = legs_below(stood);
+  const double openness = side == 0 ? openness_below(stood) : 0.0;
+  if (std::abs(openness) > (up == ModelAxis::y ? upside_down : head_below)) side = openness > 0.0 ? 1 : -1;
+  if (side == 0) side = narrower_end(stood);
+  return side < 0 ? down : up;
 }
 
 std::optional<ModelAxis> up_by_openings(const sim::Mesh& mesh, const sim::Adjacency& adjacency) {
-  if (const auto cloth = open_parts(mesh, adjacency)) return up_by_openings(*cloth, sim::make_adjacency(*cloth));
+  if (const auto up = up_of_bag(largest_part(find_garment_parts(mesh, adjacency)))) return up;
   const auto can_hang = [&](ModelAxis up) {
     return share_carried(upright(mesh, up), adjacency) >= min_carried_area_fraction;
   };
@@ -399,8 +500,7 @@ Placement place_model(const sim::Mesh& mesh, const PlacementHints& hints) {
   const double max_size = std::max({size.x, size.y, size.z});
   Placement placement;
   placement.extent = max_size;
-  const double part = size_of_largest_part(mesh);
-  choose_unit(max_size, part, hints, placement);
+  const double part = choose_unit(mesh, max_size, hints, placement);
   choose_up(size, hints, placement);
   placement.is_vast = part * placement.scale > max_garment_m;
   const sim::Vec3 middle = box.lower + 0.5 * size;

@@ -31,24 +31,28 @@ struct PlacementHints {
 };
 
 /// Chooses the unit, in this order: the user's; the file's own, if the model is then larger than a glove and smaller
-/// than a tent; the first of m, cm, mm and dm that gives a garment of 0.2 to 2.5 m. The inch or the foot replaces cm,
-/// mm or dm if it alone gives a garment of 0.45 to 1.7 m. If there is none, the model is scaled to 1 m.
+/// than a tent; the likeliest of all that give a garment of 0.1 to 2.5 m, by how many files are in it, and by how near
+/// the model's size and its narrowest opening, or the area of a hat, a sock or a glove, then are to those of grown-ups.
+/// A second unit that is nearly as likely is named too. If there is none, the model is scaled to 1 m.
 ///
 /// Chooses the up axis, in this order: the user's; the file's own; the axis by its openings; the axis with which it
 /// moves less when it is hung; z if the model is far longer along z; y. A model very far from the origin is moved
-/// there, because single precision could not resolve its vertices.
+/// there, because single precision could not resolve its vertices. Throws std::invalid_argument as
+/// sim::weld_and_validate does, if it guesses the unit.
 Placement place_model(const sim::Mesh& mesh, const PlacementHints& hints);
 
 /// Returns the model turned so that this axis becomes y.
 sim::Mesh upright(const sim::Mesh& mesh, ModelAxis up);
 
-/// Returns this axis or the opposite one: legs are below, and without legs the narrower end is at the top. Requires the
-/// adjacency of this mesh.
+/// Returns this axis or the opposite one, by the first of these that tells: a bag stays as it stands; a hem is longer
+/// than the opening above, and a single waist or neck is above the others; legs are below; one sees deeper into it from
+/// below; it is narrower at its top. Requires the adjacency of this mesh.
 ModelAxis better_way_up(const sim::Mesh& mesh, const sim::Adjacency& adjacency, ModelAxis up);
 
-/// Returns the axis along which the model stands upright, by its openings: y or z if only one of them has an opening at
-/// its top that carries most of the model; -z for a model that lies on its back with its narrower opening at that end.
-/// Empty if the openings do not say. Requires the adjacency of this mesh.
+/// Returns the axis along which the model stands upright, by its openings: that of a hat, which is open below, and of a
+/// sock, which is open above and bent; y or z if only one of them has an opening at its top that carries most of the
+/// model; -z for a model that lies on its back with its narrower opening at that end. Empty if the openings do not say.
+/// Requires the adjacency of this mesh.
 std::optional<ModelAxis> up_by_openings(const sim::Mesh& mesh, const sim::Adjacency& adjacency);
 
 }  // namespace taut::app

@@ -28,15 +28,15 @@ sim::Mesh ball(const sim::Vec3& at_m, double radius_m) {
   return mesh;
 }
 
-/// A long skirt, and a stand within it that is closed at its top and open below.
-const sim::Mesh long_skirt = [] {
-  sim::Mesh mesh = test::skirt();
-  for (sim::Vec3& p : mesh.positions) p.y *= 3.0;
+sim::Mesh stretched(sim::Mesh mesh, const sim::Vec3& by) {
+  for (sim::Vec3& p : mesh.positions) p *= by;
   return mesh;
-}();
+}
+
+/// A long skirt, and a stand within it that is closed at its top and open below.
+const sim::Mesh long_skirt = stretched(test::skirt(), {1.0, 3.0, 1.0});
 const sim::Mesh open_stand = [] {
-  sim::Mesh mesh = long_skirt;
-  for (sim::Vec3& p : mesh.positions) p *= sim::Vec3(0.9, 1.0, 0.9);
+  sim::Mesh mesh = stretched(long_skirt, {0.9, 1.0, 0.9});
   const auto count = static_cast<sim::Index>(mesh.positions.size());
   mesh.positions.push_back({0.0, mesh.positions.back().y, 0.0});
   for (sim::Index k = count - 24; k < count; ++k) {
@@ -79,6 +79,14 @@ TEST_F(Rigid, PartsThatCrossClothAreLeftOut) {
 
 TEST_F(Rigid, PartsAreClosedAndThick) {
   EXPECT_EQ(count(test::shirt(), ball({0.0, 1.2, 0.0}, 0.1)), 1U) << "a head";
+  EXPECT_EQ(count(test::shirt(),
+                  test::translate(stretched(ball({0.0, 0.0, 0.0}, 0.8), {0.0121, 1.0, 0.0121}), {0.7, 0.0, 0.0})),
+            1U)
+      << "a pole, with 0.025 of the volume of a ball of the same area";
+  EXPECT_EQ(
+      count(test::shirt(), test::translate(stretched(ball({0.0, 0.0, 0.0}, 0.2), {1.0, 0.033, 1.0}), {0.0, 1.2, 0.0})),
+      0U)
+      << "padded cloth, with 0.009";
   EXPECT_EQ(count(test::shirt(), test::translate(test::thick(test::skirt()), {0.0, -0.6, 0.0})), 0U) << "two walls";
   EXPECT_EQ(count(test::shirt(), test::translate(test::thick(test::bottle(0.3, {0.0, 0.0})), {0.0, 1.0, 0.0})), 0U)
       << "a hat with two walls";

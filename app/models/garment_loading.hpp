@@ -14,7 +14,6 @@ namespace taut::app {
 /// distance.
 inline constexpr double sewn_within_m = 1e-3;
 
-class OffsetLimits;
 class ShapeLimits;
 
 /// A model that follows a simulation mesh which was fitted to it. This model is drawn and exported.
@@ -22,14 +21,11 @@ struct FollowingModel {
   sim::Mesh mesh;                                   ///< mesh of the model at rest, in m
   FileVertices file_vertices;                       ///< vertices of its file, mapped to `mesh`
   std::vector<Bond> bonds;                          ///< per vertex of `mesh`, its bond to the simulation mesh
-  std::shared_ptr<const OffsetLimits> limits;       ///< limits of the offsets in `bonds`
   std::shared_ptr<const ShapeLimits> shape_limits;  ///< limits of its shape, whatever its bonds
   std::string unfit_reason;                         ///< reason why the model itself is not simulated
   std::size_t carried_triangles = 0;                ///< count of triangles outside the simulated wall
   std::size_t dropped_parts = 0;                    ///< count of parts too small to be simulated
   double dropped_area_fraction = 0.0;
-
-  CarriedVertices carried_vertices;  ///< vertices of `mesh` outside the wall
 
   /// Returns the positions of `mesh` for positions of the simulated vertices, in m.
   std::vector<sim::Vec3> shown_m(std::span<const sim::Vec3> positions_m,

@@ -476,6 +476,17 @@ class UntangleAttempt {
 
 }  // namespace
 
+std::vector<Piercing> find_piercings(const Garment& garment, std::span<const TrianglePair> pairs,
+                                     std::span<const Vec3> positions_m) {
+  std::vector<Piercing> all;
+  for (std::size_t p = 0; p < pairs.size(); ++p) {
+    const auto [s, t] = pairs[p];
+    add_piercings(garment, garment.mesh.triangles[s], t, static_cast<Index>(p), positions_m, all);
+    add_piercings(garment, garment.mesh.triangles[t], s, static_cast<Index>(p), positions_m, all);
+  }
+  return all;
+}
+
 Contours find_contours(const Garment& garment, std::span<const TrianglePair> pairs, std::span<const Vec3> positions_m) {
   assert(positions_m.size() == garment.mesh.positions.size());
   Contours piercing;

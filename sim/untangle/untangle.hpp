@@ -35,6 +35,11 @@ struct Contours {
   std::vector<TrianglePair> touching;  ///< crossing pairs in which no edge pierces the other triangle
 };
 
+/// Returns the piercings of each pair in turn. Their contours are the numbers of their pairs, and no end is known to be
+/// wrong. `positions_m` has one entry per vertex.
+std::vector<Piercing> find_piercings(const Garment& garment, std::span<const TrianglePair> pairs,
+                                     std::span<const Vec3> positions_m);
+
 /// `positions_m` has one entry per vertex.
 Contours find_contours(const Garment& garment, std::span<const TrianglePair> pairs, std::span<const Vec3> positions_m);
 

@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 #include <random>
 
+#include "app/garments/fitting/tuning.hpp"
 #include "app/models/mending/following_limits.hpp"
 #include "sim/contact/crossing_pairs.hpp"
 
@@ -47,7 +48,7 @@ TEST(ShapeLimits, KeepTheirBoundFromAnyShape) {
     for (Vec3& p : points_m) p += Vec3(noise_m(random), noise_m(random), noise_m(random));
     EXPECT_GT(limits.measure(points_m).surface_p99, 0.1);
     const Vec3 before_m = std::accumulate(points_m.begin(), points_m.end(), Vec3(0.0));
-    limits.apply(points_m);
+    limits.apply(points_m, points_m);
     const FollowingMeasures after = limits.measure(points_m);
     EXPECT_LE(after.stretch.max, max_stretch + 0.005);
     EXPECT_LE(after.surface_p99, max_stretch + 0.005);
@@ -61,7 +62,7 @@ TEST(ShapeLimits, LeaveAShapeWithinThemAsItIs) {
   std::vector<Vec3> points_m = model.positions;
   for (Vec3& p : points_m) p = {0.95 * p.x, p.y + 0.01 * p.x, p.z};
   const std::vector<Vec3> before_m = points_m;
-  ShapeLimits(model, max_stretch, {}).apply(points_m);
+  ShapeLimits(model, max_stretch, {}).apply(before_m, points_m);
   EXPECT_EQ(points_m, before_m);
 }
 
@@ -71,7 +72,7 @@ TEST(ShapeLimits, TakeLayersApartThatDoNotCrossAsModelled) {
   std::vector<Vec3> points_m = model.positions;
   points_m[6 * (columns + 1) + 6].y = 0.006;
   EXPECT_GT(limits.measure(points_m).new_crossings, 0u);
-  limits.apply(points_m);
+  limits.apply(model.positions, points_m);
   EXPECT_EQ(limits.measure(points_m).crossings, 0u);
 }
 
@@ -83,24 +84,26 @@ TEST(ShapeLimits, LeaveCrossingsThatAreModelled) {
   const FollowingMeasures before = limits.measure(points_m);
   EXPECT_GT(before.crossings, 0u);
   EXPECT_EQ(before.new_crossings, 0u);
-  limits.apply(points_m);
+  limits.apply(model.positions, points_m);
   EXPECT_EQ(points_m, model.positions);
 }
 
 TEST(Following, AButtonStaysRigidAndAPatchBends) {
   for (const double size_m : {0.01, 0.2}) {
-    sim::Mesh model = squares({0.0});
+    const sim::Mesh sheet = squares({0.0});
+    sim::Mesh model = sheet;
     std::vector<std::uint8_t> is_wall(model.triangles.size(), 1);
     const auto first = static_cast<sim::Index>(model.positions.size());
     for (const Vec3& p : squares({0.002}).positions)
       model.positions.push_back(Vec3(0.45, 0.0, 0.45) + Vec3(size_m * p.x, p.y, size_m * p.z));
-    for (const sim::Triangle& t : squares({0.0}).triangles)
+    for (const sim::Triangle& t : sheet.triangles)
       model.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
     is_wall.resize(model.triangles.size(), 0);
-    const CarriedVertices carried = carried_vertices(model, is_wall);
-    std::vector<Vec3> points_m = model.positions;
-    for (Vec3& p : points_m) p.y += 0.1 * std::sin(30.0 * p.x);
-    carry(carried, std::vector<float>(points_m.size(), 0.5F), points_m);
+    const std::vector<Bond> bonds = bonds_of_model(model, is_wall, sheet);
+    std::vector<Vec3> moved_m = sheet.positions;
+    for (Vec3& p : moved_m) p.y += 0.1 * std::sin(30.0 * p.x);
+    std::vector<Vec3> points_m = follow(bonds, moved_m, sheet.triangles, fitting::normal_smoothing_rounds);
+    ShapeLimits(model, 0.5, find_rigid_parts(model, is_wall)).apply(points_m, points_m);
     double max_change = 0.0;
     for (sim::Index v = first; v < points_m.size(); ++v) {
       const double was_m = glm::distance(model.positions[first], model.positions[v]);
@@ -110,17 +113,39 @@ TEST(Following, AButtonStaysRigidAndAPatchBends) {
   }
 }
 
-TEST(OffsetLimits, ShortenAnOffsetByNoMoreThanTheyLookFor) {
-  const sim::Mesh walls = squares({0.0, 0.05});
-  const std::vector<Vec3> points_m = {{0.51, 0.03, 0.51}, {0.51, -0.5, 0.51}};
-  const std::vector<Bond> bonds = bonds_to(points_m, walls);
-  const OffsetLimits limits(bonds, walls);
-  std::vector<Vec3> near_m = walls.positions;
-  for (std::size_t v = near_m.size() / 2; v < near_m.size(); ++v) near_m[v].y = 0.004;
-  const std::vector<float> shares = limits.shares(bonds, near_m, walls.triangles);
-  EXPECT_LT(shares[0], 0.9F);
-  EXPECT_GT(shares[1], 0.9F);
-  EXPECT_EQ(limits.shares(bonds, walls.positions, walls.triangles)[1], 1.0F);
+// The lower of two walls lies above the upper one: smoothing keeps it there.
+TEST(ShapeLimits, BringWallsBackToTheirSidesAsModelled) {
+  const sim::Mesh model = squares({0.0, 0.004});
+  const ShapeLimits limits(model, max_stretch, {});
+  std::vector<Vec3> points_m = model.positions;
+  const std::size_t count = points_m.size() / 2;
+  for (std::size_t v = 0; v < count; ++v) {
+    const double x = points_m[v].x - 0.5, z = points_m[v].z - 0.5;
+    points_m[v].y += 0.012 * std::exp(-40.0 * (x * x + z * z));
+  }
+  EXPECT_GT(limits.measure(points_m).new_crossings, 50u);
+  limits.apply(points_m, points_m);
+  EXPECT_EQ(limits.measure(points_m).crossings, 0u);
+  for (std::size_t v = 0; v < count; ++v) EXPECT_LT(points_m[v].y, points_m[v + count].y);
+}
+
+// Layers that are far from each other as modelled cross where they meet. The simulation mesh tells which is above.
+TEST(ShapeLimits, OtherLayersLieAsTheSimulationMeshDoes) {
+  const sim::Mesh model = squares({0.0, 0.5});
+  const ShapeLimits limits(model, max_stretch, {});
+  const std::size_t count = model.positions.size() / 2;
+  for (const double side : {1.0, -1.0}) {
+    std::vector<Vec3> points_m = model.positions, feet_m = model.positions;
+    for (std::size_t v = 0; v < count; ++v) {
+      feet_m[v].y = 0.0;
+      feet_m[v + count].y = 0.001 * side;
+      points_m[v + count].y = 0.003 * (points_m[v].x - 0.5);
+    }
+    EXPECT_GT(limits.measure(points_m).new_crossings, 10u);
+    limits.apply(feet_m, points_m);
+    EXPECT_EQ(limits.measure(points_m).crossings, 0u);
+    for (std::size_t v = 0; v < count; ++v) EXPECT_GT(side * (points_m[v + count].y - points_m[v].y), 0.0);
+  }
 }
 
 }  // namespace

@@ -85,33 +85,6 @@ TEST_F(ModelFitting, OfTwoWallsOneIsSimulatedAndBothFollow) {
   EXPECT_CONTAINS(test::remarks(loaded), "is simulated, and the model follows it");
 }
 
-// Two sheets. Each is followed by points 4 mm away from it, towards the other sheet.
-TEST(OffsetLimits, LayersThatComeNearerThanTheOffsetsOfTheirFollowersAreNotCrossedByThose) {
-  const sim::Mesh lower = sim::make_grid({.plane = sim::GridPlane::horizontal});
-  const sim::Mesh sheets = test::both(lower, test::translate(lower, {0.0, 0.05, 0.0}));
-  const std::size_t count = lower.positions.size();
-  std::vector<Vec3> points = sheets.positions;
-  for (std::size_t v = 0; v < points.size(); ++v) {
-    points[v].y += v < count ? 0.004 : -0.004;
-  }
-  const std::vector<Bond> bonds = bonds_to(points, sheets);
-  const OffsetLimits limits(bonds, sheets);
-  const auto limited = [&](const std::vector<Vec3>& at_m) {
-    return follow(bonds, at_m, sheets.triangles, limits.shares(bonds, at_m, sheets.triangles));
-  };
-  EXPECT_LT(max_distance(limited(sheets.positions), points), 1e-9);
-
-  std::vector<Vec3> near_m = sheets.positions;
-  for (std::size_t v = count; v < near_m.size(); ++v) {
-    near_m[v].y = 0.002;
-  }
-  const std::vector<Vec3> limited_m = limited(near_m);
-  for (std::size_t v = 0; v < count; ++v) {
-    EXPECT_NEAR(limited_m[v].y, 0.001, 1e-6);
-    EXPECT_NEAR(limited_m[count + v].y, 0.001, 1e-6);
-  }
-}
-
 TEST_F(ModelFitting, AModelThatIsFitIsSimulatedAndOneIsWhereThatIsAskedFor) {
   Scene scene = lined();
   scene.garment.mesh = MeshChoice::model;

@@ -323,20 +323,5 @@ TEST(Clearances, AreTheDistancesOfTheNearestLayers) {
   expect(false, 0.4F, {0.2F, 0.4F, 0.2F});
 }
 
-// Two sheets 0.3 m apart: the lower reaches 0.1 m up, the upper 0.3 m down at one of its corners.
-TEST(Clearances, SharesAreDistancesByReaches) {
-  const std::vector<Vec3> positions_m = {{0, 0, 0}, {1, 0, 0}, {0, 0, 1}, {0, 0.3, 0}, {1, 0.3, 0}, {0, 0.3, 1}};
-  Clearances clearances(std::vector<Triangle>{{0, 1, 2}, {3, 4, 5}}, {}, true, positions_m);
-  const std::vector<float> reach_m = {0.1F, 0.1F, 0.1F, 0.3F, 0.0F, 0.0F};
-  const std::span<const float> shares = clearances.find_ratios(positions_m, reach_m);
-  for (const std::size_t v : {0, 1, 2, 3, 4, 5}) {
-    EXPECT_NEAR(shares[v], 0.75F, 1e-5F) << v;
-  }
-  const std::vector<float> short_reach_m(6, 0.1F);
-  for (const float share : clearances.find_ratios(positions_m, short_reach_m)) {
-    EXPECT_EQ(share, 1.0F);
-  }
-}
-
 }  // namespace
 }  // namespace taut::sim

@@ -4,6 +4,7 @@
 #include "app/garments/fitting/tuning.hpp"
 #include "sim/mesh/adjacency.hpp"
 #include "sim/mesh/groups.hpp"
+#include "sim/mesh/welding.hpp"
 
 namespace taut::app {
 
@@ -236,12 +237,18 @@ struct BondFrame {
   Vec3 place_m, along, across, normal;
 };
 
+Vec3 find_foot(const Bond& bond, std::span<const Vec3> positions_m, std::span<const sim::Triangle> triangles) {
+  const auto& [a, b, c] = triangles[bond.triangle];
+  const auto& [u, v, w] = bond.weights;
+  return u * positions_m[a] + v * positions_m[b] + w * positions_m[c];
+}
+
 BondFrame make_bond_frame(const Bond& bond, std::span<const Vec3> positions_m, std::span<const Vec3> normals,
                           std::span<const sim::Triangle> triangles) {
   const auto& [a, b, c] = triangles[bond.triangle];
   const auto& [u, v, w] = bond.weights;
   BondFrame frame;
-  frame.place_m = u * positions_m[a] + v * positions_m[b] + w * positions_m[c];
+  frame.place_m = find_foot(bond, positions_m, triangles);
   const Vec3 edge = positions_m[b] - positions_m[a];
   // Vertex normals may cancel out where the cloth is folded over. Triangle normals differ between neighbours.
   const Vec3 face_normal = sim::unit_or_zero(glm::cross(edge, positions_m[c] - positions_m[a]));
@@ -252,8 +259,8 @@ BondFrame make_bond_frame(const Bond& bond, std::span<const Vec3> positions_m, s
 }
 
 std::vector<Bond> bonds_at(std::span<const Vec3> points_m, std::span<const TreeSurfacePoint> found,
-                           const sim::Mesh& mesh) {
-  const std::vector<Vec3> normals = vertex_normals(mesh.positions, mesh.triangles);
+                           const sim::Mesh& mesh, int smoothing_rounds = 0) {
+  const std::vector<Vec3> normals = vertex_normals(mesh.positions, mesh.triangles, smoothing_rounds);
   std::vector<Bond> bonds;
   bonds.reserve(points_m.size());
   for (std::size_t k = 0; k < points_m.size(); ++k) {
@@ -267,28 +274,6 @@ std::vector<Bond> bonds_at(std::span<const Vec3> points_m, std::span<const TreeS
     bonds.push_back(bond);
   }
   return bonds;
-}
-
-/// Binds each small part that is carried as a whole, such as a button, at the point to which its first vertex is bound,
-/// so that one frame moves it. Returns per vertex whether it is of such a part.
-std::vector<std::uint8_t> bind_small_parts_at_one_point(const sim::Mesh& model, std::span<const char> is_carried,
-                                                        std::vector<TreeSurfacePoint>& points) {
-  std::vector<std::uint8_t> is_rigid(model.positions.size(), 0);
-  sim::Groups groups = sim::connect_vertices(model.positions.size(), model.triangles);
-  std::map<Index, std::pair<bool, sim::Extent>> parts;
-  for (Index v = 0; v < is_carried.size(); ++v) {
-    auto& [is_whole, extent] = parts.try_emplace(groups.find(v), true, sim::Extent()).first->second;
-    is_whole = is_whole && is_carried[v] != 0;
-    extent.add(model.positions[v]);
-  }
-  for (Index v = 0; v < is_carried.size(); ++v) {
-    const Index part = groups.find(v);
-    const auto& [is_whole, extent] = parts[part];
-    if (!is_whole || glm::length(extent.size()) > max_rigid_size_m) continue;
-    is_rigid[v] = 1;
-    points[v] = points[part];
-  }
-  return is_rigid;
 }
 
 }  // namespace
@@ -391,13 +376,21 @@ double mean_edge_m(const sim::Mesh& mesh) {
   return sum_m / static_cast<double>(edges.size());
 }
 
-std::vector<Vec3> vertex_normals(std::span<const Vec3> positions_m, std::span<const sim::Triangle> triangles) {
+std::vector<Vec3> vertex_normals(std::span<const Vec3> positions_m, std::span<const sim::Triangle> triangles,
+                                 int smoothing_rounds) {
   std::vector<Vec3> normals(positions_m.size(), Vec3(0.0));
   for (const sim::Triangle& t : triangles) {
     const Vec3 area = sim::doubled_area_vector(positions_m, t);
     for (const Index v : t) normals[v] += area;
   }
-  std::transform(normals.begin(), normals.end(), normals.begin(), sim::unit_or_zero);
+  std::ranges::transform(normals, normals.begin(), sim::unit_or_zero);
+  for (int round = 0; round < smoothing_rounds; ++round) {
+    std::vector<Vec3> sums = normals;
+    for (const sim::Triangle& t : triangles) {
+      for (const Index v : t) sums[v] += normals[t[0]] + normals[t[1]] + normals[t[2]];
+    }
+    std::ranges::transform(sums, normals.begin(), sim::unit_or_zero);
+  }
   return normals;
 }
 
@@ -417,53 +410,47 @@ std::vector<Bond> bonds_to(std::span<const Vec3> points_m, const sim::Mesh& mesh
   return bonds_at(points_m, closest_points, mesh);
 }
 
+std::vector<Index> find_rigid_parts(const sim::Mesh& model, std::span<const std::uint8_t> is_wall) {
+  sim::Groups groups = sim::connect_vertices(model.positions.size(), model.triangles);
+  std::map<Index, sim::Extent> extents;
+  for (Index v = 0; v < model.positions.size(); ++v) extents[groups.find(v)].add(model.positions[v]);
+  for (const sim::Triangle& t : select_wall(model, is_wall)) extents.erase(groups.find(t[0]));
+  std::erase_if(extents, [](const auto& part) { return glm::length(part.second.size()) > max_rigid_size_m; });
+  std::vector<Index> parts;
+  for (Index v = 0; v < model.positions.size(); ++v) {
+    const Index part = groups.find(v);
+    parts.push_back(extents.contains(part) ? part : sim::no_vertex);
+  }
+  return parts;
+}
+
 std::vector<Bond> bonds_of_model(const sim::Mesh& model, std::span<const std::uint8_t> is_wall, const sim::Mesh& mesh) {
-  return bonds_at(model.positions, Binder(model, is_wall, mesh).all(), mesh);
+  std::vector<TreeSurfacePoint> points = Binder(model, is_wall, mesh).all();
+  const std::vector<Index> parts = find_rigid_parts(model, is_wall);
+  for (Index v = 0; v < points.size(); ++v) {
+    if (parts[v] != sim::no_vertex) points[v] = points[parts[v]];
+  }
+  return bonds_at(model.positions, points, mesh, normal_smoothing_rounds);
 }
 
 std::vector<Vec3> follow(std::span<const Bond> bonds, std::span<const Vec3> positions_m,
-                         std::span<const sim::Triangle> triangles, std::span<const float> shares) {
-  const std::vector<Vec3> normals = vertex_normals(positions_m, triangles);
+                         std::span<const sim::Triangle> triangles, int smoothing_rounds) {
+  const std::vector<Vec3> normals = vertex_normals(positions_m, triangles, smoothing_rounds);
   std::vector<Vec3> points_m;
   points_m.reserve(bonds.size());
-  for (std::size_t k = 0; k < bonds.size(); ++k) {
-    const BondFrame frame = make_bond_frame(bonds[k], positions_m, normals, triangles);
-    const Vec3 offset_m = (shares.empty() ? 1.0 : double{shares[k]}) * bonds[k].offset_m;
-    points_m.push_back(frame.place_m + offset_m.x * frame.along + offset_m.y * frame.across +
-                       offset_m.z * frame.normal);
+  for (const Bond& bond : bonds) {
+    const BondFrame frame = make_bond_frame(bond, positions_m, normals, triangles);
+    points_m.push_back(frame.place_m + bond.offset_m.x * frame.along + bond.offset_m.y * frame.across +
+                       bond.offset_m.z * frame.normal);
   }
   return points_m;
 }
 
-CarriedVertices carried_vertices(const sim::Mesh& model, std::span<const std::uint8_t> is_wall) {
-  CarriedVertices carried{select_wall(model, is_wall), {}, {}, {}};
-  std::vector<char> is_carried(model.positions.size(), 1);
-  for (const sim::Triangle& t : carried.wall) {
-    for (const Index v : t) is_carried[v] = 0;
-  }
-  if (std::ranges::count(is_carried, 1) == 0) return carried;
-  const sim::Mesh wall{model.positions, carried.wall, {}};
-  std::vector<TreeSurfacePoint> points = Binder(model, is_wall, wall).all();
-  const std::vector<std::uint8_t> is_rigid = bind_small_parts_at_one_point(model, is_carried, points);
-  const std::vector<Bond> bonds = bonds_at(model.positions, points, wall);
-  for (Index v = 0; v < bonds.size(); ++v) {
-    if (is_carried[v] != 0) {
-      carried.vertices.push_back(v);
-      carried.bonds.push_back(bonds[v]);
-      carried.is_rigid.push_back(is_rigid[v]);
-    }
-  }
-  return carried;
-}
-
-void carry(const CarriedVertices& carried, std::span<const float> shares, std::vector<Vec3>& points_m) {
-  if (carried.vertices.empty()) return;
-  std::vector<float> of_carried;
-  for (std::size_t k = 0; k < carried.vertices.size(); ++k) {
-    of_carried.push_back(carried.is_rigid[k] != 0 ? 1.0F : shares[carried.vertices[k]]);
-  }
-  const std::vector<Vec3> carried_m = follow(carried.bonds, points_m, carried.wall, of_carried);
-  for (std::size_t k = 0; k < carried_m.size(); ++k) points_m[carried.vertices[k]] = carried_m[k];
+std::vector<Vec3> find_feet(std::span<const Bond> bonds, std::span<const Vec3> positions_m,
+                            std::span<const sim::Triangle> triangles) {
+  std::vector<Vec3> feet_m;
+  for (const Bond& bond : bonds) feet_m.push_back(find_foot(bond, positions_m, triangles));
+  return feet_m;
 }
 
 Index find_nearest_corner(const Bond& bond, std::span<const sim::Triangle> triangles) {

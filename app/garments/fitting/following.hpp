@@ -63,30 +63,23 @@ struct Bond {
 std::vector<Bond> bonds_to(std::span<const sim::Vec3> points_m, const sim::Mesh& mesh,
                            std::span<const sim::Vec3> normals = {});
 
+/// Returns per vertex of a model the part that stays rigid, by one of its vertices: a small part outside the wall, such
+/// as a button. Other vertices have none. `is_wall` marks the triangles of the wall.
+std::vector<sim::Index> find_rigid_parts(const sim::Mesh& model, std::span<const std::uint8_t> is_wall);
+
 /// Binds the vertices of a model to the mesh that was fitted to it. Each is bound near its neighbours, so that it
-/// follows its own layer where layers touch or cross. `is_wall` marks the triangles of the model that the mesh was made
-/// of. Requires triangles in both.
+/// follows its own layer where layers touch or cross. Rigid parts are bound at one point. `is_wall` marks the triangles
+/// of the model that the mesh was made of. Requires triangles in both.
 std::vector<Bond> bonds_of_model(const sim::Mesh& model, std::span<const std::uint8_t> is_wall, const sim::Mesh& mesh);
 
-/// Returns the bound points for positions of the mesh's vertices, in m. `shares`, one for each bond, scale the offsets.
-/// Unscaled points are where they were, up to rounding, for the positions at which they were bound.
+/// Returns the bound points for positions of the mesh's vertices, in m. They are where they were, up to rounding, for
+/// the positions at which they were bound. Bonds of bonds_of_model() need fitting::normal_smoothing_rounds.
 std::vector<sim::Vec3> follow(std::span<const Bond> bonds, std::span<const sim::Vec3> positions_m,
-                              std::span<const sim::Triangle> triangles, std::span<const float> shares = {});
+                              std::span<const sim::Triangle> triangles, int smoothing_rounds = 0);
 
-/// Vertices of a model outside its wall, such as vertices of an inner wall or of a button. They follow the wall as it
-/// is drawn, so that they stay on their side of it.
-struct CarriedVertices {
-  std::vector<sim::Triangle> wall;     ///< triangles of the model
-  std::vector<sim::Index> vertices;    ///< indices of vertices of the model
-  std::vector<Bond> bonds;             ///< per entry of `vertices`, its bond to `wall`
-  std::vector<std::uint8_t> is_rigid;  ///< per entry of `vertices`, whether it is of a small part, which stays rigid
-};
-
-CarriedVertices carried_vertices(const sim::Mesh& model, std::span<const std::uint8_t> is_wall);
-
-/// Moves the carried vertices among these points of the model, in m, to follow the wall. `shares` has one value for
-/// each point.
-void carry(const CarriedVertices& carried, std::span<const float> shares, std::vector<sim::Vec3>& points_m);
+/// Returns the points of the mesh to which points are bound, in m.
+std::vector<sim::Vec3> find_feet(std::span<const Bond> bonds, std::span<const sim::Vec3> positions_m,
+                                 std::span<const sim::Triangle> triangles);
 
 /// Returns the vertex of the bond's triangle that has the largest weight.
 sim::Index find_nearest_corner(const Bond& bond, std::span<const sim::Triangle> triangles);
@@ -94,7 +87,9 @@ sim::Index find_nearest_corner(const Bond& bond, std::span<const sim::Triangle> 
 /// Returns the mean length of the edges of a mesh with triangles.
 double mean_edge_m(const sim::Mesh& mesh);
 
-/// Returns area-weighted unit normals of vertices; 0 at a vertex without a triangle that has an area.
-std::vector<sim::Vec3> vertex_normals(std::span<const sim::Vec3> positions_m, std::span<const sim::Triangle> triangles);
+/// Returns area-weighted unit normals of vertices; 0 at a vertex without a triangle that has an area. Each round of
+/// smoothing averages them over the triangles about a vertex.
+std::vector<sim::Vec3> vertex_normals(std::span<const sim::Vec3> positions_m, std::span<const sim::Triangle> triangles,
+                                      int smoothing_rounds = 0);
 
 }  // namespace taut::app

@@ -146,20 +146,17 @@ inline constexpr double far_fraction = 0.1;
 /// Cosine of the normals below which an edge may be a rim of two walls. More finds rims in folds.
 inline constexpr double crease_cosine = 0.8;
 
-// What follows the mesh (following.cpp, and app/models/mending/following_limits.cpp from `max_reach_edges` on).
+// What follows the mesh (following.cpp, and app/models/mending/following_limits.cpp from `max_sweeps` on).
 
 /// Largest distance of a triangle that faces the same way, as a multiple of the distance of the nearest triangle.
 inline constexpr double max_facing_distance_ratio = 2.0;
 /// Weight of a triangle's own normal beside the normals of its vertices. More shows edges of the mesh in the model.
 inline constexpr double face_normal_weight = 0.1;
+/// Count of rounds in which the normals of a mesh are averaged for a model that follows it. More keeps the thickness of
+/// thick models in folds, less follows small folds more closely.
+inline constexpr int normal_smoothing_rounds = 10;
 /// Largest size of a part that stays rigid, such as a button, in m. More keeps belt loops and tabs from bending.
 inline constexpr double max_rigid_size_m = 0.03;
-/// Largest offset that is kept out of the next layer, in mean edges. Two larger ones meet across one triangle of flat
-/// cloth, 0.87 edges high. Less lets thick models cross where layers meet.
-inline constexpr double max_reach_edges = 0.4;
-/// Smallest share of the offsets at rest. Below it layers nearly touch or cross as modelled, and followers cannot keep
-/// to the share. Less pulls them to the mesh there.
-inline constexpr float min_share_at_rest = 0.5F;
 /// Largest count of sweeps over stretched triangles. More shorten models whose vertices follow distant parts, and take
 /// longer.
 inline constexpr int max_sweeps = 60;
@@ -167,13 +164,23 @@ inline constexpr int max_sweeps = 60;
 inline constexpr double over_correction = 1.7;
 /// Stretch beyond the limit, as a fraction of the length at rest, that is left. Less needs more sweeps.
 inline constexpr double stretch_tolerance = 0.003;
-/// Largest count of rounds in which the neighbourhood of new crossings is smoothed. More removes more crossings and
-/// flattens more folds.
-inline constexpr int max_smoothing_rounds = 4;
+/// Largest count of rounds in which triangles that cross are parted. More removes more crossings and takes longer.
+inline constexpr int max_parting_rounds = 8;
+/// Largest work of these rounds for a shape, in triangles. More removes crossings of larger models and takes longer.
+inline constexpr std::size_t max_parting_work = 300000;
+/// Largest number of crossings as modelled for each triangle of a model whose crossings are parted. More takes longer
+/// on tangled models, whose crossings only change their places.
+inline constexpr double max_own_crossing_fraction = 0.1;
+/// Work of a crossing, in triangles.
+inline constexpr std::size_t work_of_crossing = 6;
+/// Distance to which crossing triangles are parted, in mean edges. More needs fewer rounds and stretches more.
+inline constexpr double parting_margin_edges = 0.07;
+/// Largest distance as modelled, in mean edges, within which two surfaces keep the sides that they have as modelled.
+/// More takes other folds for another wall of the same cloth.
+inline constexpr double max_wall_edges = 2.0;
+/// Smallest cosine between their distance as modelled and the normal. Less takes what is beside for what is in front.
+inline constexpr double min_wall_cosine = 0.1;
 /// Weight of the neighbours' mean in a round. More flattens folds, less leaves crossings.
 inline constexpr double smoothing_weight = 0.5;
-/// Largest number of crossings for each triangle, as modelled or new, that are removed. More takes longer on tangled
-/// models.
-inline constexpr double max_crossing_fraction = 0.05;
 
 }  // namespace taut::app::fitting

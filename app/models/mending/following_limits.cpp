@@ -2,6 +2,7 @@
 
 #include "app/garments/fitting/tuning.hpp"
 #include "sim/contact/crossing_pairs.hpp"
+#include "sim/mesh/welding.hpp"
 
 namespace taut::app {
 
@@ -11,15 +12,6 @@ namespace {
 
 using sim::Index;
 using sim::Vec3;
-
-std::vector<float> compute_reaches(std::span<const Bond> bonds, const sim::Mesh& simulated, float max_distance_m) {
-  std::vector<float> reach_m(simulated.positions.size(), 0.0F);
-  for (const Bond& bond : bonds) {
-    const float offset_m = std::min(static_cast<float>(glm::length(bond.offset_m)), max_distance_m);
-    for (const Index v : simulated.triangles[bond.triangle]) reach_m[v] = std::max(reach_m[v], offset_m);
-  }
-  return reach_m;
-}
 
 /// Moves the corners of a triangle by the least that shortens its most stretched direction to this ratio. Returns
 /// whether the triangle was longer.
@@ -41,45 +33,22 @@ bool shorten_triangle(const sim::TriangleAtRest& rest, const sim::Triangle& t, d
   return true;
 }
 
+/// Returns the way from the pierced point of the triangle to that of the edge.
+Vec3 between(const sim::Edge& edge, const sim::Triangle& t, const sim::Piercing& at, std::span<const Vec3> points_m) {
+  return glm::mix(points_m[edge[0]], points_m[edge[1]], at.along) - at.weights.x * points_m[t[0]] -
+         at.weights.y * points_m[t[1]] - at.weights.z * points_m[t[2]];
+}
+
 }  // namespace
 
-OffsetLimits::OffsetLimits(std::span<const Bond> bonds, const sim::Mesh& simulated)
-    : max_reach_m_(static_cast<float>(max_reach_edges * mean_edge_m(simulated))),
-      reach_m_(compute_reaches(bonds, simulated, max_reach_m_)),
-      clearances_(simulated.triangles, {}, true, simulated.positions) {
-  const std::span<const float> shares = clearances_.find_ratios(simulated.positions, reach_m_);
-  at_rest_.assign(shares.begin(), shares.end());
-  std::replace_if(
-      at_rest_.begin(), at_rest_.end(), [](float share) { return share < min_share_at_rest; }, 1.0F);
-}
-
-std::vector<float> OffsetLimits::shares(std::span<const Bond> bonds, std::span<const Vec3> positions_m,
-                                        std::span<const sim::Triangle> triangles) const {
-  const std::lock_guard lock(mutex_);
-  const std::span<const float> clearance_shares = clearances_.find_ratios(positions_m, reach_m_);
-  const auto at_vertex = [&](Index v) { return std::min(clearance_shares[v] / at_rest_[v], 1.0F); };
-  std::vector<float> shares;
-  shares.reserve(bonds.size());
-  for (const Bond& bond : bonds) {
-    const auto& [a, b, c] = triangles[bond.triangle];
-    const auto& [u, v, w] = bond.weights;
-    const double share = u * at_vertex(a) + v * at_vertex(b) + w * at_vertex(c);
-    // A larger offset loses no more of its length than the largest that is looked for.
-    const double limited = max_reach_m_ / std::max(glm::length(bond.offset_m), double{max_reach_m_});
-    shares.push_back(static_cast<float>(1.0 - limited * (1.0 - share)));
-  }
-  return shares;
-}
-
-ShapeLimits::ShapeLimits(const sim::Mesh& model_m, double max_stretch, const CarriedVertices& carried)
+ShapeLimits::ShapeLimits(const sim::Mesh& model_m, double max_stretch, std::span<const Index> rigid_parts)
     : model_(sim::make_garment(model_m, {.flexural_rule = sim::FlexuralRule::none})),
       tree_(model_m.triangles, model_m.positions),
       triangles_at_(sim::at_vertices(model_m.positions.size(), model_m.triangles)),
       max_ratio_(1.0 + max_stretch),
+      edge_m_(mean_edge_m(model_m)),
       is_rigid_(model_m.positions.size(), 0) {
-  for (std::size_t k = 0; k < carried.vertices.size(); ++k) {
-    is_rigid_[carried.vertices[k]] = carried.is_rigid[k];
-  }
+  for (std::size_t v = 0; v < rigid_parts.size(); ++v) is_rigid_[v] = rigid_parts[v] != sim::no_vertex ? 1 : 0;
   for (const sim::CrossingPair& pair : find_crossings(model_m.positions)) {
     own_crossings_.push_back({pair.first, pair.second});
   }
@@ -104,11 +73,57 @@ void ShapeLimits::shorten(std::vector<Vec3>& points_m) const {
   }
 }
 
-void ShapeLimits::smooth(std::span<const std::uint8_t> is_marked, std::vector<Vec3>& points_m) const {
-  const std::vector<Vec3> before_m = points_m;
+double ShapeLimits::find_side(const sim::Piercing& piercing, const Vec3& front, std::span<const Vec3> feet_m) const {
+  const sim::Edge& edge = model_.adjacency.edges[piercing.edge];
+  const sim::Triangle& triangle = model_.mesh.triangles[piercing.triangle];
+  const std::vector<Vec3>& rest_m = model_.mesh.positions;
+  const Vec3 apart_m = between(edge, triangle, piercing, rest_m);
+  const double side_m = glm::dot(apart_m, sim::unit_or_zero(sim::doubled_area_vector(rest_m, triangle)));
+  const double distance_m = glm::length(apart_m);
+  return distance_m <= max_wall_edges * edge_m_ && std::abs(side_m) >= min_wall_cosine * distance_m
+             ? side_m
+             : glm::dot(between(edge, triangle, piercing, feet_m), front);
+}
+
+void ShapeLimits::part(std::span<const sim::CrossingPair> crossings, std::span<const Vec3> feet_m,
+                       std::vector<Vec3>& points_m) const {
+  std::vector<sim::TrianglePair> pairs;
+  for (const sim::CrossingPair& pair : crossings) pairs.push_back({pair.first, pair.second});
+  std::vector<Vec3> sums_m(points_m.size(), Vec3(0.0));
+  std::vector<double> weights(points_m.size(), 0.0);
+  const auto ask = [&](Index v, const Vec3& move_m, double weight) {
+    sums_m[v] += weight * move_m;
+    weights[v] += weight;
+  };
+  for (const sim::Piercing& p : sim::find_piercings(model_, pairs, points_m)) {
+    const auto& [first, second] = model_.adjacency.edges[p.edge];
+    const Vec3 front = p.first_is_in_front ? p.normal : -p.normal;
+    const double side = find_side(p, front, feet_m);
+    const bool first_is_wrong = p.first_is_in_front != (side > 0.0);
+    const double height_m = std::abs(glm::dot(p.normal, points_m[second] - points_m[first]));
+    const double depth_m = height_m * (first_is_wrong ? p.along : 1.0 - p.along);
+    const double way_m = std::min(depth_m + parting_margin_edges * edge_m_, edge_m_);
+    const Vec3 half_m = std::copysign(0.5 * way_m, side) * front;
+    ask(first_is_wrong ? first : second, half_m, 1.0);
+    for (int k = 0; k < 3; ++k) ask(model_.mesh.triangles[p.triangle][k], -half_m, p.weights[k]);
+  }
   for (Index v = 0; v < points_m.size(); ++v) {
+    if (weights[v] > 0.0 && is_rigid_[v] == 0) points_m[v] += sums_m[v] / weights[v];
+  }
+}
+
+void ShapeLimits::smooth(std::span<const sim::CrossingPair> crossings, std::vector<Vec3>& points_m) const {
+  std::set<Index> vertices;
+  for (const sim::CrossingPair& pair : crossings) {
+    for (const Index t : {pair.first, pair.second}) {
+      for (const Index v : model_.mesh.triangles[t]) {
+        if (is_rigid_[v] == 0) vertices.insert(v);
+      }
+    }
+  }
+  const std::vector<Vec3> before_m = points_m;
+  for (const Index v : vertices) {
     const auto edges = model_.adjacency.vertex_edges[v];
-    if (is_marked[v] == 0 || is_rigid_[v] != 0 || edges.empty()) continue;
     Vec3 sum_m(0.0);
     for (const Index e : edges) sum_m += before_m[sim::other_end(model_.adjacency.edges[e], v)];
     points_m[v] += smoothing_weight * (sum_m / static_cast<double>(edges.size()) - before_m[v]);
@@ -125,24 +140,27 @@ std::vector<sim::CrossingPair> ShapeLimits::find_crossings(std::span<const Vec3>
   return sim::find_crossing_pairs({points_m, model_.mesh.triangles}, tree_);
 }
 
-void ShapeLimits::apply(std::vector<Vec3>& points_m) const {
+void ShapeLimits::apply(std::span<const Vec3> feet_m, std::vector<Vec3>& points_m) const {
   shorten(points_m);
-  const auto max_crossings =
-      static_cast<std::size_t>(max_crossing_fraction * static_cast<double>(model_.mesh.triangles.size()));
-  if (own_crossings_.size() > max_crossings) return;
-  for (int round = 0; round < max_smoothing_rounds; ++round) {
+  const std::size_t triangles = model_.mesh.triangles.size();
+  if (static_cast<double>(own_crossings_.size()) > max_own_crossing_fraction * static_cast<double>(triangles)) return;
+  std::size_t work = 0;
+  std::vector<Vec3> best_m;
+  std::size_t fewest = std::numeric_limits<std::size_t>::max();
+  for (int round = 0;; ++round) {
     std::vector<sim::CrossingPair> crossings = find_crossings(points_m);
+    work += triangles + work_of_crossing * crossings.size();
     erase_own(crossings);
-    if (crossings.empty() || crossings.size() > max_crossings) return;
-    std::vector<std::uint8_t> is_marked(points_m.size(), 0);
-    for (const sim::CrossingPair& pair : crossings) {
-      for (const Index t : {pair.first, pair.second}) {
-        for (const Index v : model_.mesh.triangles[t]) is_marked[v] = 1;
-      }
+    if (crossings.size() < fewest) {
+      fewest = crossings.size();
+      best_m = points_m;
     }
-    smooth(is_marked, points_m);
+    if (crossings.empty() || round == max_parting_rounds || work > max_parting_work) break;
+    part(crossings, feet_m, points_m);
+    smooth(crossings, points_m);
     shorten(points_m);
   }
+  points_m = std::move(best_m);
 }
 
 FollowingMeasures ShapeLimits::measure(std::span<const Vec3> points_m) const {

@@ -3,6 +3,7 @@
 #include "app/base/errors.hpp"
 #include "app/base/words.hpp"
 #include "app/garments/fitting/comparison.hpp"
+#include "app/garments/fitting/tuning.hpp"
 #include "sim/contact/crossing_pairs.hpp"
 #include "sim/mesh/welding.hpp"
 
@@ -84,20 +85,16 @@ FittingOutcome fit_model(const GarmentSource& source, double thickness_m, const 
 
 std::vector<Vec3> FollowingModel::shown_m(std::span<const Vec3> positions_m,
                                           std::span<const sim::Triangle> simulated) const {
-  const std::vector<float> shares = limits->shares(bonds, positions_m, simulated);
-  std::vector<Vec3> model_m = follow(bonds, positions_m, simulated, shares);
-  carry(carried_vertices, shares, model_m);
-  shape_limits->apply(model_m);
+  std::vector<Vec3> model_m = follow(bonds, positions_m, simulated, fitting::normal_smoothing_rounds);
+  shape_limits->apply(find_feet(bonds, positions_m, simulated), model_m);
   return model_m;
 }
 
 FollowingModel follow_fitted(sim::Mesh model_m, const FittedModel& fitted, double bound) {
   FollowingModel following;
   following.bonds = bonds_of_model(model_m, fitted.is_simulated, fitted.mesh);
-  following.limits = std::make_shared<const OffsetLimits>(following.bonds, fitted.mesh);
-  following.carried_vertices = carried_vertices(model_m, fitted.is_simulated);
-  following.shape_limits =
-      std::make_shared<const ShapeLimits>(model_m, stretch_by_bound * bound, following.carried_vertices);
+  following.shape_limits = std::make_shared<const ShapeLimits>(model_m, stretch_by_bound * bound,
+                                                               find_rigid_parts(model_m, fitted.is_simulated));
   following.unfit_reason = fitted.why;
   following.carried_triangles = fitted.carried_triangles;
   following.dropped_parts = fitted.dropped_sheets;

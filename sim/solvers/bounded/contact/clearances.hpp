@@ -17,21 +17,13 @@ class Clearances {
   /// if that is smaller. Valid until the next call.
   std::span<const float> find(std::span<const Vec3> positions_m, float max_m);
 
-  /// Returns for each entry the smallest ratio of distance to reach of its pairs, at most 1. The reach of a pair is the
-  /// sum of the largest `reach_m` of each primitive, in m. Valid until the next call.
-  std::span<const float> find_ratios(std::span<const Vec3> positions_m, std::span<const float> reach_m);
-
  private:
-  const std::vector<NearPair>& pairs_within(std::span<const Vec3> positions_m, std::span<const float> radii_m);
-  float pair_distance_m(const NearPair& pair) const;
-
   NearPairs near_;
   ParallelKernels kernels_;
   Float4Array rows_;
   Float4Array moves_;
   std::vector<float> radii_;
   std::vector<float> clearances_m_;
-  std::vector<float> shares_;
 };
 
 }  // namespace taut::sim::bounded

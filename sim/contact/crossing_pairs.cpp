@@ -58,12 +58,14 @@ bool is_lowest_shared(Index vertex, const Triangle& s, const Triangle& t) {
                       [&](Index v) { return v < vertex && std::find(t.begin(), t.end(), v) != t.end(); });
 }
 
-void add_crossing_neighbours(const Surface& cloth, std::vector<TriangleCouple>& crossing) {
+void add_crossing_neighbours(const Surface& cloth, std::span<const std::uint8_t> is_marked,
+                             std::vector<TriangleCouple>& crossing) {
   const CompressedRows vertex_triangles = at_vertices(cloth.positions_m.size(), cloth.triangles);
   for (Index v = 0; v < cloth.positions_m.size(); ++v) {
     const std::span<const Index> around = vertex_triangles[v];
     for (std::size_t k = 0; k < around.size(); ++k) {
       for (const Index other : around.subspan(k + 1)) {
+        if (is_marked[around[k]] == 0 && is_marked[other] == 0) continue;
         const Triangle &s = cloth.triangles[around[k]], &t = cloth.triangles[other];
         if (is_lowest_shared(v, s, t) && neighbours_cross(s, t, cloth.positions_m)) {
           crossing.push_back({std::min(around[k], other), std::max(around[k], other)});
@@ -80,13 +82,21 @@ std::vector<CrossingPair> find_crossing_pairs(const Surface& cloth) {
 }
 
 std::vector<CrossingPair> find_crossing_pairs(const Surface& cloth, TriangleTree tree) {
+  return find_crossing_pairs(cloth, std::move(tree), std::vector<std::uint8_t>(cloth.triangles.size(), 1));
+}
+
+std::vector<CrossingPair> find_crossing_pairs(const Surface& cloth, TriangleTree tree,
+                                              std::span<const std::uint8_t> is_marked) {
   if (cloth.triangles.empty()) return {};
   tree.fit(cloth.positions_m, cloth.positions_m.front(), 0.0);
+  tree.search_marked(is_marked);
   std::vector<TriangleCouple> crossing;
   tree.find_near(crossing);
+  std::erase_if(crossing,
+                [&](const TriangleCouple& pair) { return is_marked[pair[0]] == 0 && is_marked[pair[1]] == 0; });
   for (TriangleCouple& pair : crossing) std::sort(pair.begin(), pair.end());
   erase_apart(cloth, cloth, crossing);
-  add_crossing_neighbours(cloth, crossing);
+  add_crossing_neighbours(cloth, is_marked, crossing);
   return to_sorted_pairs(std::move(crossing), cloth, cloth);
 }
 

@@ -9,6 +9,9 @@ namespace taut::sim {
 std::vector<CrossingPair> find_crossing_pairs(const Surface& cloth);
 /// Returns the same. `tree` is one of these triangles at any positions: its making would take most of the time.
 std::vector<CrossingPair> find_crossing_pairs(const Surface& cloth, TriangleTree tree);
+/// Returns those of which a triangle is marked, faster if few are.
+std::vector<CrossingPair> find_crossing_pairs(const Surface& cloth, TriangleTree tree,
+                                              std::span<const std::uint8_t> is_marked);
 
 /// Returns all pairs of a triangle of the cloth and one of the body that cross, in the same order.
 std::vector<CrossingPair> find_crossing_pairs(const Surface& cloth, const Surface& body);

@@ -171,6 +171,23 @@ void TriangleTree::fit(std::span<const Vec3> positions_m, const Vec3& origin_m, 
   if (!leaves_.empty()) fit(root());
 }
 
+void TriangleTree::search_marked(std::span<const std::uint8_t> is_marked) {
+  searched_.assign(boxes_.size(), 0);
+  if (!leaves_.empty()) mark(root(), is_marked);
+}
+
+bool TriangleTree::mark(const TreeNode& node, std::span<const std::uint8_t> is_marked) {
+  if (node.size() == 1) {
+    for (std::size_t place = node.begin * lanes; place < std::min(node.end * lanes, order_.size()); ++place) {
+      searched_[node.at] |= is_marked[order_[place]];
+    }
+  } else {
+    const bool first = mark(node.first(), is_marked), second = mark(node.second(), is_marked);
+    searched_[node.at] = first || second ? 1 : 0;
+  }
+  return searched_[node.at] != 0;
+}
+
 void TriangleTree::find_near(std::vector<TriangleCouple>& pairs) const {
   if (!leaves_.empty()) find_within(root(), pairs);
 }
@@ -180,6 +197,7 @@ void TriangleTree::find_near(const TriangleTree& other, std::vector<TriangleCoup
 }
 
 void TriangleTree::find_within(const TreeNode& node, std::vector<TriangleCouple>& pairs) const {
+  if (!may_search(node)) return;
   if (node.size() == 1) {
     compare(node, *this, node, pairs);
     return;
@@ -191,6 +209,7 @@ void TriangleTree::find_within(const TreeNode& node, std::vector<TriangleCouple>
 
 void TriangleTree::find_between(const TreeNode& node, const TriangleTree& other, const TreeNode& others,
                                 std::vector<TriangleCouple>& pairs) const {
+  if (!may_search(node) && (this != &other || !may_search(others))) return;
   const TreeBox& a = boxes_[node.at];
   const TreeBox& b = other.boxes_[others.at];
   for (std::size_t k = 0; k < 3; ++k) {

@@ -18,6 +18,9 @@ class TriangleTree {
   /// should be equal in trees that are compared.
   void fit(std::span<const Vec3> positions_m, const Vec3& origin_m, double reach_m);
 
+  /// Limits find_near() within the tree to pairs of which one is marked, or in the same leaf as a marked one.
+  void search_marked(std::span<const std::uint8_t> is_marked);
+
   /// Appends all pairs of triangles without a common vertex that may be within reach, each once.
   void find_near(std::vector<TriangleCouple>& pairs) const;
   /// Appends all pairs of a triangle of this tree and one of another mesh that may be within reach.
@@ -58,6 +61,8 @@ class TriangleTree {
   std::uint64_t excluded_between(std::size_t leaf, std::size_t other) const;
   TreeNode root() const { return {0, 0, leaves_.size()}; }
   TreeBox fit(const TreeNode& node);
+  bool mark(const TreeNode& node, std::span<const std::uint8_t> is_marked);
+  bool may_search(const TreeNode& node) const { return searched_.empty() || searched_[node.at] != 0; }
   void fit_leaf(std::size_t leaf, std::span<const std::array<float, 3>> corners);
   void find_within(const TreeNode& node, std::vector<TriangleCouple>& pairs) const;
   void find_between(const TreeNode& node, const TriangleTree& other, const TreeNode& others,
@@ -75,6 +80,7 @@ class TriangleTree {
   std::vector<ExcludedLanes> excluded_;      ///< triangles with a common vertex, by leaf
   std::vector<std::size_t> excluded_begin_;  ///< first entry of each leaf
   std::vector<TreeBox> boxes_;               ///< boxes by node
+  std::vector<std::uint8_t> searched_;       ///< nodes with a marked triangle; empty: all
   float reach_m_ = 0.0F;
 };
 

@@ -89,6 +89,19 @@ TEST(ContactMeasure, CountsWhatExactPredicatesCount) {
   EXPECT_GT(all, 1000U);
 }
 
+TEST(ContactMeasure, FindsCrossingsOfMarkedTrianglesAlone) {
+  const Shape3 sheet = crumpled_sheet(0.03, 3);
+  const std::size_t count = sheet.triangles.size();
+  for (const std::size_t stride : {1, 7, 400, 100000}) {
+    std::vector<std::uint8_t> is_marked(count, 0);
+    for (std::size_t t = stride / 2; t < count; t += stride) is_marked[t] = 1;
+    std::vector<CrossingPair> expected = app::crossing_pairs(sheet.surface());
+    std::erase_if(expected, [&](const auto& p) { return is_marked[p.first] == 0 && is_marked[p.second] == 0; });
+    const TriangleTree tree(sheet.triangles, sheet.positions_m);
+    expect_pairs(find_crossing_pairs(sheet.surface(), tree, is_marked), expected, sheet.surface(), sheet.surface());
+  }
+}
+
 // A fan that goes around its vertex twice faces the same way everywhere and still crosses itself.
 TEST(ContactMeasure, CountsAFanThatGoesAroundTwice) {
   Shape3 fan = {{Vec3(0.0)}, {}};

@@ -136,6 +136,18 @@ void ShapeLimits::erase_own(std::vector<sim::CrossingPair>& pairs) const {
   });
 }
 
+void ShapeLimits::update_crossings(std::span<const Vec3> before_m, std::span<const Vec3> points_m,
+                                   std::vector<sim::CrossingPair>& pairs) const {
+  std::vector<std::uint8_t> is_moved;
+  for (const sim::Triangle& t : model_.mesh.triangles) {
+    is_moved.push_back(before_m.empty() || std::ranges::any_of(t, [&](Index v) { return points_m[v] != before_m[v]; }));
+  }
+  std::erase_if(pairs, [&](const auto& pair) { return is_moved[pair.first] != 0 || is_moved[pair.second] != 0; });
+  const auto found = sim::find_crossing_pairs({points_m, model_.mesh.triangles}, tree_, is_moved);
+  pairs.insert(pairs.end(), found.begin(), found.end());
+  std::ranges::sort(pairs, {}, [](const auto& pair) { return std::pair(pair.first, pair.second); });
+}
+
 std::vector<sim::CrossingPair> ShapeLimits::find_crossings(std::span<const Vec3> points_m) const {
   return sim::find_crossing_pairs({points_m, model_.mesh.triangles}, tree_);
 }
@@ -145,10 +157,14 @@ void ShapeLimits::apply(std::span<const Vec3> feet_m, std::vector<Vec3>& points_
   const std::size_t triangles = model_.mesh.triangles.size();
   if (static_cast<double>(own_crossings_.size()) > max_own_crossing_fraction * static_cast<double>(triangles)) return;
   std::size_t work = 0;
+  std::vector<Vec3> before_m;
+  std::vector<sim::CrossingPair> all;
   std::vector<Vec3> best_m;
   std::size_t fewest = std::numeric_limits<std::size_t>::max();
   for (int round = 0;; ++round) {
-    std::vector<sim::CrossingPair> crossings = find_crossings(points_m);
+    update_crossings(before_m, points_m, all);
+    before_m = points_m;
+    std::vector<sim::CrossingPair> crossings = all;
     work += triangles + work_of_crossing * crossings.size();
     erase_own(crossings);
     if (crossings.size() < fewest) {

@@ -44,6 +44,9 @@ class ShapeLimits {
   void smooth(std::span<const sim::CrossingPair> crossings, std::vector<sim::Vec3>& points_m) const;
   /// Erases the pairs that cross as modelled.
   void erase_own(std::vector<sim::CrossingPair>& pairs) const;
+  /// Updates the pairs that cross, in order, from those of the positions before; empty: none are known.
+  void update_crossings(std::span<const sim::Vec3> before_m, std::span<const sim::Vec3> points_m,
+                        std::vector<sim::CrossingPair>& pairs) const;
   /// Returns the pairs that cross, in order.
   std::vector<sim::CrossingPair> find_crossings(std::span<const sim::Vec3> points_m) const;
 

@@ -201,7 +201,7 @@ sim::Mesh read_mesh(const Scene& scene, LoadedGarment& loaded, const StageReport
   PlacementHints hints{source.scale, source.up, facts.metres_per_unit ? facts.metres_per_unit : model.metres_per_unit,
                        facts.up ? facts.up : model.up};
   try {
-    // A given mesh and what was sewn are cloth. A given mesh stays where it is.
+    // A given mesh and a sewn garment are cloth. A given mesh stays in its place.
     if (!source.given && !facts.is_cut) loaded.rigid = remove_rigid_parts(soup);
     loaded.placement = source.given ? Placement{} : place_model(soup, hints);
     require_size(source, *loaded.placement);

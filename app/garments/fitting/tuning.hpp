@@ -146,7 +146,7 @@ inline constexpr double far_fraction = 0.1;
 /// Cosine of the normals below which an edge may be a rim of two walls. More finds rims in folds.
 inline constexpr double crease_cosine = 0.8;
 
-// What follows the mesh (following.cpp, and app/models/mending/following_limits.cpp from `max_sweeps` on).
+// The model that follows the mesh (following.cpp, and app/models/mending/following_limits.cpp from `max_sweeps` on).
 
 /// Largest distance of a triangle that faces the same way, as a multiple of the distance of the nearest triangle.
 inline constexpr double max_facing_distance_ratio = 2.0;
@@ -178,7 +178,7 @@ inline constexpr double parting_margin_edges = 0.07;
 /// Largest distance as modelled, in mean edges, within which two surfaces keep the sides that they have as modelled.
 /// More takes other folds for another wall of the same cloth.
 inline constexpr double max_wall_edges = 2.0;
-/// Smallest cosine between their distance as modelled and the normal. Less takes what is beside for what is in front.
+/// Smallest cosine between their distance as modelled and the normal. Less takes neighbours beside it for walls.
 inline constexpr double min_wall_cosine = 0.1;
 /// Weight of the neighbours' mean in a round. More flattens folds, less leaves crossings.
 inline constexpr double smoothing_weight = 0.5;

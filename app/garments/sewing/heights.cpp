@@ -16,7 +16,7 @@ double panel_depth(const PatternPanel& panel) {
   return extent.middle().z;
 }
 
-/// Where shoulder seams begin: above this height of the pattern, and nearer to its middle than the shoulders.
+/// Region in which long shoulder seams begin: above a height of the pattern, and near its middle.
 struct NearNeck {
   double height_m, half_width_m;
 
@@ -26,7 +26,7 @@ struct NearNeck {
 };
 
 /// Marks the shoulder seams: seams between front and back that are nearly level, and near the highest of these. Those
-/// that begin near the neck may be long, as those of a poncho. Returns points along them.
+/// that begin near the neck may be long, as in a poncho. Returns points along them.
 std::vector<Vec3> find_shoulder_seams(const SewingPattern& pattern, const NearNeck& near_neck, CutPieces& pieces) {
   constexpr std::size_t steps = 8;
   const auto ends_of = [&](std::size_t s) {

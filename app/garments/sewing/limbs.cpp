@@ -66,7 +66,7 @@ void turn(const Sleeve& sleeve, const Vec3& shoulder_m, const Vec3& along, CutPi
 }
 
 /// Returns the direction of arms while the body is thin: nearly level, and below shoulder seams that go on over the
-/// arms, as those of a poncho.
+/// arms, as in a poncho.
 Vec3 along_arm(const CutPieces& pieces, const Vec3& shoulder_m, double side) {
   double slope = 0.0;
   for (const std::size_t s : pieces.first_seams) {

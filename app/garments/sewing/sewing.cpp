@@ -242,7 +242,7 @@ void keep_step(double share, const sim::Garment& now, const std::vector<Vec3>& p
   }
 }
 
-/// Returns whether the upper ends of all parts lie around the body. That of a hood lies in front of the neck: there the
+/// Returns whether the upper ends of all parts lie around the body. A hood's face lies in front of the neck: there the
 /// whole part counts.
 bool lies_around(const Wearer& wearer, const sim::Mesh& mesh) {
   const auto around = [&](const GarmentPart& part) {

@@ -117,7 +117,7 @@ inline constexpr double bow_fraction = 0.02;
 /// Smallest ratio of the lengths of a gathered seam's sides. Less compresses panels with little ease.
 inline constexpr double gathered_ratio = 1.05;
 
-// Closing: threads draw seams together, and what has met is joined (closing.cpp).
+// Closing: threads draw seams together, and vertices that have met are joined (closing.cpp).
 
 /// Pull of all threads of a panel over its mass, in m/s^2. More crumples cloth, less takes longer.
 inline constexpr double pull_m_per_s2 = 15.0;
@@ -209,7 +209,7 @@ inline constexpr double max_free_compression_n_per_m = 3.0;
 inline constexpr int frames_to_unfold = 60;
 /// Fraction of a girth below which a level meets one limb alone. More hides girths that do not fit.
 inline constexpr double one_limb_fraction = 0.6;
-/// Smallest girth that is said, in m; smaller ones are measured wrong. More hides those of children's clothes.
+/// Smallest girth that is said, in m; smaller ones are measured wrong. More hides children's girths.
 inline constexpr double min_girth_m = 0.1;
 /// Depth below the upper end of a garment that is worn at the waist, in m. More takes the seat for the waist.
 inline constexpr double waist_depth_m = 0.05;

@@ -116,7 +116,7 @@ double bag_area(const GarmentPart& bag, const Opening& opening) {
   return bag.area_m2 / (girth(opening) * girth(opening));
 }
 
-/// Measures of a model in its file's unit, beside those of a person's garments.
+/// Measures of a model in its file's unit, compared with a person's garments.
 class PersonalSize {
  public:
   PersonalSize(const sim::Mesh& soup, double size) : sizes_{size, size} {
@@ -152,7 +152,7 @@ class PersonalSize {
   double part_size = 0.0;  ///< size of the part with the largest area
 
  private:
-  std::array<double, 2> sizes_;  ///< of all, and of that part
+  std::array<double, 2> sizes_;  ///< size of the model, and of that part
   UsualLength usual_ = usual_size;
   double narrowest_ = 0.0;  ///< girth of its narrowest opening; 0 if it tells nothing
   UsualLength usual_narrowest_ = usual_cuff;

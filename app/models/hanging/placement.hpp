@@ -32,7 +32,7 @@ struct PlacementHints {
 
 /// Chooses the unit, in this order: the user's; the file's own, if the model is then larger than a glove and smaller
 /// than a tent; the likeliest of all that give a garment of 0.1 to 2.5 m, by how many files are in it, and by how near
-/// the model's size and its narrowest opening, or the area of a hat, a sock or a glove, then are to those of grown-ups.
+/// the model's size and its narrowest opening, or the area of a hat, a sock or a glove, then are to a grown-up's garments.
 /// A second unit that is nearly as likely is named too. If there is none, the model is scaled to 1 m.
 ///
 /// Chooses the up axis, in this order: the user's; the file's own; the axis by its openings; the axis with which it

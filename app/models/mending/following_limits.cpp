@@ -33,8 +33,8 @@ bool shorten_triangle(const sim::TriangleAtRest& rest, const sim::Triangle& t, d
   return true;
 }
 
-/// Returns the way from the pierced point of the triangle to that of the edge.
-Vec3 between(const sim::Edge& edge, const sim::Triangle& t, const sim::Piercing& at, std::span<const Vec3> points_m) {
+/// Returns the vector from the triangle to the edge at the point where they cross.
+Vec3 find_way(const sim::Edge& edge, const sim::Triangle& t, const sim::Piercing& at, std::span<const Vec3> points_m) {
   return glm::mix(points_m[edge[0]], points_m[edge[1]], at.along) - at.weights.x * points_m[t[0]] -
          at.weights.y * points_m[t[1]] - at.weights.z * points_m[t[2]];
 }
@@ -77,12 +77,12 @@ double ShapeLimits::find_side(const sim::Piercing& piercing, const Vec3& front, 
   const sim::Edge& edge = model_.adjacency.edges[piercing.edge];
   const sim::Triangle& triangle = model_.mesh.triangles[piercing.triangle];
   const std::vector<Vec3>& rest_m = model_.mesh.positions;
-  const Vec3 apart_m = between(edge, triangle, piercing, rest_m);
+  const Vec3 apart_m = find_way(edge, triangle, piercing, rest_m);
   const double side_m = glm::dot(apart_m, sim::unit_or_zero(sim::doubled_area_vector(rest_m, triangle)));
   const double distance_m = glm::length(apart_m);
   return distance_m <= max_wall_edges * edge_m_ && std::abs(side_m) >= min_wall_cosine * distance_m
              ? side_m
-             : glm::dot(between(edge, triangle, piercing, feet_m), front);
+             : glm::dot(find_way(edge, triangle, piercing, feet_m), front);
 }
 
 void ShapeLimits::part(std::span<const sim::CrossingPair> crossings, std::span<const Vec3> feet_m,

@@ -20,7 +20,7 @@ struct FollowingMeasures {
 /// modelled.
 class ShapeLimits {
  public:
-  /// `max_stretch` is a fraction. `rigid_parts` is that of find_rigid_parts().
+  /// `max_stretch` is a fraction. `rigid_parts` is the result of find_rigid_parts().
   ShapeLimits(const sim::Mesh& model_m, double max_stretch, std::span<const sim::Index> rigid_parts);
 
   /// Moves these points of the model, in m, as little as is needed: shortens triangles that are stretched more, and
@@ -44,7 +44,7 @@ class ShapeLimits {
   void smooth(std::span<const sim::CrossingPair> crossings, std::vector<sim::Vec3>& points_m) const;
   /// Erases the pairs that cross as modelled.
   void erase_own(std::vector<sim::CrossingPair>& pairs) const;
-  /// Updates the pairs that cross, in order, from those of the positions before; empty: none are known.
+  /// Updates the pairs that cross, in order. Before, they are the pairs at `before_m`, or none if that is empty.
   void update_crossings(std::span<const sim::Vec3> before_m, std::span<const sim::Vec3> points_m,
                         std::vector<sim::CrossingPair>& pairs) const;
   /// Returns the pairs that cross, in order.

@@ -46,12 +46,12 @@ std::pair<double, double> bulk_along(int axis, const std::vector<Patch>& patches
 /// less than 0.01, bodies 0.08 and more, thin stands 0.02.
 constexpr double min_compactness = 0.015;
 // Fractions of the square root of the part's area: largest length of the openings of a closed part, and of one with an
-// open end, such as a bust without a base. A hat's opening is longer, that of a sock or a glove is not.
+// open end, such as a bust without a base. A hat's opening is longer; the opening of a sock or a glove is shorter.
 constexpr double max_holes_length = 0.3;
 constexpr double max_end_length = 1.3;
 /// Smallest fraction of a part with an open end that lies below cloth. Of a glove below a sleeve it is less.
 constexpr double min_below_cloth = 0.3;
-/// Largest distance of cloth from what lies below it, as a fraction of the part's size.
+/// Largest distance of cloth from a part that lies below it, as a fraction of the part's size.
 constexpr double below_cloth = 0.12;
 // Fractions of the area of all parts: smallest area of cloth that is left, of a rigid part that lies on cloth, and of
 // one with an open end, as socks and gloves have.

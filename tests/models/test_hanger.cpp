@@ -35,6 +35,19 @@ TEST(Hanger, IsChosenForShouldersWithoutNeckline) {
   EXPECT_TRUE(test::load(folder, test::shirt()).hanger.empty());
 }
 
+TEST(Hanger, AWideNecklineWouldSlideOverItsEnds) {
+  sim::Mesh mesh = test::jacket();
+  std::erase_if(mesh.triangles, [&](const sim::Triangle& t) {
+    const sim::Vec3 middle = (mesh.positions[t[0]] + mesh.positions[t[1]] + mesh.positions[t[2]]) / 3.0;
+    return std::abs(middle.x) < 0.14 && middle.y > 0.6;
+  });
+  const std::vector<GarmentPart> parts = find_garment_parts(mesh, sim::make_adjacency(mesh));
+  const GarmentPart& part = *std::ranges::max_element(parts, {}, &GarmentPart::area_m2);
+  EXPECT_FALSE(hanger_for(mesh, part, 0.65, 1.0).empty());
+  EXPECT_TRUE(hanger_for(mesh, part, 0.65, 0.6).empty());
+  EXPECT_TRUE(hang_as_in_a_shop(mesh, sim::make_adjacency(mesh)).hanger.empty());
+}
+
 TEST(Hanger, HoldsTheLargestPartAndPinsTheOthers) {
   const test::TemporaryFolder folder;
   const LoadedGarment loaded =

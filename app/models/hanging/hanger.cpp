@@ -14,6 +14,7 @@ constexpr double radius = 0.04;              ///< radius of its bars, in half le
 constexpr double clearance = 0.02;           ///< clearance between bars and cloth at the start, in half lengths
 constexpr double max_shoulder_slope = 0.5;   ///< largest slope of shoulders
 constexpr double neck_reach = 0.4;           ///< offset in half lengths below which a neckline may replace the shoulder
+constexpr double neckline_depth = 0.05;      ///< depth in half lengths, below the ends of the bars, of a neckline
 constexpr double shortening = 0.93;          ///< factor by which it is shortened until it fits
 constexpr double min_length_fraction = 0.5;  ///< smallest length, as a fraction of the largest
 constexpr double max_lowering = 0.5;         ///< limit of the lowering below the shoulders, in half lengths
@@ -34,6 +35,7 @@ struct HangerSpace {
   const GarmentPart& part;
   double half_m;     ///< half the hanger's length
   double ceiling_m;  ///< height above which the garment is a hood and no shoulder
+  double max_neckline;
 
   RidgePoint ridge_at(double beside_m) const {
     const int axis = part.across();
@@ -76,7 +78,7 @@ struct ShoulderLine {
   std::array<double, 2> depths_m = {0.0, 0.0};  ///< depths of its ends
 };
 
-/// Returns nothing if the garment has no shoulders at this reach, or steeper ones than any hanger.
+/// Returns nothing if the garment has no shoulders at this reach, steeper ones than any hanger, or too wide a neckline.
 std::optional<ShoulderLine> shoulder_line(const HangerSpace& wearer) {
   constexpr std::array places = {neck_reach, 0.5 * (neck_reach + 1.0), 1.0};
   ShoulderLine line{std::numeric_limits<double>::infinity(), 0.0, {}};
@@ -84,8 +86,13 @@ std::optional<ShoulderLine> shoulder_line(const HangerSpace& wearer) {
     const double sign = side == 0 ? -1.0 : 1.0;
     const RidgePoint end = wearer.ridge_at(sign * wearer.half_m);
     line.depths_m[side] = end.depth_m;
+    const auto rise_at = [&](double place) {
+      return wearer.ridge_at(sign * place * wearer.half_m).height_m - end.height_m;
+    };
+    // A wider neckline slides over the ends.
+    if (rise_at(wearer.max_neckline) < -neckline_depth * wearer.half_m) return std::nullopt;
     for (const double place : places) {
-      const double rise_m = wearer.ridge_at(sign * place * wearer.half_m).height_m - end.height_m;
+      const double rise_m = rise_at(place);
       // Shoulders rise towards the neck. Points that are lower there belong to a neckline.
       if (place < 1.0 && rise_m > 0.0) {
         line.fall = std::max(line.fall, rise_m / ((1.0 - place) * wearer.half_m));
@@ -216,12 +223,13 @@ bool holds(const GarmentPart& part, const std::vector<sim::Index>& neck, const s
 
 }  // namespace
 
-std::vector<sim::Body> hanger_for(const sim::Mesh& mesh, const GarmentPart& part, double min_length_ratio) {
+std::vector<sim::Body> hanger_for(const sim::Mesh& mesh, const GarmentPart& part, double min_length_ratio,
+                                  double max_neckline) {
   const std::vector<sim::Index> neck = neck_below_hood(mesh, part, part.across());
   const double max_height_m = neck.empty() ? part.range.upper.y : sim::compute_extent(mesh.positions, neck).upper.y;
   const double max_length_m = std::min(half_length_m, max_half_length * part.width_m());
   for (double half_m = max_length_m; half_m >= min_length_ratio * max_length_m; half_m *= shortening) {
-    if (const auto bars = clear_bars({mesh, part, half_m, max_height_m})) {
+    if (const auto bars = clear_bars({mesh, part, half_m, max_height_m, max_neckline})) {
       return {{.name = hanger_left, .shape = (*bars)[0], .friction = friction},
               {.name = right_bar, .shape = (*bars)[1], .friction = friction}};
     }
@@ -232,7 +240,7 @@ std::vector<sim::Body> hanger_for(const sim::Mesh& mesh, const GarmentPart& part
 std::vector<sim::Body> make_hanger(const sim::Mesh& mesh) {
   const std::vector<GarmentPart> parts = find_garment_parts(mesh, sim::make_adjacency(mesh));
   std::vector<sim::Body> hanger =
-      hanger_for(mesh, *std::ranges::max_element(parts, {}, &GarmentPart::area_m2), min_length_fraction);
+      hanger_for(mesh, *std::ranges::max_element(parts, {}, &GarmentPart::area_m2), min_length_fraction, 1.0);
   if (hanger.empty()) {
     throw InputError(
         "pins.at: found no room for a hanger below the garment's shoulders; expected a garment that is "

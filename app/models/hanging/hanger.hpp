@@ -12,8 +12,9 @@ inline constexpr const char* hanger_left = "hanger, left";
 
 /// Returns a hanger for a part that is modelled as worn: bars from the middle to both sides, a little below its
 /// shoulders and sloping like them, that do not touch it. Empty if there is space only for bars shorter than
-/// `min_length_ratio` times the longest.
-std::vector<sim::Body> hanger_for(const sim::Mesh& mesh, const GarmentPart& part, double min_length_ratio);
+/// `min_length_ratio` times the longest, or if the neckline is wider than `max_neckline` times the bars.
+std::vector<sim::Body> hanger_for(const sim::Mesh& mesh, const GarmentPart& part, double min_length_ratio,
+                                  double max_neckline);
 
 /// Returns a hanger for the largest part of a garment. Throws InputError if there is no space for one.
 std::vector<sim::Body> make_hanger(const sim::Mesh& mesh);

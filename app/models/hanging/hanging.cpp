@@ -14,6 +14,9 @@ constexpr double flat_thickness = 0.02;  ///< largest thickness of a flat part, 
 constexpr double shoulders_reach = 0.25;
 /// Smallest length of a hanger that is chosen, as a fraction of the largest: necklines slip over shorter ones.
 constexpr double min_hanger_length = 0.65;
+/// Widest neckline, as a fraction of the hanger that is chosen. A wider one slides over its ends, and the garment
+/// falls.
+constexpr double max_hanger_neckline = 0.6;
 /// Smallest height of a neckline between straps, from its lowest to its highest point.
 constexpr double deep_neckline = 0.1;
 /// Smallest height, and width as a fraction of the part's, of a border that goes around the arms too, as in dungarees.
@@ -227,7 +230,7 @@ Hanging hang_as_in_a_shop(const sim::Mesh& mesh, const sim::Adjacency& adjacency
   if (largest->by != HungBy::shoulders && largest->by != HungBy::neck) return hanging;
   const std::vector<GarmentPart> parts = find_garment_parts(mesh, adjacency);
   const GarmentPart& part = parts[static_cast<std::size_t>(largest - hanging.parts.begin())];
-  hanging.hanger = hanger_for(mesh, part, min_hanger_length);
+  hanging.hanger = hanger_for(mesh, part, min_hanger_length, max_hanger_neckline);
   if (!hanging.hanger.empty()) {
     largest->by = HungBy::hanger;
     largest->pins = 0;

@@ -197,18 +197,20 @@ void push_ease_together(const SewingPattern& pattern, CutPieces& pieces) {
   }
 }
 
-void require_placed(const SewingPattern& pattern) {
-  const PatternPanel& first = pattern.panels.front();
-  const bool is_any_placed = std::ranges::any_of(pattern.panels, [&](const PatternPanel& panel) {
-    return panel.translation_m != first.translation_m || panel.rotation != first.rotation;
-  });
-  for (std::size_t p = 0; p < pattern.panels.size() && pattern.panels.size() > 1; ++p) {
+/// Requires that panels are sewn to others and do not all lie in one place.
+void require_joined_and_placed(const SewingPattern& pattern) {
+  if (pattern.panels.size() == 1) return;
+  for (std::size_t p = 0; p < pattern.panels.size(); ++p) {
     if (pattern.sewn_with({p}, [](std::size_t) { return true; }).size() == 1) {
       throw InputError("the panel '{}': found no stitch to another panel, expected one in pattern.stitches",
                        pattern.panels[p].name);
     }
   }
-  if (pattern.panels.size() > 1 && !is_any_placed) {
+  const PatternPanel& first = pattern.panels.front();
+  const bool is_any_placed = std::ranges::any_of(pattern.panels, [&](const PatternPanel& panel) {
+    return panel.translation_m != first.translation_m || panel.rotation != first.rotation;
+  });
+  if (!is_any_placed) {
     throw InputError(
         "found all {} panels of the pattern at {} m, turned alike; expected translations and rotations that place them "
         "about a body",
@@ -286,7 +288,7 @@ double thin_time_s(const LoadedBodies& bodies) {
 }
 
 std::vector<std::string> bring_to_body(const SewingPattern& pattern, const LoadedBodies& bodies, CutPieces& pieces) {
-  require_placed(pattern);
+  require_joined_and_placed(pattern);
   std::vector<std::string> said;
   if (bodies.all.empty()) {
     push_ease_together(pattern, pieces);

@@ -98,15 +98,15 @@ std::string describe_tightest(const LoadedBodies& bodies, const SewnGarment& gar
 /// would slide down while the body grows into them and before friction holds them.
 std::vector<sim::GrabbedVertex> hold_strapless(const Scene& scene, const LoadedBodies& bodies,
                                                const SewnGarment& garment) {
-  const Wearer* wearer = dressed_body(bodies).wearer;
+  const BodyMeasures& measures = dressed_body(bodies).wearer->measures;
   std::vector<sim::GrabbedVertex> hands;
-  if (!garment.pieces.first_seams.empty() || wearer == nullptr || !wearer->measures.waist_m) return hands;
+  if (!garment.pieces.first_seams.empty() || !measures.waist_m) return hands;
   const sim::Garment& cloth = garment.sewn.garment;
   const double weight_n = glm::length(scene.surroundings.forces.gravity_m_per_s2) *
                           std::reduce(cloth.masses_kg.begin(), cloth.masses_kg.end());
   for (const GarmentPart& part : find_garment_parts(cloth.mesh, sim::make_adjacency(cloth.mesh))) {
     const Opening* top = top_opening(part);
-    if (top == nullptr || top->mean_height_m < wearer->measures.waist_m->y + held_above_waist_m) continue;
+    if (top == nullptr || top->mean_height_m < measures.waist_m->y + held_above_waist_m) continue;
     const double force_n = hold_weights * weight_n / static_cast<double>(top->vertices.size());
     for (const Index v : top->vertices) {
       hands.push_back({v, cloth.mesh.positions[v], force_n / hold_reach_m, force_n});

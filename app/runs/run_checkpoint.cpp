@@ -122,15 +122,20 @@ void restore(const std::filesystem::path& file, const RunCheckpoint& checkpoint,
   }
 }
 
+sim::ExternalForces without_gravity_and_wind(sim::ExternalForces forces) {
+  forces.gravity_m_per_s2 = sim::Vec3(0.0);
+  forces.gravity_path.clear();
+  forces.wind.speed_m_per_s = 0.0;
+  return forces;
+}
+
 void dress(const Scene& scene, sim::Simulation& simulation, const StageReport& begin) {
   const int frames = scene.dressing_frames();
   if (frames == 0) return;
   const sim::Surroundings surroundings = simulation.surroundings();
   // Gravity, wind and friction are off: clothes would fall off a thin body or slide to where they have space.
   sim::Surroundings still = surroundings;
-  still.forces.gravity_m_per_s2 = sim::Vec3(0.0);
-  still.forces.gravity_path.clear();
-  still.forces.wind.speed_m_per_s = 0.0;
+  still.forces = without_gravity_and_wind(std::move(still.forces));
   for (sim::Body& body : still.bodies) body.friction = 0.0;
   simulation.set_surroundings(still);
   simulation.set_time(-frames * simulation.frame_time_s());

@@ -35,6 +35,9 @@ void require_same_scene(const std::filesystem::path& file, const RunCheckpoint& 
 /// garment or solver.
 void restore(const std::filesystem::path& file, const RunCheckpoint& checkpoint, sim::Simulation& simulation);
 
+/// Returns these forces without gravity, its path and the wind.
+sim::ExternalForces without_gravity_and_wind(sim::ExternalForces forces);
+
 /// Simulates the frames before 0 s in which the scene's bodies grow into the clothes (dressing.hpp), without gravity
 /// and wind, and sets the clock to 0 s. Calls `begin` with each frame. Throws PromiseBroken if a frame cannot be made
 /// without a crossing, or if several consecutive frames break a bound that the scene does not allow to exceed. Throws

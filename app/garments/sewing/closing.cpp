@@ -5,6 +5,7 @@
 #include "app/garments/fitting/following.hpp"
 #include "app/garments/sewing/tuning.hpp"
 #include "app/runs/frame_record.hpp"
+#include "app/runs/run_checkpoint.hpp"
 #include "sim/mesh/groups.hpp"
 #include "sim/mesh/welding.hpp"
 
@@ -96,10 +97,8 @@ class Closing {
     scene_.material.compression_stiffness_n_per_m = 0.0;
     scene_.material.bending_rigidity_n_m = std::min(scene_.material.bending_rigidity_n_m, max_bending_rigidity_n_m);
     sim::ExternalForces& forces = scene_.surroundings.forces;
-    forces.gravity_m_per_s2 = Vec3(0.0);
-    forces.gravity_path.clear();
     forces.wind = {};
-    forces.wind.speed_m_per_s = 0.0;
+    forces = without_gravity_and_wind(std::move(forces));
     forces.air_drag_per_s = closing_drag_per_s;
     for (sim::Body& body : bodies_) body.friction = 0.0;
     begin(join_pieces(pieces, label_sets(joined_, pieces.flat_m.size()), pieces.placed_m, scene_));

@@ -120,9 +120,7 @@ std::vector<sim::GrabbedVertex> hold_strapless(const Scene& scene, const LoadedB
 void rest_freely(const Scene& scene, const SewingSettings& settings,
                  const std::function<void(const std::string&)>& stage, SewnGarment& garment) {
   sim::Surroundings air = scene.surroundings;
-  air.forces.gravity_m_per_s2 = Vec3(0.0);
-  air.forces.gravity_path.clear();
-  air.forces.wind.speed_m_per_s = 0.0;
+  air.forces = without_gravity_and_wind(std::move(air.forces));
   air.forces.air_drag_per_s = std::max(air.forces.air_drag_per_s, resting_drag_per_s);
   sim::Material material = scene.material;
   double& compression_n_per_m = material.compression_stiffness_n_per_m;

@@ -1,51 +1,13 @@
 #include "app/garments/dressing/body_girths.hpp"
 
 #include "app/base/words.hpp"
+#include "app/garments/dressing/tuning.hpp"
 #include "sim/mesh/groups.hpp"
 
 namespace taut::app {
 namespace {
 
-constexpr std::size_t levels_of_body = 400;
-/// Height at which the largest curve is the trunk wherever the arms are, as a fraction of the body's height.
-constexpr double trunk_search_height_fraction = 0.55;
-/// Smallest girth of a leg, as a fraction of the level's longest curve. Shorter curves are hands and folds.
-constexpr double min_leg_girth_fraction = 0.5;
-/// Smallest girth of an arm beside the trunk, as a fraction of the trunk's girth.
-constexpr double min_arm_girth_fraction = 0.15;
-constexpr double min_armpit_girth_ratio =
-    1.2;  ///< smallest ratio of girths, `limb_tape_offset_levels` apart, where arms begin
-constexpr double min_joined_arm_girth_ratio =
-    1.08;                                          ///< smallest such ratio where an arm beside the trunk has joined it
-constexpr double min_chest_height_fraction = 0.6;  ///< lowest height of the chest, as a fraction of the trunk's
-constexpr double max_smallest_girth_height_fraction =
-    0.8;  ///< limit of the smallest girth's height, as a fraction of the trunk's
-constexpr double min_chest_girth_ratio =
-    1.03;  ///< smallest girth of a chest, as a multiple of the trunk's smallest girth
-constexpr double max_seat_height_fraction = 0.5;  ///< limit of the seat's height, as a fraction of the trunk's
-constexpr double seat_below_fork_fraction =
-    0.03;  ///< largest distance of the seat below the crotch, as a fraction of the height: thighs may be widest there
-constexpr std::ptrdiff_t limb_tape_offset_levels =
-    3;  ///< levels from the crotch or the armpits down to the tape below them
-constexpr double max_neck_girth_ratio = 0.85;
-constexpr double neck_base_girth_ratio =
-    1.35;  ///< girth of the base of the neck, as a multiple of the neck's smallest girth
-constexpr double min_jaw_girth_ratio = 1.28;  ///< girth around a jaw, as a multiple of the neck's smallest girth
-constexpr double neck_tape_height_fraction =
-    0.75;  ///< fraction of the way from the neck's joint to the head's, for the neck
-constexpr double min_skin_height_fraction =
-    0.8;  ///< smallest height of the skin, as a fraction of the height with hair and shoes
-
-constexpr double joining_girth_ratio =
-    1.02;  ///< ratio of girths, one level apart, above which arms still join the trunk
-constexpr double max_ring_distance_m = 0.1;  ///< distance of a ring's middle from the point where it is searched
-constexpr double upper_arm_ring_offset_fraction =
-    0.15;  ///< offset from the middle of the upper arm, as a fraction of its length
-constexpr double shoulder_end_offset_m = 0.03;  ///< distance from the shoulder joint to the end of the shoulder
-constexpr int armhole_step_count = 40;          ///< steps from the shoulder joint to the middle of the upper arm
-constexpr double min_next_ring_ratio = 0.98;    ///< smallest ratio of one ring to the ring before it
-constexpr double max_armhole_ratio = 2.0;       ///< multiple of the arm's girth; longer rings go around the trunk
-constexpr double min_armhole_ratio = 0.7;       ///< fraction of the girth of the arm or sleeve; shorter rings are folds
+using namespace dressing;
 
 using Levels = std::vector<LevelTape>;
 using Level = Levels::const_iterator;
@@ -115,9 +77,9 @@ struct TrunkLevels {
 
 TrunkLevels follow_trunk(const sim::Surface& body, const sim::Extent& box) {
   const auto height_m = [&](std::size_t k) {
-    return box.lower.y + (static_cast<double>(k) + 0.5) / levels_of_body * box.size().y;
+    return box.lower.y + (static_cast<double>(k) + 0.5) / level_count * box.size().y;
   };
-  constexpr auto start = static_cast<std::size_t>(trunk_search_height_fraction * levels_of_body);
+  const auto start = static_cast<std::size_t>(trunk_search_height_fraction * level_count);
   const Pieces first = cut_level(body, height_m(start));
   TrunkLevels followed;
   if (first.empty()) return followed;
@@ -132,7 +94,7 @@ TrunkLevels follow_trunk(const sim::Surface& body, const sim::Extent& box) {
   std::ranges::reverse(followed.levels);
   followed.start = static_cast<std::ptrdiff_t>(followed.levels.size());
   trunk = find_longest_piece(first).hull;
-  for (std::size_t k = start; k < levels_of_body && add(k); ++k) {
+  for (std::size_t k = start; k < static_cast<std::size_t>(level_count) && add(k); ++k) {
   }
   return followed;
 }
@@ -179,7 +141,7 @@ BodyLandmarks find_landmarks(const TrunkLevels& body) {
   for (auto level = levels.end(); level != landmarks.fork && landmarks.base == levels.end();) {
     --level;
     head_m = std::max(head_m, level->girth_m);
-    if (level->girth_m < max_neck_girth_ratio * head_m &&
+    if (level->girth_m < max_neck_girth_fraction * head_m &&
         (landmarks.neck == levels.end() || level->girth_m < landmarks.neck->girth_m)) {
       landmarks.neck = level;
     } else if (landmarks.neck != levels.end() && level->girth_m > neck_base_girth_ratio * landmarks.neck->girth_m) {
@@ -250,10 +212,10 @@ void measure_trunk(Level first, const BodyLandmarks& at, BodyMeasures& measures)
     return at.fork + static_cast<std::ptrdiff_t>(of_trunk * static_cast<double>(at.armpits - at.fork));
   };
   const auto by_girth = [](const LevelTape& a, const LevelTape& b) { return a.girth_m < b.girth_m; };
-  const auto below = static_cast<std::ptrdiff_t>(seat_below_fork_fraction * levels_of_body);
+  const auto below = static_cast<std::ptrdiff_t>(seat_below_fork_fraction * level_count);
   const Level lowest = at.fork - std::min(below, at.fork - first);
   const Level seat = std::max_element(lowest, share(max_seat_height_fraction), by_girth);
-  const double smallest_m = std::min_element(seat, share(max_smallest_girth_height_fraction), by_girth)->girth_m;
+  const double smallest_m = std::min_element(seat, share(max_waist_height_fraction), by_girth)->girth_m;
   const Level chest = find_fullest_level(share(min_chest_height_fraction), at.armpits, smallest_m);
   const Level waist = std::min_element(seat, chest, by_girth);
   measures.waist_m = waist->middle_m;
@@ -327,7 +289,7 @@ BodyMeasures measure_body(const sim::Surface& whole, const JointPlaces& joints) 
   if (levels.empty()) return measures;
   const BodyLandmarks at = find_landmarks(followed);
   const bool is_someone = !joints.empty() || at.base != levels.end();
-  if (!is_someone || at.armpits - at.fork < 10) return measures;
+  if (!is_someone || at.armpits - at.fork < min_trunk_levels) return measures;
   measure_neck(body, joints, at, levels.end(), measures);
   measure_trunk(levels.begin(), at, measures);
   measure_thigh(levels, at, measures);

@@ -5,18 +5,13 @@
 
 #include "app/base/errors.hpp"
 #include "app/base/words.hpp"
+#include "app/garments/dressing/tuning.hpp"
 #include "app/garments/fitting/following.hpp"
 
 namespace taut::app {
 namespace {
 
-/// Fraction of the way to its bones by which a vertex of the thin shape is moved. It is below 1, so that triangles keep
-/// an area.
-constexpr double thinning_fraction = 0.9;
-/// Fraction of the dressing's frames in which the body grows. In the rest, cloth slides to where it fits.
-constexpr double growth_time_fraction = 0.8;
-/// Number of poses in a turn. Vertices move straight between two poses.
-constexpr int turn_pose_count = 8;
+using namespace dressing;
 
 /// Returns, per node, whether vertices follow it.
 std::vector<bool> find_followed(const Rig& rig) {
@@ -120,14 +115,6 @@ void turn_about(const Rig& rig, sim::Index joint, const glm::dvec4& rotation, Ri
   }
 }
 
-/// Clearance for a garment, and for each further one over it. The first is for two layers of usual cloth, with their
-/// distances to bodies and to each other. Garments over each other lie in folds where limbs meet, and a smaller
-/// clearance traps them.
-constexpr double first_garment_clearance_m = 0.008, further_garment_clearance_m = 0.032;
-constexpr double max_facing_cosine = -0.2;  ///< largest cosine between the normals of surfaces that face each other
-// Fractions of the growth. Between two steps two limbs close in by less than the clearance.
-constexpr double min_kept_growth_fraction = 0.48;
-constexpr int steps = 13;
 /// Mark of a vertex at the end of a crease, where surfaces are near each other in the thinnest shape too. It is not
 /// moved.
 constexpr double crease_mark = 2.0;
@@ -213,19 +200,6 @@ std::vector<sim::Index> find_body_ends(const Rig& rig) {
   return ends;
 }
 
-// Offsets from the trunk's middle, as fractions of its half width at the arms.
-constexpr double shoulder_at = 0.85;
-constexpr double hip_at = 0.5;
-constexpr double shoulder_height = 0.55;  ///< fraction of the way from below the arms to the base of the neck
-constexpr double elbow_at = 0.45;         ///< fraction of the way from the shoulder to the finger tips
-constexpr double elbow_tolerance = 0.05;  ///< tolerance of `elbow_at`
-constexpr double hips_above_fork = 0.12;  ///< fraction of the trunk's height
-constexpr double beside_trunk = 1.03;     ///< multiple of the trunk's half width; arms are beyond it
-constexpr double hands_below_fork = 0.1;  ///< fraction of the body's height; vertices further down belong to the legs
-constexpr double feet_below = 0.04;       ///< fraction of the body's height
-constexpr double end_joint_fraction =
-    0.9;  ///< fraction of the bone's length beyond which a vertex follows the end joint
-
 enum class LimbKind { trunk, arm, leg };
 
 struct Bone {
@@ -247,22 +221,22 @@ class ShapeRigMaker {
     const LevelTape& fork = measures_.levels[measures_.fork];
     const double half_width_m = below_arms_.half_width_m;
     const sim::Vec3 hips_m =
-        fork.middle_m + sim::Vec3(0.0, hips_above_fork * (below_arms_.height_m - fork.height_m), 0.0);
+        fork.middle_m + sim::Vec3(0.0, hips_above_fork_fraction * (below_arms_.height_m - fork.height_m), 0.0);
     const sim::Index hips = add("Hips", no_node, hips_m, LimbKind::trunk);
     const sim::Index neck = add("Neck", hips, neck_m_, LimbKind::trunk);
     add("Head", neck, {neck_m_.x, 0.5 * (neck_m_.y + box_.upper.y), neck_m_.z}, LimbKind::trunk);
     for (const double side : {1.0, -1.0}) {
       const std::string name = side > 0.0 ? "Left" : "Right";
-      const sim::Vec3 shoulder_m = glm::mix(below_arms_.middle_m, neck_m_, shoulder_height) +
-                                   sim::Vec3(side * shoulder_at * half_width_m, 0.0, 0.0);
+      const sim::Vec3 shoulder_m = glm::mix(below_arms_.middle_m, neck_m_, shoulder_height_fraction) +
+                                   sim::Vec3(side * shoulder_offset_fraction * half_width_m, 0.0, 0.0);
       const std::optional<sim::Vec3> hand_m = farthest_of_arm(side, shoulder_m);
       const std::optional<sim::Vec3> foot_m = middle_of_foot(side);
       if (!hand_m || !foot_m) return std::nullopt;
       const sim::Index arm = add(name + "Arm", neck, shoulder_m, LimbKind::arm);
       const sim::Index forearm = add(name + "ForeArm", arm, elbow_of(side, shoulder_m, *hand_m), LimbKind::arm);
       add(name + "Hand", forearm, *hand_m, LimbKind::arm);
-      const sim::Index leg =
-          add(name + "UpLeg", hips, hips_m + sim::Vec3(side * hip_at * half_width_m, 0.0, 0.0), LimbKind::leg);
+      const sim::Index leg = add(
+          name + "UpLeg", hips, hips_m + sim::Vec3(side * hip_offset_fraction * half_width_m, 0.0, 0.0), LimbKind::leg);
       add(name + "Foot", leg, *foot_m, LimbKind::leg);
     }
     follow();
@@ -284,9 +258,9 @@ class ShapeRigMaker {
 
   /// Returns whether a point is beside the trunk or the legs. Points above the trunk are compared with its upper end.
   bool is_beside_trunk(const sim::Vec3& p) const {
-    if (p.y < measures_.levels[measures_.fork].height_m - hands_below_fork * box_.size().y) return false;
+    if (p.y < measures_.levels[measures_.fork].height_m - hands_below_fork_fraction * box_.size().y) return false;
     const LevelTape& level = measures_.level_at(p.y);
-    return std::abs(p.x - level.middle_m.x) > beside_trunk * level.half_width_m;
+    return std::abs(p.x - level.middle_m.x) > beside_trunk_ratio * level.half_width_m;
   }
 
   bool may_follow(const sim::Vec3& p, LimbKind limb) const {
@@ -314,17 +288,17 @@ class ShapeRigMaker {
     sim::Extent elbow;
     for (const sim::Vec3& p : body_.positions_m) {
       const double share = glm::distance(p, shoulder_m) / length_m;
-      if (is_beside_trunk(p) && side * (p.x - neck_m_.x) > 0.0 && std::abs(share - elbow_at) < elbow_tolerance) {
+      if (is_beside_trunk(p) && side * (p.x - neck_m_.x) > 0.0 && std::abs(share - elbow_fraction) < elbow_tolerance) {
         elbow.add(p);
       }
     }
-    return elbow.lower.x > elbow.upper.x ? glm::mix(shoulder_m, hand_m, elbow_at) : elbow.middle();
+    return elbow.lower.x > elbow.upper.x ? glm::mix(shoulder_m, hand_m, elbow_fraction) : elbow.middle();
   }
 
   std::optional<sim::Vec3> middle_of_foot(double side) const {
     sim::Extent foot;
     for (const sim::Vec3& p : body_.positions_m) {
-      if (side * (p.x - neck_m_.x) > 0.0 && p.y < box_.lower.y + feet_below * box_.size().y) foot.add(p);
+      if (side * (p.x - neck_m_.x) > 0.0 && p.y < box_.lower.y + foot_height_fraction * box_.size().y) foot.add(p);
     }
     return foot.lower.x > foot.upper.x ? std::nullopt : std::optional(foot.middle());
   }
@@ -458,10 +432,10 @@ std::optional<ClearanceResult> leave_clearance(const Rig& rig, std::span<const R
   for (const RigPose& pose : poses) {
     const Growth growth = {placed_m(places, compute_thin_shape(rig, pose)), placed_m(places, posed_vertices(rig, pose)),
                            triangles, ends, first_garment_clearance_m + (garments - 1) * further_garment_clearance_m};
-    for (int step = 1; step <= steps; ++step) {
+    for (int step = 1; step <= growth_step_count; ++step) {
       throw_if_interrupted();
       const auto share_at = [](int s) {
-        return min_kept_growth_fraction + (1.0 - min_kept_growth_fraction) * s / steps;
+        return min_kept_growth_fraction + (1.0 - min_kept_growth_fraction) * s / growth_step_count;
       };
       growth.stop_at(share_at(step), share_at(step - 1), most);
     }

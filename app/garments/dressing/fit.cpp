@@ -2,30 +2,21 @@
 
 #include "app/base/errors.hpp"
 #include "app/base/words.hpp"
+#include "app/garments/dressing/tuning.hpp"
 #include "app/garments/dressing/wearing.hpp"
 
 namespace taut::app {
 namespace {
 
-/// Largest height of a girth above a garment's top for which the garment's edge is measured.
-constexpr double edge_m = 0.02;
-// Limits of the ease of a shoulder width.
-constexpr double narrow_below_m = -0.02;
-constexpr double wide_from_m = 0.03;
-/// Distance from the shoulder joint within which an opening is an armhole and no cuff.
-constexpr double armhole_m = 0.15;
-/// Ratio of girths below which a garment is too small. Above it the garment may sit a little higher or lower.
-constexpr double min_girth_ratio = 0.98;
-/// Fraction of the triangles at a girth, the most stretched ones, whose mean stretch is the tightness there.
-constexpr double tight_triangle_fraction = 0.1;
-constexpr double girth_band_m = 0.04;
-constexpr std::size_t max_tight_places = 3;  ///< count of named tight places, which fill a line of the picture
-constexpr double min_named_stretch = 0.005;
+using namespace dressing;
+
 constexpr const char* shoulder_width = "shoulder width";
 
 /// Returns whether cloth at this height belongs to the tube or is so little above it that it lies about the armholes or
 /// is the edge of a waist. Folds of worn cloth may end the tube further down.
-bool is_about_armholes(double height_m, const GarmentTube& tube) { return height_m <= tube.max_height_m + armhole_m; }
+bool is_about_armholes(double height_m, const GarmentTube& tube) {
+  return height_m <= tube.max_height_m + armhole_distance_m;
+}
 
 /// A garment on the body that is dressed.
 struct Fitting {
@@ -53,7 +44,7 @@ struct Fitting {
       const double height_m = girth->height_m + lift_m;
       const double measured_m = std::min(height_m, tube->max_height_m);
       const bool is_covered =
-          height_m >= tube->min_height_m && height_m <= top_m + edge_m && is_about_armholes(height_m, *tube);
+          height_m >= tube->min_height_m && height_m <= top_m + near_edge_m && is_about_armholes(height_m, *tube);
       const std::optional<double> garment_m = is_covered ? girth_at(garment, measured_m) : std::nullopt;
       if (garment_m) {
         const auto& levels = wearer.measures.levels;
@@ -73,13 +64,13 @@ struct Fitting {
       arm.outwards = pose.rotation * arm.outwards;
       const LimbOpening& cuff = find_nearest_opening(marks.cuffs, arm.shoulder_m);
       const sim::Vec3 way_m = cuff.middle_m - arm.shoulder_m;
-      if (glm::length(way_m) < armhole_m) {
+      if (glm::length(way_m) < armhole_distance_m) {
         armholes_m.push_back(cuff.middle_m);
         armhole_around_m = cuff.length_m;
         continue;
       }
       const sim::Vec3 along = glm::normalize(way_m);
-      const double to_middle_m = std::min(0.5 * length_m, glm::length(way_m) - edge_m);
+      const double to_middle_m = std::min(0.5 * length_m, glm::length(way_m) - near_edge_m);
       arm.elbow_m = arm.shoulder_m + length_m * along;
       const auto sleeve = find_ring(garment, {arm.shoulder_m + to_middle_m * along, along});
       // The hem is taken around the arm where short sleeves leave no ring: a plane across the arm cuts the trunk of a

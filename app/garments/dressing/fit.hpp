@@ -17,11 +17,6 @@ struct FitRow {
   double ease_m() const { return garment_m - body_m; }
 };
 
-// Upper limits of the ease in m for each word. Above the last one a garment is loose.
-inline constexpr double too_small_below_m = 0.0;
-inline constexpr double tight_below_m = 0.04;
-inline constexpr double fitted_below_m = 0.12;
-
 /// Returns "too small", "tight", "fitted" or "loose"; for the shoulder width "narrow", "fitted" or "wide".
 const char* fit_word(const FitRow& row);
 /// Returns whether the word is "too small" or "narrow".

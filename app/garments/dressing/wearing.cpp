@@ -4,6 +4,7 @@
 
 #include "app/bodies/body_mesh.hpp"
 #include "app/bodies/rig_pose.hpp"
+#include "app/garments/dressing/tuning.hpp"
 #include "app/models/hanging/garment_measures.hpp"
 #include "app/models/hanging/hanger.hpp"
 #include "sim/contact/crossing_pairs.hpp"
@@ -11,16 +12,7 @@
 namespace taut::app {
 namespace {
 
-/// Largest distance of a garment that is already about a body, in m. Its rotation is then below half a right angle.
-constexpr double max_worn_distance_m = 0.05;
-constexpr double max_worn_drop_m = 0.12;        ///< largest such distance downwards
-constexpr double min_worn_cosine = 0.70710678;  ///< cosine of 45 degrees
-/// Cosine above which a rotation of a garment is ignored.
-constexpr double min_unturned_cosine = 0.98;
-constexpr double below_fork_m = 0.01;
-constexpr double min_limb_distance_m = 0.02;
-/// Largest distance by which a garment is lifted off shoulders that it crosses, and its steps.
-constexpr double max_lift_m = 0.12, lift_step_m = 0.02;
+using namespace dressing;
 
 /// Target of a garment on a body when the run begins.
 struct GarmentTarget {

@@ -1,5 +1,6 @@
 #include "app/base/errors.hpp"
 #include "app/base/words.hpp"
+#include "app/garments/dressing/tuning.hpp"
 #include "app/garments/sewing/placing.hpp"
 #include "app/garments/sewing/tuning.hpp"
 
@@ -100,7 +101,8 @@ std::optional<double> level_for(const BodyMeasures& measures, double border_m, d
   std::optional<double> best_m;
   double min_distance_m = std::numeric_limits<double>::infinity();
   const double fork_m = measures.levels[measures.fork].height_m;
-  const double waist_limit_m = fork_m + max_waist_height * (measures.levels.back().height_m - fork_m);
+  const double waist_limit_m =
+      fork_m + dressing::max_waist_height_fraction * (measures.levels.back().height_m - fork_m);
   for (const LevelTape& level : measures.levels) {
     const double off_m = std::abs(level.height_m - height_m);
     const bool is_of_trunk = level.height_m >= fork_m && level.height_m < std::max(waist_limit_m, height_m);

@@ -31,10 +31,6 @@ void turn_sleeves(const SewingPattern& pattern, const sim::Vec3& shift, const We
 /// Returns the turned bones of arms and legs for the start of the body's growth.
 std::vector<TurnedBone> turned_limbs(const Wearer& wearer, const CutPieces& pieces);
 
-/// Number of frames after 0 s in which a body takes its own shape, where parts near each other had left clearance for
-/// cloth.
-inline constexpr int frames_to_own_shape = 30;
-
 /// Returns a time at which the dressed body is thin, in s; 0 without a body.
 double thin_time_s(const LoadedBodies& bodies);
 

@@ -56,8 +56,6 @@ inline constexpr double shoulder_slope = 0.9;
 inline constexpr double max_shoulder_m = 0.3;
 /// Depth below the highest shoulder seam, or below the top, that is near it, in m. More takes lower seams too.
 inline constexpr double near_top_m = 0.2;
-/// Largest height of a waist, as a fraction of the way from the fork to the arms. More takes the chest for a waist.
-inline constexpr double max_waist_height = 0.8;
 /// Height of a bodice's middle above its skirt's, in m. Less lifts panels beside each other.
 inline constexpr double min_depth_under_m = 0.1;
 /// Depth below the top at which a skirt may begin, in m. Less takes collars for bodices.
@@ -211,6 +209,9 @@ inline constexpr int frames_to_unfold = 60;
 inline constexpr double one_limb_fraction = 0.6;
 /// Smallest girth that is said, in m; smaller ones are measured wrong. More hides children's girths.
 inline constexpr double min_girth_m = 0.1;
+/// Count of frames after 0 s in which a body takes its own shape, where parts near each other had left clearance for
+/// cloth. More takes longer, less presses cloth there.
+inline constexpr int frames_to_own_shape = 30;
 /// Depth below the upper end of a garment that is worn at the waist, in m. More takes the seat for the waist.
 inline constexpr double waist_depth_m = 0.05;
 

@@ -196,7 +196,11 @@ TEST(Cutting, BothSidesOfASeamHaveTheSameNumberOfVerticesAndSpreadTheEase) {
   // The seam runs upwards on both panels, which stand upright.
   EXPECT_LT(pieces.placed_m[seam.front().first].y, pieces.placed_m[seam.back().first].y);
   EXPECT_LT(pieces.placed_m[seam.front().second].y, pieces.placed_m[seam.back().second].y);
-  EXPECT_NE(pieces.is_turned[0], pieces.is_turned[1]) << "one of them is seen from behind";
+  const auto to_right_m = [&](sim::Index from, sim::Index to) { return pieces.flat_m[to].x - pieces.flat_m[from].x; };
+  EXPECT_NEAR(std::abs(to_right_m(seam[0].first, pieces.seams[1][0].first)), 0.2, 1e-6);
+  EXPECT_LT(to_right_m(seam[0].first, pieces.seams[1][0].first) * to_right_m(seam[0].second, pieces.seams[1][0].second),
+            0.0)
+      << "one of them is seen from behind";
 }
 
 TEST(Cutting, MakesExactlyAsManyTrianglesAsAreAskedFor) {

@@ -28,6 +28,20 @@ sim::Index joint_at(sim::Index node, const Rig& rig, const std::vector<bool>& is
 
 sim::Vec3 node_position(const RigPose& pose, sim::Index node) { return sim::Vec3(pose.to_model[node][3]); }
 
+/// Calls `visit` with each influence on a vertex: the vertex, its node, its weight and the transform to that node.
+/// Vertices without a skin follow the node of their part.
+template <class Visit> void for_each_influence(const Rig& rig, const Visit& visit) {
+  for (const RigPart& part : rig.parts) {
+    for (std::size_t v = part.first_vertex; !part.is_skinned && v < part.first_vertex + part.vertices; ++v) {
+      visit(v, part.node, 1.0, glm::dmat4(1.0));
+    }
+  }
+  for (const RigInfluence& influence : rig.influences) {
+    const RigBone& bone = rig.bones[influence.bone];
+    visit(influence.vertex, bone.node, influence.weight, bone.from_mesh);
+  }
+}
+
 /// Returns, per node, the far ends of its bones.
 std::vector<std::vector<sim::Vec3>> find_bone_ends(const Rig& rig, const RigPose& pose,
                                                    const std::vector<bool>& is_followed) {
@@ -59,16 +73,25 @@ class GrowingFrames final : public sim::BodyFrames {
   GrowingFrames(std::vector<GrowthShape> shapes, const Wearer& wearer)
       : shapes_(std::move(shapes)),
         motion_(wearer.motion),
+        own_m_(wearer.own_m),
         rate_hz_(wearer.rate_hz),
         frames_(static_cast<std::size_t>(std::ceil(wearer.duration_s * wearer.rate_hz))) {}
 
-  std::size_t count() const override { return frames_ + (motion_ ? motion_->count() : 1); }
+  std::size_t count() const override {
+    return frames_ + (motion_ ? motion_->count() : own_m_.empty() ? 1 : frames_to_own_shape + 1);
+  }
   double rate_hz() const override { return rate_hz_; }
   double first_s() const override { return -static_cast<double>(frames_) / rate_hz_; }
 
   void positions_in(std::size_t frame, std::span<sim::Vec3> positions_m) const override {
     if (frame >= frames_ && motion_) {
       motion_->positions_in(frame - frames_, positions_m);
+      return;
+    }
+    if (frame >= frames_ && !own_m_.empty()) {
+      const double share = static_cast<double>(frame - frames_) / frames_to_own_shape;
+      const std::vector<sim::Vec3>& full_m = shapes_.back().full_m;
+      for (std::size_t v = 0; v < own_m_.size(); ++v) positions_m[v] = glm::mix(full_m[v], own_m_[v], share);
       return;
     }
     const double share =
@@ -80,14 +103,14 @@ class GrowingFrames final : public sim::BodyFrames {
     const GrowthShape& b = shapes_[std::min(before + 1, shapes_.size() - 1)];
     const double on = at - static_cast<double>(before);
     for (std::size_t v = 0; v < positions_m.size(); ++v) {
-      positions_m[v] = glm::mix(on > 0.0 ? glm::mix(a.thin_m[v], b.thin_m[v], on) : a.thin_m[v],
-                                on > 0.0 ? glm::mix(a.full_m[v], b.full_m[v], on) : a.full_m[v], grown);
+      positions_m[v] = glm::mix(glm::mix(a.thin_m[v], b.thin_m[v], on), glm::mix(a.full_m[v], b.full_m[v], on), grown);
     }
   }
 
  private:
   std::vector<GrowthShape> shapes_;  ///< shapes at equal fractions of the growth
   std::shared_ptr<const sim::BodyFrames> motion_;
+  std::vector<sim::Vec3> own_m_;
   double rate_hz_;
   std::size_t frames_;  ///< count of the growth's frames
 };
@@ -162,15 +185,9 @@ struct Growth {
 /// Returns, per vertex of the file, the linear part of the transform from its part's axes to the model's.
 std::vector<glm::dmat3> into_model(const Rig& rig, const RigPose& pose) {
   std::vector<glm::dmat3> transforms(rig.in_part.size(), glm::dmat3(0.0));
-  for (const RigPart& part : rig.parts) {
-    for (std::size_t v = part.first_vertex; !part.is_skinned && v < part.first_vertex + part.vertices; ++v) {
-      transforms[v] = glm::dmat3(pose.to_model[part.node]);
-    }
-  }
-  for (const RigInfluence& influence : rig.influences) {
-    const RigBone& bone = rig.bones[influence.bone];
-    transforms[influence.vertex] += influence.weight * glm::dmat3(pose.to_model[bone.node] * bone.from_mesh);
-  }
+  for_each_influence(rig, [&](std::size_t v, sim::Index node, double weight, const glm::dmat4& from_mesh) {
+    transforms[v] += weight * glm::dmat3(pose.to_model[node] * from_mesh);
+  });
   return transforms;
 }
 
@@ -187,16 +204,11 @@ std::vector<sim::Index> find_body_ends(const Rig& rig) {
     of_node[n] = parent != no_node && of_node[parent] != no_node ? of_node[parent] : of_node[n];
   }
   std::vector<sim::Index> ends(rig.in_part.size(), no_node);
-  for (const RigPart& part : rig.parts) {
-    std::fill_n(ends.begin() + static_cast<std::ptrdiff_t>(part.first_vertex), part.vertices, of_node[part.node]);
-  }
   std::vector<double> most(ends.size(), 0.0);
-  for (const RigInfluence& influence : rig.influences) {
-    if (influence.weight > most[influence.vertex]) {
-      most[influence.vertex] = influence.weight;
-      ends[influence.vertex] = of_node[rig.bones[influence.bone].node];
-    }
-  }
+  for_each_influence(rig, [&](std::size_t v, sim::Index node, double weight, const glm::dmat4&) {
+    ends[v] = weight > most[v] ? of_node[node] : ends[v];
+    most[v] = std::max(most[v], weight);
+  });
   return ends;
 }
 
@@ -207,6 +219,17 @@ struct Bone {
   sim::Index end = 0;
   LimbKind limb = LimbKind::trunk;
 };
+
+template <class Condition>
+sim::Extent compute_extent_if(const std::vector<sim::Vec3>& points_m, const Condition& is_counted) {
+  sim::Extent extent;
+  for (const sim::Vec3& p : points_m) {
+    if (is_counted(p)) extent.add(p);
+  }
+  return extent;
+}
+
+bool is_empty(const sim::Extent& extent) { return extent.lower.x > extent.upper.x; }
 
 class ShapeRigMaker {
  public:
@@ -229,15 +252,23 @@ class ShapeRigMaker {
       const std::string name = side > 0.0 ? "Left" : "Right";
       const sim::Vec3 shoulder_m = glm::mix(below_arms_.middle_m, neck_m_, shoulder_height_fraction) +
                                    sim::Vec3(side * shoulder_offset_fraction * half_width_m, 0.0, 0.0);
-      const std::optional<sim::Vec3> hand_m = farthest_of_arm(side, shoulder_m);
-      const std::optional<sim::Vec3> foot_m = middle_of_foot(side);
-      if (!hand_m || !foot_m) return std::nullopt;
+      std::vector<sim::Vec3> own_m, arm_m;
+      const auto is_own = [&](const sim::Vec3& p) { return side * (p.x - neck_m_.x) > 0.0; };
+      std::ranges::copy_if(body_.positions_m, std::back_inserter(own_m), is_own);
+      std::ranges::copy_if(own_m, std::back_inserter(arm_m), [&](const sim::Vec3& p) { return is_beside_trunk(p); });
+      const sim::Extent foot = compute_extent_if(
+          own_m, [&](const sim::Vec3& p) { return p.y < box_.lower.y + foot_height_fraction * box_.size().y; });
+      if (arm_m.empty() || is_empty(foot)) return std::nullopt;
+      const auto from_shoulder_m = [&](const sim::Vec3& p) { return glm::distance(p, shoulder_m); };
+      const sim::Vec3 hand_m = *std::ranges::max_element(arm_m, {}, from_shoulder_m);
+      const sim::Extent elbow = compute_extent_if(arm_m, [&](const sim::Vec3& p) {
+        return std::abs(from_shoulder_m(p) / from_shoulder_m(hand_m) - elbow_fraction) < elbow_tolerance;
+      });
+      const sim::Vec3 elbow_m = is_empty(elbow) ? glm::mix(shoulder_m, hand_m, elbow_fraction) : elbow.middle();
       const sim::Index arm = add(name + "Arm", neck, shoulder_m, LimbKind::arm);
-      const sim::Index forearm = add(name + "ForeArm", arm, elbow_of(side, shoulder_m, *hand_m), LimbKind::arm);
-      add(name + "Hand", forearm, *hand_m, LimbKind::arm);
-      const sim::Index leg = add(
-          name + "UpLeg", hips, hips_m + sim::Vec3(side * hip_offset_fraction * half_width_m, 0.0, 0.0), LimbKind::leg);
-      add(name + "Foot", leg, *foot_m, LimbKind::leg);
+      add(name + "Hand", add(name + "ForeArm", arm, elbow_m, LimbKind::arm), hand_m, LimbKind::arm);
+      const sim::Vec3 hip_m = hips_m + sim::Vec3(side * hip_offset_fraction * half_width_m, 0.0, 0.0);
+      add(name + "Foot", add(name + "UpLeg", hips, hip_m, LimbKind::leg), foot.middle(), LimbKind::leg);
     }
     follow();
     return std::move(rig_);
@@ -254,8 +285,6 @@ class ShapeRigMaker {
     return node;
   }
 
-  bool is_above_trunk(const sim::Vec3& p) const { return p.y > below_arms_.height_m; }
-
   /// Returns whether a point is beside the trunk or the legs. Points above the trunk are compared with its upper end.
   bool is_beside_trunk(const sim::Vec3& p) const {
     if (p.y < measures_.levels[measures_.fork].height_m - hands_below_fork_fraction * box_.size().y) return false;
@@ -264,43 +293,8 @@ class ShapeRigMaker {
   }
 
   bool may_follow(const sim::Vec3& p, LimbKind limb) const {
-    if (is_above_trunk(p)) return limb != LimbKind::leg;
-    return is_beside_trunk(p) ? limb == LimbKind::arm : limb != LimbKind::arm;
-  }
-
-  std::optional<sim::Vec3> farthest_of_arm(double side, const sim::Vec3& shoulder_m) const {
-    std::optional<sim::Vec3> farthest_m;
-    double max_distance_m = 0.0;
-    for (const sim::Vec3& p : body_.positions_m) {
-      const double from_m = glm::distance(p, shoulder_m);
-      const bool is_of_arm = is_beside_trunk(p) && side * (p.x - neck_m_.x) > 0.0;
-      if (is_of_arm && from_m > max_distance_m) {
-        max_distance_m = from_m;
-        farthest_m = p;
-      }
-    }
-    return farthest_m;
-  }
-
-  /// Returns the middle of the arm's vertices that are as far from the shoulder as elbows are.
-  sim::Vec3 elbow_of(double side, const sim::Vec3& shoulder_m, const sim::Vec3& hand_m) const {
-    const double length_m = glm::distance(shoulder_m, hand_m);
-    sim::Extent elbow;
-    for (const sim::Vec3& p : body_.positions_m) {
-      const double share = glm::distance(p, shoulder_m) / length_m;
-      if (is_beside_trunk(p) && side * (p.x - neck_m_.x) > 0.0 && std::abs(share - elbow_fraction) < elbow_tolerance) {
-        elbow.add(p);
-      }
-    }
-    return elbow.lower.x > elbow.upper.x ? glm::mix(shoulder_m, hand_m, elbow_fraction) : elbow.middle();
-  }
-
-  std::optional<sim::Vec3> middle_of_foot(double side) const {
-    sim::Extent foot;
-    for (const sim::Vec3& p : body_.positions_m) {
-      if (side * (p.x - neck_m_.x) > 0.0 && p.y < box_.lower.y + foot_height_fraction * box_.size().y) foot.add(p);
-    }
-    return foot.lower.x > foot.upper.x ? std::nullopt : std::optional(foot.middle());
+    if (p.y > below_arms_.height_m) return limb != LimbKind::leg;
+    return is_beside_trunk(p) == (limb == LimbKind::arm);
   }
 
   void follow() {
@@ -341,20 +335,15 @@ std::vector<sim::Vec3> compute_thin_shape(const Rig& rig, const RigPose& pose) {
   std::vector<sim::Vec3> full = posed_vertices(rig, pose);
   std::vector<sim::Vec3> on_bones(full.size(), sim::Vec3(0.0));
   for (const RigPart& part : rig.parts) {
-    const sim::Index joint = joint_at(part.node, rig, is_followed);
-    if (!part.is_skinned && part.vertices > 0 && joint == no_node) {
+    if (!part.is_skinned && part.vertices > 0 && joint_at(part.node, rig, is_followed) == no_node) {
       throw InputError("found a body to be dressed whose mesh '" + part.mesh +
                        "' follows no joint; expected a skin, as glTF, FBX and Collada may have");
     }
-    for (std::size_t v = part.first_vertex; !part.is_skinned && v < part.first_vertex + part.vertices; ++v) {
-      on_bones[v] = find_nearest_bone_point(node_position(pose, joint), ends[joint], full[v]);
-    }
   }
-  for (const RigInfluence& influence : rig.influences) {
-    const sim::Index node = rig.bones[influence.bone].node;
-    on_bones[influence.vertex] +=
-        influence.weight * find_nearest_bone_point(node_position(pose, node), ends[node], full[influence.vertex]);
-  }
+  for_each_influence(rig, [&](std::size_t v, sim::Index node, double weight, const glm::dmat4&) {
+    const sim::Index joint = joint_at(node, rig, is_followed);
+    on_bones[v] += weight * find_nearest_bone_point(node_position(pose, joint), ends[joint], full[v]);
+  });
   for (std::size_t v = 0; v < full.size(); ++v) full[v] = glm::mix(full[v], on_bones[v], thinning_fraction);
   return full;
 }
@@ -373,25 +362,27 @@ std::shared_ptr<const sim::BodyFrames> make_growing_frames(const Wearer& wearer,
   return std::make_shared<const GrowingFrames>(std::move(shapes), wearer);
 }
 
-std::vector<sim::Index> joints_of_limb(const Rig& rig, const std::string& side,
-                                       const std::array<const char*, 3>& parts) {
-  const std::map<std::string, sim::Index> nodes = joint_nodes(rig);
-  std::vector<sim::Index> joints;
+std::optional<Limb> find_limb(const Wearer& wearer, double side, const LimbParts& parts) {
+  const std::map<std::string, sim::Index> nodes = joint_nodes(*wearer.rig);
+  Limb limb;
   for (const char* const part : parts) {
-    if (const auto node = nodes.find(side + part); node != nodes.end()) joints.push_back(node->second);
+    const auto node = nodes.find((side > 0.0 ? "left " : "right ") + std::string(part));
+    if (node != nodes.end()) limb.joints.push_back(node->second);
   }
-  return joints.size() < 2 ? std::vector<sim::Index>{} : joints;
+  if (limb.joints.size() < 2) return std::nullopt;
+  limb.begin_m = wearer.places.placement(node_position(wearer.pose, limb.joints[0]));
+  return limb;
 }
 
-sim::Vec3 in_file_axes(const Placement& placement, const sim::Vec3& direction) {
-  const sim::Vec3 origin = placement(sim::Vec3(0.0));
-  sim::Vec3 result;
+void turn_limb(const Wearer& wearer, const Limb& limb, const sim::Vec3& direction, std::vector<TurnedBone>& bones) {
+  const Placement& placement = wearer.places.placement;
+  sim::Vec3 in_file;
   for (int axis = 0; axis < 3; ++axis) {
     sim::Vec3 unit(0.0);
     unit[axis] = 1.0;
-    result[axis] = glm::dot(placement(unit) - origin, direction);
+    in_file[axis] = glm::dot(placement(unit) - placement(sim::Vec3(0.0)), direction);
   }
-  return result;
+  for (std::size_t k = 1; k < limb.joints.size(); ++k) bones.push_back({limb.joints[k - 1], limb.joints[k], in_file});
 }
 
 std::vector<RigPose> make_turning_poses(const Rig& rig, const RigPose& pose, std::span<const TurnedBone> bones) {

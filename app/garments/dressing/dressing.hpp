@@ -18,6 +18,7 @@ struct Wearer {
   RigPose pose;                                        ///< pose in which the run begins
   std::vector<sim::Vec3> full_m;                       ///< positions of the vertices in this pose
   std::shared_ptr<const sim::BodyFrames> motion = {};  ///< motion of the run; null if the body stands still
+  std::vector<sim::Vec3> own_m = {};                   ///< shape that a body without motion takes in the end, if any
   double rate_hz = 60.0;                               ///< frame rate of the motion
   double duration_s = 0.0;                             ///< duration of the growth, before 0 s
   BodyMeasures measures = {};                          ///< measures in the stored pose
@@ -49,13 +50,21 @@ struct TurnedBone {
   sim::Vec3 direction = {0, 0, 0};  ///< target direction, of any length, in the file's axes
 };
 
-/// Returns the joints of a limb, in the order of `parts`, which name them without their side. The side is "left " or
-/// "right ". Returns none if the body has fewer than two of them.
-std::vector<sim::Index> joints_of_limb(const Rig& rig, const std::string& side,
-                                       const std::array<const char*, 3>& parts);
+using LimbParts = std::array<const char*, 3>;
+inline constexpr LimbParts arm_parts = {"arm", "forearm", "hand"}, leg_parts = {"upleg", "leg", "foot"};
 
-/// Returns a direction of the scene in the axes of the file. Its length changes.
-sim::Vec3 in_file_axes(const Placement& placement, const sim::Vec3& direction);
+/// A limb in the pose in which the run begins.
+struct Limb {
+  std::vector<sim::Index> joints;       ///< from the trunk outwards
+  sim::Vec3 begin_m = {0.0, 0.0, 0.0};  ///< place of the first
+};
+
+/// Returns a limb on the side of positive x, the left one, or on the other side. Empty if the body has fewer than two
+/// of its joints.
+std::optional<Limb> find_limb(const Wearer& wearer, double side, const LimbParts& parts);
+
+/// Adds the bones of a limb, turned to this direction of the scene.
+void turn_limb(const Wearer& wearer, const Limb& limb, const sim::Vec3& direction, std::vector<TurnedBone>& bones);
 
 /// Returns poses in which bones turn, with all nodes below them, from their target directions to this pose, which is
 /// left out. Requires each bone before the bones below it.

@@ -43,8 +43,7 @@ struct Fitting {
       if (!tube || girth == nullptr) continue;
       const double height_m = girth->height_m + lift_m;
       const double measured_m = std::min(height_m, tube->max_height_m);
-      const bool is_covered =
-          height_m >= tube->min_height_m && height_m <= top_m + near_edge_m && is_about_armholes(height_m, *tube);
+      const bool is_covered = height_m <= top_m + near_edge_m && is_about_armholes(height_m, *tube);
       const std::optional<double> garment_m = is_covered ? girth_at(garment, measured_m) : std::nullopt;
       if (garment_m) {
         const auto& levels = wearer.measures.levels;
@@ -85,16 +84,13 @@ struct Fitting {
     add("upper arm", sleeve_m, rows);
   }
 
-  /// Measures the top of trousers and skirts, which may be below the body's waist.
-  void add_waistband(std::vector<FitRow>& rows) const {
-    const LevelTape& level = wearer.measures.level_at(marks.top_height_m - lift_m);
-    rows.push_back({"waistband", level.girth_m, marks.top_m});
-  }
-
   void add_ends(std::vector<FitRow>& rows) const {
     const BodyMeasures& measures = wearer.measures;
     if (measures.levels.empty()) return;
-    if (marks.is_worn_at_waist) add_waistband(rows);
+    // The top of trousers and skirts may be below the body's waist.
+    if (marks.is_worn_at_waist) {
+      rows.push_back({"waistband", measures.level_at(marks.top_height_m - lift_m).girth_m, marks.top_m});
+    }
     const Girth* const thigh = find_girth(measures, "thigh");
     const std::optional<double> leg_m =
         !marks.legs.empty() && thigh != nullptr ? leg_at(garment, thigh->height_m + lift_m) : std::nullopt;
@@ -117,29 +113,9 @@ const char* side_name(const sim::Vec3& from_middle, const sim::Vec3& front) {
   return left > 0.0 ? "on the left" : "on the right";
 }
 
-/// Largest stretch of cloth at a girth, and the middle of the cloth that has it.
-struct Tightness {
-  double stretch = 0.0;
-  sim::Vec3 place_m = sim::Vec3(0.0);
-};
-
-Tightness tightness_at(const std::vector<std::pair<double, sim::Vec3>>& stretches) {
-  std::vector<std::pair<double, sim::Vec3>> sorted = stretches;
-  std::ranges::stable_sort(sorted, [](const auto& a, const auto& b) { return a.first > b.first; });
-  const auto count = static_cast<std::size_t>(tight_triangle_fraction * static_cast<double>(sorted.size()));
-  Tightness tightest;
-  for (std::size_t k = 0; k < count; ++k) {
-    tightest.stretch += sorted[k].first / static_cast<double>(count);
-    tightest.place_m += sorted[k].second / static_cast<double>(count);
-  }
-  return tightest;
-}
-
 }  // namespace
 
-bool is_too_small(const FitRow& row) {
-  return row.ease_m() < (row.name == shoulder_width ? narrow_below_m : too_small_below_m);
-}
+bool is_too_small(const FitRow& row) { return row.ease_m() < (row.name == shoulder_width ? narrow_below_m : 0.0); }
 
 const char* fit_word(const FitRow& row) {
   const double ease_m = row.ease_m();
@@ -207,11 +183,17 @@ std::string describe_tightness(const LoadedBodies& bodies, const sim::Garment& g
         level.add(middle_m);
       }
     }
-    const Tightness tight = tightness_at(near);
-    if (tight.stretch > min_named_stretch) {
-      places.emplace_back(tight.stretch,
-                          fmt::format("at the {} {} {:.1f} %", name, side_name(tight.place_m - level.middle(), front),
-                                      100.0 * tight.stretch));
+    std::ranges::stable_sort(near, std::greater(), &std::pair<double, sim::Vec3>::first);
+    near.resize(static_cast<std::size_t>(tight_triangle_fraction * static_cast<double>(near.size())));
+    double mean_stretch = 0.0;
+    sim::Vec3 place_m(0.0);
+    for (const auto& [tightness, middle_m] : near) {
+      mean_stretch += tightness / static_cast<double>(near.size());
+      place_m += middle_m / static_cast<double>(near.size());
+    }
+    if (mean_stretch > min_named_stretch) {
+      places.emplace_back(mean_stretch, fmt::format("at the {} {} {:.1f} %", name,
+                                                    side_name(place_m - level.middle(), front), 100.0 * mean_stretch));
     }
   };
   sim::Extent measured;
@@ -226,7 +208,7 @@ std::string describe_tightness(const LoadedBodies& bodies, const sim::Garment& g
   look(is_of_chest ? "shoulders" : "upper end", measured.upper.y + girth_band_m,
        std::numeric_limits<double>::infinity());
   look("lower end", -std::numeric_limits<double>::infinity(), measured.lower.y - girth_band_m);
-  std::ranges::stable_sort(places, [](const auto& a, const auto& b) { return a.first > b.first; });
+  std::ranges::stable_sort(places, std::greater(), &std::pair<double, std::string>::first);
   places.resize(std::min(places.size(), max_tight_places));
   const std::vector<std::string> tightest = collect<std::string>(places, &std::pair<double, std::string>::second);
   return tightest.empty() ? "" : "stretched most: " + join(tightest);

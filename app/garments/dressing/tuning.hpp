@@ -85,6 +85,9 @@ inline constexpr double thinning_fraction = 0.9;
 /// Fraction of the dressing's frames in which the body grows; in the rest cloth slides to where it fits. More leaves
 /// less time to slide, less grows faster.
 inline constexpr double growth_time_fraction = 0.8;
+/// Count of frames after 0 s in which a body takes its own shape, where parts near each other had left clearance for
+/// cloth. More takes longer, less presses cloth there.
+inline constexpr int frames_to_own_shape = 30;
 /// Count of poses in a turn, between which vertices move straight. More takes longer, less thins turning limbs.
 inline constexpr int turn_pose_count = 8;
 /// Clearance for one garment where limbs meet, in m: for two layers of usual cloth. More thins limbs, less traps cloth.
@@ -154,8 +157,6 @@ inline constexpr double armhole_distance_m = 0.15;
 inline constexpr double narrow_below_m = -0.02;
 /// Ease from which a shoulder width is wide, in m. Less calls more garments wide.
 inline constexpr double wide_from_m = 0.03;
-/// Ease below which a girth is too small, in m. More calls more garments too small.
-inline constexpr double too_small_below_m = 0.0;
 /// Ease below which a girth is tight, in m. More calls more garments tight.
 inline constexpr double tight_below_m = 0.04;
 /// Ease below which a girth is fitted and not loose, in m. More calls fewer garments loose.

@@ -21,11 +21,8 @@ struct GarmentTarget {
 };
 
 sim::Vec3 facing_direction(const JointPlaces& joints) {
-  const auto left = joints.find("left arm");
-  const auto right = joints.find("right arm");
-  if (left == joints.end() || right == joints.end()) return {0.0, 0.0, 1.0};
-  const sim::Vec3 across = left->second - right->second;
-  const sim::Vec3 front = glm::cross(across, sim::Vec3(0.0, 1.0, 0.0));
+  const std::vector<ArmJoints> arms = find_arms(joints);
+  const sim::Vec3 front = arms.empty() ? sim::Vec3(0.0) : glm::cross(arms[0].outwards, sim::Vec3(0.0, 1.0, 0.0));
   return glm::length(front) > 0.0 ? glm::normalize(front) : sim::Vec3(0.0, 0.0, 1.0);
 }
 
@@ -36,12 +33,6 @@ GarmentTarget find_garment_target(const sim::Body& body, const Wearer& wearer, c
   if (joints.contains(joint)) wanted.top_m += joints.at(joint) - wearer.stored_joints.at(joint);
   const sim::Pose pose = sim::pose_at(body.motion, 0.0);
   return GarmentTarget{pose(wanted.top_m), pose.rotation * wanted.front};
-}
-
-/// Returns the point of the garment that is moved to the target.
-sim::Vec3 find_anchor_point(const GarmentMarks& marks) {
-  const sim::Vec3 middle = marks.top->middle();
-  return {middle.x, marks.is_worn_at_waist ? marks.top_height_m : marks.neck_base_m, middle.z};
 }
 
 /// A turn about the vertical through `from_m`, which moves to `to_m`.
@@ -56,7 +47,8 @@ struct Move {
 };
 
 Move move_to(const GarmentMarks& marks, const GarmentTarget& wanted) {
-  Move move{find_anchor_point(marks), wanted.top_m};
+  const sim::Vec3 middle = marks.top->middle();
+  Move move{{middle.x, marks.is_worn_at_waist ? marks.top_height_m : marks.neck_base_m, middle.z}, wanted.top_m};
   sim::Vec3 front = marks.front;
   if (!marks.is_front_known && glm::dot(front, wanted.front) < 0.0) front = -front;
   const double cosine = glm::dot(front, wanted.front);
@@ -91,18 +83,16 @@ bool crosses(const LoadedGarment& loaded, const sim::Body& body) {
 }
 
 /// Adds the bones of both limbs, turned towards the nearest opening. An opening at the start of a limb turns no bone.
-void add_limbs(const Wearer& wearer, const sim::Body& body, const std::array<const char*, 3>& joints,
+void add_limbs(const Wearer& wearer, const sim::Body& body, const LimbParts& parts,
                const std::vector<LimbOpening>& openings, std::vector<TurnedBone>& bones) {
   const sim::Pose pose = sim::pose_at(body.motion, 0.0);
-  for (const char* const side : {"left ", "right "}) {
-    const std::vector<sim::Index> chain = joints_of_limb(*wearer.rig, side, joints);
-    if (openings.empty() || chain.empty()) continue;
-    const sim::Vec3 begin_m = pose(wearer.places.placement(sim::Vec3(wearer.pose.to_model[chain[0]][3])));
+  for (const double side : {1.0, -1.0}) {
+    const std::optional<Limb> limb = find_limb(wearer, side, parts);
+    if (openings.empty() || !limb) continue;
+    const sim::Vec3 begin_m = pose(limb->begin_m);
     const sim::Vec3 way_m = find_nearest_opening(openings, begin_m).middle_m - begin_m;
-    const sim::Vec3 direction = in_file_axes(wearer.places.placement, glm::transpose(pose.rotation) * way_m);
-    for (std::size_t k = 1; k < chain.size() && glm::length(way_m) > min_limb_distance_m; ++k) {
-      bones.push_back({chain[k - 1], chain[k], direction});
-    }
+    if (glm::length(way_m) > min_limb_distance_m)
+      turn_limb(wearer, *limb, glm::transpose(pose.rotation) * way_m, bones);
   }
 }
 
@@ -110,9 +100,9 @@ void add_limbs(const Wearer& wearer, const sim::Body& body, const std::array<con
 std::string begin_in_limbs(const Wearer& wearer, const GarmentMarks& marks, const LoadedGarment& loaded,
                            sim::Body& body) {
   std::vector<TurnedBone> bones;
-  add_limbs(wearer, body, {"arm", "forearm", "hand"}, marks.cuffs, bones);
+  add_limbs(wearer, body, arm_parts, marks.cuffs, bones);
   const std::size_t of_arms = bones.size();
-  add_limbs(wearer, body, {"upleg", "leg", "foot"}, marks.legs, bones);
+  add_limbs(wearer, body, leg_parts, marks.legs, bones);
   if (bones.empty() || !crosses(loaded, body)) return "";
   std::get<sim::BodyMesh>(body.shape).frames =
       make_growing_frames(wearer, make_turning_poses(*wearer.rig, wearer.pose, bones));

@@ -17,12 +17,6 @@ using sim::Vec2;
 using sim::Vec3;
 using namespace sewing;
 
-std::vector<Index> label_sets(sim::Groups groups, std::size_t count) {
-  std::vector<Index> sets(count);
-  for (Index v = 0; v < count; ++v) sets[v] = groups.find(v);
-  return sets;
-}
-
 /// Returns, per corner of the triangles, u to the right and v up as the pieces are cut, in m.
 std::vector<glm::vec2> upright(const std::vector<std::array<Vec2, 3>>& cut_m) {
   std::vector<glm::vec2> corners;
@@ -40,25 +34,24 @@ Vec3 place_apart_m(const CutPieces& pieces, Index v) {
 }
 
 /// Merges the vertices of each set. `positions_m` are the positions of the vertices of the pieces.
-SewnPieces join_pieces(const CutPieces& pieces, const std::vector<Index>& set_of, const std::vector<Vec3>& positions_m,
+SewnPieces join_pieces(const CutPieces& pieces, sim::Groups joined, const std::vector<Vec3>& positions_m,
                        const Scene& scene) {
   SewnPieces sewn;
-  std::vector<Index> number(set_of.size(), sim::no_vertex);
-  sewn.vertex_of.resize(set_of.size());
   std::vector<double> counts;
   sim::Mesh mesh;
   std::vector<Vec3> apart_m;
-  for (Index v = 0; v < set_of.size(); ++v) {
-    Index& n = number[set_of[v]];
-    if (n == sim::no_vertex) {
-      n = static_cast<Index>(counts.size());
+  for (Index v = 0; v < positions_m.size(); ++v) {
+    // A set is named by its first vertex.
+    if (joined.find(v) == v) {
+      sewn.vertex_of.push_back(static_cast<Index>(counts.size()));
       counts.push_back(0.0);
       mesh.positions.emplace_back(0.0);
       apart_m.push_back(place_apart_m(pieces, v));
+    } else {
+      sewn.vertex_of.push_back(sewn.vertex_of[joined.find(v)]);
     }
-    sewn.vertex_of[v] = n;
-    counts[n] += 1.0;
-    mesh.positions[n] += positions_m[v];
+    counts[sewn.vertex_of[v]] += 1.0;
+    mesh.positions[sewn.vertex_of[v]] += positions_m[v];
   }
   for (std::size_t n = 0; n < counts.size(); ++n) mesh.positions[n] /= counts[n];
   for (const auto& [a, b, c] : pieces.triangles) {
@@ -71,6 +64,16 @@ SewnPieces join_pieces(const CutPieces& pieces, const std::vector<Index>& set_of
   sewn.garment.warps = sim::warps_from_coordinates(sewn.garment.mesh, upright(sewn.garment.mesh.cut_m));
   return sewn;
 }
+
+/// Vertices that threads draw together.
+struct Knot {
+  Vec3 sum_m = Vec3(0.0);  ///< sum of their positions
+  double count = 0.0;
+  double top_m = -std::numeric_limits<double>::infinity();  ///< height of the highest one as placed
+  double pull_n = 0.0, reach_m = slack_m;
+
+  Vec3 middle_m() const { return sum_m / count; }
+};
 
 /// Returns a tree of the dressed body; an empty one if there is none.
 SurfaceTree tree_of_dressed(const LoadedBodies& bodies, double time_s) {
@@ -101,7 +104,7 @@ class Closing {
     forces = without_gravity_and_wind(std::move(forces));
     forces.air_drag_per_s = closing_drag_per_s;
     for (sim::Body& body : bodies_) body.friction = 0.0;
-    begin(join_pieces(pieces, label_sets(joined_, pieces.flat_m.size()), pieces.placed_m, scene_));
+    begin(join_pieces(pieces, joined_, pieces.placed_m, scene_));
     panel_masses_kg_.assign(pieces.panel_count(), 0.0);
     for (std::size_t v = 0; v < pieces.flat_m.size(); ++v) {
       panel_masses_kg_[pieces.panel_of[v]] += sewn_.garment.masses_kg[sewn_.vertex_of[v]];
@@ -114,7 +117,8 @@ class Closing {
     const int budget = max_steps * static_cast<int>(pieces_.layer_of.back() + 1);
     if (report) report(share_joined(), sewn_.garment, now_m());
     int next_join = first_join, between_joins = frames_between_joins;
-    for (int frame = 1; steps_ <= budget && since < max_frames_without_progress && !is_closed(); ++frame, ++since) {
+    for (int frame = 1; steps_ <= budget && since < max_frames_without_progress && share_joined() < 1.0;
+         ++frame, ++since) {
       throw_if_interrupted();
       const std::vector<std::size_t> seams = pulled_seams(frame);
       pull(seams);
@@ -192,9 +196,6 @@ class Closing {
   bool is_closed(const Seam& seam) {
     return std::ranges::all_of(seam, [&](const auto& pair) { return is_joined(pair); });
   }
-  bool is_closed() {
-    return std::ranges::all_of(pieces_.seams, [&](const Seam& seam) { return is_closed(seam); });
-  }
 
   double share_joined() {
     std::size_t all = 0, joined = 0;
@@ -202,14 +203,14 @@ class Closing {
       all += seam.size();
       for (const auto& pair : seam) joined += is_joined(pair) ? 1 : 0;
     }
-    return static_cast<double>(joined) / static_cast<double>(std::max<std::size_t>(all, 1));
+    return all == 0 ? 1.0 : static_cast<double>(joined) / static_cast<double>(all);
   }
 
   double find_gap() {
     sewn_.gap_m = 0.0;
     for (std::size_t s = 0; s < pieces_.seams.size(); ++s) {
       for (const auto& [a, b] : pieces_.seams[s]) {
-        const double gap_m = joined_.find(a) == joined_.find(b) ? 0.0 : glm::distance(at(a), at(b));
+        const double gap_m = is_joined({a, b}) ? 0.0 : glm::distance(at(a), at(b));
         if (gap_m > sewn_.gap_m) {
           sewn_.gap_m = gap_m;
           sewn_.open_stitch = s;
@@ -250,50 +251,42 @@ class Closing {
     sim::Groups together(now_m().size());
     for (const std::size_t s : seams) {
       for (const auto& [a, b] : pieces_.seams[s]) {
-        const Index v = sewn_.vertex_of[a], w = sewn_.vertex_of[b];
-        together.join(v, w);
+        together.join(sewn_.vertex_of[a], sewn_.vertex_of[b]);
       }
     }
-    std::vector<Vec3> sums(now_m().size(), Vec3(0.0));
-    std::vector<double> counts(now_m().size(), 0.0), threads(pieces_.panel_count(), 0.0);
+    std::vector<Knot> knots(now_m().size());
+    const auto knot_at = [&](Index v) -> Knot& { return knots[together.find(v)]; };
     for (Index v = 0; v < now_m().size(); ++v) {
-      const Index group = together.find(v);
-      sums[group] += now_m()[v];
-      counts[group] += 1.0;
+      knot_at(v).sum_m += now_m()[v];
+      knot_at(v).count += 1.0;
     }
-    if (!is_carried_) {
+    std::vector<double> threads(pieces_.panel_count(), 0.0);
+    for (std::size_t v = 0; v < pieces_.flat_m.size(); ++v) {
+      Knot& knot = knot_at(sewn_.vertex_of[v]);
+      knot.top_m = std::max(knot.top_m, pieces_.placed_m[v].y);
+      threads[pieces_.panel_of[v]] += knot.count > 1.0 ? 1.0 : 0.0;
+    }
+    // Forces within a knot add up to nothing, so that threads do not move the cloth as a whole.
+    for (std::size_t v = 0; v < pieces_.flat_m.size(); ++v) {
+      const Index p = pieces_.panel_of[v];
+      Knot& knot = knot_at(sewn_.vertex_of[v]);
+      if (knot.count > 1.0) knot.pull_n += strength_ * pull_m_per_s2 * panel_masses_kg_[p] / threads[p] / knot.count;
+    }
+    for (Knot& knot : knots) {
       // Panels tilt as their shoulders are drawn together, which lowers the shoulders beside the body. The target stays
       // above.
-      std::vector<double> max_height_m(now_m().size(), -std::numeric_limits<double>::infinity());
-      for (std::size_t v = 0; v < pieces_.flat_m.size(); ++v) {
-        double& height_m = max_height_m[together.find(sewn_.vertex_of[v])];
-        height_m = std::max(height_m, pieces_.placed_m[v].y);
-      }
-      for (std::size_t g = 0; g < sums.size(); ++g)
-        sums[g].y = counts[g] > 1.0 ? counts[g] * max_height_m[g] : sums[g].y;
-    }
-    const auto is_pulled = [&](Index v) { return counts[together.find(v)] > 1.0; };
-    for (std::size_t v = 0; v < pieces_.flat_m.size(); ++v) {
-      threads[pieces_.panel_of[v]] += is_pulled(sewn_.vertex_of[v]) ? 1.0 : 0.0;
-    }
-    // Forces within a group add up to nothing, so that threads do not move the cloth as a whole.
-    std::vector<double> pulls_n(now_m().size(), 0.0), reaches_m(now_m().size(), slack_m);
-    for (std::size_t v = 0; v < pieces_.flat_m.size(); ++v) {
-      const Index p = pieces_.panel_of[v], group = together.find(sewn_.vertex_of[v]);
-      pulls_n[group] +=
-          counts[group] > 1.0 ? strength_ * pull_m_per_s2 * panel_masses_kg_[p] / threads[p] / counts[group] : 0.0;
+      if (!is_carried_ && knot.count > 1.0) knot.sum_m.y = knot.count * knot.top_m;
     }
     for (Index v = 0; v < now_m().size(); ++v) {
-      const Index group = together.find(v);
-      reaches_m[group] = std::max(reaches_m[group], glm::distance(now_m()[v], sums[group] / counts[group]));
+      knot_at(v).reach_m = std::max(knot_at(v).reach_m, glm::distance(now_m()[v], knot_at(v).middle_m()));
     }
     sim::Surroundings surroundings = simulation_->surroundings();
     surroundings.forces.grabbed_vertices.clear();
     for (Index v = 0; v < now_m().size(); ++v) {
-      if (is_pulled(v)) {
-        const Index group = together.find(v);
+      const Knot& knot = knot_at(v);
+      if (knot.count > 1.0) {
         surroundings.forces.grabbed_vertices.push_back(
-            {v, sums[group] / counts[group], pulls_n[group] / reaches_m[group], 2.0 * pulls_n[group]});
+            {v, knot.middle_m(), knot.pull_n / knot.reach_m, 2.0 * knot.pull_n});
       }
     }
     draw_in_layers(surroundings.forces.grabbed_vertices);
@@ -345,7 +338,7 @@ class Closing {
     std::vector<std::pair<Index, Index>> met;
     for (const std::size_t s : seams) {
       for (const auto& [a, b] : pieces_.seams[s]) {
-        if (joined_.find(a) != joined_.find(b) && glm::distance(at(a), at(b)) < reach_m_) met.emplace_back(a, b);
+        if (!is_joined({a, b}) && glm::distance(at(a), at(b)) < reach_m_) met.emplace_back(a, b);
       }
     }
     const std::vector<std::vector<Vec3>> places_m = places_to_join_m(met);
@@ -354,10 +347,12 @@ class Closing {
     for (std::size_t trial = 0; trial < max_trials * places_m.size() && !met.empty(); ++trial) {
       sim::Groups joined = joined_;
       for (const auto& [a, b] : met) joined.join(a, b);
-      begin(join_pieces(pieces_, label_sets(joined, pieces_.flat_m.size()), places_m[trial % places_m.size()], scene_));
+      begin(join_pieces(pieces_, joined, places_m[trial % places_m.size()], scene_));
       std::vector<char> is_crossed = crossed_after_frames(seams);
       const auto touches = [&](const auto& pair) { return is_crossed[sewn_.vertex_of[pair.first]] != 0; };
-      if (std::ranges::find(is_crossed, 1) == is_crossed.end() && is_within_bound()) {
+      const double bound = scene_.simulation.solver.bounded.max_stretch + bound_rounding;
+      if (std::ranges::find(is_crossed, 1) == is_crossed.end() &&
+          sim::measure_surface_stretch(sewn_.garment, now_m()).max <= bound) {
         joined_ = joined;
         return true;
       }
@@ -396,11 +391,6 @@ class Closing {
     std::ranges::sort(by_distance);
     met.clear();
     for (std::size_t k = 0; k < by_distance.size() / 2; ++k) met.push_back(by_distance[k].second);
-  }
-
-  bool is_within_bound() const {
-    return sim::measure_surface_stretch(sewn_.garment, now_m()).max <=
-           scene_.simulation.solver.bounded.max_stretch + bound_rounding;
   }
 
   /// Returns, per vertex, whether it is near triangles that cross something.

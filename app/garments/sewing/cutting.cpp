@@ -141,11 +141,8 @@ int ahead_by_corners(const SewingPattern& pattern, const Borders& borders, std::
 /// which one direction is much shorter than the other; they imply which panels face the same side. For the other seams
 /// corners that meet decide, or else their panels.
 std::vector<Seam> find_seams(const SewingPattern& pattern, const Borders& borders, const CutPieces& pieces) {
-  struct Way {
-    double shorter;  ///< score from -1, certainly ahead, to 1, certainly back
-    std::size_t stitch;
-  };
-  std::vector<Way> ways;
+  /// Scores from -1, certainly ahead, to 1, certainly back, and the stitches.
+  std::vector<std::pair<double, std::size_t>> ways;
   for (std::size_t s = 0; s < pattern.stitches.size(); ++s) {
     const auto& [a, b] = pattern.stitches[s];
     const std::vector<Index>&first = borders[a.panel][a.edge], &second = borders[b.panel][b.edge];
@@ -159,7 +156,7 @@ std::vector<Seam> find_seams(const SewingPattern& pattern, const Borders& border
                          (lengths_m[0] * lengths_m[1]);
     ways.push_back({0.5 * ((ahead_m - back_m) / (lengths_m[0] + lengths_m[1]) - alike), s});
   }
-  std::ranges::stable_sort(ways, [](const Way& a, const Way& b) { return std::abs(a.shorter) > std::abs(b.shorter); });
+  std::ranges::stable_sort(ways, std::greater(), [](const auto& way) { return std::abs(way.first); });
   sim::FacingGroups facing(pattern.panels.size());
   std::vector<Seam> seams(ways.size());
   sim::Groups met(pieces.flat_m.size());
@@ -185,7 +182,8 @@ bool goes_along(const CutPieces& pieces, Index from, Index to) {
   return std::ranges::any_of(pieces.triangles, [&](const Triangle& t) { return sim::runs_along(t, {from, to}); });
 }
 
-/// Turns panels so that panels that are sewn together face the same side: outwards, away from the middle of all.
+/// Turns panels so that panels that are sewn together face the same side: outwards, away from the middle of all. They
+/// are seen from outside in the flat.
 void turn_outwards(const SewingPattern& pattern, CutPieces& pieces) {
   const std::size_t count = pieces.panel_count();
   sim::FacingGroups facing(count);
@@ -210,11 +208,11 @@ void turn_outwards(const SewingPattern& pattern, CutPieces& pieces) {
     }
   }
   for (std::size_t p = 0; p < count; ++p) {
-    const bool is_turned = *facing.opposite(first[p], p) != (outwards[first[p]] < 0.0);
-    pieces.is_turned.push_back(static_cast<char>(is_turned));
-    for (Index t = pieces.panel_triangles[p]; is_turned && t < pieces.panel_triangles[p + 1]; ++t) {
+    if (*facing.opposite(first[p], p) == (outwards[first[p]] < 0.0)) continue;
+    for (Index t = pieces.panel_triangles[p]; t < pieces.panel_triangles[p + 1]; ++t) {
       std::swap(pieces.triangles[t][1], pieces.triangles[t][2]);
     }
+    for (std::size_t v = 0; v < pieces.flat_m.size(); ++v) pieces.flat_m[v].x *= pieces.panel_of[v] == p ? -1.0 : 1.0;
   }
 }
 
@@ -233,27 +231,14 @@ void lay_side_by_side(CutPieces& pieces) {
   }
 }
 
-/// Mirrors panels so that they are seen from outside.
-void show_outsides(CutPieces& pieces) {
-  for (std::size_t v = 0; v < pieces.flat_m.size(); ++v) {
-    pieces.flat_m[v].x *= pieces.is_turned[pieces.panel_of[v]] != 0 ? -1.0 : 1.0;
-  }
-}
-
 /// Adds a step to the longest unsewn edge if the number of steps is odd and `wanted` even, or the reverse. The number
 /// of triangles has the parity of the number of steps.
 void match_parity(std::size_t wanted, const SewingPattern& pattern, std::vector<std::vector<std::size_t>>& steps) {
   std::size_t all = wanted;
-  std::size_t* longest_edge_count = nullptr;
-  for (std::size_t p = 0; p < steps.size(); ++p) {
-    const std::vector<char> is_sewn = pattern.is_stitched(p);
-    for (std::size_t e = 0; e < steps[p].size(); ++e) {
-      all += steps[p][e];
-      if (is_sewn[e] == 0 && (longest_edge_count == nullptr || steps[p][e] > *longest_edge_count))
-        longest_edge_count = &steps[p][e];
-    }
-  }
-  if (all % 2 == 1 && longest_edge_count != nullptr) ++*longest_edge_count;
+  for (const std::vector<std::size_t>& of_panel : steps) all = std::reduce(of_panel.begin(), of_panel.end(), all);
+  std::vector<PanelEdge> unsewn = pattern.unsewn_edges();
+  const auto count = [&](const PanelEdge& e) -> std::size_t& { return steps[e.panel][e.edge]; };
+  if (all % 2 == 1 && !unsewn.empty()) ++count(*std::ranges::max_element(unsewn, {}, count));
 }
 
 /// Meshes the panels anew. Returns their borders. Points are added in the panel that had most triangles before.
@@ -309,7 +294,6 @@ CutPieces cut_pieces(const SewingPattern& pattern, int triangles, bool is_exact)
   if (is_exact) borders = mesh_exactly(pattern, static_cast<std::size_t>(triangles), pieces);
   pieces.seams = find_seams(pattern, borders, pieces);
   turn_outwards(pattern, pieces);
-  show_outsides(pieces);
   lay_side_by_side(pieces);
   pieces.layer_of.assign(pieces.panel_count(), 0);
   return pieces;
@@ -326,7 +310,6 @@ void add_over(const CutPieces& over, CutPieces& pieces) {
   // Shoulders of inner layers would be in the way of outer ones at the same height.
   const double lift_m = over.first_seams.empty() ? 0.0 : layer_lift_m * static_cast<double>(layer);
   for (const Vec3& placed_m : over.placed_m) pieces.placed_m.push_back(placed_m + Vec3(0.0, lift_m, 0.0));
-  pieces.is_turned.insert(pieces.is_turned.end(), over.is_turned.begin(), over.is_turned.end());
   pieces.layer_of.insert(pieces.layer_of.end(), over.panel_count(), layer);
   for (const Index panel : over.panel_of) pieces.panel_of.push_back(panels + panel);
   for (const auto& [a, b, c] : over.triangles) pieces.triangles.push_back({vertices + a, vertices + b, vertices + c});

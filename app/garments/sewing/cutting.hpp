@@ -19,7 +19,6 @@ struct CutPieces {
   std::vector<sim::Index> panel_of;         ///< per vertex
   std::vector<sim::Triangle> triangles;     ///< panel by panel; they face outwards once sewn
   std::vector<sim::Index> panel_triangles;  ///< per panel, its first triangle; then the count of all
-  std::vector<char> is_turned;              ///< per panel, whether its flat side is mirrored
   std::vector<Seam> seams;                  ///< per stitch
   std::vector<std::size_t> first_seams;     ///< seams that are closed first, since they carry the garment
   std::vector<std::size_t> layer_of;        ///< per panel; higher layers are worn over lower ones

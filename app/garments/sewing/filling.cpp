@@ -1,6 +1,7 @@
 #include "app/garments/sewing/filling.hpp"
 
 #include "app/base/errors.hpp"
+#include "app/base/words.hpp"
 #include "app/garments/sewing/tuning.hpp"
 #include "app/verify/orientation.hpp"
 #include "sim/mesh/polygons.hpp"
@@ -66,17 +67,13 @@ std::vector<Vec2> points_within(const std::vector<Vec2>& outline, double edge, d
 class Triangulation {
  public:
   explicit Triangulation(std::vector<Vec2> outline) : points_(std::move(outline)), outline_(points_.size()) {
-    std::vector<Vec3> corners_m;
-    std::vector<Index> corners;
-    for (const Vec2& p : points_) {
-      corners.push_back(static_cast<Index>(corners_m.size()));
-      corners_m.emplace_back(p, 0.0);
-    }
+    const auto corners_m = collect<Vec3>(points_, [](const Vec2& p) { return Vec3(p, 0.0); });
+    std::vector<Index> corners(outline_);
+    std::iota(corners.begin(), corners.end(), Index{0});
     const std::uint32_t count = static_cast<std::uint32_t>(corners.size());
     triangles_ = sim::cut_into_triangles({corners_m, std::span(&count, 1), corners});
     require_simple();
-    find_neighbours();
-    for (Index t = 0; t < triangles_.size(); ++t) push(t);
+    for (Index t = 0; t < triangles_.size(); ++t) set(t, triangles_[t]);
     flip_all();
   }
 
@@ -85,19 +82,11 @@ class Triangulation {
     const Index t = triangle_around(p);
     if (t == none) return;
     const auto [a, b, c] = triangles_[t];
-    const auto [ab, bc, ca] = beyond_[t];
     const auto v = static_cast<Index>(points_.size());
-    const auto second = static_cast<Index>(triangles_.size()), third = second + 1;
     points_.push_back(p);
-    triangles_[t] = {a, b, v};
-    triangles_.push_back({b, c, v});
-    triangles_.push_back({c, a, v});
-    beyond_[t] = {ab, second, third};
-    beyond_.push_back({bc, third, t});
-    beyond_.push_back({ca, t, second});
-    renew(bc, t, second);
-    renew(ca, t, third);
-    for (const Index n : {t, second, third}) push(n);
+    set(t, {a, b, v});
+    add({b, c, v});
+    add({c, a, v});
     flip_all();
   }
 
@@ -110,24 +99,22 @@ class Triangulation {
   /// Moves inner points to the means of their neighbours unless a triangle turns over.
   void smooth() {
     std::vector<Vec2> sums(points_.size(), Vec2(0.0));
-    std::vector<double> counts(points_.size(), 0.0);
     std::vector<std::vector<Index>> around(points_.size());
     for (Index t = 0; t < triangles_.size(); ++t) {
       for (std::size_t k = 0; k < 3; ++k) {
-        const Index v = triangles_[t][k];
-        sums[v] += points_[triangles_[t][(k + 1) % 3]];
-        counts[v] += 1.0;
-        around[v].push_back(t);
+        sums[triangles_[t][k]] += points_[triangles_[t][(k + 1) % 3]];
+        around[triangles_[t][k]].push_back(t);
       }
     }
     for (std::size_t v = outline_; v < points_.size(); ++v) {
-      const Vec2 before = std::exchange(points_[v], sums[v] / counts[v]);
-      const auto is_turned = [&](Index t) {
-        return !(area(triangles_[t]) > 0.1 * before_area(t, static_cast<Index>(v), before));
-      };
-      if (std::ranges::any_of(around[v], is_turned)) points_[v] = before;
+      const auto areas = [&] { return collect<double>(around[v], [&](Index t) { return area(triangles_[t]); }); };
+      const std::vector<double> areas_before = areas();
+      const Vec2 before = std::exchange(points_[v], sums[v] / static_cast<double>(around[v].size()));
+      const auto is_kept = [](double now, double then) { return now > 0.1 * then; };
+      if (!std::ranges::equal(areas(), areas_before, is_kept)) points_[v] = before;
     }
-    for (Index t = 0; t < triangles_.size(); ++t) push(t);
+    waiting_.resize(triangles_.size());
+    std::iota(waiting_.begin(), waiting_.end(), Index{0});
     flip_all();
   }
 
@@ -135,7 +122,7 @@ class Triangulation {
   void halve_across() {
     for (Index t = 0; t < triangles_.size(); ++t) {
       for (std::size_t k = 0; k < 3; ++k) {
-        if (beyond_[t][k] != none && triangles_[t][k] < outline_ && triangles_[t][(k + 1) % 3] < outline_) halve(t, k);
+        if (beyond(t, k) != none && triangles_[t][k] < outline_ && triangles_[t][(k + 1) % 3] < outline_) halve(t, k);
       }
     }
   }
@@ -150,50 +137,48 @@ class Triangulation {
 
  private:
   double area(const Triangle& t) const { return sim::doubled_area(points_[t[0]], points_[t[1]], points_[t[2]]); }
-  double before_area(Index t, Index moved, const Vec2& before) const {
-    const auto at = [&](std::size_t k) { return triangles_[t][k] == moved ? before : points_[triangles_[t][k]]; };
-    return sim::doubled_area(at(0), at(1), at(2));
-  }
 
   void require_simple() const {
-    double sum = 0.0, outline = 0.0;
+    double sum = 0.0;
     for (const Triangle& t : triangles_) sum += std::abs(area(t));
-    for (std::size_t i = 1; i + 1 < outline_; ++i) outline += sim::doubled_area(points_[0], points_[i], points_[i + 1]);
     // Triangles along straight borders have no area until they are flipped.
     const bool is_turned = std::ranges::any_of(triangles_, [&](const Triangle& t) { return area(t) < -1e-9 * sum; });
-    if (is_turned || triangles_.size() + 2 != outline_ || std::abs(sum - outline) > 1e-6 * sum) {
+    if (is_turned || triangles_.size() + 2 != outline_ || std::abs(sum - 2.0 * polygon_area(points_)) > 1e-6 * sum) {
       throw std::invalid_argument("its outline crosses or touches itself");
     }
   }
 
-  void find_neighbours() {
-    std::map<std::array<Index, 2>, Index> sides;
-    for (Index t = 0; t < triangles_.size(); ++t) {
-      for (std::size_t k = 0; k < 3; ++k) sides[{triangles_[t][k], triangles_[t][(k + 1) % 3]}] = t;
-    }
-    for (const Triangle& t : triangles_) {
-      auto& beyond = beyond_.emplace_back();
-      for (std::size_t k = 0; k < 3; ++k) {
-        const auto found = sides.find({t[(k + 1) % 3], t[k]});
-        beyond[k] = found == sides.end() ? none : found->second;
-      }
-    }
+  /// Puts a triangle in this place, and lets its sides be flipped.
+  void set(Index t, const Triangle& triangle) {
+    triangles_[t] = triangle;
+    for (std::size_t k = 0; k < 3; ++k) triangle_along_[{triangle[k], triangle[(k + 1) % 3]}] = t;
+    waiting_.push_back(t);
+  }
+  void add(const Triangle& triangle) {
+    triangles_.emplace_back();
+    set(static_cast<Index>(triangles_.size() - 1), triangle);
   }
 
-  std::size_t side_to(Index t, Index other) const {
-    return static_cast<std::size_t>(std::ranges::find(beyond_[t], other) - beyond_[t].begin());
+  /// Returns the triangle beyond a side; none at the outline.
+  Index beyond(Index t, std::size_t k) const {
+    const auto found = triangle_along_.find({triangles_[t][(k + 1) % 3], triangles_[t][k]});
+    return found == triangle_along_.end() ? none : found->second;
   }
-  void renew(Index t, Index before, Index now) {
-    if (t != none) beyond_[t][side_to(t, before)] = now;
+  /// Returns the corner of the triangle that the edge from a to b does not have.
+  Index corner_beside(Index t, Index a, Index b) const {
+    return *std::ranges::find_if(triangles_[t], [&](Index v) { return v != a && v != b; });
   }
-  void push(Index t) { waiting_.push_back(t); }
+  void forget_edge(Index a, Index b) {
+    triangle_along_.erase({a, b});
+    triangle_along_.erase({b, a});
+  }
 
   void flip_all() {
     for (std::size_t flips = 0; !waiting_.empty() && flips < max_flips * triangles_.size();) {
       const Index t = waiting_.back();
       waiting_.pop_back();
       for (std::size_t k = 0; k < 3; ++k) {
-        if (beyond_[t][k] != none && flip(t, k)) {
+        if (beyond(t, k) != none && flip(t, k)) {
           ++flips;
           break;
         }
@@ -212,23 +197,15 @@ class Triangulation {
   }
 
   bool flip(Index t, std::size_t k) {
-    const Index u = beyond_[t][k];
-    const std::size_t j = side_to(u, t);
-    const Index a = triangles_[t][k], b = triangles_[t][(k + 1) % 3], c = triangles_[t][(k + 2) % 3];
-    const Index d = triangles_[u][(j + 2) % 3];
+    const Index u = beyond(t, k);
+    const Index a = triangles_[t][k], b = triangles_[t][(k + 1) % 3];
+    const Index c = triangles_[t][(k + 2) % 3], d = corner_beside(u, a, b);
     const bool is_convex =
         orientation(points_[a], points_[d], points_[c]) > 0 && orientation(points_[d], points_[b], points_[c]) > 0;
     if (!is_convex || !is_within_circle(points_[a], points_[b], points_[c], points_[d])) return false;
-    const Index bc = beyond_[t][(k + 1) % 3], ca = beyond_[t][(k + 2) % 3];
-    const Index ad = beyond_[u][(j + 1) % 3], db = beyond_[u][(j + 2) % 3];
-    triangles_[t] = {a, d, c};
-    beyond_[t] = {ad, u, ca};
-    triangles_[u] = {d, b, c};
-    beyond_[u] = {db, bc, t};
-    renew(ad, u, t);
-    renew(bc, t, u);
-    push(t);
-    push(u);
+    forget_edge(a, b);
+    set(t, {a, d, c});
+    set(u, {d, b, c});
     return true;
   }
 
@@ -244,31 +221,23 @@ class Triangulation {
   }
 
   void halve(Index t, std::size_t k) {
-    const Index u = beyond_[t][k];
-    const std::size_t j = side_to(u, t);
-    const Index a = triangles_[t][k], b = triangles_[t][(k + 1) % 3], c = triangles_[t][(k + 2) % 3];
-    const Index d = triangles_[u][(j + 2) % 3], v = static_cast<Index>(points_.size());
+    const Index u = beyond(t, k);
+    const Index a = triangles_[t][k], b = triangles_[t][(k + 1) % 3];
+    const Index c = triangles_[t][(k + 2) % 3], d = corner_beside(u, a, b);
+    const auto v = static_cast<Index>(points_.size());
     points_.push_back(0.5 * (points_[a] + points_[b]));
-    const auto of_t = static_cast<Index>(triangles_.size()), of_u = of_t + 1;
-    const Index bc = beyond_[t][(k + 1) % 3], ca = beyond_[t][(k + 2) % 3];
-    const Index ad = beyond_[u][(j + 1) % 3], db = beyond_[u][(j + 2) % 3];
-    triangles_[t] = {a, v, c};
-    beyond_[t] = {u, of_t, ca};
-    triangles_.push_back({v, b, c});
-    beyond_.push_back({of_u, bc, t});
-    triangles_[u] = {a, d, v};
-    beyond_[u] = {ad, of_u, t};
-    triangles_.push_back({v, d, b});
-    beyond_.push_back({u, db, of_t});
-    renew(bc, t, of_t);
-    renew(db, u, of_u);
+    forget_edge(a, b);
+    set(t, {a, v, c});
+    add({v, b, c});
+    set(u, {a, d, v});
+    add({v, d, b});
   }
 
   std::vector<Vec2> points_;
   std::size_t outline_;
   std::vector<Triangle> triangles_;
-  std::vector<std::array<Index, 3>> beyond_;  ///< triangle beyond each side
-  std::vector<Index> waiting_;                ///< triangles whose sides may have to be flipped
+  std::map<std::pair<Index, Index>, Index> triangle_along_;  ///< by the ends of its sides, counter-clockwise
+  std::vector<Index> waiting_;                               ///< triangles whose sides may have to be flipped
 };
 
 }  // namespace

@@ -11,86 +11,53 @@ using sim::Index;
 using sim::Vec3;
 using namespace sewing;
 
-double panel_depth(const PatternPanel& panel) {
-  sim::Extent extent;
-  for (const auto& line : panel.edges_m) extent.add(panel.placed_m(line.front()));
-  return extent.middle().z;
-}
-
-/// Region in which long shoulder seams begin: above a height of the pattern, and near its middle.
-struct NearNeck {
-  double height_m, half_width_m;
-
-  bool contains(const Vec3& from, const Vec3& to) const {
-    return std::max(from.y, to.y) > height_m && std::min(std::abs(from.x), std::abs(to.x)) < half_width_m;
-  }
-};
-
 /// Marks the shoulder seams: seams between front and back that are nearly level, and near the highest of these. Those
-/// that begin near the neck may be long, as in a poncho. Returns points along them.
-std::vector<Vec3> find_shoulder_seams(const SewingPattern& pattern, const NearNeck& near_neck, CutPieces& pieces) {
-  constexpr std::size_t steps = 8;
-  const auto ends_of = [&](std::size_t s) {
-    const PanelEdge& side = pattern.stitches[s].first;
-    const auto& line = pattern.line_of(side);
-    const PatternPanel& panel = pattern.panels[side.panel];
-    return std::pair(panel.placed_m(line.front()), panel.placed_m(line.back()));
-  };
-  double max_height_m = -std::numeric_limits<double>::infinity();
+/// that begin above `neck_m` and within `half_width_m` of the middle may be long, as in a poncho.
+void mark_shoulder_seams(const SewingPattern& pattern, double neck_m, double half_width_m, CutPieces& pieces) {
+  const std::vector<sim::Extent> boxes = panel_boxes(pieces);
+  std::vector<double> heights_m(pattern.stitches.size(), -std::numeric_limits<double>::infinity());
   for (std::size_t s = 0; s < pattern.stitches.size(); ++s) {
     const auto& [first, second] = pattern.stitches[s];
-    const auto [from, to] = ends_of(s);
-    const bool is_beside = from.x * to.x >= 0.0;
+    const auto [from, to] = pattern.placed_ends_m(first);
+    const double top_m = std::max(from.y, to.y);
+    const bool is_between = boxes[first.panel].middle().z * boxes[second.panel].middle().z < 0.0;
     const bool is_level = std::abs(to.x - from.x) > shoulder_slope * std::abs(to.y - from.y);
-    if (panel_depth(pattern.panels[first.panel]) * panel_depth(pattern.panels[second.panel]) < 0.0 && is_beside &&
-        is_level && (polyline_length(pattern.line_of(first)) < max_shoulder_m || near_neck.contains(from, to))) {
-      pieces.first_seams.push_back(s);
-      max_height_m = std::max({max_height_m, from.y, to.y});
-    }
+    const bool is_near_neck = top_m > neck_m && std::min(std::abs(from.x), std::abs(to.x)) < half_width_m;
+    const bool is_short = polyline_length(pattern.line_of(first)) < max_shoulder_m;
+    if (is_between && is_level && from.x * to.x >= 0.0 && (is_short || is_near_neck)) heights_m[s] = top_m;
   }
-  std::erase_if(pieces.first_seams, [&](std::size_t s) {
-    const auto [from, to] = ends_of(s);
-    return std::max(from.y, to.y) < max_height_m - near_top_m;
-  });
-  std::vector<Vec3> points_m;
-  for (const std::size_t s : pieces.first_seams) {
-    const PanelEdge& side = pattern.stitches[s].first;
-    for (const sim::Vec2& point : evenly_along(pattern.line_of(side), steps)) {
-      points_m.push_back(pattern.panels[side.panel].placed_m(point));
-    }
+  for (std::size_t s = 0; s < heights_m.size(); ++s) {
+    const bool is_near_top = heights_m[s] >= std::ranges::max(heights_m) - near_top_m;
+    if (std::isfinite(heights_m[s]) && is_near_top) pieces.first_seams.push_back(s);
   }
-  return points_m;
 }
 
 /// Returns how far shoulder seams have to rise to lie above the shoulders of the thin body, which is narrower than they
-/// are. Empty if none of them is above it: they are level seams beside it.
-std::optional<double> rise_over(const std::vector<Vec3>& seams_m, double x_m, const std::vector<Vec3>& thin_m,
-                                double half_width_m) {
+/// are. It is infinite if none of them is above it: they are level seams beside it.
+double rise_over(const SewingPattern& pattern, const CutPieces& pieces, double x_m, const std::vector<Vec3>& thin_m,
+                 double half_width_m) {
+  constexpr std::size_t steps = 8;
   double rise_m = -std::numeric_limits<double>::infinity();
-  for (const Vec3& seam : seams_m) {
-    double top_m = -std::numeric_limits<double>::infinity();
-    for (const Vec3& p : thin_m) {
-      const double x = p.x - x_m;
-      if (std::abs(x - seam.x) < beside_seam_m && std::abs(x) < half_width_m && std::abs(p.x - seam.x) < std::abs(x)) {
-        top_m = std::max(top_m, p.y);
+  for (const std::size_t s : pieces.first_seams) {
+    const PanelEdge& side = pattern.stitches[s].first;
+    for (const sim::Vec2& point : evenly_along(pattern.line_of(side), steps)) {
+      const Vec3 seam = pattern.panels[side.panel].placed_m(point);
+      for (const Vec3& p : thin_m) {
+        const double x = std::abs(p.x - x_m), off_m = std::abs(p.x - seam.x);
+        const bool is_below = std::abs(p.x - x_m - seam.x) < beside_seam_m && x < half_width_m && off_m < x;
+        rise_m = is_below ? std::max(rise_m, p.y - seam.y) : rise_m;
       }
     }
-    rise_m = std::max(rise_m, top_m - seam.y);
   }
-  return std::isfinite(rise_m) ? std::optional(rise_m) : std::nullopt;
+  return rise_m;
 }
 
 /// Returns the length of unsewn edges near the top.
 double upper_border_m(const SewingPattern& pattern, double top_m) {
   double sum_m = 0.0;
-  for (std::size_t p = 0; p < pattern.panels.size(); ++p) {
-    const std::vector<char> stitched = pattern.is_stitched(p);
-    const PatternPanel& panel = pattern.panels[p];
-    for (std::size_t e = 0; e < stitched.size(); ++e) {
-      const auto& line = panel.edges_m[e];
-      const double height_m = 0.5 * (panel.placed_m(line.front()).y + panel.placed_m(line.back()).y);
-      sum_m += stitched[e] == 0 && height_m > top_m - near_top_m ? polyline_length(line) : 0.0;
-    }
+  for (const PanelEdge& edge : pattern.unsewn_edges()) {
+    const auto [from, to] = pattern.placed_ends_m(edge);
+    sum_m += 0.5 * (from.y + to.y) > top_m - near_top_m ? polyline_length(pattern.line_of(edge)) : 0.0;
   }
   return sum_m;
 }
@@ -133,20 +100,15 @@ Vec3 compute_shift(const SewingPattern& pattern, const Wearer& wearer, CutPieces
   shift.y = stands_at_feet ? feet_m : measures.neck_m->y - neck_over_chest_m;
   const std::vector<ArmJoints> arms = find_arms(wearer.joints);
   const double half_width_m = arms.empty() ? 0.0 : std::abs(arms[0].shoulder_m.x - shift.x);
-  const double waist_m = measures.waist_m ? measures.waist_m->y : measures.neck_m->y;
-  const NearNeck near_neck = {0.5 * (waist_m + measures.neck_m->y) - shift.y, half_width_m};
-  const std::vector<Vec3> shoulders_m = find_shoulder_seams(pattern, near_neck, pieces);
-  std::optional<double> rise_m;
-  if (!shoulders_m.empty() && !arms.empty()) {
-    const std::vector<Vec3> thin_m = placed_m(wearer.places, compute_thin_shape(*wearer.rig, wearer.pose));
-    rise_m = rise_over(shoulders_m, shift.x, thin_m, half_width_m);
-    if (!rise_m) pieces.first_seams.clear();
-  }
-  if (rise_m) {
-    shift.y = above_shoulders_m + *rise_m;
+  mark_shoulder_seams(pattern, 0.5 * (measures.waist_m->y + measures.neck_m->y) - shift.y, half_width_m, pieces);
+  const std::vector<Vec3> thin_m = placed_m(wearer.places, compute_thin_shape(*wearer.rig, wearer.pose));
+  const double rise_m = rise_over(pattern, pieces, shift.x, thin_m, half_width_m);
+  if (std::isfinite(rise_m)) {
+    shift.y = above_shoulders_m + rise_m;
   } else {
-    const double usual_m = measures.waist_m ? measures.waist_m->y : top_m + shift.y;
-    shift.y = level_for(measures, upper_border_m(pattern, top_m), top_m + shift.y).value_or(usual_m) - top_m;
+    pieces.first_seams.clear();
+    shift.y =
+        level_for(measures, upper_border_m(pattern, top_m), top_m + shift.y).value_or(measures.waist_m->y) - top_m;
   }
   if (glm::length(shift) > hardly_moved_m) {
     said.push_back(fmt::format("its pieces are moved by {} m to be about the body", describe_point(shift)));
@@ -157,23 +119,23 @@ Vec3 compute_shift(const SewingPattern& pattern, const Wearer& wearer, CutPieces
 /// Lifts panels that hang from a level seam, such as a skirt from the waist of a dress. They rise to where the body is
 /// no wider than the seam, if it is wider at the seam. Patterns place skirts below bodices that are longer than the
 /// body.
-void lift_to_waist(const SewingPattern& pattern, const BodyMeasures& measures, double shoulder_m, CutPieces& pieces) {
+void lift_to_waist(const SewingPattern& pattern, const BodyMeasures& measures, CutPieces& pieces) {
   const std::vector<sim::Extent> boxes = panel_boxes(pieces);
+  const double shoulder_m = sim::compute_extent(pieces.placed_m).upper.y;
   std::set<std::size_t> upper, lower;
   double border_m = 0.0, height_m = 0.0;
   for (std::size_t s = 0; s < pattern.stitches.size(); ++s) {
     auto [above, below] = pattern.stitches[s];
     if (boxes[above.panel].middle().y < boxes[below.panel].middle().y) std::swap(above, below);
-    const Seam& seam = pieces.seams[s];
-    const bool is_swapped = pieces.panel_of[seam[0].first] != above.panel;
-    const auto at = [&](std::size_t k) { return pieces.placed_m[is_swapped ? seam[k].second : seam[k].first]; };
-    const Vec3 way = at(seam.size() - 1) - at(0);
+    const auto& [first, second] = pieces.seams[s].front();
+    const double seam_m = pieces.placed_m[pieces.panel_of[first] == above.panel ? first : second].y;
+    const auto [from, to] = pattern.placed_ends_m(above);
     if (boxes[above.panel].middle().y > boxes[below.panel].middle().y + min_depth_under_m &&
-        std::abs(way.y) < level_seam * glm::length(way) && at(0).y < shoulder_m - below_top_m) {
+        std::abs(to.y - from.y) < level_seam * glm::distance(from, to) && seam_m < shoulder_m - below_top_m) {
       upper.insert(above.panel);
       lower.insert(below.panel);
       border_m += std::min(polyline_length(pattern.line_of(above)), polyline_length(pattern.line_of(below)));
-      height_m = std::max(height_m, at(0).y);
+      height_m = std::max(height_m, seam_m);
     }
   }
   lower = pattern.sewn_with(std::move(lower), [&](std::size_t p) { return !upper.contains(p); });
@@ -190,9 +152,7 @@ Vec3 move_to_height(const SewingPattern& pattern, const Wearer& wearer, CutPiece
                     std::vector<std::string>& said) {
   const Vec3 shift = compute_shift(pattern, wearer, pieces, said);
   for (Vec3& position : pieces.placed_m) position += shift;
-  if (!pieces.first_seams.empty()) {
-    lift_to_waist(pattern, wearer.measures, sim::compute_extent(pieces.placed_m).upper.y, pieces);
-  }
+  if (!pieces.first_seams.empty()) lift_to_waist(pattern, wearer.measures, pieces);
   return shift;
 }
 

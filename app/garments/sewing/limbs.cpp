@@ -8,9 +8,6 @@ using sim::Index;
 using sim::Vec3;
 using namespace sewing;
 
-constexpr std::array arm_joints = {"arm", "forearm", "hand"};
-constexpr std::array leg_joints = {"upleg", "leg", "foot"};
-
 /// Part of a pattern that goes around an arm.
 struct Sleeve {
   std::set<std::size_t> panels;
@@ -34,16 +31,12 @@ Sleeve find_sleeve(const SewingPattern& pattern, const CutPieces& pieces, const 
   }
   std::vector<Vec3> ends;
   double max_distance_m = beside_shoulder * side * shoulder_m.x;
-  for (const std::size_t p : sleeve.panels) {
-    const std::vector<char> stitched = pattern.is_stitched(p);
-    const PatternPanel& panel = pattern.panels[p];
-    for (std::size_t e = 0; e < stitched.size(); ++e) {
-      const Vec3 from = panel.placed_m(panel.edges_m[e].front()) + shift,
-                 to = panel.placed_m(panel.edges_m[e].back()) + shift;
-      if (stitched[e] == 0 && std::min(side * from.x, side * to.x) > beside_shoulder * side * shoulder_m.x) {
-        ends.push_back(0.5 * (from + to));
-        max_distance_m = std::max(max_distance_m, side * ends.back().x);
-      }
+  for (const PanelEdge& edge : pattern.unsewn_edges()) {
+    const auto [from, to] = pattern.placed_ends_m(edge);
+    const double offset_m = std::min(side * (from + shift).x, side * (to + shift).x);
+    if (sleeve.panels.contains(edge.panel) && offset_m > beside_shoulder * side * shoulder_m.x) {
+      ends.push_back(0.5 * (from + to) + shift);
+      max_distance_m = std::max(max_distance_m, side * ends.back().x);
     }
   }
   std::erase_if(ends, [&](const Vec3& end) { return side * end.x < outermost_fraction * max_distance_m; });
@@ -80,31 +73,16 @@ Vec3 along_arm(const CutPieces& pieces, const Vec3& shoulder_m, double side) {
   return {side, -arms_down - slope, 0.0};
 }
 
-/// Returns the joints of a limb: at least two, or none.
-std::vector<Index> find_chain(const Wearer& wearer, double side, const std::array<const char*, 3>& joints) {
-  return joints_of_limb(*wearer.rig, side > 0.0 ? "left " : "right ", joints);
-}
-
-Vec3 begin_m(const Wearer& wearer, const std::vector<Index>& chain) {
-  return wearer.places.placement(Vec3(wearer.pose.to_model[chain[0]][3]));
-}
-
-void add_bones(const Wearer& wearer, const std::vector<Index>& chain, const Vec3& way, std::vector<TurnedBone>& bones) {
-  for (std::size_t k = 1; k < chain.size(); ++k) {
-    bones.push_back({chain[k - 1], chain[k], in_file_axes(wearer.places.placement, Vec3(way.x, way.y, 0.0))});
-  }
-}
-
 void add_legs(const Wearer& wearer, const CutPieces& pieces, std::vector<TurnedBone>& bones) {
   const std::vector<sim::Extent> boxes = panel_boxes(pieces);
   const double min_height_m = sim::compute_extent(pieces.placed_m).lower.y + near_hem_m;
   std::vector<TurnedBone> turned;
   std::set<Index> on_a_side;
   for (const double side : {1.0, -1.0}) {
-    const std::vector<Index> chain = find_chain(wearer, side, leg_joints);
+    const std::optional<Limb> leg = find_limb(wearer, side, leg_parts);
     Vec3 sum(0.0);
     double count = 0.0;
-    for (std::size_t v = 0; v < pieces.placed_m.size() && !chain.empty(); ++v) {
+    for (std::size_t v = 0; v < pieces.placed_m.size() && leg; ++v) {
       const Index p = pieces.panel_of[v];
       const double width_m = boxes[p].upper.x - boxes[p].lower.x;
       if (pieces.placed_m[v].y < min_height_m && side * boxes[p].middle().x > min_leg_offset_widths * width_m) {
@@ -113,8 +91,9 @@ void add_legs(const Wearer& wearer, const CutPieces& pieces, std::vector<TurnedB
         count += 1.0;
       }
     }
-    if (count == 0.0 || begin_m(wearer, chain).y < min_height_m) return;
-    add_bones(wearer, chain, sum / count - begin_m(wearer, chain), turned);
+    if (count == 0.0 || leg->begin_m.y < min_height_m) return;
+    const Vec3 way = sum / count - leg->begin_m;
+    turn_limb(wearer, *leg, {way.x, way.y, 0.0}, turned);
   }
   for (Index p = 0; p < boxes.size(); ++p) {
     if (boxes[p].lower.y < min_height_m && !on_a_side.contains(p)) return;
@@ -126,20 +105,18 @@ void add_legs(const Wearer& wearer, const CutPieces& pieces, std::vector<TurnedB
 
 void turn_sleeves(const SewingPattern& pattern, const Vec3& shift, const Wearer& wearer, CutPieces& pieces) {
   for (const double side : {1.0, -1.0}) {
-    const std::vector<Index> chain = find_chain(wearer, side, arm_joints);
-    if (!chain.empty()) {
-      const Vec3 shoulder_m = begin_m(wearer, chain);
-      const Sleeve sleeve = find_sleeve(pattern, pieces, shift, shoulder_m, side);
-      if (!sleeve.panels.empty()) turn(sleeve, shoulder_m, along_arm(pieces, shoulder_m, side), pieces);
-    }
+    const std::optional<Limb> arm = find_limb(wearer, side, arm_parts);
+    if (!arm) continue;
+    const Sleeve sleeve = find_sleeve(pattern, pieces, shift, arm->begin_m, side);
+    if (!sleeve.panels.empty()) turn(sleeve, arm->begin_m, along_arm(pieces, arm->begin_m, side), pieces);
   }
 }
 
 std::vector<TurnedBone> turned_limbs(const Wearer& wearer, const CutPieces& pieces) {
   std::vector<TurnedBone> bones;
   for (const double side : {1.0, -1.0}) {
-    const std::vector<Index> chain = find_chain(wearer, side, arm_joints);
-    if (!chain.empty()) add_bones(wearer, chain, along_arm(pieces, begin_m(wearer, chain), side), bones);
+    const std::optional<Limb> arm = find_limb(wearer, side, arm_parts);
+    if (arm) turn_limb(wearer, *arm, along_arm(pieces, arm->begin_m, side), bones);
   }
   add_legs(wearer, pieces, bones);
   return bones;

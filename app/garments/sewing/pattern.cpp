@@ -138,13 +138,6 @@ std::vector<Vec2> arc(const Vec2& from, const Vec2& to, double radius, bool is_l
   return line;
 }
 
-std::vector<Vec2> read_points(const JsonPlace& place, const EdgeFrame& frame, std::size_t least, std::size_t most) {
-  const std::size_t count = place.count(least, most, "points");
-  std::vector<Vec2> points;
-  for (std::size_t k = 0; k < count; ++k) points.push_back(frame(place.item(k).point()));
-  return points;
-}
-
 std::vector<Vec2> read_arc(const JsonPlace& place, const Vec2& from, const Vec2& to, double tolerance) {
   std::vector<double> params;
   for (std::size_t k = 0; k < place.count(3, 3, "numbers"); ++k) {
@@ -169,27 +162,23 @@ std::vector<Vec2> read_edge(const JsonPlace& edge, const Vec2& from, const Vec2&
   const EdgeFrame frame = {from, to - from, is_relative};
   const JsonPlace curve = edge.member("curvature");
   std::vector<Vec2> control = {from};
-  const auto append = [&](const std::vector<Vec2>& points) {
-    control.insert(control.end(), points.begin(), points.end());
-    control.push_back(to);
-  };
   if (curve.value().is_array()) {
-    append({frame(curve.point())});
+    control.push_back(frame(curve.point()));
+    control.push_back(to);
     return bezier(control, tolerance);
   }
   const std::string type = curve.member("type").text();
   const JsonPlace params = curve.member("params");
   if (type == "circle") return read_arc(params, from, to, tolerance);
-  if (type == "polyline") {
-    append(read_points(params, frame, 1, max_curve_steps));
-    return control;
+  const std::map<std::string, std::pair<std::size_t, std::size_t>> point_counts = {
+      {"quadratic", {1, 1}}, {"cubic", {2, 2}}, {"polyline", {1, max_curve_steps}}};
+  const auto found = point_counts.find(type);
+  if (found == point_counts.end()) curve.member("type").fail("\"quadratic\", \"cubic\", \"circle\" or \"polyline\"");
+  for (std::size_t k = 0; k < params.count(found->second.first, found->second.second, "points"); ++k) {
+    control.push_back(frame(params.item(k).point()));
   }
-  if (type != "quadratic" && type != "cubic") {
-    curve.member("type").fail("\"quadratic\", \"cubic\", \"circle\" or \"polyline\"");
-  }
-  const std::size_t count = type == "quadratic" ? 1 : 2;
-  append(read_points(params, frame, count, count));
-  return bezier(control, tolerance);
+  control.push_back(to);
+  return type == "polyline" ? control : bezier(control, tolerance);
 }
 
 /// Returns the rotation of Euler angles as in Maya: about x first, then y, then z.
@@ -295,14 +284,22 @@ std::set<std::size_t> SewingPattern::sewn_with(std::set<std::size_t> together,
   return together;
 }
 
-std::vector<char> SewingPattern::is_stitched(std::size_t panel) const {
-  std::vector<char> stitched(panels[panel].edges_m.size(), 0);
-  for (const auto& [first, second] : stitches) {
-    for (const PanelEdge& side : {first, second}) {
-      if (side.panel == panel) stitched[side.edge] = 1;
+std::pair<Vec3, Vec3> SewingPattern::placed_ends_m(const PanelEdge& edge) const {
+  const std::vector<Vec2>& line = line_of(edge);
+  return {panels[edge.panel].placed_m(line.front()), panels[edge.panel].placed_m(line.back())};
+}
+
+std::vector<PanelEdge> SewingPattern::unsewn_edges() const {
+  std::vector<PanelEdge> unsewn;
+  for (std::size_t p = 0; p < panels.size(); ++p) {
+    for (std::size_t e = 0; e < panels[p].edges_m.size(); ++e) {
+      const auto has_edge = [&](const Stitch& stitch) {
+        return stitch.first == PanelEdge{p, e} || stitch.second == PanelEdge{p, e};
+      };
+      if (std::ranges::none_of(stitches, has_edge)) unsewn.push_back({p, e});
     }
   }
-  return stitched;
+  return unsewn;
 }
 
 void add_pattern(const std::string& name, SewingPattern added, SewingPattern& pattern) {

@@ -39,8 +39,10 @@ struct SewingPattern {
       {};  ///< joint of the body at the pattern's origin (parts_of_joints()); empty: the garment decides
 
   const std::vector<sim::Vec2>& line_of(const PanelEdge& edge) const { return panels[edge.panel].edges_m[edge.edge]; }
-  /// Returns, per edge of a panel, whether it is sewn to anything.
-  std::vector<char> is_stitched(std::size_t panel) const;
+  /// Returns the placed positions of an edge's ends, in m.
+  std::pair<sim::Vec3, sim::Vec3> placed_ends_m(const PanelEdge& edge) const;
+  /// Returns the edges that are sewn to nothing, panel by panel.
+  std::vector<PanelEdge> unsewn_edges() const;
   /// Returns these panels and all panels that are connected to them by stitches and satisfy `may_be`.
   std::set<std::size_t> sewn_with(std::set<std::size_t> together, const std::function<bool(std::size_t)>& may_be) const;
   /// Returns "front, edge 3 with back, edge 5".

@@ -218,26 +218,6 @@ void require_joined_and_placed(const SewingPattern& pattern) {
   }
 }
 
-/// A body that moves evenly from one shape to another.
-class FramesBetween final : public sim::BodyFrames {
- public:
-  FramesBetween(std::vector<Vec3> from_m, std::vector<Vec3> to_m, double frame_rate_hz)
-      : from_m_(std::move(from_m)), to_m_(std::move(to_m)), rate_hz_(frame_rate_hz) {}
-
-  std::size_t count() const override { return frames_to_own_shape + 1; }
-  double rate_hz() const override { return rate_hz_; }
-  void positions_in(std::size_t frame, std::span<Vec3> positions_m) const override {
-    const double share = static_cast<double>(frame) / frames_to_own_shape;
-    for (std::size_t v = 0; v < positions_m.size(); ++v) {
-      positions_m[v] = share == 1.0 ? to_m_[v] : glm::mix(from_m_[v], to_m_[v], share);
-    }
-  }
-
- private:
-  std::vector<Vec3> from_m_, to_m_;
-  double rate_hz_;
-};
-
 const Wearer& require_wearer(const LoadedBodies& bodies) {
   const Dressed dressed = dressed_body(bodies);
   if (dressed.wearer == nullptr) {
@@ -255,8 +235,8 @@ std::size_t place_about_body(CutPieces& pieces, const Scene& scene, LoadedBodies
   // An undressed body has no clearance for cloth.
   BodySource undressed = scene.bodies[b].source;
   undressed.dress = 0;
-  wearer.motion = std::make_shared<const FramesBetween>(
-      wearer.full_m, read_body(undressed, {1.0, frame_rate_hz}).mesh.data->positions_m, frame_rate_hz);
+  wearer.own_m = read_body(undressed, {1.0, frame_rate_hz}).mesh.data->positions_m;
+  wearer.motion = nullptr;
   wearer.rate_hz = frame_rate_hz;
   std::size_t moved = 0;
   // Pieces that were moved take along the limbs that belong into them.

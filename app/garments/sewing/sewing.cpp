@@ -67,15 +67,13 @@ std::string describe_tightest(const LoadedBodies& bodies, const SewnGarment& gar
   const std::vector<double> stretch = sim::triangle_surface_stretch(garment.sewn.garment, mesh.positions);
   const auto t = static_cast<std::size_t>(std::ranges::max_element(stretch) - stretch.begin());
   const Vec3 at_m = mesh.positions[mesh.triangles[t][0]];
-  std::size_t nearest_level = 0;
-  double min_distance_m = std::numeric_limits<double>::infinity();
-  for (std::size_t s = 0; s < garment.pieces.seams.size(); ++s) {
-    for (const auto& [a, b] : garment.pieces.seams[s]) {
-      const double off_m = glm::distance(mesh.positions[garment.sewn.vertex_of[a]], at_m);
-      nearest_level = off_m < min_distance_m ? s : nearest_level;
-      min_distance_m = std::min(min_distance_m, off_m);
-    }
-  }
+  const auto distance_m = [&](const Seam& seam) {
+    return std::ranges::min(collect<double>(seam, [&](const std::pair<Index, Index>& pair) {
+      return glm::distance(mesh.positions[garment.sewn.vertex_of[pair.first]], at_m);
+    }));
+  };
+  const std::vector<Seam>& seams = garment.pieces.seams;
+  const auto nearest = static_cast<std::size_t>(std::ranges::min_element(seams, {}, distance_m) - seams.begin());
   const sim::Index panel = garment.pieces.panel_of[garment.pieces.triangles[t][0]];
   std::string around;
   const BodyMeasures& measures = dressed_body(bodies).wearer->measures;
@@ -91,7 +89,7 @@ std::string describe_tightest(const LoadedBodies& bodies, const SewnGarment& gar
                          measures.level_at(at_m.y).girth_m / cm, *cloth_m / cm);
   }
   return fmt::format("it is tightest in the panel '{}', beside the seam of {}{}", garment.pattern.panels[panel].name,
-                     garment.pattern.describe(garment.pattern.stitches[nearest_level]), around);
+                     garment.pattern.describe(garment.pattern.stitches[nearest]), around);
 }
 
 /// Returns hands that hold up the upper ends of parts without shoulder seams that begin well above the waist: they
@@ -100,7 +98,7 @@ std::vector<sim::GrabbedVertex> hold_strapless(const Scene& scene, const LoadedB
                                                const SewnGarment& garment) {
   const BodyMeasures& measures = dressed_body(bodies).wearer->measures;
   std::vector<sim::GrabbedVertex> hands;
-  if (!garment.pieces.first_seams.empty() || !measures.waist_m) return hands;
+  if (!garment.pieces.first_seams.empty()) return hands;
   const sim::Garment& cloth = garment.sewn.garment;
   const double weight_n = glm::length(scene.surroundings.forces.gravity_m_per_s2) *
                           std::reduce(cloth.masses_kg.begin(), cloth.masses_kg.end());
@@ -115,18 +113,28 @@ std::vector<sim::GrabbedVertex> hold_strapless(const Scene& scene, const LoadedB
   return hands;
 }
 
+/// Returns the settings of a run in which cloth counts as at rest below `resting_m_per_s`.
+sim::SimulationSettings resting_settings(const RunSettings& run) {
+  sim::SimulationSettings settings = simulation_settings(run);
+  settings.rest_settings.speed_m_per_s = std::max(settings.rest_settings.speed_m_per_s, resting_m_per_s);
+  return settings;
+}
+
+/// Thickens the air to this drag, unless it is thicker.
+void thicken(double drag_per_s, sim::ExternalForces& forces) {
+  forces.air_drag_per_s = std::max(forces.air_drag_per_s, drag_per_s);
+}
+
 /// Lets a sewn garment come to rest without a body, gravity and wind, in which it would fall or fly away. It begins
 /// anew each second, as bending counts the shape at the start as flat: creases that closing has left would last.
 void rest_freely(const Scene& scene, const SewingSettings& settings,
                  const std::function<void(const std::string&)>& stage, SewnGarment& garment) {
   sim::Surroundings air = scene.surroundings;
   air.forces = without_gravity_and_wind(std::move(air.forces));
-  air.forces.air_drag_per_s = std::max(air.forces.air_drag_per_s, resting_drag_per_s);
+  thicken(resting_drag_per_s, air.forces);
   sim::Material material = scene.material;
   double& compression_n_per_m = material.compression_stiffness_n_per_m;
   compression_n_per_m = std::min(compression_n_per_m, max_free_compression_n_per_m);
-  sim::SimulationSettings run_settings = simulation_settings(scene.simulation);
-  run_settings.rest_settings.speed_m_per_s = std::max(run_settings.rest_settings.speed_m_per_s, resting_m_per_s);
   sim::Garment& cloth = garment.sewn.garment;
   std::optional<sim::Simulation> simulation;
   for (; garment.frames < settings.frames && !garment.is_at_rest; ++garment.frames) {
@@ -136,7 +144,8 @@ void rest_freely(const Scene& scene, const SewingSettings& settings,
       sim::Garment unfolded = sim::make_garment(std::move(cloth.mesh), scene.mapping, material);
       unfolded.warps = std::move(cloth.warps);
       cloth = of_fabrics(std::move(unfolded), garment);
-      simulation.emplace(sim::share(cloth), std::vector<Index>{}, run_settings, air, cloth.mesh.positions);
+      simulation.emplace(sim::share(cloth), std::vector<Index>{}, resting_settings(scene.simulation), air,
+                         cloth.mesh.positions);
     }
     try {
       simulation->advance_frame(throw_if_interrupted);
@@ -163,12 +172,10 @@ void dress_sewn_garment(const Scene& scene, const LoadedBodies& bodies, const Se
   air.bodies = bodies.all;
   sim::Surroundings thick_air = air;
   thick_air.forces.grabbed_vertices = hold_strapless(scene, bodies, garment);
-  double& air_per_s = thick_air.forces.air_drag_per_s;
-  air_per_s = std::max(air_per_s, resting_drag_per_s);
-  sim::SimulationSettings run_settings = simulation_settings(run);
-  run_settings.rest_settings.speed_m_per_s = std::max(run_settings.rest_settings.speed_m_per_s, resting_m_per_s);
+  thicken(resting_drag_per_s, thick_air.forces);
   // Thick air slows cloth that comes loose to a speed at which it can be kept apart. Rest counts in the scene's air.
-  sim::Simulation simulation(sim::share(sewn.garment), {}, run_settings, thick_air, sewn.garment.mesh.positions);
+  sim::Simulation simulation(sim::share(sewn.garment), {}, resting_settings(run), thick_air,
+                             sewn.garment.mesh.positions);
   const auto keep = [&] {
     sewn.garment.mesh.positions = simulation.state().current;
     garment.time_s = simulation.state().time_s;
@@ -177,16 +184,6 @@ void dress_sewn_garment(const Scene& scene, const LoadedBodies& bodies, const Se
   // A level may meet one limb alone where the body is thin.
   std::erase_if(fit, [](const FitRow& row) { return row.garment_m < one_limb_fraction * row.body_m; });
   const std::vector<Vec3> start_m = sewn.garment.mesh.positions;
-  const auto refuse = [&](const std::exception& error) {
-    keep();
-    const std::string tight = describe_tightness(bodies, sewn.garment, sewn.garment.mesh.positions, fit);
-    std::string misfit = describe_misfit(fit);
-    if (!misfit.empty()) misfit = misfit.substr(2) + "; ";
-    const std::string message = "its seams are closed, but it cannot be worn: " + misfit +
-                                describe_tightest(bodies, garment, start_m) + (tight.empty() ? "" : "; " + tight) +
-                                "; " + error.what();
-    throw SewingFailed(message, std::move(garment));
-  };
   bool is_thick = true;
   try {
     stage("the body grows into it");
@@ -201,19 +198,23 @@ void dress_sewn_garment(const Scene& scene, const LoadedBodies& bodies, const Se
         simulation.set_surroundings(air);
       } else if (is_thick && garment.frames % frames_to_thicker == 0) {
         simulation.set_surroundings(thick_air);
-        air_per_s = std::max(air_per_s, std::min(drag_growth_factor * air_per_s, thickest_per_s));
+        thicken(std::min(drag_growth_factor * thick_air.forces.air_drag_per_s, thickest_per_s), thick_air.forces);
       }
       simulation.advance_frame(throw_if_interrupted);
       const sim::FrameReport& frame = simulation.last_report();
       work += frame.sweeps + sim::bounded::tuning::search_work_sweeps *
                                  (frame.contact.detections + 0.5 * frame.contact.partial_detections);
     }
-  } catch (const InputError& error) {
-    refuse(error);
-  } catch (const PromiseBroken& error) {
-    refuse(error);
-  } catch (const sim::ContactBlocked& error) {
-    refuse(error);
+  } catch (const std::exception& error) {
+    if (!is_any<InputError, PromiseBroken, sim::ContactBlocked>(error)) throw;
+    keep();
+    const std::string tight = describe_tightness(bodies, sewn.garment, sewn.garment.mesh.positions, fit);
+    std::string misfit = describe_misfit(fit);
+    if (!misfit.empty()) misfit = misfit.substr(2) + "; ";
+    const std::string message = "its seams are closed, but it cannot be worn: " + misfit +
+                                describe_tightest(bodies, garment, start_m) + (tight.empty() ? "" : "; " + tight) +
+                                "; " + error.what();
+    throw SewingFailed(message, std::move(garment));
   }
   garment.is_at_rest = simulation.state().asleep && !is_thick;
   garment.rms_speed_m_per_s = sim::rms_speed(simulation.change());

@@ -209,9 +209,6 @@ inline constexpr int frames_to_unfold = 60;
 inline constexpr double one_limb_fraction = 0.6;
 /// Smallest girth that is said, in m; smaller ones are measured wrong. More hides children's girths.
 inline constexpr double min_girth_m = 0.1;
-/// Count of frames after 0 s in which a body takes its own shape, where parts near each other had left clearance for
-/// cloth. More takes longer, less presses cloth there.
-inline constexpr int frames_to_own_shape = 30;
 /// Depth below the upper end of a garment that is worn at the waist, in m. More takes the seat for the waist.
 inline constexpr double waist_depth_m = 0.05;
 

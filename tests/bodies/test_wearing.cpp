@@ -318,5 +318,35 @@ TEST_F(Wearing, SaysWhereClothIsStretchedMost) {
   EXPECT_CONTAINS(describe_tightness(worn.bodies, *worn.loaded.garment, wide_m, rows), "stretched most: at the ");
 }
 
+TEST_F(Wearing, NamesTheSideOfTheWearerThatIsStretchedMost) {
+  const Fitting worn = put(tshirt, "male_40");
+  const std::vector<FitRow> rows = worn.fit();
+  const auto widened = [&](double side) {
+    std::vector<sim::Vec3> wide_m = worn.places_m();
+    for (sim::Vec3& p : wide_m) p.z *= p.y < 1.25 && side * p.x > 0.12 ? 1.2 : 1.0;
+    return describe_tightness(worn.bodies, *worn.loaded.garment, wide_m, rows);
+  };
+  EXPECT_CONTAINS(widened(1.0), "on the left");
+  EXPECT_CONTAINS(widened(-1.0), "on the right");
+}
+
+TEST_F(Wearing, WhatIsNotStretchedMeasuresWornAsAtRest) {
+  const Fitting worn = put(tshirt, "male_40");
+  std::vector<FitRow> rows = worn.fit();
+  measure_worn(*worn.loaded.garment, worn.places_m(), rows);
+  EXPECT_EQ(std::ranges::count_if(rows, [](const FitRow& row) { return row.worn_m.has_value(); }), 3);
+  for (const FitRow& row : rows) EXPECT_NEAR(row.worn_m.value_or(row.garment_m), row.garment_m, 1e-9) << row.name;
+  EXPECT_CONTAINS(describe_worn(rows), "chest 111.");
+  EXPECT_CONTAINS(describe_worn(rows), " cm (+0.0 %)");
+}
+
+TEST_F(Wearing, WhatLiesTooHighComesDown) {
+  const Fitting worn = put(written(test::skirt()), "female_34");
+  const double low_m = sim::compute_extent(worn.places_m()).lower.y;
+  const sim::Vec3 there_m = {0.0, low_m, worn.bodies.wearers[0]->measures.waist_m->z};
+  EXPECT_EQ(said_of_skirt(there_m + sim::Vec3(0.0, 0.04, 0.0), 0.0), "");
+  EXPECT_CONTAINS(said_of_skirt(there_m + sim::Vec3(0.0, 0.06, 0.0), 0.0), "it is moved by 0.06 m");
+}
+
 }  // namespace
 }  // namespace taut::app

@@ -1,8 +1,12 @@
 #include "app/models/hanging/garment_measures.hpp"
 
 #include "app/models/hanging/hanger.hpp"
+#include "app/models/hanging/tuning.hpp"
 
 namespace taut::app {
+
+using namespace hanging;
+
 namespace {
 
 using sim::Vec2;
@@ -76,24 +80,6 @@ class Section {
   Links next_;
 };
 
-/// Largest offset of a hem's middle, as a fraction of the part's width. Cuffs are further out.
-constexpr double max_hem_offset_fraction = 0.15;
-/// Smallest extent along the height of a front that is open from neck to hem, as a fraction of the part's height.
-constexpr double min_open_front_fraction = 0.7;
-/// Upper fraction of the part's height in which the border of an open front is around the neck.
-constexpr double neck_height_fraction = 0.08;
-/// A stand collar: largest unevenness of its edge, largest height, and step of the search down from the edge.
-constexpr double level_edge_m = 0.03, max_collar_m = 0.12, collar_step_m = 0.005;
-/// Ratio of the girth where shoulders begin to the girth of the collar above.
-constexpr double min_shoulder_girth_ratio = 1.2;
-/// Fraction of the opening's width by which a neckline is lower in front.
-constexpr double dip_of_front = 0.03;
-constexpr std::size_t levels_of_garment = 200;
-/// Largest number of consecutive levels that do not go all around, as where a seam has a crack.
-constexpr std::size_t max_missed_levels = 30;
-/// Ratio of girths, one level apart, where sleeves begin.
-constexpr double min_sleeve_girth_ratio = 1.1;
-
 /// Returns the vertices of all landmarks whose names contain the word.
 std::vector<sim::Index> landmarks_with(const Landmarks& landmarks, const std::string& word) {
   std::vector<sim::Index> vertices;
@@ -120,8 +106,7 @@ struct Finder {
 
   bool is_in_middle(const Opening& opening) const {
     const int across = part.across();
-    return std::abs(opening.range.middle()[across] - part.range.middle()[across]) <
-           max_hem_offset_fraction * part.width_m();
+    return std::abs(opening.range.middle()[across] - part.range.middle()[across]) < max_middle_offset * part.width_m();
   }
 
   bool is_open_front(const Opening& opening) const {
@@ -150,7 +135,7 @@ struct Finder {
       }
       return max_extent_m;
     };
-    if (top.range.size().y > level_edge_m) return 0.0;
+    if (top.range.size().y > max_collar_unevenness_m) return 0.0;
     for (double below_m = collar_step_m; below_m < max_collar_m; below_m += collar_step_m) {
       const double around_m = girth_m(below_m);
       if (around_m == 0.0) return 0.0;
@@ -265,14 +250,9 @@ struct Finder {
                              : mean_position(sides[0], positions_m).y - mean_position(sides[1], positions_m).y;
     marks.front = sim::Vec3(0.0);
     marks.front[depth] = dip_m < 0.0 ? -1.0 : 1.0;
-    marks.is_front_known = std::abs(dip_m) > dip_of_front * marks.top->size()[part.across()];
+    marks.is_front_known = std::abs(dip_m) > min_front_dip * marks.top->size()[part.across()];
   }
 };
-
-/// Smallest tape around a leg, as a fraction of the largest tape of its level.
-constexpr double share_of_legs = 0.5;
-/// Smallest offset of a leg's middle from the garment's, as a fraction of the leg's width.
-constexpr double leg_beside_middle = 0.25;
 
 /// Length of cloth around the trunk, or of a tight tape around both legs.
 struct Around {
@@ -290,7 +270,7 @@ std::optional<Around> around(const sim::Surface& garment, const sim::Vec3& middl
   std::vector<sim::Vec2> both;
   std::size_t legs = 0;
   for (const SectionCurve& curve : curves) {
-    if (tape_m(curve) > share_of_legs * tape_m(trunk)) {
+    if (tape_m(curve) > min_leg_girth_ratio * tape_m(trunk)) {
       ++legs;
       both.insert(both.end(), curve.points_m.begin(), curve.points_m.end());
     }
@@ -298,7 +278,7 @@ std::optional<Around> around(const sim::Surface& garment, const sim::Vec3& middl
   // A leg is beside the middle, though a wide one may reach over it. A trunk between sleeves is around the middle.
   sim::Extent box;
   for (const sim::Vec2& p : trunk.points_m) box.add({p.x, 0.0, p.y});
-  const bool is_parted = legs > 1 && glm::length(box.middle()) > leg_beside_middle * box.size()[sim::long_axis(box)];
+  const bool is_parted = legs > 1 && glm::length(box.middle()) > min_leg_offset * box.size()[sim::long_axis(box)];
   if (!is_parted && !is_around_point(trunk)) {
     return std::nullopt;  // a fold, or one leg where the other is open
   }
@@ -400,8 +380,8 @@ std::optional<GarmentTube> find_tube(const sim::Surface& garment) {
   std::optional<GarmentTube> tube;
   double below_m = 0.0;
   std::size_t missed = 0;
-  for (std::size_t k = 0; k < levels_of_garment; ++k) {
-    const double height_m = box.lower.y + (static_cast<double>(k) + 0.5) / levels_of_garment * box.size().y;
+  for (int k = 0; k < tube_levels; ++k) {
+    const double height_m = box.lower.y + (k + 0.5) / tube_levels * box.size().y;
     const std::optional<Around> level = around(garment, box.middle(), height_m);
     const bool is_joining = tube && tube->fork_m == tube->max_height_m && level && !level->is_parted;
     missed = level ? 0 : missed + 1;

@@ -1,13 +1,14 @@
 #include "app/models/hanging/garment_parts.hpp"
 
+#include "app/models/hanging/tuning.hpp"
 #include "sim/mesh/groups.hpp"
 #include "sim/mesh/point_cells.hpp"
 
 namespace taut::app {
-namespace {
 
-// Largest gap between two border edges that lie face to face at an open seam, as a fraction of the longer edge.
-constexpr double seam_gap = 0.25;
+using namespace hanging;
+
+namespace {
 
 struct OpeningEdge {
   sim::Edge ends;
@@ -34,8 +35,8 @@ std::vector<OpeningEdge> border_edges(const sim::Mesh& mesh, const sim::Adjacenc
 
 /// Returns whether the edges face each other, so that the cloth continues beyond the gap between them.
 bool are_face_to_face(const OpeningEdge& a, const OpeningEdge& b) {
-  constexpr double opposite = -0.5;
-  return glm::dot(a.outwards, b.outwards) < opposite && glm::dot(a.outwards, b.middle_m - a.middle_m) >= 0.0;
+  return glm::dot(a.outwards, b.outwards) < max_opposite_border_cosine &&
+         glm::dot(a.outwards, b.middle_m - a.middle_m) >= 0.0;
 }
 
 /// Returns, per edge of the border, the edge of its part across the gap of a seam; itself if there is none.
@@ -46,13 +47,13 @@ std::vector<sim::Index> across_seams(const std::vector<OpeningEdge>& border, sim
   std::iota(across.begin(), across.end(), sim::Index{0});
   std::map<sim::Index, sim::PointCells> middles_by_part;
   const auto middles = [&](const OpeningEdge& edge) -> sim::PointCells& {
-    return middles_by_part.try_emplace(parts.find(edge.ends[0]), seam_gap * max_length_m).first->second;
+    return middles_by_part.try_emplace(parts.find(edge.ends[0]), max_seam_gap_ratio * max_length_m).first->second;
   };
   for (sim::Index k = 0; k < border.size(); ++k) middles(border[k]).add(border[k].middle_m, k);
   for (sim::Index k = 0; k < border.size(); ++k) {
     double min_distance_m = std::numeric_limits<double>::infinity();
     middles(border[k]).visit_near(border[k].middle_m, [&](sim::Index other) {
-      const double reach_m = seam_gap * std::max(border[k].length_m, border[other].length_m);
+      const double reach_m = max_seam_gap_ratio * std::max(border[k].length_m, border[other].length_m);
       const double distance_m = glm::distance(border[k].middle_m, border[other].middle_m);
       const bool is_nearer = distance_m < min_distance_m || (distance_m == min_distance_m && other < across[k]);
       if (distance_m <= reach_m && other != k && is_nearer && are_face_to_face(border[k], border[other])) {
@@ -103,25 +104,6 @@ std::vector<Opening> find_openings(const sim::Mesh& mesh, const sim::Adjacency& 
   return list;
 }
 
-// Fractions of a part's height, or of its size where stated.
-constexpr double min_opening_length = 0.2;      ///< smallest length, of the size; shorter ones are holes or faults
-constexpr double min_top_opening_height = 0.6;  ///< smallest mean height of a top opening above the part's lowest point
-/// Largest height of a top opening, from its lowest to its highest point.
-constexpr double steepest_top_opening = 0.4;
-// Fractions of the part's width, which is its larger size along x or z. The held vertices carry the part in balance if
-// the centre of mass is within their extent, or beside it by at most this. A strip on one side does not carry it.
-constexpr double off_balance_across = 0.05;
-/// Tolerance towards front and back, where a garment may lean: it turns a little and hangs.
-constexpr double off_balance_in_depth = 0.25;
-/// Smallest width of an opening that can carry a part. Smaller ones are holes or lie within a collar.
-constexpr double min_opening_width = 0.1;
-/// Largest distance of an armhole's inner end from the middle. A cuff's is larger.
-constexpr double armhole_reach = 0.4;
-constexpr double min_pair_offset =
-    0.03;  ///< smallest distance of a pair's opening from the middle; a neckline's is smaller
-constexpr double max_pair_height_difference =
-    0.1;  ///< largest difference in mean height between two openings that are a pair
-
 bool is_wide(const GarmentPart& part, const Opening& opening) {
   return opening.range.size()[part.across()] >= min_opening_width * part.width_m();
 }
@@ -129,7 +111,7 @@ bool is_wide(const GarmentPart& part, const Opening& opening) {
 bool is_high_and_level(const GarmentPart& part, const Opening& opening) {
   const double height_m = part.range.size().y;
   return opening.mean_height_m >= part.range.lower.y + min_top_opening_height * height_m &&
-         opening.range.size().y <= steepest_top_opening * height_m;
+         opening.range.size().y <= max_top_opening_steepness * height_m;
 }
 
 /// Returns whether the opening comes as near to the middle as an armhole does.
@@ -137,7 +119,7 @@ bool is_near_middle(const GarmentPart& part, const Opening& opening) {
   const int axis = part.across();
   const double inside_m =
       std::max(opening.range.lower[axis] - part.centre_m[axis], part.centre_m[axis] - opening.range.upper[axis]);
-  return inside_m <= armhole_reach * part.width_m();
+  return inside_m <= max_armhole_offset * part.width_m();
 }
 
 bool is_armhole(const GarmentPart& part, const Opening& opening) {
@@ -195,7 +177,7 @@ std::vector<GarmentPart> find_garment_parts(const sim::Mesh& mesh, const sim::Ad
 std::vector<const Opening*> large_openings(const GarmentPart& part) {
   std::vector<const Opening*> large;
   for (const Opening& opening : part.openings) {
-    if (opening.length_m >= min_opening_length * part.size_m()) large.push_back(&opening);
+    if (opening.length_m >= min_opening_length_ratio * part.size_m()) large.push_back(&opening);
   }
   return large;
 }
@@ -205,7 +187,7 @@ bool carries(const GarmentPart& part, const sim::Extent& held) {
     return part.centre_m[axis] >= held.lower[axis] - slack * part.width_m() &&
            part.centre_m[axis] <= held.upper[axis] + slack * part.width_m();
   };
-  return reaches(part.across(), off_balance_across) && reaches(2 - part.across(), off_balance_in_depth);
+  return reaches(part.across(), max_off_balance_across) && reaches(2 - part.across(), max_off_balance_in_depth);
 }
 
 const Opening* top_opening(const GarmentPart& part) {

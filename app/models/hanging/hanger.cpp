@@ -2,24 +2,14 @@
 
 #include "app/base/errors.hpp"
 #include "app/models/garment_loading.hpp"
+#include "app/models/hanging/tuning.hpp"
 #include "sim/contact/contact_measure.hpp"
 
 namespace taut::app {
-namespace {
 
-// A hanger for grown-ups. Narrower garments get a smaller one.
-constexpr double half_length_m = 0.2;
-constexpr double max_half_length = 0.45;     ///< largest half length, as a fraction of the garment's width
-constexpr double radius = 0.04;              ///< radius of its bars, in half lengths
-constexpr double clearance = 0.02;           ///< clearance between bars and cloth at the start, in half lengths
-constexpr double max_shoulder_slope = 0.5;   ///< largest slope of shoulders
-constexpr double neck_reach = 0.4;           ///< offset in half lengths below which a neckline may replace the shoulder
-constexpr double neckline_depth = 0.05;      ///< depth in half lengths, below the ends of the bars, of a neckline
-constexpr double shortening = 0.93;          ///< factor by which it is shortened until it fits
-constexpr double min_length_fraction = 0.5;  ///< smallest length, as a fraction of the largest
-constexpr double max_lowering = 0.5;         ///< limit of the lowering below the shoulders, in half lengths
-constexpr double lowering = 0.02;            ///< step of the lowering until it is clear, in half lengths
-constexpr double friction = 0.5;             ///< friction of wood
+using namespace hanging;
+
+namespace {
 
 constexpr const char* right_bar = "hanger, right";
 
@@ -62,7 +52,7 @@ struct HangerSpace {
   }
 
   bool is_clear(const sim::Capsule& bar) const {
-    const double reach_m = bar.start_radius_m + clearance * half_m;
+    const double reach_m = bar.start_radius_m + bar_clearance_ratio * half_m;
     const sim::Capsule limb{bar.start_m, bar.end_m, reach_m, reach_m};
     return std::ranges::none_of(part.triangles, [&](sim::Index triangle) {
       const sim::Triangle& t = mesh.triangles[triangle];
@@ -80,7 +70,7 @@ struct ShoulderLine {
 
 /// Returns nothing if the garment has no shoulders at this reach, steeper ones than any hanger, or too wide a neckline.
 std::optional<ShoulderLine> shoulder_line(const HangerSpace& wearer) {
-  constexpr std::array places = {neck_reach, 0.5 * (neck_reach + 1.0), 1.0};
+  const std::array places = {min_shoulder_offset, 0.5 * (min_shoulder_offset + 1.0), 1.0};
   ShoulderLine line{std::numeric_limits<double>::infinity(), 0.0, {}};
   for (std::size_t side = 0; side < 2; ++side) {
     const double sign = side == 0 ? -1.0 : 1.0;
@@ -90,7 +80,7 @@ std::optional<ShoulderLine> shoulder_line(const HangerSpace& wearer) {
       return wearer.ridge_at(sign * place * wearer.half_m).height_m - end.height_m;
     };
     // A wider neckline slides over the ends.
-    if (rise_at(wearer.max_neckline) < -neckline_depth * wearer.half_m) return std::nullopt;
+    if (rise_at(wearer.max_neckline) < -max_neckline_depth * wearer.half_m) return std::nullopt;
     for (const double place : places) {
       const double rise_m = rise_at(place);
       // Shoulders rise towards the neck. Points that are lower there belong to a neckline.
@@ -110,8 +100,8 @@ std::array<sim::Capsule, 2> bars_along(const ShoulderLine& line, const HangerSpa
   const sim::Vec3 middle = wearer.place(0.0, top_m, 0.5 * (line.depths_m[0] + line.depths_m[1]));
   for (std::size_t side = 0; side < 2; ++side) {
     const double beside_m = side == 0 ? -wearer.half_m : wearer.half_m;
-    bars[side] = {middle, wearer.place(beside_m, end_m, line.depths_m[side]), radius * wearer.half_m,
-                  radius * wearer.half_m};
+    bars[side] = {middle, wearer.place(beside_m, end_m, line.depths_m[side]), bar_radius_ratio * wearer.half_m,
+                  bar_radius_ratio * wearer.half_m};
   }
   return bars;
 }
@@ -119,24 +109,13 @@ std::array<sim::Capsule, 2> bars_along(const ShoulderLine& line, const HangerSpa
 /// Returns the bars in the highest position clear of the cloth; nothing if there is none below the shoulders.
 std::optional<std::array<sim::Capsule, 2>> clear_bars(const HangerSpace& wearer) {
   const std::optional<ShoulderLine> line = shoulder_line(wearer);
-  for (double below_m = 0.0; line && below_m <= max_lowering * wearer.half_m; below_m += lowering * wearer.half_m) {
+  for (double below_m = 0.0; line && below_m <= max_bar_lowering * wearer.half_m;
+       below_m += bar_lowering_step * wearer.half_m) {
     const std::array<sim::Capsule, 2> bars = bars_along(*line, wearer, below_m);
     if (wearer.is_clear(bars[0]) && wearer.is_clear(bars[1])) return bars;
   }
   return std::nullopt;
 }
-
-constexpr int levels = 50;                  ///< levels at which the width of a part is measured
-constexpr int shoulder_levels = 4;          ///< levels over which shoulders slope
-constexpr double min_widening_ratio = 1.5;  ///< smallest ratio of the widths below and above this slope
-// Fractions of a part's height.
-constexpr double min_hood_height = 0.15;  ///< smallest height of a hood; a collar's is smaller
-constexpr double max_hood_height = 0.5;   ///< largest height of a hood; a bodice's above a skirt is larger
-constexpr double neck_band = 0.03;        ///< height of the band that is held
-/// Smallest height of the opening for the face, as a fraction of the hood's.
-constexpr double min_face_height = 0.5;
-/// Largest extent of a face's border from front to back, as a fraction of the hood's at its height.
-constexpr double max_face_depth_fraction = 0.6;
 
 struct OpeningSpan {
   double lower_m = std::numeric_limits<double>::infinity();
@@ -147,12 +126,12 @@ struct OpeningSpan {
 
 /// Returns the extent of the part at each level, from its top down.
 std::vector<OpeningSpan> find_spans(const sim::Mesh& mesh, const GarmentPart& part, int across) {
-  const double step_m = part.range.size().y / levels;
-  std::vector<OpeningSpan> spans(levels);
+  const double step_m = part.range.size().y / hood_levels;
+  std::vector<OpeningSpan> spans(hood_levels);
   if (!(step_m > 0.0)) return spans;  // a level part
   const auto add_edge = [&](const sim::Vec3& high, const sim::Vec3& low) {
     const auto first = static_cast<int>(std::ceil((part.range.upper.y - high.y) / step_m - 0.5));
-    for (int k = std::max(0, first); k < levels; ++k) {
+    for (int k = std::max(0, first); k < hood_levels; ++k) {
       const double level_m = part.range.upper.y - (k + 0.5) * step_m;
       if (level_m < low.y || high.y <= low.y) break;
       const double at_m = low[across] + (high[across] - low[across]) * (level_m - low.y) / (high.y - low.y);
@@ -171,14 +150,14 @@ std::vector<OpeningSpan> find_spans(const sim::Mesh& mesh, const GarmentPart& pa
 }
 
 bool widens_below(const std::vector<OpeningSpan>& spans, int level) {
-  return level + shoulder_levels < levels && spans[level].width_m() > 0.0 &&
+  return level + shoulder_levels < hood_levels && spans[level].width_m() > 0.0 &&
          spans[level + shoulder_levels].width_m() >= min_widening_ratio * spans[level].width_m();
 }
 
 /// Returns the last level, from the top, above which the part widens as at shoulders; `levels` if there is none.
 int neck_level(const std::vector<OpeningSpan>& spans) {
-  auto level = static_cast<int>(std::ceil(min_hood_height * levels));
-  while (level < levels && !widens_below(spans, level)) ++level;
+  auto level = static_cast<int>(std::ceil(min_hood_height * hood_levels));
+  while (level < hood_levels && !widens_below(spans, level)) ++level;
   while (widens_below(spans, level + 1)) ++level;
   return level;
 }
@@ -198,7 +177,7 @@ bool is_on_one_side(const sim::Mesh& mesh, const GarmentPart& part, const Openin
     }
     return span.width_m();
   };
-  return span_of(opening.vertices) <= max_face_depth_fraction * span_of(part.vertices);
+  return span_of(opening.vertices) <= max_face_depth_ratio * span_of(part.vertices);
 }
 
 /// Returns whether the only wide opening above the neck is a face's.
@@ -217,8 +196,7 @@ bool has_face(const sim::Mesh& mesh, const GarmentPart& part, double neck_m) {
 
 /// Returns whether the band around the neck carries the part on both sides and has more than a vertex or two.
 bool holds(const GarmentPart& part, const std::vector<sim::Index>& neck, const sim::Mesh& mesh) {
-  constexpr std::size_t fewest = 6;
-  return neck.size() >= fewest && carries(part, sim::compute_extent(mesh.positions, neck));
+  return neck.size() >= min_neck_vertices && carries(part, sim::compute_extent(mesh.positions, neck));
 }
 
 }  // namespace
@@ -227,11 +205,11 @@ std::vector<sim::Body> hanger_for(const sim::Mesh& mesh, const GarmentPart& part
                                   double max_neckline) {
   const std::vector<sim::Index> neck = neck_below_hood(mesh, part, part.across());
   const double max_height_m = neck.empty() ? part.range.upper.y : sim::compute_extent(mesh.positions, neck).upper.y;
-  const double max_length_m = std::min(half_length_m, max_half_length * part.width_m());
-  for (double half_m = max_length_m; half_m >= min_length_ratio * max_length_m; half_m *= shortening) {
+  const double max_length_m = std::min(max_bar_length_m, max_bar_width_ratio * part.width_m());
+  for (double half_m = max_length_m; half_m >= min_length_ratio * max_length_m; half_m *= bar_shortening) {
     if (const auto bars = clear_bars({mesh, part, half_m, max_height_m, max_neckline})) {
-      return {{.name = hanger_left, .shape = (*bars)[0], .friction = friction},
-              {.name = right_bar, .shape = (*bars)[1], .friction = friction}};
+      return {{.name = hanger_left, .shape = (*bars)[0], .friction = bar_friction},
+              {.name = right_bar, .shape = (*bars)[1], .friction = bar_friction}};
     }
   }
   return {};
@@ -240,7 +218,7 @@ std::vector<sim::Body> hanger_for(const sim::Mesh& mesh, const GarmentPart& part
 std::vector<sim::Body> make_hanger(const sim::Mesh& mesh) {
   const std::vector<GarmentPart> parts = find_garment_parts(mesh, sim::make_adjacency(mesh));
   std::vector<sim::Body> hanger =
-      hanger_for(mesh, *std::ranges::max_element(parts, {}, &GarmentPart::area_m2), min_length_fraction, 1.0);
+      hanger_for(mesh, *std::ranges::max_element(parts, {}, &GarmentPart::area_m2), min_asked_bar_ratio, 1.0);
   if (hanger.empty()) {
     throw InputError(
         "pins.at: found no room for a hanger below the garment's shoulders; expected a garment that is "
@@ -281,12 +259,12 @@ void take_off_hanger(Scene& scene, std::vector<sim::Body>& bodies) {
 std::vector<sim::Index> neck_below_hood(const sim::Mesh& mesh, const GarmentPart& part, int across) {
   const int level = neck_level(find_spans(mesh, part, across));
   const double height_m = part.range.size().y;
-  const double neck_m = part.range.upper.y - (level + 0.5) * height_m / levels;
+  const double neck_m = part.range.upper.y - (level + 0.5) * height_m / hood_levels;
   std::vector<sim::Index> neck;
-  if (level > max_hood_height * levels || !has_face(mesh, part, neck_m)) return neck;
+  if (level > max_hood_height * hood_levels || !has_face(mesh, part, neck_m)) return neck;
   for (const sim::Index v : part.vertices) {
     const double above_m = mesh.positions[v].y - neck_m;
-    if (above_m >= 0.0 && above_m <= neck_band * height_m) neck.push_back(v);
+    if (above_m >= 0.0 && above_m <= pinned_band_fraction * height_m) neck.push_back(v);
   }
   return holds(part, neck, mesh) ? neck : std::vector<sim::Index>();
 }

@@ -3,31 +3,17 @@
 #include "app/base/words.hpp"
 #include "app/models/hanging/hanger.hpp"
 #include "app/models/hanging/placement.hpp"
+#include "app/models/hanging/tuning.hpp"
 
 namespace taut::app {
-namespace {
 
-// Fractions of a part's height, or of its size where stated. This one is the height of the pinned band.
-constexpr double band_height = 0.03;
-constexpr double flat_thickness = 0.02;  ///< largest thickness of a flat part, of the size
-/// Reach of shoulders to each side of the centre of mass, as a fraction of the width.
-constexpr double shoulders_reach = 0.25;
-/// Smallest length of a hanger that is chosen, as a fraction of the largest: necklines slip over shorter ones.
-constexpr double min_hanger_length = 0.65;
-/// Widest neckline, as a fraction of the hanger that is chosen. A wider one slides over its ends, and the garment
-/// falls.
-constexpr double max_hanger_neckline = 0.6;
-/// Smallest height of a neckline between straps, from its lowest to its highest point.
-constexpr double deep_neckline = 0.1;
-/// Smallest height, and width as a fraction of the part's, of a border that goes around the arms too, as in dungarees.
-constexpr double deep_apron = 0.2;
-constexpr double around_arms = 0.5;
-// Number of parts that `describe` lists one by one.
-constexpr std::size_t max_lines = 12;
+using namespace hanging;
+
+namespace {
 
 std::vector<sim::Index> vertices_from(const sim::Mesh& mesh, const GarmentPart& part, int axis, double direction) {
   const double end = direction > 0.0 ? part.range.upper[axis] : part.range.lower[axis];
-  const double reach = band_height * part.range.size()[axis];
+  const double reach = pinned_band_fraction * part.range.size()[axis];
   std::vector<sim::Index> vertices;
   for (const sim::Index v : part.vertices) {
     if (direction * (end - mesh.positions[v][axis]) <= reach) vertices.push_back(v);
@@ -50,7 +36,7 @@ std::vector<sim::Index> find_tops(const sim::Mesh& mesh, const GarmentPart& part
       }
     }
     if (half.vertices.empty()) return {};
-    const double reach_down_m = band_height * part.range.size().y;
+    const double reach_down_m = pinned_band_fraction * part.range.size().y;
     for (const sim::Index v : half.vertices) {
       if (half.range.upper.y - mesh.positions[v].y <= reach_down_m) top_vertices.push_back(v);
     }
@@ -65,14 +51,15 @@ bool reach_up(const sim::Mesh& mesh, const GarmentPart& part, const std::vector<
     const bool is_right = mesh.positions[v][part.across()] > part.centre_m[part.across()];
     max_height_m[is_right ? 1 : 0] = std::max(max_height_m[is_right ? 1 : 0], mesh.positions[v].y);
   }
-  return std::min(max_height_m[0], max_height_m[1]) >= top_m - deep_neckline * part.range.size().y;
+  return std::min(max_height_m[0], max_height_m[1]) >= top_m - min_strap_neckline_depth * part.range.size().y;
 }
 
 /// Returns the tops of straps if the opening at the top is their border, else none.
 std::vector<sim::Index> straps(const sim::Mesh& mesh, const GarmentPart& part, const Opening& top) {
   const double depth = top.range.size().y / part.range.size().y;
-  const bool is_apron = depth >= deep_apron && top.range.size()[part.across()] >= around_arms * part.width_m();
-  const bool is_neckline = depth >= deep_neckline && reach_up(mesh, part, pair_of_openings(part), top.range.upper.y);
+  const bool is_apron = depth >= min_apron_depth && top.range.size()[part.across()] >= min_apron_width * part.width_m();
+  const bool is_neckline =
+      depth >= min_strap_neckline_depth && reach_up(mesh, part, pair_of_openings(part), top.range.upper.y);
   return is_apron || is_neckline ? find_tops(mesh, part, part.vertices, part.width_m()) : std::vector<sim::Index>();
 }
 
@@ -83,7 +70,7 @@ std::vector<sim::Index> find_flat_pins(const sim::Mesh& mesh, const GarmentPart&
     return opening->vertices;
   }
   hung.by = HungBy::back_edge;
-  const bool is_a_ribbon = part.range.size().z <= flat_thickness * part.size_m();
+  const bool is_a_ribbon = part.range.size().z <= max_flat_part_thickness * part.size_m();
   return vertices_from(mesh, part, is_a_ribbon ? 0 : 2, -1.0);
 }
 
@@ -109,7 +96,7 @@ std::vector<sim::Index> find_upright_pins(const sim::Mesh& mesh, const GarmentPa
     hung.by = HungBy::straps;
     return find_tops(mesh, part, pair, part.width_m());
   }
-  const double shoulders_m = shoulders_reach * part.width_m();
+  const double shoulders_m = max_pinned_shoulder_offset * part.width_m();
   if (std::vector<sim::Index> both = find_tops(mesh, part, part.vertices, shoulders_m); !both.empty()) {
     hung.by = HungBy::shoulders;
     return both;
@@ -123,8 +110,8 @@ HungPart hang_part(const sim::Mesh& mesh, const GarmentPart& part, std::vector<s
   hung.vertices = part.vertices.size();
   hung.area_m2 = part.area_m2;
   hung.closed = part.openings.empty();
-  hung.flat = std::min({size.x, size.y, size.z}) <= flat_thickness * part.size_m();
-  const bool is_lying = size.y <= flat_thickness * part.size_m();
+  hung.flat = std::min({size.x, size.y, size.z}) <= max_flat_part_thickness * part.size_m();
+  const bool is_lying = size.y <= max_flat_part_thickness * part.size_m();
   const std::vector<sim::Index> pinned_vertices =
       is_lying ? find_flat_pins(mesh, part, hung) : find_upright_pins(mesh, part, hung);
   hung.pins = pinned_vertices.size();
@@ -143,15 +130,6 @@ const char* hanging_name(HungBy by) {
   return ways[static_cast<std::size_t>(by)];
 }
 
-constexpr int frames = 60;  // count of frames of 1/60 s
-/// Largest ratio of the sagging of the better way up to the sagging of the other.
-constexpr double max_sagging_ratio = 0.7;
-/// Largest thickness of a flat pattern, as a fraction of its length.
-constexpr double flat_part = 0.001;
-/// Height of the middle of its area above which cloth that lay flat has its wider end at the top, as a fraction.
-constexpr double middle_height = 0.52;
-constexpr double max_narrowing = 0.65;  ///< ratio of widths a twelfth of the height apart, from sleeves to the trunk
-
 /// Returns how much the cloth sags when it hangs with this axis up: the mean distance by which it moves, divided by the
 /// square of its height along this axis. Without the height cloth that lies would win, as it hardly moves. Empty if it
 /// cannot be hung.
@@ -164,7 +142,7 @@ std::optional<double> sagging_when_hung(const sim::Mesh& model_m, ModelAxis up) 
   settings.solver.method = sim::BoundedSettings{.contact = false};
   try {
     sim::Simulation simulation(sim::share(sim::make_garment(std::move(mesh), {})), std::move(pins), settings, {});
-    for (int frame = 0; frame < frames; ++frame) simulation.advance_frame();
+    for (int frame = 0; frame < trial_frames; ++frame) simulation.advance_frame();
     const std::vector<double>& masses_kg = simulation.garment().masses_kg;
     double sum_kg_m = 0.0, all_kg = 0.0;
     for (std::size_t v = 0; v < start_m.size(); ++v) {
@@ -180,14 +158,13 @@ std::optional<double> sagging_when_hung(const sim::Mesh& model_m, ModelAxis up) 
 
 /// Returns the widths of flat cloth at even levels, from its lower end.
 std::vector<double> measure_widths(const sim::Mesh& mesh) {
-  constexpr int level_count_of_flat = 12;
   const sim::Extent box = sim::compute_extent(mesh.positions);
-  std::vector<sim::Extent> at_level(level_count_of_flat);
+  std::vector<sim::Extent> at_level(flat_levels);
   for (const sim::Triangle& t : mesh.triangles) {
     for (const sim::Index v : t) {
       const double height = (mesh.positions[v].y - box.lower.y) / box.size().y;
-      at_level[std::min<std::size_t>(level_count_of_flat - 1, static_cast<std::size_t>(level_count_of_flat * height))]
-          .add(mesh.positions[v]);
+      at_level[std::min<std::size_t>(flat_levels - 1, static_cast<std::size_t>(flat_levels * height))].add(
+          mesh.positions[v]);
     }
   }
   return collect<double>(at_level, [](const sim::Extent& level) { return std::max(0.0, level.size().x); });
@@ -210,7 +187,7 @@ bool is_upside_down(const sim::Mesh& mesh) {
     all += area;
   }
   const sim::Extent box = sim::compute_extent(mesh.positions);
-  return moment / all > box.lower.y + middle_height * box.size().y;
+  return moment / all > box.lower.y + max_middle_height * box.size().y;
 }
 
 }  // namespace
@@ -230,7 +207,7 @@ Hanging hang_as_in_a_shop(const sim::Mesh& mesh, const sim::Adjacency& adjacency
   if (largest->by != HungBy::shoulders && largest->by != HungBy::neck) return hanging;
   const std::vector<GarmentPart> parts = find_garment_parts(mesh, adjacency);
   const GarmentPart& part = parts[static_cast<std::size_t>(largest - hanging.parts.begin())];
-  hanging.hanger = hanger_for(mesh, part, min_hanger_length, max_hanger_neckline);
+  hanging.hanger = hanger_for(mesh, part, min_chosen_bar_ratio, max_chosen_neckline_ratio);
   if (!hanging.hanger.empty()) {
     largest->by = HungBy::hanger;
     largest->pins = 0;
@@ -246,14 +223,15 @@ std::vector<std::string> describe(const Hanging& hanging) {
     const HungPart& part = hanging.parts[p];
     closed += part.closed;
     flat += part.flat;
-    if (p < max_lines) {
+    if (p < max_described_parts) {
       lines.push_back(fmt::format("part {} of {}: {}, {}, {}", p + 1, hanging.parts.size(),
                                   count_text(part.vertices, "vertex", "vertices"), hanging_name(part.by),
                                   count_text(part.pins, "pin")));
     }
   }
-  if (hanging.parts.size() > max_lines) {
-    lines.push_back(fmt::format("and {} more, held likewise", count_text(hanging.parts.size() - max_lines, "part")));
+  if (hanging.parts.size() > max_described_parts) {
+    lines.push_back(
+        fmt::format("and {} more, held likewise", count_text(hanging.parts.size() - max_described_parts, "part")));
   }
   if (closed > 0) {
     lines.push_back(
@@ -277,7 +255,7 @@ std::optional<ModelAxis> up_by_hanging(const sim::Mesh& model_m) {
   const bool is_z = *z < max_sagging_ratio * *y;
   if (!is_z && *y >= max_sagging_ratio * *z) return std::nullopt;
   const sim::Vec3 size = sim::compute_extent(model_m.positions).size();
-  if (is_z && size.y < flat_part * size.z) {
+  if (is_z && size.y < max_pattern_thickness * size.z) {
     return is_upside_down(upright(model_m, ModelAxis::z)) ? ModelAxis::minus_z : ModelAxis::z;
   }
   return better_way_up(model_m, sim::make_adjacency(model_m), is_z ? ModelAxis::z : ModelAxis::y);

@@ -3,14 +3,14 @@
 #include "app/base/errors.hpp"
 #include "app/base/files.hpp"
 #include "app/base/words.hpp"
+#include "app/models/hanging/tuning.hpp"
 #include "app/scene/scene_format.hpp"
 
 namespace taut::app {
-namespace {
 
-// Distance within which points are the same. Files have about six digits, so that equal points may differ in the last
-// one. A larger value could take a neighbouring vertex, which is millimetres away.
-constexpr double same_point_m = 1e-5;
+using namespace hanging;
+
+namespace {
 
 /// Keys of the file beside a garment.
 std::vector<Key<GarmentFacts>> keys_of_facts(bool has_scale) {
@@ -48,7 +48,7 @@ sim::Index vertex_at(const std::string& name, const toml::node& value, const sim
                      const LandmarkSearch& search) {
   const sim::Vec3 scaled = search.placement(point);
   const auto [vertex, distance_m] = nearest_vertex(search.positions, scaled);
-  if (!(distance_m <= same_point_m)) {
+  if (!(distance_m <= max_landmark_distance_m)) {
     fail(search.source, line_number(value),
          fmt::format("landmark {}: the garment has no vertex at {} m; the nearest is {:.3g} m away", name,
                      describe_point(scaled), distance_m));
@@ -86,9 +86,6 @@ void collect(const toml::table& table, const LandmarkSearch& search, Landmarks& 
   }
 }
 
-// Height of "top-band" as a fraction of the garment's height.
-constexpr double top_band_fraction = 0.03;
-
 Landmarks grid_parts(const sim::GridSettings& grid) {
   const sim::Index columns = grid.columns;
   const sim::Index last_row = (grid.rows - 1) * columns;
@@ -105,7 +102,7 @@ Landmarks grid_parts(const sim::GridSettings& grid) {
 std::vector<sim::Index> top_band(const sim::Mesh& mesh) {
   const auto by_height = [](const sim::Vec3& a, const sim::Vec3& b) { return a.y < b.y; };
   const auto [lowest, highest] = std::ranges::minmax_element(mesh.positions, by_height);
-  const double limit_m = highest->y - top_band_fraction * (highest->y - lowest->y);
+  const double limit_m = highest->y - pinned_band_fraction * (highest->y - lowest->y);
   std::vector<sim::Index> band;
   for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
     if (mesh.positions[v].y >= limit_m) band.push_back(static_cast<sim::Index>(v));

@@ -5,76 +5,23 @@
 #include "app/garments/fitting/following.hpp"
 #include "app/models/hanging/garment_measures.hpp"
 #include "app/models/hanging/hanging.hpp"
+#include "app/models/hanging/tuning.hpp"
 #include "sim/mesh/welding.hpp"
 
 namespace taut::app {
+
+using namespace hanging;
+
 namespace {
 
-// Range of sizes that a guessed unit may give.
-constexpr double min_garment_m = 0.1;
-constexpr double max_garment_m = 2.5;
 /// Fraction of files without a unit that are in each of the units.
 constexpr std::array<double, units.size()> unit_shares = {0.40, 0.30, 0.12, 0.07, 0.08, 0.03};
-/// Fraction of files with garments side by side, of which only the largest part has a person's size.
-constexpr double side_by_side = 0.3;
-/// Likelihood below which a second reading is not said, as a fraction of the first's.
-constexpr double min_second_likelihood = 0.1;
-/// Smallest fraction of the area of a part whose openings tell what the garment is: one of a pair of socks.
-constexpr double min_telling_area = 0.4;
 
 /// Lengths of garments of grown-ups.
 struct UsualLength {
   double median_m;
   double spread;  ///< standard deviation of the length's logarithm
 };
-constexpr UsualLength usual_size = {0.85, 0.38};
-constexpr UsualLength usual_waist = {0.72, 0.4};  ///< girth of the narrower opening of skirts and ponchos
-constexpr UsualLength usual_cuff = {0.36, 0.3};   ///< girth of the narrowest opening of shirts, dresses and trousers
-/// Square root of the area of hats, socks and gloves, which tells more than their size.
-constexpr UsualLength usual_bag = {0.34, 0.28};
-
-// Largest height of a level opening, as a fraction of its width, or of the height of a bag.
-constexpr double level_opening = 0.4;
-// Areas over the square of the opening's length: largest of a hat, smallest of a sock.
-constexpr double max_hat_area = 0.7;
-constexpr double min_sock_area = 1.0;
-// Range of sizes, from a glove to a tent, with which the file's own unit is accepted.
-constexpr double min_believed_m = 0.02;
-constexpr double max_believed_m = 20.0;
-// Smallest ratio of the lengths along z and along y for z to be up. Skirts can be wide, so that 1 is too small.
-constexpr double clearly_longer = 2.0;
-// Fractions. Smallest fraction of the area that openings at the top have to carry for an axis to be up.
-constexpr double min_carried_area_fraction = 0.5;
-// Smallest excess, over another axis, of the fraction of levels that the cloth goes all around.
-constexpr double min_around_excess = 0.3;
-// Smallest difference of the depths of view from above and from below for a model to stand on its head, as a fraction
-// of its height; then the same although y is up, as in most files.
-constexpr double head_below = 0.01;
-constexpr double upside_down = 0.03;
-// Largest height of a model that lies on its back, as a fraction of its size.
-constexpr double lying_height = 0.1;
-// Smallest length of a section that goes around, in longer sides of its box. Cloth that only goes along it is shorter.
-constexpr double min_around_length_ratio = 1.5;
-// Smallest excess of levels with two legs in the lower half over the upper half, of 11 levels.
-constexpr int clearly_legs = 3;
-constexpr int level_count = 11;
-// Largest reach of a leg over the middle between both, as a fraction of its width.
-constexpr double max_share_over_middle = 0.25;
-// Smallest height of trousers, as a fraction of their larger size across.
-constexpr double min_leg_share = 0.7;
-// Smallest distance of a sock's centre from the line through its opening, as a fraction of its size.
-constexpr double min_bend = 0.05;
-// Largest distance of a neck, a waist or a hem from the middle, as a fraction of the width.
-constexpr double in_the_middle = 0.15;
-// Smallest ratio of the lengths of a hem and of the opening above, and of their distance to the height.
-constexpr double min_hem_ratio = 1.05;
-constexpr double min_height_between = 0.25;
-// Largest ratio of the girths of a garment at its narrower and its wider end.
-constexpr double max_taper = 0.8;
-// Distance from the origin beyond which the model is moved, as a multiple of its size. There single precision is worse
-// than 0.1 mm on a garment.
-constexpr double max_origin_distance_ratio = 1000.0;
-
 sim::Extent extent_of_triangles(const sim::Mesh& mesh) {
   sim::Extent extent;
   for (const sim::Triangle& t : mesh.triangles) {
@@ -105,7 +52,7 @@ const Opening* bag_opening(const GarmentPart& part, int& axis) {
   const sim::Vec3 size = part.range.size();
   const sim::Vec3 share = openings[0]->range.size() / glm::max(size, sim::Vec3(std::numeric_limits<double>::min()));
   axis = share.x < std::min(share.y, share.z) ? 0 : share.y <= share.z ? 1 : 2;
-  return share[axis] < level_opening && size[axis] > 0.0 ? openings[0] : nullptr;
+  return share[axis] < max_level_steepness && size[axis] > 0.0 ? openings[0] : nullptr;
 }
 
 /// Returns the length of a tape around an opening, whose border may be jagged.
@@ -131,11 +78,12 @@ class PersonalSize {
     int axis = 0;
     if (bag_opening(part, axis) != nullptr) {
       sizes_.fill(std::sqrt(part.area_m2));
-      usual_ = usual_bag;
+      usual_ = UsualLength{median_bag_m, bag_spread};
     } else if (openings.size() >= 2) {
       narrowest_ = std::numeric_limits<double>::infinity();
       for (const Opening* opening : openings) narrowest_ = std::min(narrowest_, girth(*opening));
-      usual_narrowest_ = openings.size() == 2 ? usual_waist : usual_cuff;
+      usual_narrowest_ =
+          openings.size() == 2 ? UsualLength{median_waist_m, waist_spread} : UsualLength{median_cuff_m, cuff_spread};
     }
   }
 
@@ -146,16 +94,16 @@ class PersonalSize {
       return -0.5 * away * away;
     };
     return std::log(unit_shares[unit]) + (narrowest_ > 0.0 ? of(narrowest_, usual_narrowest_) : 0.0) +
-           std::max(of(sizes_[0], usual_), std::log(side_by_side) + of(sizes_[1], usual_));
+           std::max(of(sizes_[0], usual_), std::log(side_by_side_fraction) + of(sizes_[1], usual_));
   }
 
   double part_size = 0.0;  ///< size of the part with the largest area
 
  private:
   std::array<double, 2> sizes_;  ///< size of the model, and of that part
-  UsualLength usual_ = usual_size;
+  UsualLength usual_ = UsualLength{median_size_m, size_spread};
   double narrowest_ = 0.0;  ///< girth of its narrowest opening; 0 if it tells nothing
-  UsualLength usual_narrowest_ = usual_cuff;
+  UsualLength usual_narrowest_ = UsualLength{median_cuff_m, cuff_spread};
 };
 
 /// Chooses the unit. Returns the size of the garment's largest part, in the file's unit.
@@ -221,7 +169,7 @@ void choose_up(const sim::Vec3& size, const PlacementHints& hints, Placement& pl
     guess(*hints.up_by_openings, " from where its openings are");
   } else if (hints.up_by_hanging && *hints.up_by_hanging != ModelAxis::y) {
     guess(*hints.up_by_hanging, ": hung that way it is higher and its cloth moves less");
-  } else if (!hints.up_by_openings && !hints.up_by_hanging && size.z > clearly_longer * size.y) {
+  } else if (!hints.up_by_openings && !hints.up_by_hanging && size.z > min_z_ratio * size.y) {
     guess(ModelAxis::z, fmt::format(": it measures {:.3g} along z, {:.3g} along y", size.z * placement.scale,
                                     size.y * placement.scale));
   }
@@ -277,7 +225,7 @@ sim::Extent section_range(const LevelCut& section) {
 /// Returns whether the section goes all around its middle. It is scaled to equal width and depth, so that a section
 /// that is pressed flat counts too.
 bool goes_around(const LevelCut& section) {
-  constexpr int directions = 64, max_slit_width = 6;
+  constexpr int directions = 64;
   std::array<bool, directions> is_met{};
   const sim::Extent box = section_range(section);
   const sim::Vec3 middle = box.middle(), size = box.size();
@@ -296,7 +244,7 @@ bool goes_around(const LevelCut& section) {
       is_met[static_cast<std::size_t>(std::floor(at) + directions) % directions] = true;
     }
   }
-  return std::ranges::count(is_met, false) <= max_slit_width;
+  return std::ranges::count(is_met, false) <= max_slit_directions;
 }
 
 /// Returns whether the curves go around both halves, as around legs. Halves are apart if no curve belongs to both.
@@ -308,7 +256,7 @@ bool goes_around_halves(const std::vector<LevelCut>& curves, bool are_apart) {
   for (const LevelCut& curve : curves) {
     const sim::Extent range = section_range(curve);
     const double over = std::min(middle - range.lower[across], range.upper[across] - middle);
-    if (are_apart && over > max_share_over_middle * range.size()[across]) return false;
+    if (are_apart && over > max_leg_overlap * range.size()[across]) return false;
     for (const auto& ends : curve) {
       const double at = are_apart ? range.middle()[across] : ends[0][across];
       halves[at > middle ? 1 : 0].push_back(ends);
@@ -318,18 +266,18 @@ bool goes_around_halves(const std::vector<LevelCut>& curves, bool are_apart) {
 }
 
 /// Returns whether the model lies like a flat garment, whose outline says nothing of the levels that go around.
-bool is_lying(const sim::Vec3& size) { return size.y <= lying_height * std::max(size.x, size.z); }
+bool is_lying(const sim::Vec3& size) { return size.y <= max_lying_height * std::max(size.x, size.z); }
 
 /// Returns the fraction of the levels in the middle half of the height that the cloth goes all around. It shows how a
 /// thick garment with closed borders stands, and an open one too.
 double share_around(const sim::Mesh& mesh) {
   const sim::Extent box = sim::compute_extent(mesh.positions);
   int around = 0;
-  for (int k = 0; k < level_count && !is_lying(box.size()); ++k) {
-    const std::vector<LevelCut> curves = curves_at(mesh, 0.25 + 0.5 * (k + 0.5) / level_count);
+  for (int k = 0; k < section_levels && !is_lying(box.size()); ++k) {
+    const std::vector<LevelCut> curves = curves_at(mesh, 0.25 + 0.5 * (k + 0.5) / section_levels);
     around += goes_around(joined_up(curves)) || goes_around_halves(curves, false);
   }
-  return static_cast<double>(around) / level_count;
+  return static_cast<double>(around) / section_levels;
 }
 
 /// Returns the number of levels with two legs in the lower half, minus their number in the upper half.
@@ -337,9 +285,9 @@ int legs_below(const sim::Mesh& mesh) {
   const sim::Extent box = sim::compute_extent(mesh.positions);
   const sim::Vec3 size = box.size();
   int below = 0;
-  for (int k = 0; k < level_count && size.y >= min_leg_share * std::max(size.x, size.z); ++k) {
-    const int side = 2 * k + 1 < level_count ? 1 : 2 * k + 1 > level_count ? -1 : 0;
-    below += goes_around_halves(curves_at(mesh, (k + 0.5) / level_count), true) ? side : 0;
+  for (int k = 0; k < section_levels && size.y >= min_leg_height * std::max(size.x, size.z); ++k) {
+    const int side = 2 * k + 1 < section_levels ? 1 : 2 * k + 1 > section_levels ? -1 : 0;
+    below += goes_around_halves(curves_at(mesh, (k + 0.5) / section_levels), true) ? side : 0;
   }
   return below;
 }
@@ -347,25 +295,25 @@ int legs_below(const sim::Mesh& mesh) {
 /// Returns how much deeper one sees into the model from below than from above, in the middle of its width and depth, as
 /// a fraction of its height. Shoulders and waists are at the top, hems below.
 double openness_below(const sim::Mesh& mesh) {
-  constexpr int across = 24;
   const sim::Extent box = sim::compute_extent(mesh.positions);
-  sim::Vec3 seen = 0.5 * box.size();
-  seen[box.size().z > box.size().x ? 0 : 2] *= 0.4;
-  const sim::Vec3 step = seen / static_cast<double>(across);
+  sim::Vec3 seen = seen_width * box.size();
+  seen[box.size().z > box.size().x ? 0 : 2] *= seen_depth;
+  const sim::Vec3 step = seen / static_cast<double>(views_across);
   const SurfaceTree tree(mesh.positions, mesh.triangles);
   double sum = 0.0;
-  for (int k = 0; k < across * across; ++k) {
-    const sim::Vec3 at = box.middle() - 0.5 * seen + step * sim::Vec3(k / across + 0.5, 0.0, k % across + 0.5);
+  for (int k = 0; k < views_across * views_across; ++k) {
+    const sim::Vec3 at =
+        box.middle() - 0.5 * seen + step * sim::Vec3(k / views_across + 0.5, 0.0, k % views_across + 0.5);
     for (const double up : {1.0, -1.0}) {
       const sim::Vec3 from(at.x, up > 0.0 ? box.lower.y : box.upper.y, at.z);
       const auto hit = tree.first_hit(from, {0.0, up, 0.0}, -box.size().y, 2.0 * box.size().y, accept_all);
       sum += up * (hit ? hit->distance_m : box.size().y);
     }
   }
-  return sum / (across * across * std::max(box.size().y, std::numeric_limits<double>::min()));
+  return sum / (views_across * views_across * std::max(box.size().y, std::numeric_limits<double>::min()));
 }
 
-bool has_legs(const sim::Mesh& mesh) { return std::abs(legs_below(mesh)) >= clearly_legs; }
+bool has_legs(const sim::Mesh& mesh) { return std::abs(legs_below(mesh)) >= min_leg_levels; }
 
 /// Returns the axis that is up for a hat, which is open below, or a sock, which is open above and bent.
 std::optional<ModelAxis> up_of_bag(const GarmentPart& part) {
@@ -376,7 +324,7 @@ std::optional<ModelAxis> up_of_bag(const GarmentPart& part) {
   sim::Vec3 aside = part.centre_m - opening->range.middle();
   aside[axis] = 0.0;
   const bool is_hat = area < max_hat_area;
-  const bool is_sock = area > min_sock_area && glm::length(aside) > min_bend * part.size_m();
+  const bool is_sock = area > min_sock_area && glm::length(aside) > min_sock_bend * part.size_m();
   if (!is_hat && !is_sock) return std::nullopt;
   const bool is_positive = (opening->range.middle()[axis] > part.range.middle()[axis]) == is_sock;
   return static_cast<ModelAxis>(2 * axis + (is_positive ? 0 : 1));
@@ -391,9 +339,9 @@ int upright_by_openings(const GarmentPart& part) {
   std::size_t legs = 0;
   const std::vector<const Opening*> openings = large_openings(part);
   for (const Opening* opening : openings) {
-    const bool is_level = opening->range.size().y <= level_opening * opening->range.size()[across];
+    const bool is_level = opening->range.size().y <= max_level_steepness * opening->range.size()[across];
     const double out_m = std::abs(opening->range.middle()[across] - part.range.middle()[across]);
-    if (out_m < in_the_middle * part.width_m()) {
+    if (out_m < max_middle_offset * part.width_m()) {
       if (!is_level) return 0;
       middle.push_back(opening);
     } else if (is_level) {
@@ -409,7 +357,7 @@ int upright_by_openings(const GarmentPart& part) {
   } else if (middle.size() == 1 && legs == 2) {
     above_m = middle[0]->mean_height_m - legs_m / 2.0;
   }
-  return std::abs(above_m) < min_height_between * part.range.size().y ? 0 : above_m > 0.0 ? 1 : -1;
+  return std::abs(above_m) < min_opening_distance * part.range.size().y ? 0 : above_m > 0.0 ? 1 : -1;
 }
 
 /// Returns the length of a tight tape around the cloth at a fraction of the height.
@@ -462,7 +410,8 @@ ModelAxis better_way_up(const sim::Mesh& mesh, const sim::Adjacency& adjacency, 
   int side = upright_by_openings(part);
   if (side == 0 && has_legs(stood)) side = legs_below(stood);
   const double openness = side == 0 ? openness_below(stood) : 0.0;
-  if (std::abs(openness) > (up == ModelAxis::y ? upside_down : head_below)) side = openness > 0.0 ? 1 : -1;
+  if (std::abs(openness) > (up == ModelAxis::y ? min_view_difference_of_y : min_view_difference))
+    side = openness > 0.0 ? 1 : -1;
   if (side == 0) side = narrower_end(stood);
   return side < 0 ? down : up;
 }

@@ -2,15 +2,14 @@
 
 #include "app/base/words.hpp"
 #include "app/garments/fitting/following.hpp"
+#include "app/models/mending/tuning.hpp"
 #include "sim/mesh/welding.hpp"
 
 namespace taut::app {
-namespace {
 
-// Largest fraction of the area that may lie beyond the bulk on each side of each axis.
-constexpr double outlying_area = 0.005;
-// Smallest distance of strays from the bulk, as a multiple of its size.
-constexpr double stray_distance = 0.25;
+using namespace mending;
+
+namespace {
 
 struct Patch {
   sim::Vec3 middle;
@@ -35,31 +34,12 @@ std::pair<double, double> bulk_along(int axis, const std::vector<Patch>& patches
     double sum = 0.0;
     for (auto place = first; place != last; ++place) {
       sum += place->second;
-      if (sum > outlying_area * area) return place->first;
+      if (sum > max_outlying_fraction * area) return place->first;
     }
     return first->first;
   };
   return {beyond(places.begin(), places.end()), beyond(places.rbegin(), places.rend())};
 }
-
-/// Smallest volume of a rigid part, as a fraction of the volume of a ball of the same area. Two walls of one cloth have
-/// less than 0.01, bodies 0.08 and more, thin stands 0.02.
-constexpr double min_compactness = 0.015;
-// Fractions of the square root of the part's area: largest length of the openings of a closed part, and of one with an
-// open end, such as a bust without a base. A hat's opening is longer; the opening of a sock or a glove is shorter.
-constexpr double max_holes_length = 0.3;
-constexpr double max_end_length = 1.3;
-/// Smallest fraction of a part with an open end that lies below cloth. Of a glove below a sleeve it is less.
-constexpr double min_below_cloth = 0.3;
-/// Largest distance of cloth from a part that lies below it, as a fraction of the part's size.
-constexpr double below_cloth = 0.12;
-// Fractions of the area of all parts: smallest area of cloth that is left, of a rigid part that lies on cloth, and of
-// one with an open end, as socks and gloves have.
-constexpr double min_cloth_left = 0.1;
-constexpr double min_rigid_on_cloth = 0.02;
-constexpr double min_rigid_with_end = 0.1;
-/// Largest number of vertices of a part whose distance from the cloth is looked for.
-constexpr std::size_t max_places = 1000;
 
 /// Returns whether the part encloses much space and has at most one opening that is no small hole.
 bool is_thick(const GarmentPart& part, double max_opening, const sim::Mesh& mesh) {
@@ -82,17 +62,14 @@ bool is_thick(const GarmentPart& part, double max_opening, const sim::Mesh& mesh
 
 /// Returns the fraction of the part's vertices that lie near the surface.
 double share_near(const GarmentPart& part, const SurfaceTree& surface, const sim::Mesh& mesh) {
-  const std::size_t step = 1 + part.vertices.size() / max_places;
+  const std::size_t step = 1 + part.vertices.size() / max_places_below_cloth;
   std::size_t near = 0, looked = 0;
   for (std::size_t k = 0; k < part.vertices.size(); k += step, ++looked) {
-    near += surface.find_nearest(mesh.positions[part.vertices[k]], below_cloth * part.size_m(), accept_all).has_value();
+    near += surface.find_nearest(mesh.positions[part.vertices[k]], max_below_cloth_distance * part.size_m(), accept_all)
+                .has_value();
   }
   return static_cast<double>(near) / static_cast<double>(looked);
 }
-
-// Limit of the sum of an open surface's normals along the directions from its middle, as a fraction of that sum if all
-// pointed away. Collars and cuffs that are turned down point inwards, so that the limit is far from -1.
-constexpr double faces_inwards = -0.5;
 
 /// Groups triangles that are connected across edges with two triangles. At other edges no sides correspond.
 sim::Groups find_surfaces(const sim::Mesh& mesh, const sim::Adjacency& adjacency) {
@@ -108,12 +85,6 @@ struct SurfaceFacing {
   double outwards = 0.0;  ///< sum over the triangles, 6 times the volume of a closed surface
   double all = 0.0;       ///< sum of the absolute values
 };
-
-constexpr double max_trim_share = 0.1;  ///< largest area of a trim, as a fraction of the area of all parts
-constexpr double farthest_m = 0.02;     ///< largest distance of a trim from the cloth that carries it
-constexpr std::size_t min_stitches = 3;
-/// Area for each further stitch, as a fraction of the area of all parts: a belt needs more stitches than a button.
-constexpr double area_of_stitch = 0.005;
 
 /// A vertex of a trim, and the triangle of cloth below it.
 struct StitchPlace {
@@ -180,7 +151,7 @@ Strays remove_strays(sim::Mesh& mesh) {
     std::tie(bulk.lower[axis], bulk.upper[axis]) = bulk_along(axis, patches, area);
   }
   const sim::Vec3 size = bulk.size();
-  const double reach = stray_distance * std::max({size.x, size.y, size.z});
+  const double reach = min_stray_distance * std::max({size.x, size.y, size.z});
   const sim::Extent near{bulk.lower - reach, bulk.upper + reach};
   std::vector<char> is_near(mesh.positions.size(), 0);
   sim::Groups pieces = sim::find_pieces(mesh);
@@ -222,15 +193,15 @@ RigidParts remove_rigid_parts(sim::Mesh& mesh) {
     cloth_area += part.area_m2;
     for (const sim::Index t : part.triangles) cloth.push_back(valid.mesh.triangles[t]);
   }
-  rigid.are_all = cloth_area < min_cloth_left * area;
+  rigid.are_all = cloth_area < min_cloth_area_fraction * area;
   if (thick.empty() || rigid.are_all) return rigid;
   const SurfaceTree tree(valid.mesh.positions, cloth);
   std::vector<char> is_rigid(valid.mesh.positions.size(), 0);
   for (const GarmentPart* part : thick) {
     const bool is_closed = is_thick(*part, max_holes_length, valid.mesh);
-    const bool is_small = part->area_m2 < (is_closed ? min_rigid_on_cloth : min_rigid_with_end) * area;
+    const bool is_small = part->area_m2 < (is_closed ? min_rigid_area_on_cloth : min_rigid_area_with_end) * area;
     const double near = share_near(*part, tree, valid.mesh);
-    if (is_closed ? is_small && near > 0.0 : is_small || near < min_below_cloth) continue;
+    if (is_closed ? is_small && near > 0.0 : is_small || near < min_below_cloth_fraction) continue;
     ++rigid.count;
     rigid.area_share += part->area_m2 / area;
     for (const sim::Index v : part->vertices) is_rigid[v] = 1;
@@ -264,7 +235,7 @@ std::size_t turn_outside_out(std::span<const GarmentPart> parts, const sim::Adja
       facing.outwards += outwards;
       facing.all += std::abs(outwards);
     }
-    const double limit = part.openings.empty() && facings.size() == 1 ? 0.0 : faces_inwards;
+    const double limit = part.openings.empty() && facings.size() == 1 ? 0.0 : min_outward_fraction;
     for (const sim::Index t : part.triangles) {
       const SurfaceFacing& facing = facings[surfaces.find(t)];
       if (facing.outwards < limit * facing.all) {
@@ -279,9 +250,9 @@ std::size_t turn_outside_out(std::span<const GarmentPart> parts, const sim::Adja
 std::size_t sew_on_trims(std::span<const GarmentPart> parts, double metres_per_unit, sim::Mesh& mesh) {
   double area = 0.0;
   for (const GarmentPart& part : parts) area += part.area_m2;
-  const auto is_trim = [&](const GarmentPart& part) { return part.area_m2 <= max_trim_share * area; };
+  const auto is_trim = [&](const GarmentPart& part) { return part.area_m2 <= max_trim_area_fraction * area; };
   if (std::ranges::none_of(parts, is_trim) || std::ranges::all_of(parts, is_trim)) return 0;
-  const double farthest = farthest_m / metres_per_unit;
+  const double farthest = max_trim_distance_m / metres_per_unit;
   std::vector<sim::Index> cloth;
   for (const GarmentPart& part : parts) {
     if (!is_trim(part)) cloth.insert(cloth.end(), part.triangles.begin(), part.triangles.end());
@@ -300,7 +271,7 @@ std::size_t sew_on_trims(std::span<const GarmentPart> parts, double metres_per_u
     }
     if (!places.empty()) {
       ++sewn_on;
-      const auto more = static_cast<std::size_t>(part.area_m2 / (area_of_stitch * area));
+      const auto more = static_cast<std::size_t>(part.area_m2 / (stitch_area_fraction * area));
       for (const StitchPlace& place : find_stitches(places, min_stitches + more, mesh)) {
         stitches.push_back(stitch_at(place, mesh));
       }

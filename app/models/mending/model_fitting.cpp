@@ -4,25 +4,19 @@
 #include "app/base/words.hpp"
 #include "app/garments/fitting/comparison.hpp"
 #include "app/garments/fitting/tuning.hpp"
+#include "app/models/mending/tuning.hpp"
 #include "sim/contact/crossing_pairs.hpp"
 #include "sim/mesh/welding.hpp"
 
 namespace taut::app {
+
+using namespace mending;
+
 namespace {
 
 using sim::Index;
 using sim::Vec2;
 using sim::Vec3;
-
-/// Edge length over thickness. The solver refuses cloth thicker than 0.42 of its edges
-/// (sim/solvers/bounded/promise.cpp).
-constexpr double edges_by_thickness = 3.0;
-/// Crossing pairs above which a model is not simulated itself. More begins runs that break their promise, less refuses
-/// models that move well where they do not cross.
-constexpr std::size_t max_model_crossings = 3000;
-
-/// Largest stretch of a model that follows, over the bound of the mesh. More moves it less, less smooths its folds.
-constexpr double stretch_by_bound = 2.0;
 
 /// Axes in which a triangle is laid flat (sim::TriangleAtRest): along its first edge, and across.
 struct FlatAxes {
@@ -55,7 +49,7 @@ FittingOutcome fit_model(const GarmentSource& source, double thickness_m, const 
   if (why.empty()) return outcome;
   FittingSettings settings;
   settings.max_triangles = static_cast<std::size_t>(source.max_triangles);
-  settings.min_edge_m = edges_by_thickness * thickness_m;
+  settings.min_edge_m = min_edge_thicknesses * thickness_m;
   for (const auto& fit : {fit_mesh, simplify_model}) {
     const bool is_first = outcome.refusal.empty();
     // A simplified mesh is worth it if it is smaller.
@@ -93,7 +87,7 @@ std::vector<Vec3> FollowingModel::shown_m(std::span<const Vec3> positions_m,
 FollowingModel follow_fitted(sim::Mesh model_m, const FittedModel& fitted, double bound) {
   FollowingModel following;
   following.bonds = bonds_of_model(model_m, fitted.is_simulated, fitted.mesh);
-  following.shape_limits = std::make_shared<const ShapeLimits>(model_m, stretch_by_bound * bound,
+  following.shape_limits = std::make_shared<const ShapeLimits>(model_m, following_stretch_ratio * bound,
                                                                find_rigid_parts(model_m, fitted.is_simulated));
   following.unfit_reason = fitted.why;
   following.carried_triangles = fitted.carried_triangles;

@@ -55,8 +55,8 @@ inline constexpr LimbParts arm_parts = {"arm", "forearm", "hand"}, leg_parts = {
 
 /// A limb in the pose in which the run begins.
 struct Limb {
-  std::vector<sim::Index> joints;       ///< from the trunk outwards
-  sim::Vec3 begin_m = {0.0, 0.0, 0.0};  ///< place of the first
+  std::vector<sim::Index> joints;       ///< joints in their order from the trunk outwards
+  sim::Vec3 begin_m = {0.0, 0.0, 0.0};  ///< position of the first joint
 };
 
 /// Returns a limb on the side of positive x, the left one, or on the other side. Empty if the body has fewer than two

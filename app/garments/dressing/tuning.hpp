@@ -170,7 +170,7 @@ inline constexpr double tight_triangle_fraction = 0.1;
 inline constexpr double girth_band_m = 0.04;
 /// Count of named tight places. More do not fit into a line of the picture.
 inline constexpr std::size_t max_tight_places = 3;
-/// Smallest stretch that is named. Less names what is hardly stretched.
+/// Smallest stretch that is named. Less names places that hardly stretch.
 inline constexpr double min_named_stretch = 0.005;
 
 }  // namespace taut::app::dressing

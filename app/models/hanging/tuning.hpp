@@ -2,8 +2,7 @@
 
 #include <cstddef>
 
-/// Numbers of hanging. "The height", "the width" and "the size" are those of a part, the width along the larger of both
-/// level axes.
+/// Tuned numbers of hanging. Height, width and size mean a part's; its width is the larger of both level extents.
 namespace taut::app::hanging {
 
 // Openings: borders of a part (garment_parts.cpp).
@@ -20,7 +19,8 @@ inline constexpr double min_top_opening_height = 0.6;
 inline constexpr double max_top_opening_steepness = 0.4;
 /// Largest distance, in widths, by which the centre of mass is beside pins that carry it. More hangs parts by one side.
 inline constexpr double max_off_balance_across = 0.05;
-/// The same towards front and back, where a garment leans and turns a little. More hangs hoods by their faces.
+/// Largest such distance towards front and back, where a garment leans and turns a little. More hangs hoods by their
+/// faces.
 inline constexpr double max_off_balance_in_depth = 0.25;
 /// Smallest width of an opening that carries a part, in widths. Less hangs garments by holes in a collar.
 inline constexpr double min_opening_width = 0.1;
@@ -53,7 +53,7 @@ inline constexpr std::size_t max_described_parts = 12;
 /// Largest distance of a landmark from its vertex, in m. Files have about six digits. More takes a neighbour for it.
 inline constexpr double max_landmark_distance_m = 1e-5;
 
-// Hoods (hanger.cpp). Fractions are those of a part's height.
+// Hoods (hanger.cpp). Fractions refer to a part's height.
 
 /// Count of levels at which the width of a part is measured. More takes longer, fewer miss necks.
 inline constexpr int hood_levels = 50;
@@ -92,7 +92,7 @@ inline constexpr double max_neckline_depth = 0.05;
 inline constexpr double bar_shortening = 0.93;
 /// Smallest length of a bar that the scene asks for, over the longest. Less hangs garments by their collars.
 inline constexpr double min_asked_bar_ratio = 0.5;
-/// The same of a bar that is chosen. Less lets necklines slip over them.
+/// Smallest length of a bar that is chosen, over the longest. Less lets necklines slip over them.
 inline constexpr double min_chosen_bar_ratio = 0.65;
 /// Widest neckline of a garment whose hanger is chosen. More lets it slide over the ends.
 inline constexpr double max_chosen_neckline_ratio = 0.6;
@@ -188,11 +188,11 @@ inline constexpr int max_slit_directions = 6;
 /// Smallest difference of the depths of view from above and below, as a fraction of the height. More leaves models on
 /// their heads, less turns others.
 inline constexpr double min_view_difference = 0.01;
-/// The same where y is up, as in most files.
+/// Smallest such difference where y is up, as in most files.
 inline constexpr double min_view_difference_of_y = 0.03;
-/// Fraction of the width in which the view goes.
+/// Width of the view from above and below, as a fraction of the model's. More sees sleeves, less only necklines.
 inline constexpr double seen_width = 0.5;
-/// The same of the depth, over that of the width.
+/// Depth of this view, as a fraction of the same fraction of the model's depth. More sees seams of fronts.
 inline constexpr double seen_depth = 0.4;
 /// Count of views along each axis. More takes longer, fewer miss straps.
 inline constexpr int views_across = 24;

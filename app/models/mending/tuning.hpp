@@ -2,7 +2,7 @@
 
 #include <cstddef>
 
-/// Numbers of mending. "The area" is that of all parts.
+/// Tuned numbers of mending. The area means that of the whole model.
 namespace taut::app::mending {
 
 // Strays: pieces far from the rest (mending.cpp).
@@ -20,7 +20,7 @@ inline constexpr double min_stray_distance = 0.25;
 inline constexpr double min_compactness = 0.015;
 /// Largest length of the openings of a closed part, over the square root of its area. More takes gloves for bodies.
 inline constexpr double max_holes_length = 0.3;
-/// The same of a part with an open end, such as a bust without a base. More takes hats for busts.
+/// Largest such length of a part with an open end, such as a bust without a base. More takes hats for busts.
 inline constexpr double max_end_length = 1.3;
 /// Smallest fraction of a part with an open end that lies below cloth. Less takes gloves below sleeves for busts.
 inline constexpr double min_below_cloth_fraction = 0.3;

@@ -27,5 +27,14 @@ TEST(PlaneGap, IsAlwaysTwiceTheError) {
   }
 }
 
+TEST(CollisionDistance, IsAFewThicknessesAndFallsToALittleMoreThanOneOfThickCloth) {
+  EXPECT_NEAR(collision_distance_m(0.18e-3F), 2.67e-3F, 1e-5F) << "cotton";
+  EXPECT_NEAR(collision_distance_m(0.66e-3F), 1.78e-3F, 1e-5F) << "denim";
+  EXPECT_EQ(collision_distance_m(1e-3F), collision_distance_per_thickness * 1e-3F) << "jersey";
+  for (const float t : {1e-5F, 1e-4F, 3e-4F, 1e-3F, 3e-3F}) {
+    EXPECT_GT(collision_distance_m(t), t + tuning::separation_fraction * t * 0.99F);
+  }
+}
+
 }  // namespace
 }  // namespace taut::sim::bounded

@@ -95,7 +95,7 @@ struct SinglePair {
   }
 
   void level(float thickness_m) {
-    const bool is_far = std::min(heights.apart, heights.apart_at_end) > touched_per_thickness * thickness_m;
+    const bool is_far = std::min(heights.apart, heights.apart_at_end) > collision_distance_m(thickness_m);
     if (is_far || !are_normals_known) return;
     const glm::vec3 first = near.first_count == 1 ? normals[0] : normals[0] + normals[1];
     const glm::vec3 second = near.first_count == 1 ? glm::cross(p[2] - p[1], p[3] - p[1]) : normals[2] + normals[3];

@@ -185,6 +185,13 @@ inline constexpr float over_projection_factor = 1.4F;
 /// Fraction of the missing thickness that is restored while regions last. Higher values throw layers apart; lower ones
 /// let a pile sink into itself.
 inline constexpr float separation_fraction = 0.2F;
+/// Speed at which vertices of folds leave their predicted motion, in m/s. Primitives of the thinnest cloth collide
+/// within the distance that it covers while regions last. Lower values let thin cloth bounce between planes for ever;
+/// higher ones cost time.
+inline constexpr double fold_speed_m_per_s = 0.72;
+/// Decrease of this distance per thickness. Lower values let cloth of a millimetre collide further away than it needs,
+/// which costs time.
+inline constexpr float less_per_thickness = 1.85F;
 /// Largest acceleration that planes between movable primitives stop, in gravities. Lower values leave crumpled cloth
 /// trembling; without a limit a storm blows cloth into itself beyond its bound.
 inline constexpr float max_stopped_gravities = 16.0F;

@@ -15,7 +15,10 @@ inline constexpr float max_off_chord_fraction = 0.02F;
 /// Tolerance of half-spaces: vertices further outside, in m, violate them.
 inline constexpr float tolerance_m = 2e-8F;
 /// Largest distance at which primitives collide, in thicknesses. Planes alone act on more distant ones.
-inline const float touched_per_thickness = 1.0F + tuning::separation_fraction;
+inline const float collision_distance_per_thickness = 1.0F + tuning::separation_fraction;
+/// Largest distance in m at which primitives of the thinnest cloth collide.
+inline const auto thinnest_collision_distance_m =
+    static_cast<float>(tuning::fold_speed_m_per_s / tuning::touching_regions_per_s);
 /// Smallest ratio of the distance along the normal to the shortest distance for which the normal is certain.
 inline constexpr float min_resolved_fraction = 0.9F;
 
@@ -26,6 +29,12 @@ struct PairExtent {
   float moved = 0.0F;        ///< largest motion of a corner while regions last
   float displaced = 0.0F;    ///< largest displacement of a vertex since the frame began
 };
+
+/// Returns the largest distance in m at which primitives collide.
+inline float collision_distance_m(float thickness_m) {
+  return std::max(collision_distance_per_thickness * thickness_m,
+                  thinnest_collision_distance_m - tuning::less_per_thickness * thickness_m);
+}
 
 /// Largest relative error of one operation in single precision.
 inline constexpr float unit_roundoff = 0x1p-24F;

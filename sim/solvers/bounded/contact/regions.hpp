@@ -96,7 +96,7 @@ class Regions {
   /// Returns the search radius around a vertex's predicted motion, in m, that finds every pair that could collide or
   /// that its trust region alone does not keep apart by the gap of planes.
   static float reach_m(float radius_m, float thickness_m, float error_m) {
-    return std::max(radius_m + planned_gap_m(thickness_m, error_m), 0.5F * touched_per_thickness * thickness_m);
+    return std::max(radius_m + planned_gap_m(thickness_m, error_m), 0.5F * collision_distance_m(thickness_m));
   }
 
   std::size_t pair_count() const { return pairs_.size(); }

@@ -46,7 +46,7 @@ void Regions::add_touch(const RegionPair& pair, const std::array<float, 4>& weig
 void Regions::make_touches(const RowMoves& rows) {
   touches_.clear();
   for (const RegionPair& pair : pairs_) {
-    if (std::min(pair.distance, span_at_end(pair).apart()) > touched_per_thickness * pair.contact.thickness_m) continue;
+    if (std::min(pair.distance, span_at_end(pair).apart()) > collision_distance_m(pair.contact.thickness_m)) continue;
     if (pair.contact.near.first_count < 3) {
       add_touch(pair, pair.weights, rows);
     } else {

@@ -27,7 +27,7 @@ TEST(PlaneGap, IsAlwaysTwiceTheError) {
   }
 }
 
-TEST(CollisionDistance, IsAFewThicknessesAndFallsToALittleMoreThanOneOfThickCloth) {
+TEST(CollisionDistance, IsLargerForThinnerClothAndAlwaysMoreThanTheThickness) {
   EXPECT_NEAR(collision_distance_m(0.18e-3F), 2.67e-3F, 1e-5F) << "cotton";
   EXPECT_NEAR(collision_distance_m(0.66e-3F), 1.78e-3F, 1e-5F) << "denim";
   EXPECT_EQ(collision_distance_m(1e-3F), collision_distance_per_thickness * 1e-3F) << "jersey";

@@ -26,18 +26,21 @@ void mark_shoulder_seams(const SewingPattern& pattern, double neck_m, double hal
     const bool is_short = polyline_length(pattern.line_of(first)) < max_shoulder_m;
     if (is_between && is_level && from.x * to.x >= 0.0 && (is_short || is_near_neck)) heights_m[s] = top_m;
   }
+  const double max_height_m = heights_m.empty() ? 0.0 : std::ranges::max(heights_m);
   for (std::size_t s = 0; s < heights_m.size(); ++s) {
-    const bool is_near_top = heights_m[s] >= std::ranges::max(heights_m) - near_top_m;
+    const bool is_near_top = heights_m[s] >= max_height_m - near_top_m;
     if (std::isfinite(heights_m[s]) && is_near_top) pieces.first_seams.push_back(s);
   }
 }
 
 /// Returns how far shoulder seams have to rise to lie above the shoulders of the thin body, which is narrower than they
 /// are. It is infinite if none of them is above it: they are level seams beside it.
-double rise_over(const SewingPattern& pattern, const CutPieces& pieces, double x_m, const std::vector<Vec3>& thin_m,
+double rise_over(const SewingPattern& pattern, const CutPieces& pieces, double x_m, const Wearer& wearer,
                  double half_width_m) {
   constexpr std::size_t steps = 8;
   double rise_m = -std::numeric_limits<double>::infinity();
+  if (pieces.first_seams.empty()) return rise_m;
+  const std::vector<Vec3> thin_m = placed_m(wearer.places, compute_thin_shape(*wearer.rig, wearer.pose));
   for (const std::size_t s : pieces.first_seams) {
     const PanelEdge& side = pattern.stitches[s].first;
     for (const sim::Vec2& point : evenly_along(pattern.line_of(side), steps)) {
@@ -101,8 +104,7 @@ Vec3 compute_shift(const SewingPattern& pattern, const Wearer& wearer, CutPieces
   const std::vector<ArmJoints> arms = find_arms(wearer.joints);
   const double half_width_m = arms.empty() ? 0.0 : std::abs(arms[0].shoulder_m.x - shift.x);
   mark_shoulder_seams(pattern, 0.5 * (measures.waist_m->y + measures.neck_m->y) - shift.y, half_width_m, pieces);
-  const std::vector<Vec3> thin_m = placed_m(wearer.places, compute_thin_shape(*wearer.rig, wearer.pose));
-  const double rise_m = rise_over(pattern, pieces, shift.x, thin_m, half_width_m);
+  const double rise_m = rise_over(pattern, pieces, shift.x, wearer, half_width_m);
   if (std::isfinite(rise_m)) {
     shift.y = above_shoulders_m + rise_m;
   } else {

@@ -174,9 +174,8 @@ std::vector<Vec2> read_edge(const JsonPlace& edge, const Vec2& from, const Vec2&
       {"quadratic", {1, 1}}, {"cubic", {2, 2}}, {"polyline", {1, max_curve_steps}}};
   const auto found = point_counts.find(type);
   if (found == point_counts.end()) curve.member("type").fail("\"quadratic\", \"cubic\", \"circle\" or \"polyline\"");
-  for (std::size_t k = 0; k < params.count(found->second.first, found->second.second, "points"); ++k) {
-    control.push_back(frame(params.item(k).point()));
-  }
+  const std::size_t count = params.count(found->second.first, found->second.second, "points");
+  for (std::size_t k = 0; k < count; ++k) control.push_back(frame(params.item(k).point()));
   control.push_back(to);
   return type == "polyline" ? control : bezier(control, tolerance);
 }

@@ -191,7 +191,7 @@ inline constexpr float separation_fraction = 0.2F;
 inline constexpr double fold_speed_m_per_s = 0.72;
 /// Decrease of this distance per thickness. Lower values let cloth of a millimetre collide further away than it needs,
 /// which costs time.
-inline constexpr float less_per_thickness = 1.85F;
+inline constexpr float decrease_per_thickness = 1.85F;
 /// Largest acceleration that planes between movable primitives stop, in gravities. Lower values leave crumpled cloth
 /// trembling; without a limit a storm blows cloth into itself beyond its bound.
 inline constexpr float max_stopped_gravities = 16.0F;

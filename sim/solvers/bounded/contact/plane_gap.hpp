@@ -33,7 +33,7 @@ struct PairExtent {
 /// Returns the largest distance in m at which primitives collide.
 inline float collision_distance_m(float thickness_m) {
   return std::max(collision_distance_per_thickness * thickness_m,
-                  thinnest_collision_distance_m - tuning::less_per_thickness * thickness_m);
+                  thinnest_collision_distance_m - tuning::decrease_per_thickness * thickness_m);
 }
 
 /// Largest relative error of one operation in single precision.

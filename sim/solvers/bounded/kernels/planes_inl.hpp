@@ -198,10 +198,10 @@ template <std::size_t first_count>
 HWY_INLINE Heights level(const Heights& heights, const Triple (&p)[4], const Triple (&moves)[4], const PairRows& rows,
                          const std::uint32_t* const (&at)[4], V thickness, V error) {
   const Floats f;
-  const V of_thin_cloth =
-      hn::Sub(hn::Set(f, thinnest_collision_distance_m), hn::Mul(hn::Set(f, tuning::less_per_thickness), thickness));
-  const V collide = hn::Max(hn::Mul(hn::Set(f, collision_distance_per_thickness), thickness), of_thin_cloth);
-  Mask may_touch = hn::Not(hn::Gt(hn::Min(heights.apart_at_end, heights.apart), collide));
+  const V of_thin_cloth = hn::Sub(hn::Set(f, thinnest_collision_distance_m),
+                                  hn::Mul(hn::Set(f, tuning::decrease_per_thickness), thickness));
+  const V collision_distance = hn::Max(hn::Mul(hn::Set(f, collision_distance_per_thickness), thickness), of_thin_cloth);
+  Mask may_touch = hn::Not(hn::Gt(hn::Min(heights.apart_at_end, heights.apart), collision_distance));
   if (hn::AllFalse(f, may_touch)) return heights;
   Triple normals[4];
   for (std::size_t k = 0; k < 4; ++k) {

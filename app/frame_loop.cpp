@@ -90,6 +90,8 @@ void run_simulation_first(const FrameStages& stages,
   std::exception_ptr simulating_failed;
   try {
     while (std::optional<FrameInWork> frame = stages.simulate()) frames.push_back(std::move(*frame));
+  } catch (const ModelOverstretched&) {
+    throw;
   } catch (const Interrupted&) {
     // The frames took long; drawing them does not. A second signal ends the program at once.
     forget_interruption();

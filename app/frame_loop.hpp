@@ -68,8 +68,8 @@ struct FrameStages {
 };
 
 /// Simulates all frames, passes them to `gathered`, then draws and writes them in order. If the simulation fails or is
-/// interrupted, the frames before are drawn and written, then its exception is thrown. Other stages throw as in
-/// run_overlapped.
+/// interrupted, the frames before are drawn and written, then its exception is thrown; none is for ModelOverstretched.
+/// Other stages throw as in run_overlapped.
 void run_simulation_first(const FrameStages& stages, const std::function<void(std::span<const FrameInWork>)>& gathered);
 
 /// Finishes all stages of a frame before it begins the next frame.

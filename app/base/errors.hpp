@@ -39,6 +39,11 @@ struct PromiseBroken : Formatted<std::runtime_error> {
   using Formatted::Formatted;
 };
 
+/// A model that follows the simulated cloth is stretched too much to be shown. The message says how much.
+struct ModelOverstretched : Formatted<std::runtime_error> {
+  using Formatted::Formatted;
+};
+
 /// SIGINT or SIGTERM asked the program to end. `signal` is its number.
 struct Interrupted : std::runtime_error {
   explicit Interrupted(int number) : std::runtime_error("interrupted"), signal(number) {}

@@ -169,8 +169,8 @@ bool can_gather(std::size_t frames, std::size_t vertices) {
 /// Runs a scene and draws its pictures.
 class Render {
  public:
-  Render(const RenderOptions& options, RenderJob job)
-      : options_(options), run_(options, job.scene, stdout), job_(std::move(job)), output_(job_) {}
+  Render(const RenderOptions& options, const RenderJob& job, const std::string& why_not_model)
+      : options_(options), run_(options, job.scene, stdout, why_not_model), job_(job), output_(job_) {}
 
   /// Returns the exit code.
   int go() {
@@ -274,7 +274,7 @@ class Render {
       fmt::print("wrote {}\n", options_.statistics.string());
     }
     fmt::print("{}{}", written, options_.verify ? run_.verifier.summary() + '\n' : "");
-    for (const std::string& line : {describe_crossings(summary), run_.following.describe()}) {
+    for (const std::string& line : {describe_crossings(summary), run_.describe_shown()}) {
       fmt::print("{}", line.empty() ? "" : line + '\n');
     }
     return judge_bound(run_.scene, summary);
@@ -282,7 +282,7 @@ class Render {
 
   const RenderOptions& options_;
   SceneRun run_;
-  RenderJob job_;
+  const RenderJob& job_;
   PictureOutput output_;
   std::optional<OffscreenRenderer> offscreen_;
   DrawnColours colours_;
@@ -293,6 +293,10 @@ class Render {
 
 }  // namespace
 
-int run(const RenderOptions& options) { return Render(options, make_render_job(options)).go(); }
+int run(const RenderOptions& options) {
+  const RenderJob job = make_render_job(options);
+  return run_showing_what_fits(
+      [&](const std::string& why_not_model) { return Render(options, job, why_not_model).go(); });
+}
 
 }  // namespace taut::app

@@ -20,8 +20,14 @@ std::filesystem::path folder_beside(const std::string& pattern, int frame) {
 
 }  // namespace
 
-SceneRun::SceneRun(const RunOptions& asked_options, DrawnScene asked, std::FILE* remarks_to)
-    : options(asked_options), remarks(remarks_to), scene(std::move(asked)), progress(scene.name) {
+SceneRun::SceneRun(const RunOptions& asked_options, DrawnScene asked, std::FILE* remarks_to,
+                   std::string why_model_is_not_shown)
+    : options(asked_options),
+      // An earlier run has printed them.
+      remarks(why_model_is_not_shown.empty() ? remarks_to : nullptr),
+      why_not_model(std::move(why_model_is_not_shown)),
+      scene(std::move(asked)),
+      progress(scene.name) {
   bodies = sew_and_load_bodies(scene, options.overrides, [this](const std::string& stage) { progress.begin(stage); });
   progress.hide();
   print_body_remarks(scene, bodies.remarks, remarks);
@@ -55,6 +61,7 @@ void SceneRun::load(const std::function<void()>& meanwhile) {
   print_body_remarks(scene, put_where_it_begins(loaded, scene, bodies), remarks);
   if (remarks != nullptr) print_remarks(scene, loaded, bodies.all, remarks);
   simulation.emplace(make_simulation(scene, loaded, bodies.all));
+  if (!why_not_model.empty()) show_simulated(loaded);
 }
 
 int SceneRun::begin() {
@@ -78,10 +85,11 @@ std::vector<FrameRecord> SceneRun::go(int last_frame, const std::string& pattern
       shapes->write(frame, shown_m);
     };
   }
-  if (loaded.following && (shapes || prints_messages)) {
+  if (loaded.following && (shapes || outputs.draw || prints_messages)) {
     outputs.show = [this](std::span<const sim::Vec3> positions_m) {
       std::vector<sim::Vec3> shown_m = loaded.shown_m(positions_m);
-      if (prints_messages) following.add(*loaded.following, shown_m);
+      following.add(*loaded.following, shown_m);
+      if (may_reject_model && (shapes || outputs.draw)) following.require_fit_to_show();
       return shown_m;
     };
   }
@@ -107,6 +115,22 @@ std::vector<FrameRecord> SceneRun::go(int last_frame, const std::string& pattern
     }
     throw;
   }
+}
+
+std::string SceneRun::describe_shown() const {
+  return why_not_model.empty() ? following.describe()
+                               : why_not_model + ": the simulated mesh is shown instead, in its colours";
+}
+
+int run_showing_what_fits(const std::function<int(const std::string& why_not_model)>& run) {
+  std::string reason;
+  try {
+    return run("");
+  } catch (const ModelOverstretched& error) {
+    reason = error.what();
+  }
+  fmt::print(stderr, "taut: {}: begins again and shows the simulated mesh\n", reason);
+  return run(reason);
 }
 
 void prepare_png(const std::filesystem::path& file) {

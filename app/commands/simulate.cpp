@@ -50,6 +50,7 @@ struct Running {
   const SimulateOptions& options;
   SceneRun& run;
   FrameRange range;  ///< frames that have lines
+  int& last_said;    ///< last frame with a line, also of an earlier run of the same frames; -1: none
   RunCheckpoint saved;
   int first_frame = saved.frame;
   bool sleep_is_said = false;
@@ -60,10 +61,12 @@ struct Running {
     saved.frame = record.frame;
     saved.summary.add(record);
     if (run.statistics) run.statistics->add(record);
-    if (options.json) fmt::print("{}", statistics_line(StatisticsFormat::json_lines, record));
+    const bool is_new = record.frame > last_said;
+    last_said = std::max(last_said, record.frame);
+    if (options.json && is_new) fmt::print("{}", statistics_line(StatisticsFormat::json_lines, record));
     if (run.prints_messages) {
       run.progress.hide();
-      if (range.contains(record.frame) && !(record.asleep && sleep_is_said)) {
+      if (range.contains(record.frame) && is_new && !(record.asleep && sleep_is_said)) {
         print_line(record);
         sleep_is_said = record.asleep;
       }
@@ -107,21 +110,19 @@ struct Running {
       fmt::print("{}", run.prints_messages ? "wrote " + options.statistics.string() + '\n' : "");
     }
     if (run.prints_messages) {
-      const std::string following = run.following.describe();
-      fmt::print("{}{}", following.empty() ? "" : following + '\n',
-                 options.verify ? run.verifier.summary() + '\n' : "");
+      const std::string shown = run.describe_shown();
+      fmt::print("{}{}", shown.empty() ? "" : shown + '\n', options.verify ? run.verifier.summary() + '\n' : "");
     }
     return judge_bound(run.scene, saved.summary);
   }
 };
 
-}  // namespace
-
-int run(const SimulateOptions& options) {
+int simulate(const SimulateOptions& options, const std::string& why_not_model, int& last_said) {
   SceneRun run(options, find_scene(options.scene, options.overrides),
                options.quiet  ? nullptr
                : options.json ? stderr
-                              : stdout);
+                              : stdout,
+               why_not_model);
   run.prints_messages = !options.quiet && !options.json;
   const FrameRange range = options.frames.empty()
                                ? FrameRange{1, run.scene.frames}
@@ -132,6 +133,8 @@ int run(const SimulateOptions& options) {
                              .frame_rate_hz = run.scene.simulation.frame_rate_hz,
                              .can_be_resumed = !options.checkpoint_file().empty(),
                              .look = run.scene.picture.cloth};
+  // Frames that an earlier run has written keep their faces.
+  run.may_reject_model = !exported.can_be_resumed;
   if (!options.resume.empty()) run.scene.files_read.push_back(options.resume);
   std::vector<std::filesystem::path> saved;
   if (!options.checkpoint_file().empty()) {
@@ -144,7 +147,7 @@ int run(const SimulateOptions& options) {
   run.require_outputs(exported, goes_on_in_place ? std::vector<std::filesystem::path>{} : saved, saved);
   run.load();
   run.progress.begin("frame 1");
-  Running running{options, run, range, begin(options, run)};
+  Running running{options, run, range, last_said, begin(options, run)};
   const int begun = running.first_frame;
   require_not_before_start(begun, range.last);
   const RunDescription description = {run.scene, run.simulation->garment(), run.simulation->pins().vertices.size(), "",
@@ -152,7 +155,7 @@ int run(const SimulateOptions& options) {
   // A run that was stopped before its first frame has written nothing to continue.
   const bool is_resumed = !options.resume.empty() && running.saved.summary.frames > 0;
   run.open_statistics(description, is_resumed ? std::optional(begun) : std::nullopt);
-  if (options.json) fmt::print("{}", statistics_header(StatisticsFormat::json_lines, description));
+  if (options.json && last_said < 0) fmt::print("{}", statistics_header(StatisticsFormat::json_lines, description));
   if (!options.shapes.empty()) {
     exported.frames.first = std::max(range.first, is_resumed ? start_frame(run.scene) : begun);
     exported.last_kept = is_resumed ? std::optional(begun) : std::nullopt;
@@ -170,6 +173,14 @@ int run(const SimulateOptions& options) {
     return running.stop();
   }
   return running.finish();
+}
+
+}  // namespace
+
+int run(const SimulateOptions& options) {
+  int last_said = -1;
+  return run_showing_what_fits(
+      [&](const std::string& why_not_model) { return simulate(options, why_not_model, last_said); });
 }
 
 }  // namespace taut::app

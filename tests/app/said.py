@@ -180,6 +180,52 @@ def names_what_crosses_at_the_start():
            'the pair that crosses at the start counts: ' + done.stderr + done.stdout)
 
 
+def ribbons():
+    """Returns an OBJ of two sheets that ribbons join. These are too narrow to be simulated, so that one sheet falls."""
+    places, faces = [], []
+
+    def grid(left, low, width, height, columns, rows):
+        first = len(places) + 1
+        places.extend((left + width * x / columns, low + height * y / rows)
+                      for y in range(rows + 1) for x in range(columns + 1))
+        faces.extend((first + y * (columns + 1) + x, first + y * (columns + 1) + x + 1,
+                      first + (y + 1) * (columns + 1) + x + 1, first + (y + 1) * (columns + 1) + x)
+                     for y in range(rows) for x in range(columns))
+
+    grid(-.2, 1.2, .4, .2, 20, 10)
+    grid(-.2, .85, .4, .3, 20, 15)
+    for ribbon in range(12):
+        grid(-.19 + .03 * ribbon, 1.15, .001, .05, 1, 20)
+    return ''.join('v %.4f %.4f 0\n' % place for place in places) + ''.join('f %d %d %d %d\n' % face for face in faces)
+
+
+def shows_what_is_simulated_if_the_model_tears():
+    (folder / 'ribbons.obj').write_text(ribbons())
+    keys = ['ribbons.obj', '--set', 'garment.mesh=fitted', '--set', 'garment.triangles=1500', '--set', 'garment.scale=1',
+            '--set', 'garment.up=y', '--set', 'pins.at=[210, 230]', '--frames', ':24']
+    reason = r'the model that follows is stretched by [\d.]+ % in the 99th percentile, more than 50 %'
+    alone = run('simulate', *keys)
+    expect('begins again' not in alone.stderr and 'the model that follows it is stretched' in alone.stdout, alone.stdout)
+    for command in (['simulate', '--quiet', '--export'], ['simulate', '--export'],
+                    ['render', '--resolution', '64,64', '--output', 'torn/{frame}.png', '--export']):
+        done = run(command[0], *keys, *command[1:], 'torn/{frame}.obj')
+        expect(re.search('^taut: %s: begins again' % reason, done.stderr, re.M), '%s: %s' % (command, done.stderr))
+        told = re.search('^%s: the simulated mesh is shown instead' % reason, done.stdout, re.M)
+        expect(bool(told) != ('--quiet' in command), '%s: %s' % (command, done.stdout))
+        expect(len(frame_lines(done.stdout)) == len(set(frame_lines(done.stdout))), 'lines are repeated: ' + done.stdout)
+        counts = {sum(line.startswith('v ') for line in (folder / ('torn/%d.obj' % frame)).read_text().splitlines())
+                  for frame in range(25)}
+        if command[0] == 'render':
+            expect(len(list((folder / 'torn').glob('*.png'))) == 25, 'not 25 pictures')
+        expect(len(counts) == 1 and counts != {ribbons().count('v ')}, '%s: counts of vertices: %s' % (command, counts))
+        shutil.rmtree(folder / 'torn')
+    lines = run('simulate', *keys, '--json', '--export', 'torn.pc2').stdout.splitlines()
+    frames = [json.loads(line)['frame'] for line in lines[1:-1]]
+    expect(frames == list(range(25)), 'frames as JSON: %s' % frames)
+    kept = run('simulate', *keys, '--checkpoint', 'torn.state', '--export', 'kept.pc2')
+    expect('the model that follows it is stretched' in kept.stdout, 'what can be resumed began again: ' + kept.stdout)
+
+
 def untold(said):
     """The options of a help text of which it says nothing, beside them or on the line below."""
     lines = said.splitlines()
@@ -206,7 +252,8 @@ shutil.rmtree(folder, ignore_errors=True)
 folder.mkdir(parents=True)
 for check in (says_sleep_once, prints_as_it_goes, keeps_quiet, says_both_stretches, speaks_json, exports,
               measures_processor_time, ends_where_a_frame_crosses,
-              names_what_crosses_at_the_start, names_the_scene_of_a_missing_garment, helps):
+              names_what_crosses_at_the_start, names_the_scene_of_a_missing_garment,
+              shows_what_is_simulated_if_the_model_tears, helps):
     before = expecting.failures
     try:
         check()

@@ -9,6 +9,7 @@
 #include "app/base/errors.hpp"
 #include "app/caches/frame_sink.hpp"
 #include "app/models/mending/model_fitting.hpp"
+#include "app/models/mending/tuning.hpp"
 #include "app/models/reading/file_mesh.hpp"
 #include "app/scene/scene_file.hpp"
 #include "garment_shapes.hpp"
@@ -55,6 +56,40 @@ struct ModelFitting : testing::Test {
     scene.garment.max_triangles = 1500;
     return scene;
   }
+
+  /// A sheet of 0.5 m that is fitted, of two materials. The texture coordinates are those of the drawing plane, turned,
+  /// and those of its right half are this far from those of the left.
+  Scene printed_sheet(double halves_apart) {
+    constexpr int columns = 10;
+    const sim::Mesh grid =
+        sim::make_grid({.columns = columns + 1, .rows = columns + 1, .width_m = 0.5, .height_m = 0.5});
+    std::ostringstream obj;
+    for (const Vec3& at : grid.positions) obj << "v " << at.x << ' ' << at.y << ' ' << at.z << '\n';
+    for (const double apart : {0.0, halves_apart}) {
+      for (const Vec3& at : grid.positions) {
+        obj << "vt " << print_cosine * at.x + print_sine * at.y + apart << ' '
+            << print_cosine * at.y - print_sine * at.x << '\n';
+      }
+    }
+    for (const bool is_right : {false, true}) {
+      obj << "usemtl " << (is_right ? "right" : "left") << '\n';
+      for (const sim::Triangle& t : grid.triangles) {
+        const auto [a, b, c] = sim::corner_positions(t, grid.positions);
+        if ((a.x + b.x + c.x > 0.0) != is_right) continue;
+        obj << 'f';
+        for (const sim::Index v : t) obj << ' ' << v + 1 << '/' << v + 1 + (is_right ? grid.positions.size() : 0);
+        obj << '\n';
+      }
+    }
+    Scene scene;
+    scene.garment.file = folder.write("sheet.obj", obj.str());
+    scene.garment.up = ModelAxis::y;
+    scene.garment.mesh = MeshChoice::fitted;
+    scene.garment.max_triangles = 400;
+    return scene;
+  }
+
+  static constexpr double print_cosine = 0.8, print_sine = 0.6;
 
   /// Triangles 2 m long and 0.1 micrometres wide. Fitting leaves no mesh of them.
   Scene slivers() {
@@ -158,29 +193,7 @@ TEST_F(ModelFitting, ANumberOfTheFileIsTheNearestVertexOfTheMesh) {
 }
 
 TEST_F(ModelFitting, ThreadsRunAlongTheModelsTextureCoordinates) {
-  std::ostringstream obj;
-  constexpr int columns = 10;
-  constexpr double cosine = 0.8, sine = 0.6;
-  for (int y = 0; y <= columns; ++y) {
-    for (int x = 0; x <= columns; ++x) {
-      const double at_x = 0.05 * x, at_y = 0.05 * y;
-      obj << "v " << at_x << ' ' << at_y << " 0\nvt " << cosine * at_x + sine * at_y << ' '
-          << cosine * at_y - sine * at_x << '\n';
-    }
-  }
-  for (int y = 0; y < columns; ++y) {
-    for (int x = 0; x < columns; ++x) {
-      const int a = y * (columns + 1) + x + 1, b = a + columns + 1;
-      obj << "f " << a << '/' << a << ' ' << a + 1 << '/' << a + 1 << ' ' << b + 1 << '/' << b + 1 << ' ' << b << '/'
-          << b << '\n';
-    }
-  }
-  Scene scene;
-  scene.garment.file = folder.write("sheet.obj", obj.str());
-  scene.garment.up = ModelAxis::y;
-  scene.garment.mesh = MeshChoice::fitted;
-  scene.garment.max_triangles = 400;
-  const LoadedGarment loaded = load_garment(scene);
+  const LoadedGarment loaded = load_garment(printed_sheet(0.0));
   const sim::Mesh& mesh = loaded.garment->mesh;
   ASSERT_EQ(loaded.garment->warps.size(), mesh.triangles.size());
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
@@ -188,8 +201,46 @@ TEST_F(ModelFitting, ThreadsRunAlongTheModelsTextureCoordinates) {
     const Vec3 along = glm::normalize(b - a);
     const Vec3 across = glm::cross(glm::normalize(glm::cross(b - a, c - a)), along);
     const Vec3 warp = loaded.garment->warps[t].x * along + loaded.garment->warps[t].y * across;
-    EXPECT_NEAR(std::abs(glm::dot(warp, Vec3(-sine, cosine, 0.0))), 1.0, 1e-6) << t;
+    EXPECT_NEAR(std::abs(glm::dot(warp, Vec3(-print_sine, print_cosine, 0.0))), 1.0, 1e-6) << t;
   }
+}
+
+TEST_F(ModelFitting, TheSimulatedMeshIsShownInTheModelsColours) {
+  constexpr double apart = 3.0;
+  LoadedGarment loaded = load_garment(printed_sheet(apart));
+  show_simulated(loaded);
+  const sim::Mesh& mesh = loaded.shown_mesh();
+  EXPECT_EQ(&mesh, &loaded.garment->mesh);
+  EXPECT_EQ(loaded.shown_m(mesh.positions), mesh.positions);
+  EXPECT_EQ(WrittenCloth(loaded).positions(mesh.positions), mesh.positions);
+  ASSERT_EQ(loaded.colours.corner_uv.size(), 3 * mesh.triangles.size());
+  ASSERT_EQ(loaded.colours.material_of_face.size(), mesh.triangles.size());
+  std::array<std::size_t, 2> triangles = {0, 0};
+  for (std::size_t corner = 0; corner < loaded.colours.corner_uv.size(); ++corner) {
+    const std::size_t t = corner / 3;
+    const Vec3& at = mesh.positions[mesh.triangles[t][corner % 3]];
+    const std::string& material = loaded.colours.materials[loaded.colours.material_of_face[t]].name;
+    const bool is_right = material == "right";
+    const double print_u = print_cosine * at.x + print_sine * at.y + (is_right ? apart : 0.0);
+    // Beyond the middle a triangle has the coordinates of its own piece's border.
+    EXPECT_NEAR(loaded.colours.corner_uv[corner].x, print_u, 0.05) << material << ' ' << t;
+    EXPECT_NEAR(loaded.colours.corner_uv[corner].y, print_cosine * at.y - print_sine * at.x, 0.05) << t;
+    ++triangles[is_right ? 1 : 0];
+  }
+  EXPECT_GT(std::min(triangles[0], triangles[1]), mesh.triangles.size());
+}
+
+TEST_F(ModelFitting, AModelThatIsStretchedTooMuchCannotBeShown) {
+  const LoadedGarment loaded = load_garment(printed_sheet(0.0));
+  const auto is_shown = [&](double stretch) {
+    std::vector<Vec3> shown_m = loaded.following->mesh.positions;
+    for (Vec3& place_m : shown_m) place_m *= 1.0 + stretch;
+    FollowingSummary summary;
+    summary.add(*loaded.following, shown_m);
+    return test::error_message<ModelOverstretched>([&] { summary.require_fit_to_show(); }).empty();
+  };
+  EXPECT_TRUE(is_shown(0.9 * mending::max_shown_stretch));
+  EXPECT_FALSE(is_shown(1.1 * mending::max_shown_stretch));
 }
 
 TEST_F(ModelFitting, SaysThatNoMeshIsLeft) {

@@ -213,7 +213,7 @@ TEST(Grip, MovesNoFasterThanAnArm) {
   EXPECT_EQ(moved_hand(hand, {0.05, 0, 0}, 0.01), sim::Vec3(0.05, 0, 0));
 }
 
-LoadedScene no_scene() { return {{}, DrawnScene(), {}, 0}; }
+LoadedScene no_scene(std::uint64_t generation = 1) { return {{}, DrawnScene(), {}, generation}; }
 
 SnapshotPtr make_snapshot(const std::shared_ptr<const LoadedScene>& loaded, std::uint64_t serial, int frame) {
   Snapshot snapshot;
@@ -250,7 +250,7 @@ TEST(Timeline, WhatWasBeforeAResetIsNotThePastOfWhatCameAfter) {
   EXPECT_EQ(timeline.of_frame(timeline.newest(), 41)->serial, 3U);
   EXPECT_EQ(timeline.of_frame(before, 40)->serial, 1U) << "a window that is one snapshot behind";
   EXPECT_EQ(timeline.with_serial(2)->serial, 2U);
-  timeline.add(make_snapshot(std::make_shared<const LoadedScene>(no_scene()), 4, 50));
+  timeline.add(make_snapshot(std::make_shared<const LoadedScene>(no_scene(2)), 4, 50));
   EXPECT_EQ(timeline.of_frame(timeline.newest(), 41)->serial, 4U);
 }
 

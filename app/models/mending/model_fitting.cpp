@@ -6,6 +6,7 @@
 #include "app/garments/fitting/tuning.hpp"
 #include "app/models/mending/tuning.hpp"
 #include "sim/contact/crossing_pairs.hpp"
+#include "sim/mesh/groups.hpp"
 #include "sim/mesh/welding.hpp"
 
 namespace taut::app {
@@ -28,6 +29,65 @@ struct FlatAxes {
     across = glm::cross(glm::normalize(normal), along);
   }
 };
+
+/// Returns, per triangle of the simulation mesh, the nearest triangle of the model.
+std::vector<Index> triangles_below(const sim::Mesh& simulated, const sim::Mesh& model) {
+  std::vector<Vec3> middles_m;
+  std::vector<Vec3> normals;
+  for (const sim::Triangle& t : simulated.triangles) {
+    const auto [a, b, c] = sim::corner_positions(t, simulated.positions);
+    middles_m.push_back((a + b + c) / 3.0);
+    normals.push_back(sim::unit_or_zero(glm::cross(b - a, c - a)));
+  }
+  return collect<Index>(bonds_to(middles_m, model, normals), [](const Bond& bond) { return bond.triangle; });
+}
+
+/// Returns the triangles in pieces, within which neighbours have the same coordinates at the vertices that they share.
+sim::Groups find_texture_pieces(const sim::Mesh& mesh, std::span<const glm::vec2> corner_uv) {
+  std::vector<std::tuple<Index, float, float, Index>> corners;  ///< vertex, coordinates, triangle
+  for (Index corner = 0; corner < corner_uv.size(); ++corner) {
+    const Index t = corner / 3;
+    corners.emplace_back(mesh.triangles[t][corner % 3], corner_uv[corner].x, corner_uv[corner].y, t);
+  }
+  std::ranges::sort(corners);
+  sim::Groups pieces(mesh.triangles.size());
+  for (std::size_t c = 1; c < corners.size(); ++c) {
+    const auto& [vertex, u, v, t] = corners[c];
+    const auto& [other_vertex, other_u, other_v, other] = corners[c - 1];
+    if (std::tuple(vertex, u, v) == std::tuple(other_vertex, other_u, other_v)) pieces.join(t, other);
+  }
+  return pieces;
+}
+
+/// Returns the coordinates of the model at the corners of the simulation mesh. Those of a triangle are of one piece,
+/// the one of the triangle `below` it.
+std::vector<glm::vec2> coordinates_below(const sim::Mesh& simulated, const sim::Mesh& model,
+                                         std::span<const glm::vec2> corner_uv, std::span<const Index> below) {
+  std::vector<glm::vec2> found(3 * simulated.triangles.size());
+  sim::Groups pieces = find_texture_pieces(model, corner_uv);
+  std::map<Index, std::pair<std::vector<Index>, std::vector<Index>>> by_piece;  ///< triangles: simulated, model's
+  for (Index t = 0; t < below.size(); ++t) by_piece[pieces.find(below[t])].first.push_back(t);
+  for (Index t = 0; t < model.triangles.size(); ++t) {
+    if (const auto piece = by_piece.find(pieces.find(t)); piece != by_piece.end()) piece->second.second.push_back(t);
+  }
+  sim::Mesh part{model.positions, {}, {}};
+  for (const auto& [piece, triangles] : by_piece) {
+    const auto& [of_simulated, of_model] = triangles;
+    part.triangles = collect<sim::Triangle>(of_model, [&](Index t) { return model.triangles[t]; });
+    std::vector<Vec3> corners_m;
+    for (const Index t : of_simulated) {
+      for (const Index v : simulated.triangles[t]) corners_m.push_back(simulated.positions[v]);
+    }
+    const std::vector<Bond> bonds = bonds_to(corners_m, part);
+    for (std::size_t c = 0; c < bonds.size(); ++c) {
+      const std::size_t first = 3 * std::size_t{of_model[bonds[c].triangle]};
+      glm::dvec2 uv(0.0);
+      for (std::size_t k = 0; k < 3; ++k) uv += bonds[c].weights[k] * glm::dvec2(corner_uv[first + k]);
+      found[3 * std::size_t{of_simulated[c / 3]} + c % 3] = uv;
+    }
+  }
+  return found;
+}
 
 }  // namespace
 
@@ -99,21 +159,13 @@ FollowingModel follow_fitted(sim::Mesh model_m, const FittedModel& fitted, doubl
 
 std::vector<Vec2> warps_below(const sim::Mesh& simulated, const sim::Mesh& model,
                               std::span<const glm::vec2> corner_uv) {
-  std::vector<Vec3> middles_m;
-  std::vector<Vec3> normals;
-  for (const sim::Triangle& t : simulated.triangles) {
-    const auto [a, b, c] = sim::corner_positions(t, simulated.positions);
-    middles_m.push_back((a + b + c) / 3.0);
-    normals.push_back(glm::normalize(glm::cross(b - a, c - a)));
-  }
-  const std::vector<Bond> bonds = bonds_to(middles_m, model, normals);
+  const std::vector<Index> below = triangles_below(simulated, model);
   const std::vector<Vec2> of_model = sim::warps_from_coordinates(model, corner_uv);
   std::vector<Vec2> warps;
-  for (std::size_t t = 0; t < bonds.size(); ++t) {
-    const Index below = bonds[t].triangle;
-    const FlatAxes from(sim::corner_positions(model.triangles[below], model.positions));
+  for (std::size_t t = 0; t < below.size(); ++t) {
+    const FlatAxes from(sim::corner_positions(model.triangles[below[t]], model.positions));
     const FlatAxes to(sim::corner_positions(simulated.triangles[t], simulated.positions));
-    const Vec3 warp = of_model[below].x * from.along + of_model[below].y * from.across;
+    const Vec3 warp = of_model[below[t]].x * from.along + of_model[below[t]].y * from.across;
     const Vec2 laid(glm::dot(warp, to.along), glm::dot(warp, to.across));
     warps.push_back(glm::length(laid) > 0.5
                         ? glm::normalize(laid)
@@ -149,6 +201,21 @@ std::string describe(const FollowingModel& following, const sim::Mesh& simulated
           : "");
 }
 
+void show_simulated(GarmentInScene& loaded) {
+  const sim::Mesh& simulated = loaded.garment->mesh;
+  const sim::Mesh& model = loaded.following->mesh;
+  SurfaceColours& colours = loaded.colours;
+  const std::vector<Index> below = triangles_below(simulated, model);
+  if (!colours.corner_uv.empty()) {
+    colours.corner_uv = coordinates_below(simulated, model, colours.corner_uv, below);
+  }
+  if (!colours.material_of_face.empty()) {
+    colours.material_of_face = collect<Index>(below, [&](Index t) { return colours.material_of_face[t]; });
+  }
+  loaded.file_faces = {};
+  loaded.following = nullptr;
+}
+
 LoadedGarment as_modelled(const LoadedGarment& loaded, const sim::MappingSettings& mapping) {
   LoadedGarment modelled = loaded;
   modelled.garment = sim::share(sim::make_garment(loaded.following->mesh, mapping, loaded.garment->material));
@@ -168,6 +235,12 @@ void FollowingSummary::add(const FollowingModel& following, std::span<const Vec3
   max_stretch = std::max(max_stretch, last->stretch.max);
   max_p99_stretch = std::max(max_p99_stretch, last->stretch.p99);
   max_new_crossings = std::max(max_new_crossings, last->new_crossings);
+}
+
+void FollowingSummary::require_fit_to_show() const {
+  if (last->stretch.p99 <= max_shown_stretch) return;
+  throw ModelOverstretched("the model that follows is stretched by {:.1f} % in the 99th percentile, more than {:.0f} %",
+                           100.0 * last->stretch.p99, 100.0 * max_shown_stretch);
 }
 
 std::string FollowingSummary::describe() const {

@@ -32,6 +32,10 @@ FollowingModel follow_fitted(sim::Mesh model_m, const FittedModel& fitted, doubl
 std::vector<sim::Vec2> warps_below(const sim::Mesh& simulated, const sim::Mesh& model,
                                    std::span<const glm::vec2> corner_uv);
 
+/// Shows and exports the simulated mesh, in the colours of the model, instead of the model that follows it. Requires a
+/// model that follows.
+void show_simulated(GarmentInScene& loaded);
+
 /// Returns the simulated positions for positions of the model's file, in m. Requires one per vertex of the file.
 std::vector<sim::Vec3> simulated_m(const FollowingModel& following, const sim::Mesh& simulated,
                                    std::span<const sim::Vec3> file_m);
@@ -46,6 +50,8 @@ LoadedGarment as_modelled(const LoadedGarment& loaded, const sim::MappingSetting
 struct FollowingSummary {
   /// Measures the model in this shape, in m (FollowingModel::shown_m()).
   void add(const FollowingModel& following, std::span<const sim::Vec3> shown_m);
+  /// Throws ModelOverstretched if the model was stretched too much in the last shape.
+  void require_fit_to_show() const;
   /// Returns a line for people; empty if nothing was measured.
   std::string describe() const;
 

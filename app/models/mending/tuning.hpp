@@ -59,5 +59,8 @@ inline constexpr double min_edge_thicknesses = 3.0;
 inline constexpr std::size_t max_model_crossings = 3000;
 /// Largest stretch of a model that follows, over the bound of the mesh. More moves it less, less smooths its folds.
 inline constexpr double following_stretch_ratio = 2.0;
+/// Largest stretch at which a model that follows is shown, in the 99th percentile of its edges. More shows models that
+/// are torn, less shows the simulated mesh without their details.
+inline constexpr double max_shown_stretch = 0.5;
 
 }  // namespace taut::app::mending

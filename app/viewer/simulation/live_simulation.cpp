@@ -5,6 +5,7 @@
 #include "app/base/words.hpp"
 #include "app/garments/dressing/wearing.hpp"
 #include "app/models/inspecting/remarks.hpp"
+#include "app/models/mending/model_fitting.hpp"
 #include "app/runs/run_checkpoint.hpp"
 
 namespace taut::app {
@@ -29,7 +30,7 @@ int reach_frames(const Snapshot& newest) {
 
 // Returns true if a snapshot belongs to the past of a later one. A frame with several snapshots gives only its last.
 bool led_to(const Snapshot& older, const Snapshot& later) {
-  return older.loaded == later.loaded && older.record.frame < later.record.frame;
+  return older.loaded->generation == later.loaded->generation && older.record.frame < later.record.frame;
 }
 
 // Radius of cloth between the fingers. A smaller value pulls the cloth out to a point, a larger one lifts a stiff
@@ -308,7 +309,7 @@ void LiveSimulation::perform(const Reset&) {
 
 void LiveSimulation::perform(const GoBack& back) {
   const Snapshot& past = *back.to;
-  if (past.loaded != now_.loaded) {
+  if (past.loaded->generation != now_.loaded->generation) {
     return;  // snapshot of a garment that has been replaced since
   }
   grip_.reset();
@@ -347,12 +348,27 @@ void LiveSimulation::advance(const std::function<void()>& poll) {
     now_.record = measure_frame(*simulation_, ++frame_);
     now_.record.sim_ms = sim_ms;
     note_shape();
+    if (now_.loaded->following && std::has_single_bit(static_cast<unsigned>(frame_))) require_fit_to_show();
   } catch (const Interrupted&) {
     throw;
   } catch (const sim::ContactBlocked& blocked) {
     stop("frame " + std::to_string(frame_ + 1) + ": " + blocked.what());
   } catch (const std::exception& error) {
     stop(error.what());
+  }
+}
+
+void LiveSimulation::require_fit_to_show() {
+  FollowingSummary following;
+  try {
+    following.add(*now_.loaded->following, now_.loaded->shown_m(simulation_->state().current));
+    following.require_fit_to_show();
+  } catch (const ModelOverstretched& error) {
+    tell(fmt::format("{}: the simulated mesh is shown instead, in its colours", error.what()), true);
+    LoadedScene shown = *now_.loaded;
+    show_simulated(shown);
+    shown.drawn_colours = drawn_colours(shown.scene, shown);
+    now_.loaded = std::make_shared<const LoadedScene>(std::move(shown));
   }
 }
 

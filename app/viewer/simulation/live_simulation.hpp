@@ -216,6 +216,8 @@ class LiveSimulation {
   void perform(const Compare&) {}  // done by SimulationPair
 
   void start(std::shared_ptr<const LoadedScene> loaded);
+  /// Shows the simulated mesh from now on if the model that follows is stretched too much.
+  void require_fit_to_show();
   void untangle(const RunSettings& simulation);
   void note_shape();
   void tell_of_start();

@@ -1,14 +1,14 @@
-"""What each tuned number of sewing and dressing is worth: the outcomes that change when it is halved and doubled.
+"""What each tuned number of garments and models is worth: the outcomes that change when it is halved and doubled.
 
     cmake --preset ablation && cmake --build build/ablation --target taut
-    python3 tests/study/garment_numbers.py build/ablation/app/taut        all numbers: an hour
+    python3 tests/study/garment_numbers.py build/ablation/app/taut        all numbers: two hours
     python3 tests/study/garment_numbers.py build/ablation/app/taut dressing pull_m_per_s2
     python3 tests/study/garment_numbers.py build/ablation/app/taut sewing --all
 
 Commands run until one changes its outcome; --all runs all. A number that changes none is idle. Outcomes are the exit
 code, what is said, and its numbers within a tolerance, as any change moves cloth by some micrometres. Of sewn garments
 the number of seams, rest, the size and the length of cloth around it count too. TAUT_PATTERNS names a folder with more
-patterns.
+patterns, TAUT_GARMENTS one with more models.
 """
 import json
 import math
@@ -21,6 +21,8 @@ import tempfile
 
 FOLDER = pathlib.Path(__file__).resolve().parents[2]
 ASSETS = FOLDER / "assets"
+ROOMS = {"fitting": "app/garments", "mending": "app/models", "hanging": "app/models", "dressing": "app/garments",
+         "sewing": "app/garments"}
 WARDROBE, OUTFIT = ASSETS / "patterns" / "wardrobe", ASSETS / "patterns" / "outfit"
 BODIES = {name: ASSETS / "bodies" / f"mannequin_{name}.glb" for name in ("female_34", "female_42", "male_40")}
 TUTORIAL = FOLDER / "app" / "garments" / "sewing" / "tutorial.md"
@@ -37,6 +39,44 @@ def sew(pattern, body=None, fabric="cotton", triangles=250, frames=40, more=()):
 def table(garment, body, *more):
     """Prints the table of fit, and ends before cloth moves."""
     return ["table", ASSETS / "garments" / f"{garment}.obj", "--body", body, *more]
+
+
+def walls(file, thickness):
+    """Returns an OBJ with a second wall at this distance inside the first, and a ball beside both that is no cloth."""
+    lines = [line.split() for line in file.read_text().splitlines()]
+    at = [[float(word) for word in line[1:4]] for line in lines if line[:1] == ["v"]]
+    faces = [[int(word.split("/")[0]) - 1 for word in line[1:4]] for line in lines if line[:1] == ["f"]]
+    normals = [[0.0] * 3 for _ in at]
+    for a, b, c in faces:
+        u, v = ([at[k][i] - at[a][i] for i in range(3)] for k in (b, c))
+        for i in range(3):
+            for k in (a, b, c):
+                normals[k][i] += u[(i + 1) % 3] * v[(i + 2) % 3] - u[(i + 2) % 3] * v[(i + 1) % 3]
+    inner = [[p[i] - thickness * n[i] / max(math.hypot(*n), 1e-30) for i in range(3)] for p, n in zip(at, normals)]
+    ball = [[0.3 * math.cos(t) * math.cos(p), 0.3 * math.sin(t), 0.3 * math.cos(t) * math.sin(p)]
+            for t in (math.pi * (k / 12 - 0.5) for k in range(13)) for p in (2 * math.pi * k / 24 for k in range(24))]
+    count = len(at)
+    faces += [[c + count, b + count, a + count] for a, b, c in faces]
+    for t in range(12):
+        for p in range(24):
+            a, b = 2 * count + 24 * t + p, 2 * count + 24 * t + (p + 1) % 24
+            faces += [[a, a + 24, b + 24], [a, b + 24, b]]
+    return "".join("v %.6f %.6f %.6f\n" % tuple(p) for p in at + inner + ball) + \
+           "".join("f %d %d %d\n" % tuple(v + 1 for v in face) for face in faces)
+
+
+def of_models(folder):
+    """Returns the commands of models, the cheapest first."""
+    (folder / "walls.obj").write_text(walls(ASSETS / "garments/dress.obj", 0.003))
+    files = {"walls": (folder / "walls.obj", "--set", "garment.triangles=1500")}
+    for name in ("skirt", "trousers", "hooded_top", "tshirt_1028", "dress"):
+        files[name] = (ASSETS / f"garments/{name}.obj", "--set", "garment.mesh=fitted", "--set", "garment.triangles=1200")
+    for more in sorted(pathlib.Path(os.environ["TAUT_GARMENTS"]).iterdir(), key=lambda file: file.stat().st_size) \
+            if "TAUT_GARMENTS" in os.environ else []:
+        files[more.stem] = (more,)
+    # A guess that is left to hanging shows in the axis that is up.
+    return {**{f"inspect {name}": ["inspect", *words, "--json"] for name, words in files.items()},
+            **{f"simulate {name}": ["simulate", *words, "--frames", "3"] for name, words in files.items()}}
 
 
 def without_joints(file):
@@ -69,7 +109,9 @@ def commands(folder):
     tshirt.write_bytes(subprocess.run([sys.executable, "-B", ASSETS / "patterns/tshirt/as_json.py",
                                        ASSETS / "patterns/tshirt/teagan.toml"], capture_output=True, check=True).stdout)
     others = sorted(pathlib.Path(os.environ["TAUT_PATTERNS"]).glob("*.json")) if "TAUT_PATTERNS" in os.environ else []
+    models = of_models(folder)
     return {
+        "fitting": models, "mending": models, "hanging": models,
         "exact": {"exact": sew(folder / "cushion.json", triangles=500, frames=1, more=["--exact"]),
                   "exact skirt": sew(WARDROBE / "skirt.json", triangles=900, frames=1, more=["--exact"])},
         "sewing": {
@@ -167,8 +209,8 @@ def main():
         taut = Taut(program, folder)
         of_rooms = commands(folder)
         usual = {}
-        for room in ("dressing", "sewing"):
-            tuning = FOLDER / "app" / "garments" / room / "tuning.hpp"
+        for room, place in ROOMS.items():
+            tuning = FOLDER / place / room / "tuning.hpp"
             for number, value in re.findall(r"^inline constexpr \S+ (\w+) = ([^;]+);", tuning.read_text(), re.M):
                 if wanted and number not in wanted and room not in wanted:
                     continue

@@ -3,6 +3,7 @@
 #include <chrono>
 #include <glm/geometric.hpp>
 #include <random>
+#include <sstream>
 #include <thread>
 
 #include "app/drawing/drawn_scene.hpp"
@@ -323,6 +324,55 @@ TEST(LiveSimulation, ABrokenGarmentLeavesTheOldOne) {
   EXPECT_EQ(live.state_hash(), state);
   advance(live, 5);
   EXPECT_EQ(live.take_snapshot()->record.frame, 10);
+}
+
+/// Returns an OBJ of a sheet with another one below it, which only narrow ribbons hold.
+std::string two_sheets_and_ribbons() {
+  std::ostringstream obj;
+  int first = 1;
+  const auto add_grid = [&](const sim::Vec2& corner_m, const sim::Vec2& size_m, int columns, int rows) {
+    for (int row = 0; row <= rows; ++row) {
+      for (int column = 0; column <= columns; ++column) {
+        obj << "v " << corner_m.x + size_m.x * column / columns << ' ' << corner_m.y + size_m.y * row / rows << " 0\n";
+      }
+    }
+    for (int row = 0; row < rows; ++row) {
+      for (int column = 0; column < columns; ++column) {
+        const int at = first + row * (columns + 1) + column;
+        obj << "f " << at << ' ' << at + 1 << ' ' << at + columns + 2 << ' ' << at + columns + 1 << '\n';
+      }
+    }
+    first += (columns + 1) * (rows + 1);
+  };
+  add_grid({-0.2, 1.2}, {0.4, 0.2}, 20, 10);
+  add_grid({-0.2, 0.85}, {0.4, 0.3}, 20, 15);
+  for (int ribbon = 0; ribbon < 12; ++ribbon) add_grid({-0.19 + 0.03 * ribbon, 1.15}, {0.001, 0.05}, 1, 20);
+  return obj.str();
+}
+
+TEST(LiveSimulation, ShowsTheSimulatedMeshOnceTheModelIsTorn) {
+  const test::TemporaryFolder folder;
+  DrawnScene scene;
+  scene.garment.file = folder.write("torn.obj", two_sheets_and_ribbons());
+  scene.garment.mesh = MeshChoice::fitted;
+  scene.garment.max_triangles = 1500;
+  scene.garment.scale = 1.0;
+  scene.garment.up = ModelAxis::y;
+  scene.pins = std::vector<PinSelector>{sim::Index{210}, sim::Index{230}};
+  LiveSimulation live(scene);
+  advance(live, 2);
+  const SnapshotPtr past = live.take_snapshot();
+  EXPECT_TRUE(past->loaded->following);
+  advance(live, 30);
+  const SnapshotPtr shown = live.take_snapshot();
+  EXPECT_FALSE(shown->loaded->following);
+  EXPECT_FALSE(shown->loaded->drawn_colours.following);
+  EXPECT_EQ(&shown->loaded->shown_mesh(), &shown->loaded->garment->mesh);
+  EXPECT_TRUE(shown->notices->back().is_error);
+  EXPECT_NE(shown->notices->back().text.find("the simulated mesh is shown"), std::string::npos);
+  live.apply(GoBack{past});
+  advance(live, 30);
+  EXPECT_EQ(live.state_hash(), sim::hash(shown->checkpoint->state)) << "what is shown changed what is simulated";
 }
 
 TEST(LiveSimulation, RefusesASettingWithANotice) {

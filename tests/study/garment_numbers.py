@@ -74,9 +74,8 @@ def of_models(folder):
     for more in sorted(pathlib.Path(os.environ["TAUT_GARMENTS"]).iterdir(), key=lambda file: file.stat().st_size) \
             if "TAUT_GARMENTS" in os.environ else []:
         files[more.stem] = (more,)
-    # A guess that is left to hanging shows in the axis that is up.
-    return {**{f"inspect {name}": ["inspect", *words, "--json"] for name, words in files.items()},
-            **{f"simulate {name}": ["simulate", *words, "--frames", "3"] for name, words in files.items()}}
+    return ({name: ["inspect", *words, "--json"] for name, words in files.items()},
+            {f"{name} moves": ["simulate", *words, "--frames", "3"] for name, words in files.items()})
 
 
 def without_joints(file):
@@ -109,9 +108,9 @@ def commands(folder):
     tshirt.write_bytes(subprocess.run([sys.executable, "-B", ASSETS / "patterns/tshirt/as_json.py",
                                        ASSETS / "patterns/tshirt/teagan.toml"], capture_output=True, check=True).stdout)
     others = sorted(pathlib.Path(os.environ["TAUT_PATTERNS"]).glob("*.json")) if "TAUT_PATTERNS" in os.environ else []
-    models = of_models(folder)
+    inspected, moved = of_models(folder)
     return {
-        "fitting": models, "mending": models, "hanging": models,
+        "fitting": moved, "mending": moved, "hanging": inspected,
         "exact": {"exact": sew(folder / "cushion.json", triangles=500, frames=1, more=["--exact"]),
                   "exact skirt": sew(WARDROBE / "skirt.json", triangles=900, frames=1, more=["--exact"])},
         "sewing": {

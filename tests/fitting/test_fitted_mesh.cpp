@@ -124,6 +124,28 @@ TEST(FittedMesh, IsTheOuterWallOfAClosedShell) {
   }
 }
 
+/// A quilt that lies flat: two walls at this distance, joined all around.
+sim::Mesh quilt(double thickness) {
+  const sim::Mesh front = sheet(30, 30, 0.5, 0.5);
+  sim::Mesh walls = front, back = sheet(30, 30, 0.5, 0.5, Vec3(0.0, 0.0, -thickness));
+  for (sim::Triangle& t : back.triangles) std::swap(t[1], t[2]);
+  add(back, walls);
+  const auto first = static_cast<Index>(front.positions.size());
+  const std::vector<Index> border = border_loops(front).at(0);
+  for (std::size_t k = 0; k < border.size(); ++k) {
+    const Index a = border[k], b = border[(k + 1) % border.size()];
+    walls.triangles.push_back({b, a, a + first});
+    walls.triangles.push_back({b, a + first, b + first});
+  }
+  return walls;
+}
+
+TEST(FittedMesh, IsOneWallOfAQuiltThatLiesFlat) {
+  const Judged judged = fit(quilt(0.004));
+  EXPECT_EQ(judged.topology.boundary_loops, 1U);
+  EXPECT_NEAR(judged.area_m2, 0.25, 0.005);
+}
+
 TEST(FittedMesh, FacesOutwards) {
   sim::Mesh inside_out = tube(40, 30, 0.2);
   for (sim::Triangle& t : inside_out.triangles) {
@@ -221,6 +243,21 @@ TEST(FittedMesh, HangsTogetherWhereAPartGoesOnBeyondAGap) {
   EXPECT_EQ(fit(skirt_below_band(0.19, -0.1)).fitted.sheets, 2U) << "another hem within it";
 }
 
+TEST(FittedMesh, HangsTogetherWhereOnlyOneBorderContinuesAlongMostOfIt) {
+  EXPECT_EQ(fit(skirt_below_band(0.2, 0.01, 0.95)).fitted.sheets, 1U) << "a band with an opening behind";
+}
+
+TEST(FittedMesh, DropsASmallPartBesideOthersAndSimulatesOneByItself) {
+  for (const bool is_beside : {true, false}) {
+    sim::Mesh model = tube(60, 40, 0.2);
+    const double radius = is_beside ? 0.21 : 0.3;
+    add(patch(4, 8, [&](double u, double v) { return around(0.04 * u, radius, 0.3 + 0.1 * v); }), model);
+    const Judged judged = fit(model);
+    EXPECT_EQ(judged.fitted.sheets, is_beside ? 1U : 2U);
+    EXPECT_EQ(judged.fitted.dropped_sheets, is_beside ? 1U : 0U);
+  }
+}
+
 TEST(FittedMesh, KeepsBordersAndTheirCornersInPlace) {
   // Triangles are needles: columns are 50 times as narrow as rows are high.
   const Judged judged = fit(sheet(500, 10, 0.5, 0.5));
@@ -266,6 +303,18 @@ TEST(FittedMesh, KeepsNarrowStraps) {
   EXPECT_GT(highest->y, 0.54);
 }
 
+// Fitting again cannot remove where two tubes cross, and each fit cuts off more of their roundness.
+TEST(FittedMesh, IsFittedAgainOnlyIfThatRemovesCrossings) {
+  const sim::Mesh upright = sim::weld_and_validate(tube(60, 40, 0.2)).mesh;
+  sim::Mesh crossing = upright, lying = upright;
+  for (Vec3& p : lying.positions) p = Vec3(p.y - 0.4, p.x + 0.4, p.z + 0.1);
+  add(lying, crossing);
+  const FittedMesh alone = fit_mesh(upright, {.max_triangles = 500});
+  const FittedMesh both = fit_mesh(crossing, {.max_triangles = 1000});
+  EXPECT_GT(both.crossings, 0U);
+  EXPECT_GT(sim::surface_area(both.mesh), 0.995 * 2.0 * sim::surface_area(alone.mesh));
+}
+
 TEST(FittedMesh, HasTheSameBitsEachTime) {
   const sim::Mesh model = thick_tube(0.003);
   EXPECT_EQ(fit(model).fitted.mesh.positions, fit(model).fitted.mesh.positions);
@@ -295,6 +344,19 @@ TEST(Remeshing, LeavesNoEdgeWithoutLength) {
     }
   }
   EXPECT_NEAR(sim::surface_area(mesh), 0.25, 0.01);
+}
+
+TEST(Remeshing, LeavesLayersThatTouchInTheirPlaces) {
+  sim::Mesh layers = tube(60, 40, 0.2);
+  add(tube(60, 40, 0.201), layers);
+  const sim::Mesh mesh = remesh(sim::weld_and_validate(layers).mesh, 0.05, 1000000);
+  sim::Groups parts = sim::connect_vertices(mesh.positions.size(), mesh.triangles);
+  std::map<Index, std::set<bool>> is_outer;
+  for (Index v = 0; v < mesh.positions.size(); ++v) {
+    is_outer[parts.find(v)].insert(std::hypot(mesh.positions[v].x, mesh.positions[v].z) > 0.2004);
+  }
+  EXPECT_EQ(is_outer.size(), 2U);
+  for (const auto& [part, sides] : is_outer) EXPECT_EQ(sides.size(), 1U) << "one layer was drawn onto the other";
 }
 
 TEST(Remeshing, EndsWhenItsBudgetIsSpent) {

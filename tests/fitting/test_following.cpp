@@ -88,6 +88,13 @@ TEST(Following, PointsTurnWithTheMesh) {
             1e-9);
 }
 
+sim::Mesh both(sim::Mesh a, const sim::Mesh& b) {
+  const auto first = static_cast<sim::Index>(a.positions.size());
+  a.positions.insert(a.positions.end(), b.positions.begin(), b.positions.end());
+  for (const sim::Triangle& t : b.triangles) a.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
+  return a;
+}
+
 TEST(Following, OfTwoWallsTheOneThatFacesAlikeIsFollowed) {
   sim::Mesh walls = sheet(4, 0.001);
   const sim::Mesh lower = sheet(4, 0.0);
@@ -119,6 +126,38 @@ TEST(Following, ThickModelsKeepTheirThicknessInNarrowFolds) {
   for (std::size_t v = 0; v < points_m.size(); ++v) {
     EXPECT_LT(glm::distance(points_m[v], folded_m[v] + Vec3(0.0, 0.008, 0.0)), 0.001);
   }
+}
+
+/// Binds two layers to meshes of two layers. Returns how many vertices of the upper layer follow the lower one.
+std::size_t count_at_lower(const sim::Mesh& upper, const sim::Mesh& lower, const sim::Mesh& upper_mesh,
+                           const sim::Mesh& lower_mesh) {
+  const sim::Mesh model = both(upper, lower), mesh = both(upper_mesh, lower_mesh);
+  const std::vector<Bond> bonds = bonds_of_model(model, std::vector<std::uint8_t>(model.triangles.size(), 1), mesh);
+  return static_cast<std::size_t>(
+      std::count_if(bonds.begin(), bonds.begin() + static_cast<std::ptrdiff_t>(upper.positions.size()),
+                    [&](const Bond& bond) { return bond.triangle >= upper_mesh.triangles.size(); }));
+}
+
+// In the middle the mesh of the lower layer is nearer to the upper layer than its own mesh.
+TEST(Following, ALayerFollowsItsOwnMeshWhereAnotherIsNearer) {
+  const sim::Mesh upper = sheet(24, 0.002), lower = sheet(24);
+  sim::Mesh upper_mesh = upper;
+  for (Vec3& p : upper_mesh.positions) p.y += 0.01 * std::sin(3.14 * p.x) * std::sin(3.14 * p.z);
+  EXPECT_EQ(count_at_lower(upper, lower, upper_mesh, lower), 0U);
+}
+
+// The upper layer is crumpled at a place near to the lower one, which faces down. There alone the lower one seems to be
+// its own.
+TEST(Following, ACrumpledPlaceDoesNotDecideWhichLayerIsFollowed) {
+  const sim::Mesh upper_mesh = sheet(24, 0.004);
+  sim::Mesh lower = sheet(24), upper = upper_mesh;
+  for (sim::Triangle& t : lower.triangles) std::swap(t[1], t[2]);
+  const auto at = [](int x, int z) { return z * 25 + x; };
+  lower.positions[at(12, 12)].y = 0.003;
+  for (int x = 10; x <= 14; ++x) {
+    for (int z = 10; z <= 14; ++z) upper.positions[at(x, z)] = Vec3((24.0 - x) / 24.0, 0.0032, z / 24.0);
+  }
+  EXPECT_EQ(count_at_lower(upper, lower, upper_mesh, lower), 0U);
 }
 
 TEST(Following, TheNearestCornerIsThatOfTheLargestWeight) {

@@ -8,6 +8,7 @@
 #include "app/garments/fitting/tuning.hpp"
 #include "app/models/mending/following_limits.hpp"
 #include "sim/contact/crossing_pairs.hpp"
+#include "sim/mesh/welding.hpp"
 
 namespace taut::app {
 namespace {
@@ -74,6 +75,39 @@ TEST(ShapeLimits, TakeLayersApartThatDoNotCrossAsModelled) {
   EXPECT_GT(limits.measure(points_m).new_crossings, 0u);
   limits.apply(model.positions, points_m);
   EXPECT_EQ(limits.measure(points_m).crossings, 0u);
+}
+
+// A place of the lower layer, 5 cm below, has come 1 mm through the upper one.
+TEST(ShapeLimits, MoveLayersByNoMoreThanTheDepthOfTheirCrossing) {
+  const sim::Mesh model = squares({0.0, 0.05});
+  const ShapeLimits limits(model, 0.5, {});
+  std::vector<Vec3> points_m = model.positions;
+  points_m[6 * (columns + 1) + 6].y = 0.051;
+  EXPECT_GT(limits.measure(points_m).new_crossings, 0u);
+  limits.apply(points_m, points_m);
+  EXPECT_EQ(limits.measure(points_m).crossings, 0u);
+  for (std::size_t v = points_m.size() / 2; v < points_m.size(); ++v) EXPECT_NEAR(points_m[v].y, 0.05, 0.01);
+}
+
+// A button of 2 cm that stands on the cloth at a slant has sunk into it. Only the cloth may give way.
+TEST(ShapeLimits, TakeClothAwayFromAButtonThatStaysRigid) {
+  sim::Mesh model = squares({0.0});
+  const auto first = static_cast<sim::Index>(model.positions.size());
+  for (const auto& [x_m, z_m] : {std::pair(0.0, 0.0), {0.02, 0.0}, {0.02, 0.02}, {0.0, 0.02}}) {
+    model.positions.emplace_back(0.52 + x_m, 0.002 + 0.4 * x_m, 0.52 + z_m);
+  }
+  model.triangles.push_back({first, first + 3, first + 1});
+  model.triangles.push_back({first + 1, first + 3, first + 2});
+  std::vector<sim::Index> rigid_parts(first, sim::no_vertex);
+  rigid_parts.resize(model.positions.size(), first);
+  const ShapeLimits limits(model, max_stretch, rigid_parts);
+  std::vector<Vec3> points_m = model.positions;
+  for (sim::Index v = first; v < points_m.size(); ++v) points_m[v].y -= 0.005;
+  const std::vector<Vec3> before_m = points_m;
+  EXPECT_GT(limits.measure(points_m).new_crossings, 0u);
+  limits.apply(points_m, points_m);
+  EXPECT_EQ(limits.measure(points_m).new_crossings, 0u);
+  for (sim::Index v = first; v < points_m.size(); ++v) EXPECT_EQ(points_m[v], before_m[v]);
 }
 
 TEST(ShapeLimits, LeaveCrossingsThatAreModelled) {

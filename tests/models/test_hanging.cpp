@@ -479,6 +479,20 @@ TEST(Trims, GoWithTheClothThatTheyLieOn) {
   EXPECT_EQ(sewn_on(test::button({0.01, 0.4, front_m + 0.003}, 0.23)), 0U) << "13 % of the area";
 }
 
+// Stitches beside each other would let a button turn.
+TEST(Trims, AreStitchedAtPlacesFarFromEachOther) {
+  const test::TemporaryFolder folder;
+  constexpr double radius_m = 0.02;
+  const LoadedGarment loaded =
+      test::load(folder, test::both(test::shirt(), test::button({0.01, 0.4, 0.063}, radius_m)));
+  const sim::Mesh& mesh = loaded.garment->mesh;
+  std::vector<sim::Vec3> stitches_m;
+  for (auto t = mesh.triangles.end() - 3; t != mesh.triangles.end(); ++t) stitches_m.push_back(mesh.positions[(*t)[0]]);
+  EXPECT_GE(glm::distance(stitches_m[0], stitches_m[1]), radius_m);
+  EXPECT_GE(glm::distance(stitches_m[1], stitches_m[2]), radius_m);
+  EXPECT_GE(glm::distance(stitches_m[2], stitches_m[0]), radius_m);
+}
+
 TEST(Trims, AreLeftAloneWhereTheSceneSaysWhatIsSewn) {
   const test::TemporaryFolder folder;
   const sim::Mesh mesh = test::both(test::shirt(), test::button({0.01, 0.4, 0.063}, 0.02));

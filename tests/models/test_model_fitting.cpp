@@ -104,6 +104,21 @@ struct ModelFitting : testing::Test {
     return scene;
   }
 
+  /// Needles that all cross each other at the same place.
+  Scene crossing_needles(int count) {
+    sim::Mesh model;
+    for (int k = 0; k < count; ++k) {
+      const double angle = std::numbers::pi * k / count;
+      const Vec3 end(std::cos(angle), 0.0, std::sin(angle));
+      const auto first = static_cast<sim::Index>(model.positions.size());
+      model.positions.insert(model.positions.end(), {-end, end, 0.5 * end + Vec3(0.0, 1e-3, 0.0)});
+      model.triangles.push_back({first, first + 1, first + 2});
+    }
+    Scene scene;
+    scene.garment.file = folder.write("needles.obj", obj_text(model, model.positions));
+    return scene;
+  }
+
   test::TemporaryFolder folder;
   std::size_t vertices = 0;
 };
@@ -241,6 +256,12 @@ TEST_F(ModelFitting, AModelThatIsStretchedTooMuchCannotBeShown) {
   };
   EXPECT_TRUE(is_shown(0.9 * mending::max_shown_stretch));
   EXPECT_FALSE(is_shown(1.1 * mending::max_shown_stretch));
+}
+
+TEST_F(ModelFitting, WhatCrossesInTooManyPlacesIsNotSimulatedItself) {
+  EXPECT_EQ(load_garment(crossing_needles(70)).following, nullptr) << "2415 pairs";
+  EXPECT_CONTAINS(test::error_message<InputError>([&] { load_garment(crossing_needles(90)); }),
+                  "nor can it be simulated itself: it crosses itself in 4005 places");
 }
 
 TEST_F(ModelFitting, SaysThatNoMeshIsLeft) {

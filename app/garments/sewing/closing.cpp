@@ -1,6 +1,7 @@
 #include "app/garments/sewing/closing.hpp"
 
 #include "app/base/errors.hpp"
+#include "app/base/words.hpp"
 #include "app/garments/dressing/wearing.hpp"
 #include "app/garments/fitting/following.hpp"
 #include "app/garments/sewing/tuning.hpp"
@@ -307,32 +308,6 @@ class Closing {
     }
   }
 
-  /// Returns trial positions per vertex of the pieces. Over an inner layer, pairs to join are also tried away from the
-  /// cloth and beyond its border, because the middle between two sides of a fold of that layer is within it.
-  std::vector<std::vector<Vec3>> places_to_join_m(const std::vector<std::pair<Index, Index>>& met) const {
-    std::vector<Vec3> positions_m, out(pieces_.flat_m.size(), Vec3(0.0)), beyond = out;
-    for (Index v = 0; v < pieces_.flat_m.size(); ++v) positions_m.push_back(at(v));
-    for (const sim::Triangle& t : pieces_.triangles) {
-      for (std::size_t k = 0; k < 3; ++k) {
-        const Vec3 first = at(t[(k + 1) % 3]) - at(t[k]), second = at(t[(k + 2) % 3]) - at(t[k]);
-        out[t[k]] += glm::cross(first, second);
-        beyond[t[k]] -= first + second;
-      }
-    }
-    std::vector<std::vector<Vec3>> places_m = {positions_m};
-    for (const auto& ways : {out, beyond}) {
-      std::vector<Vec3> moved_m = positions_m;
-      for (const auto& [a, b] : met) {
-        const auto unit = [&](const Vec3& d) { return glm::length(d) > 0.0 ? glm::normalize(d) : d; };
-        const Vec3 lift = lift_fraction * glm::distance(at(a), at(b)) * unit(unit(ways[a]) + unit(ways[b]));
-        moved_m[a] = at(a) + lift;
-        moved_m[b] = at(b) + lift;
-      }
-      if (layer_ > 0) places_m.push_back(std::move(moved_m));
-    }
-    return places_m;
-  }
-
   /// Joins vertices that have met. Returns whether any were joined.
   bool join_what_met(const std::vector<std::size_t>& seams) {
     std::vector<std::pair<Index, Index>> met;
@@ -341,13 +316,13 @@ class Closing {
         if (!is_joined({a, b}) && glm::distance(at(a), at(b)) < reach_m_) met.emplace_back(a, b);
       }
     }
-    const std::vector<std::vector<Vec3>> places_m = places_to_join_m(met);
-    const std::vector<Vec3> before_m = now_m();
+    keep_shape();
     const SewnPieces before = sewn_;
-    for (std::size_t trial = 0; trial < max_trials * places_m.size() && !met.empty(); ++trial) {
+    const auto of_pieces_m = collect<Vec3>(sewn_.vertex_of, [&](Index n) { return now_m()[n]; });
+    for (std::size_t trial = 0; trial < max_trials && !met.empty(); ++trial) {
       sim::Groups joined = joined_;
       for (const auto& [a, b] : met) joined.join(a, b);
-      begin(join_pieces(pieces_, joined, places_m[trial % places_m.size()], scene_));
+      begin(join_pieces(pieces_, joined, of_pieces_m, scene_));
       std::vector<char> is_crossed = crossed_after_frames(seams);
       const auto touches = [&](const auto& pair) { return is_crossed[sewn_.vertex_of[pair.first]] != 0; };
       const double bound = scene_.simulation.solver.bounded.max_stretch + bound_rounding;
@@ -356,12 +331,9 @@ class Closing {
         joined_ = joined;
         return true;
       }
-      if (trial % places_m.size() + 1 < places_m.size()) continue;
       if (std::ranges::all_of(met, touches) || std::erase_if(met, touches) == 0) leave_out_nearest(is_crossed, met);
     }
-    sewn_ = before;
-    sewn_.garment.mesh.positions = before_m;
-    begin(sewn_);
+    begin(before);
     return false;
   }
 

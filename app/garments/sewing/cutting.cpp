@@ -105,41 +105,9 @@ std::vector<std::vector<Index>> add_panel(const PatternPanel& panel, const std::
 
 using Borders = std::vector<std::vector<std::vector<Index>>>;  ///< vertices per panel and edge
 
-/// Returns the number of corners that vote for closing a stitch ahead, minus the votes for back. A corner whose next
-/// edge is sewn too votes for the end of the other side that touches that edge's partner. `met` are the vertices that
-/// seams have joined.
-int ahead_by_corners(const SewingPattern& pattern, const Borders& borders, std::size_t stitch, const sim::Groups& met) {
-  sim::Groups groups = met;
-  const auto are_one = [&](Index v, Index w) { return groups.find(v) == groups.find(w); };
-  const auto border = [&](const PanelEdge& e) -> const std::vector<Index>& { return borders[e.panel][e.edge]; };
-  int ahead = 0;
-  const auto look = [&](const PanelEdge& own, const PanelEdge& other) {
-    const std::vector<Index>&own_line = border(own), &other_line = border(other);
-    const auto vote = [&](Index corner, bool at_front, bool at_back) {
-      if (at_front != at_back) ahead += at_front == (corner == own_line.front()) ? 1 : -1;
-    };
-    for (const Index corner : {own_line.front(), own_line.back()}) {
-      vote(corner, are_one(corner, other_line.front()), are_one(corner, other_line.back()));
-      for (std::size_t s = 0; s < pattern.stitches.size(); ++s) {
-        const auto& [first, second] = pattern.stitches[s];
-        for (const auto& [next, beyond] : {std::pair(first, second), std::pair(second, first)}) {
-          const std::vector<Index>&next_line = border(next), &beyond_line = border(beyond);
-          if (s == stitch || next.panel != own.panel || (next_line.front() != corner && next_line.back() != corner))
-            continue;
-          const auto meets = [&](Index v) { return are_one(v, beyond_line.front()) || are_one(v, beyond_line.back()); };
-          vote(corner, meets(other_line.front()), meets(other_line.back()));
-        }
-      }
-    }
-  };
-  look(pattern.stitches[stitch].first, pattern.stitches[stitch].second);
-  look(pattern.stitches[stitch].second, pattern.stitches[stitch].first);
-  return ahead;
-}
-
 /// Returns the seam of each stitch. A pattern does not say in which direction a seam closes. First come the seams in
 /// which one direction is much shorter than the other; they imply which panels face the same side. For the other seams
-/// corners that meet decide, or else their panels.
+/// these decide.
 std::vector<Seam> find_seams(const SewingPattern& pattern, const Borders& borders, const CutPieces& pieces) {
   /// Scores from -1, certainly ahead, to 1, certainly back, and the stitches.
   std::vector<std::pair<double, std::size_t>> ways;
@@ -159,20 +127,16 @@ std::vector<Seam> find_seams(const SewingPattern& pattern, const Borders& border
   std::ranges::stable_sort(ways, std::greater(), [](const auto& way) { return std::abs(way.first); });
   sim::FacingGroups facing(pattern.panels.size());
   std::vector<Seam> seams(ways.size());
-  sim::Groups met(pieces.flat_m.size());
   for (const auto& [shorter, s] : ways) {
     const auto& [a, b] = pattern.stitches[s];
     // Borders of panels that face the same side run in opposite directions.
     const std::optional<bool> opposite = facing.opposite(a.panel, b.panel);
-    const int ahead = std::abs(shorter) < certain_direction_ratio ? ahead_by_corners(pattern, borders, s, met) : 0;
     const bool is_told = opposite && std::abs(shorter) < certain_direction_ratio;
-    const bool runs_back = ahead != 0 ? ahead < 0 : is_told ? !*opposite : shorter > 0.0;
+    const bool runs_back = is_told ? !*opposite : shorter > 0.0;
     facing.join(a.panel, b.panel, !runs_back);
     std::vector<Index> second = borders[b.panel][b.edge];
     if (runs_back) std::ranges::reverse(second);
     for (std::size_t k = 0; k < second.size(); ++k) seams[s].emplace_back(borders[a.panel][a.edge][k], second[k]);
-    met.join(seams[s].front().first, seams[s].front().second);
-    met.join(seams[s].back().first, seams[s].back().second);
   }
   return seams;
 }

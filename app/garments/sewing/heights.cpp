@@ -84,6 +84,8 @@ std::optional<double> level_for(const BodyMeasures& measures, double border_m, d
   return best_m;
 }
 
+}  // namespace
+
 Vec3 compute_shift(const SewingPattern& pattern, const Wearer& wearer, CutPieces& pieces,
                    std::vector<std::string>& said) {
   const sim::Extent box = sim::compute_extent(pieces.placed_m);
@@ -115,46 +117,6 @@ Vec3 compute_shift(const SewingPattern& pattern, const Wearer& wearer, CutPieces
   if (glm::length(shift) > hardly_moved_m) {
     said.push_back(fmt::format("its pieces are moved by {} m to be about the body", describe_point(shift)));
   }
-  return shift;
-}
-
-/// Lifts panels that hang from a level seam, such as a skirt from the waist of a dress. They rise to where the body is
-/// no wider than the seam, if it is wider at the seam. Patterns place skirts below bodices that are longer than the
-/// body.
-void lift_to_waist(const SewingPattern& pattern, const BodyMeasures& measures, CutPieces& pieces) {
-  const std::vector<sim::Extent> boxes = panel_boxes(pieces);
-  const double shoulder_m = sim::compute_extent(pieces.placed_m).upper.y;
-  std::set<std::size_t> upper, lower;
-  double border_m = 0.0, height_m = 0.0;
-  for (std::size_t s = 0; s < pattern.stitches.size(); ++s) {
-    auto [above, below] = pattern.stitches[s];
-    if (boxes[above.panel].middle().y < boxes[below.panel].middle().y) std::swap(above, below);
-    const auto& [first, second] = pieces.seams[s].front();
-    const double seam_m = pieces.placed_m[pieces.panel_of[first] == above.panel ? first : second].y;
-    const auto [from, to] = pattern.placed_ends_m(above);
-    if (boxes[above.panel].middle().y > boxes[below.panel].middle().y + min_depth_under_m &&
-        std::abs(to.y - from.y) < level_seam * glm::distance(from, to) && seam_m < shoulder_m - below_top_m) {
-      upper.insert(above.panel);
-      lower.insert(below.panel);
-      border_m += std::min(polyline_length(pattern.line_of(above)), polyline_length(pattern.line_of(below)));
-      height_m = std::max(height_m, seam_m);
-    }
-  }
-  lower = pattern.sewn_with(std::move(lower), [&](std::size_t p) { return !upper.contains(p); });
-  if (lower.empty() || std::ranges::any_of(upper, [&](std::size_t p) { return lower.contains(p); })) return;
-  const double lift_m = level_for(measures, border_m, height_m).value_or(height_m) - height_m;
-  for (std::size_t v = 0; v < pieces.placed_m.size(); ++v) {
-    pieces.placed_m[v].y += lower.contains(pieces.panel_of[v]) ? std::max(lift_m, 0.0) : 0.0;
-  }
-}
-
-}  // namespace
-
-Vec3 move_to_height(const SewingPattern& pattern, const Wearer& wearer, CutPieces& pieces,
-                    std::vector<std::string>& said) {
-  const Vec3 shift = compute_shift(pattern, wearer, pieces, said);
-  for (Vec3& position : pieces.placed_m) position += shift;
-  if (!pieces.first_seams.empty()) lift_to_waist(pattern, wearer.measures, pieces);
   return shift;
 }
 

@@ -47,7 +47,7 @@ class Surrounded {
     Crossings before;
     for (int push = 0; push < max_pushes; ++push) {
       std::set<Index> moved;
-      Crossings found = crossing(pieces_.placed_m);
+      Crossings found = crossing();
       // Pieces that have come apart are pushed once more, so that they do not nearly touch.
       const Crossings& pushed = found.empty() ? before : found;
       if (pushed.empty()) break;
@@ -61,43 +61,27 @@ class Surrounded {
           moved.insert(b && out_m_[*b] >= out_m_[a] ? *b : a);
         }
       }
-      move(moved, step_m, pieces_.placed_m);
-      for (const Index p : moved) out_m_[p] += step_m;
+      move(moved, step_m);
       all.merge(moved);
       before = std::move(found);
     }
     return all.size();
   }
 
-  /// Moves pieces inwards as far as they keep clear of all others, so that threads have less to draw. Pieces that face
-  /// the same way move together and so do not pass each other.
+  /// Moves pieces inwards until one of them is near the body, the axis or another piece, so that threads have less to
+  /// draw.
   void draw_in() {
-    std::set<Index> moving;
+    std::set<Index> level;
     const std::vector<sim::Extent> boxes = panel_boxes(pieces_);
     for (Index p = 0; p < pieces_.panel_count(); ++p) {
       // Hoods stay wide, or they would close around the thin neck.
-      if (ways_[p].y == 0.0 && boxes[p].middle().y < axis_m_.y) moving.insert(p);
+      if (ways_[p].y == 0.0 && boxes[p].middle().y < axis_m_.y) level.insert(p);
     }
-    while (!moving.empty()) {
-      std::vector<Vec3> ahead_m = pieces_.placed_m;
-      std::set<Index> stopped;
-      // Small steps are taken because a thin body may lie on the path.
-      for (double ahead = 0.0; ahead < clear_m + 0.5 * step_m; ahead += step_m) {
-        move(moving, -step_m, ahead_m);
-        for (const auto& [a, b] : crossing(ahead_m)) {
-          stopped.insert(a);
-          stopped.insert(b.value_or(a));
-        }
-      }
-      for (const Index p : moving) {
-        if (out_m_[p] < clear_m) stopped.insert(p);
-      }
-      std::erase_if(moving, [&](Index p) {
-        return std::ranges::any_of(stopped, [&](Index other) { return glm::dot(ways_[p], ways_[other]) > same_way; });
-      });
-      move(moving, -step_m, pieces_.placed_m);
-      for (const Index p : moving) out_m_[p] -= step_m;
-    }
+    const auto is_clear = [&] {
+      return std::ranges::all_of(level, [&](Index p) { return out_m_[p] > 0.0; }) && crossing().empty();
+    };
+    while (!level.empty() && is_clear()) move(level, -step_m);
+    move(level, clear_m);
   }
 
   /// Bends pieces towards the middle of all.
@@ -121,8 +105,7 @@ class Surrounded {
           out_m = std::max(out_m, out_m_[b] + over_m);
         }
       }
-      move({a}, out_m - out_m_[a], pieces_.placed_m);
-      out_m_[a] = out_m;
+      move({a}, out_m - out_m_[a]);
     }
   }
 
@@ -138,8 +121,8 @@ class Surrounded {
     }
   }
 
-  Crossings crossing(const std::vector<Vec3>& positions_m) const {
-    const sim::Surface cloth = {positions_m, pieces_.triangles};
+  Crossings crossing() const {
+    const sim::Surface cloth = {pieces_.placed_m, pieces_.triangles};
     const auto panel = [&](Index t) { return pieces_.panel_of[pieces_.triangles[t][0]]; };
     Crossings found;
     for (const sim::CrossingPair& pair : sim::find_crossing_pairs(cloth, body_)) {
@@ -150,10 +133,11 @@ class Surrounded {
     return found;
   }
 
-  void move(const std::set<Index>& panels, double by_m, std::vector<Vec3>& positions_m) const {
-    for (std::size_t v = 0; v < positions_m.size(); ++v) {
+  void move(const std::set<Index>& panels, double by_m) {
+    for (const Index p : panels) out_m_[p] += by_m;
+    for (std::size_t v = 0; v < pieces_.placed_m.size(); ++v) {
       const Index p = pieces_.panel_of[v];
-      positions_m[v] += panels.contains(p) ? by_m * ways_[p] : Vec3(0.0);
+      pieces_.placed_m[v] += panels.contains(p) ? by_m * ways_[p] : Vec3(0.0);
     }
   }
 
@@ -163,39 +147,6 @@ class Surrounded {
   std::vector<Vec3> ways_;     ///< per panel, level and outwards
   std::vector<double> out_m_;  ///< per panel, the outward position of its middle
 };
-
-/// Compresses panels that are longer than the panels that they are sewn to, along that seam. The bound allows for
-/// compression, and cloth folds by itself when it is released.
-void push_ease_together(const SewingPattern& pattern, CutPieces& pieces) {
-  const std::vector<Vec3> placed_m = pieces.placed_m;
-  const std::vector<sim::Extent> boxes = panel_boxes(pieces);
-  for (std::size_t p = 0; p < pattern.panels.size(); ++p) {
-    Vec3 along(0.0);
-    double own_m = 0.0, other_m = 0.0;
-    for (std::size_t s = 0; s < pattern.stitches.size(); ++s) {
-      for (const bool is_second : {false, true}) {
-        const auto& [first, second] = pattern.stitches[s];
-        const PanelEdge &own = is_second ? second : first, &other = is_second ? first : second;
-        const double length_m = polyline_length(pattern.line_of(own));
-        if (own.panel != p || other.panel == p || length_m < gathered_ratio * polyline_length(pattern.line_of(other)))
-          continue;
-        const auto& [begin, end] = std::pair(pieces.seams[s].front(), pieces.seams[s].back());
-        const Vec3 way =
-            is_second ? placed_m[end.second] - placed_m[begin.second] : placed_m[end.first] - placed_m[begin.first];
-        along += glm::dot(along, way) < 0.0 ? -way : way;
-        own_m += length_m;
-        other_m += polyline_length(pattern.line_of(other));
-      }
-    }
-    if (!(glm::length(along) > 0.0)) continue;
-    along = glm::normalize(along);
-    for (std::size_t v = 0; v < placed_m.size(); ++v) {
-      if (pieces.panel_of[v] == p) {
-        pieces.placed_m[v] -= (1.0 - other_m / own_m) * glm::dot(placed_m[v] - boxes[p].middle(), along) * along;
-      }
-    }
-  }
-}
 
 /// Requires that panels are sewn to others and do not all lie in one place.
 void require_joined_and_placed(const SewingPattern& pattern) {
@@ -256,9 +207,9 @@ std::size_t place_about_body(CutPieces& pieces, const Scene& scene, LoadedBodies
 }  // namespace
 
 std::size_t part_and_draw_in(const sim::Surface& body, const Vec3& axis_m, CutPieces& pieces) {
-  const std::size_t moved = Surrounded(body, axis_m, pieces).part();
-  Surrounded apart(body, axis_m, pieces);
-  body.triangles.empty() ? apart.bend() : apart.draw_in();
+  Surrounded surrounded(body, axis_m, pieces);
+  const std::size_t moved = surrounded.part();
+  body.triangles.empty() ? surrounded.bend() : surrounded.draw_in();
   return moved;
 }
 
@@ -270,10 +221,7 @@ double thin_time_s(const LoadedBodies& bodies) {
 std::vector<std::string> bring_to_body(const SewingPattern& pattern, const LoadedBodies& bodies, CutPieces& pieces) {
   require_joined_and_placed(pattern);
   std::vector<std::string> said;
-  if (bodies.all.empty()) {
-    push_ease_together(pattern, pieces);
-    return said;
-  }
+  if (bodies.all.empty()) return said;
   const Wearer& wearer = require_wearer(bodies);
   const sim::Extent range = sim::compute_extent(pieces.placed_m);
   const double size_m = range.size()[sim::long_axis(range)];
@@ -283,8 +231,8 @@ std::vector<std::string> bring_to_body(const SewingPattern& pattern, const Loade
         "unit is",
         size_m, min_clothes_m, max_clothes_m);
   }
-  const Vec3 shift = move_to_height(pattern, wearer, pieces, said);
-  push_ease_together(pattern, pieces);
+  const Vec3 shift = compute_shift(pattern, wearer, pieces, said);
+  for (Vec3& position : pieces.placed_m) position += shift;
   turn_sleeves(pattern, shift, wearer, pieces);
   return said;
 }

@@ -5,9 +5,9 @@
 
 namespace taut::app {
 
-/// Moves pieces that cross the body, each other or another layer outwards from this axis, or sideways. Then moves all
-/// pieces inwards to the body as far as they keep clear, so that threads have less to draw. Without a body, pieces move
-/// only apart, from this point. Returns how many crossed.
+/// Moves pieces that cross the body, each other or another layer outwards from this axis, or sideways. Then moves
+/// pieces inwards until they are near something, so that threads have less to draw. Without a body, pieces move apart
+/// from this point, and are bent. Returns how many crossed.
 std::size_t part_and_draw_in(const sim::Surface& body, const sim::Vec3& axis_m, CutPieces& pieces);
 
 /// Moves the pieces of a pattern to the dressed body of the scene. The pattern places them about a body of similar
@@ -22,10 +22,10 @@ std::vector<std::string> bring_to_body(const SewingPattern& pattern, const Loade
 /// pieces outwards that cross the body or each other. Requires bring_to_body(). Returns a report for people.
 std::vector<std::string> place_pieces(CutPieces& pieces, const Scene& scene, LoadedBodies& bodies);
 
-// Steps of bring_to_body(). move_to_height() moves all pieces up or down, returns how far, and marks the shoulder
-// seams, which are closed first.
-sim::Vec3 move_to_height(const SewingPattern& pattern, const Wearer& wearer, CutPieces& pieces,
-                         std::vector<std::string>& said);
+// Steps of bring_to_body(). compute_shift() returns how far all pieces move, and marks the shoulder seams, which are
+// closed first.
+sim::Vec3 compute_shift(const SewingPattern& pattern, const Wearer& wearer, CutPieces& pieces,
+                        std::vector<std::string>& said);
 void turn_sleeves(const SewingPattern& pattern, const sim::Vec3& shift, const Wearer& wearer, CutPieces& pieces);
 
 /// Returns the turned bones of arms and legs for the start of the body's growth.

@@ -56,12 +56,6 @@ inline constexpr double shoulder_slope = 0.9;
 inline constexpr double max_shoulder_m = 0.3;
 /// Depth below the highest shoulder seam, or below the top, that is near it, in m. More takes lower seams too.
 inline constexpr double near_top_m = 0.2;
-/// Height of a bodice's middle above its skirt's, in m. Less lifts panels beside each other.
-inline constexpr double min_depth_under_m = 0.1;
-/// Depth below the top at which a skirt may begin, in m. Less takes collars for bodices.
-inline constexpr double below_top_m = 0.2;
-/// Largest slope of a level seam. More lifts panels at slanted seams.
-inline constexpr double level_seam = 0.3;
 /// Distance from which it is said that a pattern is moved, in m. Less says it of all.
 inline constexpr double hardly_moved_m = 0.01;
 
@@ -91,7 +85,8 @@ inline constexpr double min_leg_offset_widths = 0.15;
 
 /// Step by which pieces move, in m. More leaves gaps, less takes longer.
 inline constexpr double step_m = 0.01;
-/// Distance of pieces that are drawn in, in m. Less lets them touch, more gives threads more to draw.
+/// Distance to which pieces move back where something stops them on their way inwards, in m. Less lets them touch, more
+/// gives threads more to draw.
 inline constexpr double clear_m = 0.03;
 /// Smallest cosine of directions that count as equal. Less lets pieces pass each other, more moves neighbours apart.
 inline constexpr double same_way = 0.8;
@@ -112,8 +107,6 @@ inline constexpr double max_clothes_m = 3.5;
 /// Depth of the bow of panels without a body, as a fraction of the pattern's size. Threads within a plane bend no cloth
 /// out of it. More depth stretches panels beyond the bound.
 inline constexpr double bow_fraction = 0.02;
-/// Smallest ratio of the lengths of a gathered seam's sides. Less compresses panels with little ease.
-inline constexpr double gathered_ratio = 1.05;
 
 // Closing: threads draw seams together, and vertices that have met are joined (closing.cpp).
 
@@ -166,8 +159,6 @@ inline constexpr int steps_to_begin = 20;
 inline constexpr int max_frames_without_progress = 120;
 /// Fraction to which the widest gap has to shrink for progress. More counts less as progress.
 inline constexpr double progress_gap_ratio = 0.9;
-/// Lift of a pair that is joined over another layer, as a fraction of its distance. Less joins within that layer.
-inline constexpr double lift_fraction = 0.7;
 /// Count of frames in which joined cloth has to come apart. Less takes back good joins.
 inline constexpr int frames_to_part = 5;
 /// Count of tries of a join, each without the pairs that crossed before. Less joins fewer pairs at once.

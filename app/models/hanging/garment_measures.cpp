@@ -95,8 +95,6 @@ sim::Vec3 mean_position(std::span<const sim::Index> vertices, std::span<const si
   return sum / static_cast<double>(vertices.size());
 }
 
-sim::Vec3 level(const sim::Vec3& v) { return {v.x, 0.0, v.z}; }
-
 struct Finder {
   const Landmarks& landmarks;
   const sim::Mesh& mesh;
@@ -127,17 +125,13 @@ struct Finder {
 
   /// Returns the depth of a stand collar below its edge, in m; 0 if there is none.
   double collar_m(const Opening& top) const {
-    const auto girth_m = [&](double below_m) {
-      const sim::Vec3 middle = top.range.middle();
-      double max_extent_m = 0.0;
-      for (const SectionCurve& curve : cut_section(surface, {{middle.x, top.range.lower.y - below_m, middle.z}})) {
-        if (curve.is_closed && is_around_point(curve)) max_extent_m = std::max(max_extent_m, length_m(curve));
-      }
-      return max_extent_m;
-    };
     if (top.range.size().y > max_collar_unevenness_m) return 0.0;
+    const sim::Vec3 middle = top.range.middle();
     for (double below_m = collar_step_m; below_m < max_collar_m; below_m += collar_step_m) {
-      const double around_m = girth_m(below_m);
+      double around_m = 0.0;
+      for (const SectionCurve& curve : cut_section(surface, {{middle.x, top.range.lower.y - below_m, middle.z}})) {
+        if (curve.is_closed && is_around_point(curve)) around_m = std::max(around_m, length_m(curve));
+      }
       if (around_m == 0.0) return 0.0;
       if (around_m > min_shoulder_girth_ratio * top.length_m) return below_m - collar_step_m;
     }
@@ -234,7 +228,8 @@ struct Finder {
     const std::vector<sim::Index> front = landmarks_with(landmarks, "front");
     const std::vector<sim::Index> back = landmarks_with(landmarks, "back");
     if (!front.empty() && !back.empty()) {
-      const sim::Vec3 forwards = level(mean_position(front, positions_m) - mean_position(back, positions_m));
+      sim::Vec3 forwards = mean_position(front, positions_m) - mean_position(back, positions_m);
+      forwards.y = 0.0;
       if (glm::length(forwards) > 0.0) {
         marks.front = glm::normalize(forwards);
         marks.is_front_known = true;

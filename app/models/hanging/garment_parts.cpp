@@ -108,6 +108,16 @@ bool is_wide(const GarmentPart& part, const Opening& opening) {
   return opening.range.size()[part.across()] >= min_opening_width * part.width_m();
 }
 
+/// Returns the large openings that carry the part; none if it has only one large opening, which may be its outline.
+std::vector<const Opening*> carrying_openings(const GarmentPart& part) {
+  std::vector<const Opening*> openings = large_openings(part);
+  const bool is_outline = openings.size() < 2;
+  std::erase_if(openings, [&](const Opening* opening) {
+    return is_outline || !is_wide(part, *opening) || !carries(part, opening->range);
+  });
+  return openings;
+}
+
 bool is_high_and_level(const GarmentPart& part, const Opening& opening) {
   const double height_m = part.range.size().y;
   return opening.mean_height_m >= part.range.lower.y + min_top_opening_height * height_m &&
@@ -191,24 +201,14 @@ bool carries(const GarmentPart& part, const sim::Extent& held) {
 }
 
 const Opening* top_opening(const GarmentPart& part) {
-  const Opening* top = nullptr;
-  const std::vector<const Opening*> large = large_openings(part);
-  for (const Opening* opening : large) {
-    const bool may_carry =
-        is_high_and_level(part, *opening) && is_wide(part, *opening) && carries(part, opening->range);
-    if (may_carry && (top == nullptr || opening->mean_height_m > top->mean_height_m)) top = opening;
-  }
-  return large.size() >= 2 ? top : nullptr;
+  std::vector<const Opening*> openings = carrying_openings(part);
+  std::erase_if(openings, [&](const Opening* opening) { return !is_high_and_level(part, *opening); });
+  return openings.empty() ? nullptr : *std::ranges::max_element(openings, {}, &Opening::mean_height_m);
 }
 
 const Opening* inner_opening(const GarmentPart& part) {
-  const Opening* inner = nullptr;
-  const std::vector<const Opening*> large = large_openings(part);
-  for (const Opening* opening : large) {
-    const bool may_carry = is_wide(part, *opening) && carries(part, opening->range);
-    if (may_carry && (inner == nullptr || opening->length_m < inner->length_m)) inner = opening;
-  }
-  return large.size() >= 2 ? inner : nullptr;
+  const std::vector<const Opening*> openings = carrying_openings(part);
+  return openings.empty() ? nullptr : *std::ranges::min_element(openings, {}, &Opening::length_m);
 }
 
 bool has_sleeves(const GarmentPart& part) {

@@ -1,6 +1,7 @@
 #include "app/models/hanging/hanger.hpp"
 
 #include "app/base/errors.hpp"
+#include "app/base/words.hpp"
 #include "app/models/garment_loading.hpp"
 #include "app/models/hanging/tuning.hpp"
 #include "sim/contact/contact_measure.hpp"
@@ -117,26 +118,20 @@ std::optional<std::array<sim::Capsule, 2>> clear_bars(const HangerSpace& wearer)
   return std::nullopt;
 }
 
-struct OpeningSpan {
-  double lower_m = std::numeric_limits<double>::infinity();
-  double upper_m = -std::numeric_limits<double>::infinity();
+/// Returns the size along an axis; 0 without points.
+double size_along(const sim::Extent& extent, int axis) { return std::max(0.0, extent.size()[axis]); }
 
-  double width_m() const { return std::max(0.0, upper_m - lower_m); }
-};
-
-/// Returns the extent of the part at each level, from its top down.
-std::vector<OpeningSpan> find_spans(const sim::Mesh& mesh, const GarmentPart& part, int across) {
+/// Returns the width of the part at each level, from its top down.
+std::vector<double> find_widths_m(const sim::Mesh& mesh, const GarmentPart& part, int across) {
   const double step_m = part.range.size().y / hood_levels;
-  std::vector<OpeningSpan> spans(hood_levels);
-  if (!(step_m > 0.0)) return spans;  // a level part
+  if (!(step_m > 0.0)) return std::vector<double>(hood_levels, 0.0);  // a level part
+  std::vector<sim::Extent> spans(hood_levels);
   const auto add_edge = [&](const sim::Vec3& high, const sim::Vec3& low) {
     const auto first = static_cast<int>(std::ceil((part.range.upper.y - high.y) / step_m - 0.5));
     for (int k = std::max(0, first); k < hood_levels; ++k) {
       const double level_m = part.range.upper.y - (k + 0.5) * step_m;
       if (level_m < low.y || high.y <= low.y) break;
-      const double at_m = low[across] + (high[across] - low[across]) * (level_m - low.y) / (high.y - low.y);
-      spans[k].lower_m = std::min(spans[k].lower_m, at_m);
-      spans[k].upper_m = std::max(spans[k].upper_m, at_m);
+      spans[k].add(low + (high - low) * (level_m - low.y) / (high.y - low.y));
     }
   };
   for (const sim::Index triangle : part.triangles) {
@@ -146,19 +141,19 @@ std::vector<OpeningSpan> find_spans(const sim::Mesh& mesh, const GarmentPart& pa
       a.y > b.y ? add_edge(a, b) : add_edge(b, a);
     }
   }
-  return spans;
+  return collect<double>(spans, [&](const sim::Extent& span) { return size_along(span, across); });
 }
 
-bool widens_below(const std::vector<OpeningSpan>& spans, int level) {
-  return level + shoulder_levels < hood_levels && spans[level].width_m() > 0.0 &&
-         spans[level + shoulder_levels].width_m() >= min_widening_ratio * spans[level].width_m();
+bool widens_below(const std::vector<double>& widths_m, int level) {
+  return level + shoulder_levels < hood_levels && widths_m[level] > 0.0 &&
+         widths_m[level + shoulder_levels] >= min_widening_ratio * widths_m[level];
 }
 
 /// Returns the last level, from the top, above which the part widens as at shoulders; `levels` if there is none.
-int neck_level(const std::vector<OpeningSpan>& spans) {
+int neck_level(const std::vector<double>& widths_m) {
   auto level = static_cast<int>(std::ceil(min_hood_height * hood_levels));
-  while (level < hood_levels && !widens_below(spans, level)) ++level;
-  while (widens_below(spans, level + 1)) ++level;
+  while (level < hood_levels && !widens_below(widths_m, level)) ++level;
+  while (widens_below(widths_m, level + 1)) ++level;
   return level;
 }
 
@@ -166,18 +161,14 @@ int neck_level(const std::vector<OpeningSpan>& spans) {
 /// bodice with straps.
 bool is_on_one_side(const sim::Mesh& mesh, const GarmentPart& part, const Opening& opening, double height_m,
                     double band_m) {
-  const int depth = 2 - part.across();
-  const auto span_of = [&](const std::vector<sim::Index>& vertices) {
-    OpeningSpan span;
+  const auto depth_m = [&](const std::vector<sim::Index>& vertices) {
+    sim::Extent span;
     for (const sim::Index v : vertices) {
-      if (std::abs(mesh.positions[v].y - height_m) <= band_m) {
-        span.lower_m = std::min(span.lower_m, mesh.positions[v][depth]);
-        span.upper_m = std::max(span.upper_m, mesh.positions[v][depth]);
-      }
+      if (std::abs(mesh.positions[v].y - height_m) <= band_m) span.add(mesh.positions[v]);
     }
-    return span.width_m();
+    return size_along(span, 2 - part.across());
   };
-  return span_of(opening.vertices) <= max_face_depth_ratio * span_of(part.vertices);
+  return depth_m(opening.vertices) <= max_face_depth_ratio * depth_m(part.vertices);
 }
 
 /// Returns whether the only wide opening above the neck is a face's.
@@ -257,7 +248,7 @@ void take_off_hanger(Scene& scene, std::vector<sim::Body>& bodies) {
 }
 
 std::vector<sim::Index> neck_below_hood(const sim::Mesh& mesh, const GarmentPart& part, int across) {
-  const int level = neck_level(find_spans(mesh, part, across));
+  const int level = neck_level(find_widths_m(mesh, part, across));
   const double height_m = part.range.size().y;
   const double neck_m = part.range.upper.y - (level + 0.5) * height_m / hood_levels;
   std::vector<sim::Index> neck;

@@ -11,14 +11,16 @@ using namespace hanging;
 
 namespace {
 
-std::vector<sim::Index> vertices_from(const sim::Mesh& mesh, const GarmentPart& part, int axis, double direction) {
-  const double end = direction > 0.0 ? part.range.upper[axis] : part.range.lower[axis];
+/// Returns the vertices at the end of these in a direction along an axis, in a band that is a fraction of the part.
+std::vector<sim::Index> find_end(const sim::Mesh& mesh, const GarmentPart& part, std::span<const sim::Index> vertices,
+                                 int axis, double direction) {
+  const sim::Extent range = sim::compute_extent(mesh.positions, vertices);
+  const double end = direction > 0.0 ? range.upper[axis] : range.lower[axis];
   const double reach = pinned_band_fraction * part.range.size()[axis];
-  std::vector<sim::Index> vertices;
-  for (const sim::Index v : part.vertices) {
-    if (direction * (end - mesh.positions[v][axis]) <= reach) vertices.push_back(v);
-  }
-  return vertices;
+  std::vector<sim::Index> at_end;
+  std::ranges::copy_if(vertices, std::back_inserter(at_end),
+                       [&](sim::Index v) { return direction * (end - mesh.positions[v][axis]) <= reach; });
+  return at_end;
 }
 
 /// Returns the highest of the vertices on either side of the centre of mass, no farther out than `reach_m`. Empty if
@@ -27,19 +29,13 @@ std::vector<sim::Index> find_tops(const sim::Mesh& mesh, const GarmentPart& part
                                   const std::vector<sim::Index>& vertices, double reach_m) {
   std::vector<sim::Index> top_vertices;
   for (const double side : {-1.0, 1.0}) {
-    GarmentPart half;
+    std::vector<sim::Index> half;
     for (const sim::Index v : vertices) {
       const double out_m = side * (mesh.positions[v][part.across()] - part.centre_m[part.across()]);
-      if (out_m > 0.0 && out_m <= reach_m) {
-        half.vertices.push_back(v);
-        half.range.add(mesh.positions[v]);
-      }
+      if (out_m > 0.0 && out_m <= reach_m) half.push_back(v);
     }
-    if (half.vertices.empty()) return {};
-    const double reach_down_m = pinned_band_fraction * part.range.size().y;
-    for (const sim::Index v : half.vertices) {
-      if (half.range.upper.y - mesh.positions[v].y <= reach_down_m) top_vertices.push_back(v);
-    }
+    if (half.empty()) return {};
+    std::ranges::copy(find_end(mesh, part, half, 1, 1.0), std::back_inserter(top_vertices));
   }
   return top_vertices;
 }
@@ -71,7 +67,7 @@ std::vector<sim::Index> find_flat_pins(const sim::Mesh& mesh, const GarmentPart&
   }
   hung.by = HungBy::back_edge;
   const bool is_a_ribbon = part.range.size().z <= max_flat_part_thickness * part.size_m();
-  return vertices_from(mesh, part, is_a_ribbon ? 0 : 2, -1.0);
+  return find_end(mesh, part, part.vertices, is_a_ribbon ? 0 : 2, -1.0);
 }
 
 /// Returns the vertices that hold a part that stands up: the first set that carries it in balance, or else its highest
@@ -89,7 +85,7 @@ std::vector<sim::Index> find_upright_pins(const sim::Mesh& mesh, const GarmentPa
     }
     return opening->vertices;
   }
-  std::vector<sim::Index> band = vertices_from(mesh, part, 1, 1.0);
+  std::vector<sim::Index> band = find_end(mesh, part, part.vertices, 1, 1.0);
   // Sleeves that are stretched out are as high as shoulders, but nobody hangs a garment by them.
   if (carries(part, sim::compute_extent(mesh.positions, band)) && !has_sleeves(part)) return band;
   if (std::vector<sim::Index> pair = pair_of_openings(part); !pair.empty()) {

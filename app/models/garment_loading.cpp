@@ -88,11 +88,6 @@ FileVertices vertices_of_file(const ImportedModel& model, const std::vector<sim:
   return vertices;
 }
 
-/// Returns the positions of the file's vertices, in the file's unit and axes.
-sim::RepairSettings repair_settings(const GarmentSource& source, double metres_per_unit) {
-  return {source.weld_m.value_or(0.0) / metres_per_unit, source.weld_m ? 0.0 : sewn_within_m / metres_per_unit};
-}
-
 /// Removes quads with the positions of an earlier one, such as the backs of cloth that is seen from both sides. Cut
 /// along the other diagonal, their triangles differ. Returns the number of removed triangles.
 std::size_t leave_out_backs(const ImportedModel& model, sim::Mesh& soup) {
@@ -157,7 +152,6 @@ void subdivide_coarse(sim::Mesh& model, FittedModel& fitted, SurfaceColours& col
     std::vector<std::uint8_t> finer;
     for (const std::uint8_t is_simulated : fitted.is_simulated) finer.insert(finer.end(), 4, is_simulated);
     fitted.is_simulated = std::move(finer);
-    fitted.carried_triangles *= 4;
   }
 }
 
@@ -208,7 +202,8 @@ sim::Mesh read_mesh(const Scene& scene, LoadedGarment& loaded, const StageReport
     begin("joining its vertices");
     const double scale = loaded.placement->scale;
     // Two walls of one cloth must not be sewn together.
-    sim::ValidatedMesh valid = sim::weld_and_validate(soup, {source.weld_m.value_or(0.0) / scale, 0.0});
+    const double weld = source.weld_m.value_or(0.0) / scale;
+    sim::ValidatedMesh valid = sim::weld_and_validate(soup, {weld, 0.0});
     require_one_size(valid.mesh);
     require_few_at_edges(valid.mesh);
     require_thin(scene.material.thickness_m, scale * glm::length(sim::compute_extent(valid.mesh.positions).size()));
@@ -221,7 +216,7 @@ sim::Mesh read_mesh(const Scene& scene, LoadedGarment& loaded, const StageReport
       loaded.fitting_refusal = std::move(outcome.refusal);
     }
     if (!fitted && !is_cut) {
-      valid = sim::weld_and_validate(soup, repair_settings(source, scale));
+      valid = sim::weld_and_validate(soup, {weld, source.weld_m ? 0.0 : sewn_within_m / scale});
       require_few_at_edges(valid.mesh);
     }
     loaded.repairs = valid.report;

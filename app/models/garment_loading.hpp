@@ -22,10 +22,7 @@ struct FollowingModel {
   FileVertices file_vertices;                       ///< vertices of its file, mapped to `mesh`
   std::vector<Bond> bonds;                          ///< per vertex of `mesh`, its bond to the simulation mesh
   std::shared_ptr<const ShapeLimits> shape_limits;  ///< limits of its shape, whatever its bonds
-  std::string unfit_reason;                         ///< reason why the model itself is not simulated
-  std::size_t carried_triangles = 0;                ///< count of triangles outside the simulated wall
-  std::size_t dropped_parts = 0;                    ///< count of parts too small to be simulated
-  double dropped_area_fraction = 0.0;
+  std::string description;                          ///< line for people: the mesh that is simulated instead, and why
 
   /// Returns the positions of `mesh` for positions of the simulated vertices, in m.
   std::vector<sim::Vec3> shown_m(std::span<const sim::Vec3> positions_m,

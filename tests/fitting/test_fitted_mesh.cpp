@@ -100,6 +100,8 @@ Judged fit(const sim::Mesh& soup, const FittingSettings& settings = {.max_triang
   return judged;
 }
 
+std::ptrdiff_t carried(const Judged& judged) { return std::ranges::count(judged.fitted.is_simulated, 0); }
+
 constexpr double tube_area_m2 = 2.0 * std::numbers::pi * 0.2 * 0.8;
 
 /// A tube of two walls that are joined at its hems.
@@ -118,7 +120,7 @@ TEST(FittedMesh, IsTheOuterWallOfAClosedShell) {
   EXPECT_EQ(judged.topology.boundary_loops, 2U);
   EXPECT_EQ(judged.topology.euler_characteristic, 0);
   EXPECT_NEAR(judged.area_m2, tube_area_m2, 0.01 * tube_area_m2);
-  EXPECT_GT(judged.fitted.carried_triangles, 2500U);
+  EXPECT_GT(carried(judged), 2500);
   for (const Vec3& p : judged.fitted.mesh.positions) {
     EXPECT_GT(std::hypot(p.x, p.z), 0.199);
   }
@@ -166,7 +168,7 @@ TEST(FittedMesh, IsTheLargerOfTwoWallsThatAreSeparateParts) {
   const Judged judged = fit(walls);
   EXPECT_EQ(judged.fitted.sheets, 1U);
   EXPECT_NEAR(judged.area_m2, tube_area_m2, 0.01 * tube_area_m2);
-  EXPECT_EQ(judged.fitted.carried_triangles, 4000U);
+  EXPECT_EQ(carried(judged), 4000);
   EXPECT_EQ(judged.fitted.is_simulated.front(), 0);
   EXPECT_EQ(judged.fitted.is_simulated.back(), 1);
 }
@@ -176,7 +178,7 @@ TEST(FittedMesh, KeepsLayersThatAreFarApart) {
   add(tube(60, 40, 0.22), layers);
   const Judged judged = fit(layers);
   EXPECT_EQ(judged.fitted.sheets, 2U);
-  EXPECT_EQ(judged.fitted.carried_triangles, 0U);
+  EXPECT_EQ(carried(judged), 0);
 }
 
 TEST(FittedMesh, GoesOnSmoothlyWhereThreeTrianglesMeet) {
@@ -214,7 +216,6 @@ TEST(FittedMesh, JoinsPanelsWhoseVerticesDoNotMatch) {
     EXPECT_EQ(judged.fitted.sheets, 1U);
     EXPECT_EQ(judged.topology.boundary_loops, 1U);
     EXPECT_NEAR(judged.area_m2, 0.3, 0.003);
-    EXPECT_GT(judged.fitted.joined_vertices, 20U);
   }
 }
 

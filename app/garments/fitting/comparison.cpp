@@ -86,10 +86,7 @@ double torn_fraction(const sim::Mesh& model_m, const sim::Mesh& mesh, double dis
 FittingComparison compare_with_model(const sim::Mesh& model_m, std::size_t model_crossings, const FittedMesh& fitted,
                                      const ComparisonLimits& limits) {
   const double size_m = glm::length(sim::compute_extent(model_m.positions).size());
-  sim::Mesh cloth{model_m.positions, {}, {}};
-  for (std::size_t t = 0; t < fitted.is_simulated.size(); ++t) {
-    if (fitted.is_simulated[t] != 0) cloth.triangles.push_back(model_m.triangles[t]);
-  }
+  const sim::Mesh cloth = select_triangles(model_m, fitted.is_simulated);
   FittingComparison c;
   c.area_fraction = sim::surface_area(fitted.mesh) / sim::surface_area(cloth);
   c.torn_fraction = torn_fraction(model_m, fitted.mesh, limits.border_distance_fraction * size_m);

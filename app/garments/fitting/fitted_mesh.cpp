@@ -67,17 +67,11 @@ class Seams {
   }
 
   /// Finds welds within a part, and between parts closer than the join distance.
-  std::vector<Weld> find_seams() {
-    return find(distance_m_, [this](sim::Index v, const Border& border, const SheetBorderEdge& edge,
-                                    const TreeSurfacePoint& place) { return may_join(v, border, edge, place); });
-  }
+  std::vector<Weld> find_seams() { return find(distance_m_, false); }
 
   /// Finds welds to other parts across a gap that runs along most of a border.
   std::vector<Weld> find_gaps(double gap_m) {
-    std::vector<Weld> welds = find(
-        gap_m, [this](sim::Index v, const Border& border, const SheetBorderEdge& edge, const TreeSurfacePoint& place) {
-          return part_of_.find(v) != part_of_.find(edge.from) && goes_on_beyond(v, border, edge, place, max_gap_cosine);
-        });
+    std::vector<Weld> welds = find(gap_m, true);
     std::vector<std::size_t> loop_of(mesh_.positions.size());
     std::vector<std::array<std::size_t, 2>> counts;  ///< per border: its welded vertices, all its vertices
     for (const std::vector<sim::Index>& loop : border_loops(mesh_)) {
@@ -104,22 +98,17 @@ class Seams {
   }
 
  private:
-  bool may_join(sim::Index v, const Border& border, const SheetBorderEdge& edge, const TreeSurfacePoint& place) {
-    if (part_of_.find(v) != part_of_.find(edge.from)) {
-      return glm::dot(border.inwards, edge.inwards) < min_layer_cosine * glm::length(border.inwards);
-    }
-    return goes_on_beyond(v, border, edge, place, max_seam_cosine);
-  }
-
-  bool goes_on_beyond(sim::Index v, const Border& border, const SheetBorderEdge& edge, const TreeSurfacePoint& place,
-                      double max_cosine) const {
-    const double length = glm::length(border.inwards);
-    return glm::dot(border.inwards, edge.inwards) < max_cosine * length &&
+  bool may_join(sim::Index v, const Border& border, const TreeSurfacePoint& place, bool is_gap) {
+    const SheetBorderEdge& edge = edges_[place.triangle];
+    const bool is_other_part = part_of_.find(v) != part_of_.find(edge.from);
+    const double length = glm::length(border.inwards), cosine = glm::dot(border.inwards, edge.inwards);
+    if (is_other_part && !is_gap) return cosine < min_layer_cosine * length;
+    return is_other_part == is_gap && cosine < (is_gap ? max_gap_cosine : max_seam_cosine) * length &&
            glm::dot(place.place_m - mesh_.positions[v], border.inwards) <=
                max_across_cosine * place.distance_m * length;
   }
 
-  template <class Accept> std::vector<Weld> find(double reach_m, const Accept& accept) {
+  std::vector<Weld> find(double reach_m, bool is_gap) {
     std::vector<sim::Triangle> segments;
     for (const SheetBorderEdge& edge : edges_) segments.push_back({edge.from, edge.to, edge.to});
     const SurfaceTree tree(mesh_.positions, segments);
@@ -128,7 +117,7 @@ class Seams {
       const auto found =
           tree.find_nearest(mesh_.positions[v], reach_m, [&, vertex = v, &own = border](const TreeSurfacePoint& place) {
             const SheetBorderEdge& edge = edges_[place.triangle];
-            return !own.near.contains(edge.from) && !own.near.contains(edge.to) && accept(vertex, own, edge, place);
+            return !own.near.contains(edge.from) && !own.near.contains(edge.to) && may_join(vertex, own, place, is_gap);
           });
       if (found) {
         const sim::Vec3& from = mesh_.positions[edges_[found->triangle].from];
@@ -191,10 +180,7 @@ class Seams {
     for (sim::Index v = 0; v < sums.size(); ++v) {
       mesh_.positions[v] = sums[groups.find(v)] / counts[groups.find(v)];
     }
-    std::erase_if(mesh_.triangles, [&](sim::Triangle& t) {
-      for (sim::Index& v : t) v = groups.find(v);
-      return t[0] == t[1] || t[1] == t[2] || t[2] == t[0];
-    });
+    merge_vertices(groups, mesh_.triangles);
   }
 
   double distance_m_;
@@ -206,21 +192,54 @@ class Seams {
   std::vector<sim::Edge> pairs_;
 };
 
-std::vector<double> areas_of_sheets(const Sheets& sheets) {
-  std::vector<double> areas(sheets.count, 0.0);
-  for (std::size_t t = 0; t < sheets.sheet_of.size(); ++t) {
-    const sim::Vec3 area = sim::doubled_area_vector(sheets.mesh.positions, sheets.mesh.triangles[t]);
-    areas[sheets.sheet_of[t]] += 0.5 * glm::length(area);
+/// Joins borders that run along each other within `distance_m`, unless one lies on the other. Their vertices need not
+/// match: each vertex is welded to the nearest point of the other border. Where more than two triangles meet
+/// afterwards, `cut_into_sheets` chooses. Requires at most two triangles at each edge.
+void join_borders(double distance_m, sim::Mesh& mesh) {
+  Seams seams(distance_m, mesh);
+  seams.join(seams.find_seams());
+}
+
+/// Joins parts that lie farther apart where another part continues beyond the gap along most of a border, as trousers
+/// do below their waistband; but not flat pattern pieces, which lie beside each other as cut. Welded points are at
+/// least `spacing_m` apart. Returns the number of welded vertices. Requires the same as join_borders().
+std::size_t join_parts(double spacing_m, sim::Mesh& mesh) {
+  const sim::Vec3 size = sim::compute_extent(mesh.positions).size();
+  const bool is_flat = std::min({size.x, size.y, size.z}) < flat_thickness_fraction * glm::length(size);
+  Seams seams(spacing_m, mesh);
+  return seams.join(seams.find_gaps(is_flat ? 0.0 : std::min(max_gap_m, gap_share * glm::length(size))));
+}
+
+/// Closes holes whose border is shorter than `max_length_m`.
+void fill_small_holes(double max_length_m, sim::Mesh& mesh) {
+  for (const std::vector<sim::Index>& loop : border_loops(mesh)) {
+    double length = 0.0;
+    sim::Vec3 sum(0.0), doubled_area(0.0);
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+      const sim::Vec3 &at = mesh.positions[loop[i]], &next = mesh.positions[loop[(i + 1) % loop.size()]];
+      doubled_area += glm::cross(at - mesh.positions[loop[0]], next - mesh.positions[loop[0]]);
+      length += glm::distance(at, next);
+      sum += at;
+    }
+    const bool is_slit = glm::length(doubled_area) < slit_width_ratio * max_length_m * length;
+    if (length >= (is_slit ? 2.0 : 1.0) * max_length_m) continue;
+    const auto middle = static_cast<sim::Index>(mesh.positions.size());
+    mesh.positions.push_back(sum / static_cast<double>(loop.size()));
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+      mesh.triangles.push_back({loop[(i + 1) % loop.size()], loop[i], middle});
+    }
   }
-  return areas;
+}
+
+sim::Mesh select_sheets(const Sheets& sheets, const std::vector<char>& is_chosen) {
+  std::vector<std::uint8_t> is_of_chosen;
+  for (const sim::Index sheet : sheets.sheet_of) is_of_chosen.push_back(static_cast<std::uint8_t>(is_chosen[sheet]));
+  return select_triangles(sheets.mesh, is_of_chosen);
 }
 
 /// Returns the fraction of the vertices of each sheet that are near a triangle of another sheet that is marked.
 std::vector<double> fractions_beside(const Sheets& sheets, const std::vector<char>& is_marked) {
-  sim::Mesh marked{sheets.mesh.positions, {}, {}};
-  for (std::size_t t = 0; t < sheets.sheet_of.size(); ++t) {
-    if (is_marked[sheets.sheet_of[t]] != 0) marked.triangles.push_back(sheets.mesh.triangles[t]);
-  }
+  const sim::Mesh marked = select_sheets(sheets, is_marked);
   const SurfaceTree tree(marked.positions, marked.triangles);
   const double reach_m = trim_distance_fraction * glm::length(sim::compute_extent(marked.positions).size());
   std::vector<double> near(sheets.count, 0.0), all(sheets.count, 0.0);
@@ -237,13 +256,13 @@ std::vector<double> fractions_beside(const Sheets& sheets, const std::vector<cha
 
 /// Returns the mesh without tiny sheets and without small ones beside large ones. Adds them to those that were dropped.
 sim::Mesh large_sheets(const Sheets& sheets, FittedMesh& fitted) {
-  const std::vector<double> areas = areas_of_sheets(sheets);
-  double all = 0.0, largest = 0.0;
-  for (const double area : areas) {
-    all += area;
-    largest = std::max(largest, area);
+  std::vector<double> areas(sheets.count, 0.0);
+  for (std::size_t t = 0; t < sheets.sheet_of.size(); ++t) {
+    areas[sheets.sheet_of[t]] += triangle_area(sheets.mesh.positions, sheets.mesh.triangles[t]);
   }
-  const double min_area = std::min(min_sheet_share * all, min_share_of_largest * largest);
+  if (areas.empty()) return {};
+  const double all = std::accumulate(areas.begin(), areas.end(), 0.0);
+  const double min_area = std::min(min_sheet_share * all, min_share_of_largest * *std::ranges::max_element(areas));
   std::vector<char> is_kept;
   for (const double area : areas) is_kept.push_back(static_cast<char>(area >= min_area));
   const std::vector<double> beside = fractions_beside(sheets, is_kept);
@@ -252,15 +271,7 @@ sim::Mesh large_sheets(const Sheets& sheets, FittedMesh& fitted) {
     fitted.dropped_sheets += is_kept[k] == 0;
     fitted.dropped_area_fraction += is_kept[k] == 0 ? areas[k] / all : 0.0;
   }
-  sim::Mesh large{sheets.mesh.positions, {}, {}};
-  for (std::size_t t = 0; t < sheets.sheet_of.size(); ++t) {
-    if (is_kept[sheets.sheet_of[t]] != 0) large.triangles.push_back(sheets.mesh.triangles[t]);
-  }
-  return large;
-}
-
-double edge_for(double area_m2, std::size_t triangles) {
-  return std::sqrt(4.0 * area_m2 / (std::numbers::sqrt3 * static_cast<double>(triangles)));
+  return select_sheets(sheets, is_kept);
 }
 
 /// Fits one mesh to a model. Its crossings are mostly ends of a wall that lie on others.
@@ -268,56 +279,35 @@ FittedMesh fit_once(const sim::Mesh& model_m, const FittingSettings& settings, b
   FittedMesh fitted;
   Sheets sheets = cut_into_sheets(model_m);
   turn_outwards(sheets);
-  const std::vector<char> is_kept_wall = choose_walls(sheets, find_other_walls(sheets));
-  sim::Mesh wall{sheets.mesh.positions, {}, {}};
-  for (std::size_t t = 0; t < is_kept_wall.size(); ++t) {
-    if (is_kept_wall[t] != 0) wall.triangles.push_back(sheets.mesh.triangles[t]);
-  }
-  wall = cut_into_sheets(wall).mesh;
+  fitted.is_simulated = choose_walls(sheets, find_other_walls(sheets));
+  sim::Mesh wall = cut_into_sheets(select_triangles(sheets.mesh, fitted.is_simulated)).mesh;
   const double size_m = glm::length(sim::compute_extent(wall.positions).size());
-  const double distance_m = std::min(settings.join_distance_m, joined_share * size_m);
-  fitted.joined_vertices = join_borders(distance_m, wall);
+  const double distance_m = std::min(max_joined_m, joined_share * size_m);
+  join_borders(distance_m, wall);
   wall = cut_into_sheets(wall).mesh;
-  fitted.joined_vertices += join_parts(gap_between_parts(wall, settings), distance_m, wall);
+  join_parts(distance_m, wall);
   Sheets joined_sheets = cut_into_sheets(wall);
   turn_outwards(joined_sheets);
   sim::Mesh surface = large_sheets(joined_sheets, fitted);
-  const double area = sim::surface_area(surface);
-  fitted.edge_m = std::max(settings.min_edge_m, first_edge_ratio * edge_for(area, settings.max_triangles));
-  fitted.closed_holes = fill_small_holes(closed_hole_edges * fitted.edge_m, surface);
+  const auto max_triangles = static_cast<double>(settings.max_triangles);
+  const double equal_edge_m = std::sqrt(4.0 * sim::surface_area(surface) / (std::numbers::sqrt3 * max_triangles));
+  fitted.edge_m = std::max(settings.min_edge_m, first_edge_ratio * equal_edge_m);
+  fill_small_holes(closed_hole_edges * fitted.edge_m, surface);
   const std::size_t max_looks = max_looks_per_triangle * settings.max_triangles;
   fitted.mesh = is_simplified ? simplify(surface, settings.max_triangles) : remesh(surface, fitted.edge_m, max_looks);
   for (int i = 0; !is_simplified && i < max_edge_trials && fitted.mesh.triangles.size() > settings.max_triangles; ++i) {
-    const auto found = static_cast<double>(fitted.mesh.triangles.size());
-    fitted.edge_m *= max_edge_growth * std::sqrt(found / static_cast<double>(settings.max_triangles));
+    fitted.edge_m *= max_edge_growth * std::sqrt(static_cast<double>(fitted.mesh.triangles.size()) / max_triangles);
     fitted.mesh = remesh(surface, fitted.edge_m, max_looks);
   }
   // Sheets that were joined by a single edge may have come apart.
   Sheets cut = cut_into_sheets(large_sheets(cut_into_sheets(fitted.mesh), fitted));
   fitted.mesh = std::move(cut.mesh);
   fitted.sheets = cut.count;
-  fitted.is_simulated.assign(is_kept_wall.begin(), is_kept_wall.end());
-  fitted.carried_triangles = static_cast<std::size_t>(std::ranges::count(is_kept_wall, 0));
   fitted.crossings = sim::find_crossing_pairs({fitted.mesh.positions, fitted.mesh.triangles}).size();
   return fitted;
 }
 
-std::size_t count_needles(const sim::Mesh& mesh) {
-  return static_cast<std::size_t>(std::ranges::count_if(
-      mesh.triangles, [&](const sim::Triangle& t) { return sine_of_smallest_angle(mesh, t) < needle_sine; }));
-}
-
 }  // namespace
-
-std::size_t join_borders(double distance_m, sim::Mesh& mesh) {
-  Seams seams(distance_m, mesh);
-  return seams.join(seams.find_seams());
-}
-
-std::size_t join_parts(double gap_m, double spacing_m, sim::Mesh& mesh) {
-  Seams seams(spacing_m, mesh);
-  return seams.join(seams.find_gaps(gap_m));
-}
 
 std::vector<std::vector<sim::Index>> border_loops(const sim::Mesh& mesh) {
   std::map<sim::Index, sim::Index> next;
@@ -339,35 +329,6 @@ std::vector<std::vector<sim::Index>> border_loops(const sim::Mesh& mesh) {
   return loops;
 }
 
-std::size_t fill_small_holes(double max_length_m, sim::Mesh& mesh) {
-  std::size_t closed = 0;
-  for (const std::vector<sim::Index>& loop : border_loops(mesh)) {
-    double length = 0.0;
-    sim::Vec3 sum(0.0), doubled_area(0.0);
-    for (std::size_t i = 0; i < loop.size(); ++i) {
-      doubled_area += glm::cross(mesh.positions[loop[i]] - mesh.positions[loop[0]],
-                                 mesh.positions[loop[(i + 1) % loop.size()]] - mesh.positions[loop[0]]);
-      length += glm::distance(mesh.positions[loop[i]], mesh.positions[loop[(i + 1) % loop.size()]]);
-      sum += mesh.positions[loop[i]];
-    }
-    const bool is_slit = glm::length(doubled_area) < slit_width_ratio * max_length_m * length;
-    if (length >= (is_slit ? 2.0 : 1.0) * max_length_m) continue;
-    ++closed;
-    const auto middle = static_cast<sim::Index>(mesh.positions.size());
-    mesh.positions.push_back(sum / static_cast<double>(loop.size()));
-    for (std::size_t i = 0; i < loop.size(); ++i) {
-      mesh.triangles.push_back({loop[(i + 1) % loop.size()], loop[i], middle});
-    }
-  }
-  return closed;
-}
-
-double gap_between_parts(const sim::Mesh& model_m, const FittingSettings& settings) {
-  const sim::Vec3 size = sim::compute_extent(model_m.positions).size();
-  const bool is_flat = std::min({size.x, size.y, size.z}) < flat_thickness_fraction * glm::length(size);
-  return is_flat ? 0.0 : std::min(settings.gap_m, gap_share * glm::length(size));
-}
-
 FittedMesh fit_mesh(const sim::Mesh& model_m, const FittingSettings& settings) {
   FittedMesh fitted = fit_once(model_m, settings, false);
   const double min_area_m2 = min_area_left * sim::surface_area(fitted.mesh);
@@ -377,9 +338,6 @@ FittedMesh fit_mesh(const sim::Mesh& model_m, const FittingSettings& settings) {
         fitted.crossings > max_untangled_crossings ? fitted.crossings - 1 : (fitted.crossings - 1) / 2;
     if (again.crossings > most || sim::surface_area(again.mesh) < min_area_m2) break;
     again.is_simulated = std::move(fitted.is_simulated);
-    again.carried_triangles = fitted.carried_triangles;
-    again.joined_vertices += fitted.joined_vertices;
-    again.closed_holes += fitted.closed_holes;
     again.dropped_sheets += fitted.dropped_sheets;
     again.dropped_area_fraction += fitted.dropped_area_fraction;
     fitted = std::move(again);
@@ -410,7 +368,8 @@ std::optional<std::string> why_not_fit_for_simulation(const sim::Mesh& model_m, 
   const std::size_t count = model_m.triangles.size();
   if (crossings > 0) return fmt::format("it crosses itself in {} places", crossings);
   if (count > max_simulated_triangles) return fmt::format("it has {} triangles", count);
-  const std::size_t needles = count_needles(model_m);
+  const auto needles = std::ranges::count_if(
+      model_m.triangles, [&](const sim::Triangle& t) { return sine_of_smallest_angle(model_m, t) < needle_sine; });
   if (static_cast<double>(needles) > needle_share * static_cast<double>(count)) {
     return fmt::format("{} of its {} triangles are needles", needles, count);
   }
@@ -426,7 +385,7 @@ std::optional<std::string> why_not_fit_for_simulation(const sim::Mesh& model_m, 
   if (fins > 0) return fmt::format("more than two triangles meet at {} of its edges", fins);
   Sheets sheets = cut_into_sheets(model_m);
   sim::Mesh joined_mesh = sheets.mesh;
-  const std::size_t apart = join_parts(gap_between_parts(joined_mesh), 0.0, joined_mesh);
+  const std::size_t apart = join_parts(0.0, joined_mesh);
   if (apart >= min_border_vertices) {
     return fmt::format("parts of it lie apart along {} vertices of their borders", apart);
   }
@@ -434,8 +393,7 @@ std::optional<std::string> why_not_fit_for_simulation(const sim::Mesh& model_m, 
   const OtherWalls other = find_other_walls(sheets);
   const double share = share_of_two_walls(sheets, other);
   if (share > max_two_walled_fraction) return fmt::format("it has two walls over {:.0f} % of its area", 100.0 * share);
-  const std::vector<char> is_kept_wall = choose_walls(sheets, other);
-  const auto carried = std::ranges::count(is_kept_wall, 0);
+  const auto carried = std::ranges::count(choose_walls(sheets, other), 0);
   if (carried > 0) return fmt::format("parts of {} triangles lie on others", carried);
   return std::nullopt;
 }

@@ -4,19 +4,6 @@
 
 namespace taut::app {
 
-/// Joins borders that run along each other within `distance_m`, unless one lies on the other. Their vertices need not
-/// match: each vertex is welded to the nearest point of the other border. Returns the number of welded vertices. Where
-/// more than two triangles meet afterwards, `cut_into_sheets` chooses. Requires at most two triangles at each edge.
-std::size_t join_borders(double distance_m, sim::Mesh& mesh);
-
-/// Joins parts that lie farther apart where another part continues beyond the gap along most of a border, as trousers
-/// do below their waistband. Welded points are at least `spacing_m` apart. Returns and requires the same as
-/// join_borders().
-std::size_t join_parts(double gap_m, double spacing_m, sim::Mesh& mesh);
-
-/// Closes holes whose border is shorter than `max_length_m`. Returns their number.
-std::size_t fill_small_holes(double max_length_m, sim::Mesh& mesh);
-
 /// Returns the closed borders as vertices in order, with the cloth on the left as seen from outside. Borders that touch
 /// are left out.
 std::vector<std::vector<sim::Index>> border_loops(const sim::Mesh& mesh);
@@ -24,9 +11,7 @@ std::vector<std::vector<sim::Index>> border_loops(const sim::Mesh& mesh);
 /// Settings of a mesh that is fitted to a model.
 struct FittingSettings {
   std::size_t max_triangles = 8000;
-  double min_edge_m = 0.0;          ///< lower limit of the edge length; cloth has to be thinner than its edges are long
-  double join_distance_m = 0.0025;  ///< distance below which borders that run along each other are joined
-  double gap_m = 0.02;              ///< widest gap across which parts are joined
+  double min_edge_m = 0.0;  ///< lower limit of the edge length; cloth has to be thinner than its edges are long
 };
 
 /// A mesh that is simulated in place of a model, which follows it.
@@ -36,19 +21,12 @@ struct FittedMesh {
   /// Per triangle of the model, whether its surface is part of the mesh. Other triangles follow the simulated wall:
   /// inner walls, trims, buttons, labels.
   std::vector<std::uint8_t> is_simulated;
-  double edge_m = 0.0;                ///< target edge length
-  std::size_t sheets = 0;             ///< count of connected components of the mesh
-  std::size_t carried_triangles = 0;  ///< count of triangles of the model that are not simulated
-  std::size_t joined_vertices = 0;    ///< count of welded vertices of borders that nearly met
-  std::size_t closed_holes = 0;       ///< count of holes smaller than a few triangles
-  std::size_t dropped_sheets = 0;     ///< count of sheets too small to be simulated
+  double edge_m = 0.0;             ///< target edge length
+  std::size_t sheets = 0;          ///< count of connected components of the mesh
+  std::size_t dropped_sheets = 0;  ///< count of sheets too small to be simulated
   double dropped_area_fraction = 0.0;
   std::size_t crossings = 0;  ///< count of pairs of triangles of the mesh that cross
 };
-
-/// Returns the gap of these settings for a garment of this size; 0 for flat pattern pieces, which lie beside each other
-/// as cut.
-double gap_between_parts(const sim::Mesh& model_m, const FittingSettings& settings = {});
 
 /// Makes a mesh of near-equilateral triangles of one size from any model. Requires a welded mesh in metres.
 FittedMesh fit_mesh(const sim::Mesh& model_m, const FittingSettings& settings = {});

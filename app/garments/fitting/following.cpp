@@ -1,6 +1,7 @@
 #include "app/garments/fitting/following.hpp"
 
 #include "app/base/errors.hpp"
+#include "app/garments/fitting/sheets.hpp"
 #include "app/garments/fitting/tuning.hpp"
 #include "sim/mesh/adjacency.hpp"
 #include "sim/mesh/groups.hpp"
@@ -96,14 +97,6 @@ std::optional<TreeSurfacePoint> find_nearest(const SurfaceTree& tree, const sim:
   });
 }
 
-std::vector<sim::Triangle> select_wall(const sim::Mesh& model, std::span<const std::uint8_t> is_wall) {
-  std::vector<sim::Triangle> wall;
-  for (std::size_t t = 0; t < model.triangles.size(); ++t) {
-    if (is_wall[t] != 0) wall.push_back(model.triangles[t]);
-  }
-  return wall;
-}
-
 /// A vertex of the model and the point that it is bound to. Nearer ones are bound first.
 struct Candidate {
   double distance_m;
@@ -123,7 +116,7 @@ class Binder {
         tree_(mesh.positions, mesh.triangles),
         of_model_(sim::make_adjacency(model)),
         triangles_at_(sim::at_vertices(mesh.positions.size(), mesh.triangles)),
-        normals_(vertex_normals(model.positions, select_wall(model, is_wall))),
+        normals_(vertex_normals(model.positions, select_triangles(model, is_wall).triangles)),
         facing_(model.positions.size()),
         found_(model.positions.size()),
         edge_m_(mean_edge_m(mesh)) {}
@@ -414,7 +407,7 @@ std::vector<Index> find_rigid_parts(const sim::Mesh& model, std::span<const std:
   sim::Groups groups = sim::connect_vertices(model.positions.size(), model.triangles);
   std::map<Index, sim::Extent> extents;
   for (Index v = 0; v < model.positions.size(); ++v) extents[groups.find(v)].add(model.positions[v]);
-  for (const sim::Triangle& t : select_wall(model, is_wall)) extents.erase(groups.find(t[0]));
+  for (const sim::Triangle& t : select_triangles(model, is_wall).triangles) extents.erase(groups.find(t[0]));
   std::erase_if(extents, [](const auto& part) { return glm::length(part.second.size()) > max_rigid_size_m; });
   std::vector<Index> parts;
   for (Index v = 0; v < model.positions.size(); ++v) {

@@ -1,4 +1,8 @@
-#include <OpenMesh/Core/Mesh/TriConnectivity.hh>
+#include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
+#include <OpenMesh/Tools/Decimater/DecimaterT.hh>
+#include <OpenMesh/Tools/Decimater/ModNormalFlippingT.hh>
+#include <OpenMesh/Tools/Decimater/ModQuadricT.hh>
+#include <OpenMesh/Tools/Decimater/ModRoundnessT.hh>
 
 #include "app/base/errors.hpp"
 #include "app/garments/fitting/fitted_mesh.hpp"
@@ -18,6 +22,31 @@ using sim::Vec3;
 using Vertex = OpenMesh::VertexHandle;
 using Edge = OpenMesh::EdgeHandle;
 using Halfedge = OpenMesh::HalfedgeHandle;
+
+struct DoubleTraits : OpenMesh::DefaultTraits {
+  using Point = OpenMesh::Vec3d;
+  using Normal = OpenMesh::Vec3d;
+};
+using Net = OpenMesh::TriMesh_ArrayKernelT<DoubleTraits>;
+
+template <class AnyNet> void add_triangles(const std::vector<sim::Triangle>& triangles, AnyNet& net) {
+  const auto vertex = [](sim::Index v) { return Vertex(static_cast<int>(v)); };
+  for (const auto& [a, b, c] : triangles) net.add_face(vertex(a), vertex(b), vertex(c));
+}
+
+template <class AnyNet> std::vector<sim::Triangle> to_triangles(const AnyNet& net) {
+  std::vector<sim::Triangle> triangles;
+  for (const auto f : net.faces()) {
+    sim::Triangle& t = triangles.emplace_back();
+    std::size_t k = 0;
+    for (const auto v : net.fv_range(f)) t[k++] = static_cast<sim::Index>(v.idx());
+  }
+  return triangles;
+}
+
+double longest_side(const Vec3& a, const Vec3& b, const Vec3& c) {
+  return std::max({glm::distance(a, b), glm::distance(b, c), glm::distance(c, a)});
+}
 
 /// A closed border of the model.
 struct BorderLine {
@@ -52,42 +81,30 @@ struct OnLine {
   double way_m;
 };
 
-/// The surface that the mesh approximates.
-struct Model {
-  explicit Model(const sim::Mesh& mesh)
-      : tree(mesh.positions, mesh.triangles), normals(unit_normals(mesh)), loops(border_loops(mesh)) {
-    sim::Groups parts = sim::connect_vertices(mesh.positions.size(), mesh.triangles);
-    for (sim::Index v = 0; v < mesh.positions.size(); ++v) part_of_vertex.push_back(parts.find(v));
-    for (const sim::Triangle& t : mesh.triangles) part_of.push_back(parts.find(t[0]));
-    for (const auto& loop : loops) lines.emplace_back(mesh, loop);
-  }
-
-  SurfaceTree tree;
-  std::vector<Vec3> normals;
-  std::vector<sim::Index> part_of, part_of_vertex;
-  std::vector<std::vector<sim::Index>> loops;
-  std::vector<BorderLine> lines;
-};
-
 class Remesher {
  public:
   Remesher(const sim::Mesh& surface, double edge_m, std::size_t max_looks)
       : model_(surface),
+        tree_(surface.positions, surface.triangles),
+        normals_(unit_normals(surface)),
         max_looks_(max_looks),
         length_(edge_m),
         at_(surface.positions),
-        part_(model_.part_of_vertex),
         on_line_(surface.positions.size()),
         is_corner_(surface.positions.size(), 0) {
     net_.request_vertex_status();
     net_.request_halfedge_status();
     net_.request_edge_status();
     net_.request_face_status();
-    for (std::size_t v = 0; v < at_.size(); ++v) net_.new_vertex();
-    for (const sim::Triangle& t : surface.triangles) net_.add_face(vertex(t[0]), vertex(t[1]), vertex(t[2]));
-    for (std::size_t l = 0; l < model_.loops.size(); ++l) {
-      const std::vector<sim::Index>& loop = model_.loops[l];
-      for (std::size_t i = 0; i < loop.size(); ++i) on_line_[loop[i]] = {l, model_.lines[l].ways_m[i]};
+    sim::Groups parts = sim::connect_vertices(at_.size(), surface.triangles);
+    for (sim::Index v = 0; v < at_.size(); ++v) {
+      net_.new_vertex();
+      part_.push_back(parts.find(v));
+    }
+    add_triangles(surface.triangles, net_);
+    for (const std::vector<sim::Index>& loop : border_loops(surface)) {
+      const BorderLine& line = lines_.emplace_back(surface, loop);
+      for (std::size_t i = 0; i < loop.size(); ++i) on_line_[loop[i]] = {lines_.size() - 1, line.ways_m[i]};
       mark_corners(loop);
     }
   }
@@ -105,15 +122,13 @@ class Remesher {
       smooth();
     }
     flip([this](Edge e) { return widens_angles(e); });
-    return result();
+    return {at_, to_triangles(net_), {}};
   }
 
  private:
-  static Vertex vertex(sim::Index v) { return Vertex(static_cast<int>(v)); }
   static std::size_t number(Vertex v) { return static_cast<std::size_t>(v.idx()); }
   const Vec3& at(Vertex v) const { return at_[number(v)]; }
   Vec3& at(Vertex v) { return at_[number(v)]; }
-  bool is_gone(Edge e) const { return net_.status(e).deleted(); }
   double length(Edge e) const {
     const Halfedge h = net_.halfedge_handle(e, 0);
     return glm::distance(at(net_.from_vertex_handle(h)), at(net_.to_vertex_handle(h)));
@@ -158,10 +173,9 @@ class Remesher {
   void split_long() {
     for (bool is_split = true; is_split;) {
       std::vector<std::pair<double, int>> edges;
-      for (std::size_t i = 0; i < net_.n_edges(); ++i) {
+      for (const Edge e : net_.edges()) {
         throw_if_interrupted();
-        const Edge e(static_cast<int>(i));
-        if (!is_gone(e) && length(e) > max_edge_ratio * length_) edges.emplace_back(-length(e), e.idx());
+        if (length(e) > max_edge_ratio * length_) edges.emplace_back(-length(e), e.idx());
       }
       std::ranges::sort(edges);
       is_split = !edges.empty() && at_.size() < max_vertices;
@@ -199,27 +213,26 @@ class Remesher {
   }
 
   OnLine halfway(const OnLine& from, const OnLine& to) const {
-    return on(from, 0.5 * model_.lines[from.line].between(from.way_m, to.way_m));
+    return on(from, 0.5 * lines_[from.line].between(from.way_m, to.way_m));
   }
   OnLine on(const OnLine& from, double way_m) const {
-    const double length_m = model_.lines[from.line].length_m, way = from.way_m + way_m;
+    const double length_m = lines_[from.line].length_m, way = from.way_m + way_m;
     return {from.line, way >= length_m ? way - length_m : way};
   }
   Vec3 on_border(Vertex v) const {
     const OnLine& on_line = on_line_[number(v)];
-    return model_.lines[on_line.line].place(on_line.way_m);
+    return lines_[on_line.line].place(on_line.way_m);
   }
 
   void collapse_short() {
     bool changed = true;
     for (int sweep = 0; changed && sweep < max_collapse_sweeps; ++sweep) {
       changed = false;
-      for (std::size_t i = 0; i < net_.n_edges(); ++i) {
+      for (const Edge e : net_.edges()) {
         throw_if_interrupted();
-        const Edge e(static_cast<int>(i));
-        if (is_gone(e) || !(length(e) < min_edge_length_ratio * length_)) continue;
-        for (const int side : {0, 1}) {
-          const Halfedge h = net_.halfedge_handle(e, static_cast<unsigned>(side));
+        if (!(length(e) < min_edge_length_ratio * length_)) continue;
+        for (const unsigned side : {0U, 1U}) {
+          const Halfedge h = net_.halfedge_handle(e, side);
           if (may_collapse(h)) {
             net_.collapse(h);
             changed = true;
@@ -235,22 +248,16 @@ class Remesher {
     spend(net_.valence(from) + net_.valence(to));
     const bool border = net_.is_boundary(from);
     if (is_corner_[number(from)] != 0 || (border && !net_.is_boundary(net_.edge_handle(h)))) return false;
-    for (auto out = net_.voh_iter(from); out.is_valid(); ++out) {
-      const Vertex a = net_.to_vertex_handle(*out);
+    for (const Vertex a : net_.vv_range(from)) {
       if (a != to && glm::distance(at(a), at(to)) > max_edge_ratio * length_) return false;
-      if (net_.is_boundary(*out)) continue;
-      const Vertex b = net_.to_vertex_handle(net_.next_halfedge_handle(*out));
-      if (a != to && b != to && !stays(doubled_area(at(from), at(a), at(b)), at(to), at(a), at(b))) {
-        return false;
-      }
     }
-    return net_.is_collapse_ok(h);
+    return may_move(from, at(to), to) && net_.is_collapse_ok(h);
   }
 
   /// Returns whether a triangle still faces the side of its former normal and has an area.
   bool stays(const Vec3& normal_before, const Vec3& a, const Vec3& b, const Vec3& c) const {
     const Vec3 now = doubled_area(a, b, c);
-    const double side = std::max({glm::distance(a, b), glm::distance(b, c), glm::distance(c, a)});
+    const double side = longest_side(a, b, c);
     const double before = glm::length(normal_before), after = glm::length(now);
     if (before < min_area_ratio * side * side) return true;
     return after >= min_area_ratio * side * side && glm::dot(now, normal_before) > min_normal_cosine * before * after;
@@ -269,10 +276,9 @@ class Remesher {
     bool changed = true;
     for (int sweep = 0; changed && sweep < max_collapse_sweeps; ++sweep) {
       changed = false;
-      for (std::size_t i = 0; i < net_.n_edges(); ++i) {
+      for (const Edge e : net_.edges()) {
         throw_if_interrupted();
-        const Edge e(static_cast<int>(i));
-        if (!is_gone(e) && !net_.is_boundary(e) && net_.is_flip_ok(e) && wanted(e) && may_flip(e)) {
+        if (!net_.is_boundary(e) && net_.is_flip_ok(e) && wanted(e) && may_flip(e)) {
           net_.flip(e);
           changed = true;
         }
@@ -315,12 +321,17 @@ class Remesher {
     return std::max({cosine(x, y, z), cosine(y, z, x), cosine(z, x, y)});
   }
 
+  /// Returns the other two vertices of the triangle of a halfedge that begins at a vertex.
+  std::array<Vertex, 2> ends_across(Halfedge h) const {
+    return {net_.to_vertex_handle(h), net_.to_vertex_handle(net_.next_halfedge_handle(h))};
+  }
+
   Vec3 normal_at(Vertex v) const {
     Vec3 sum(0.0);
-    for (auto h = net_.cvoh_iter(v); h.is_valid(); ++h) {
-      if (!net_.is_boundary(*h)) {
-        sum += doubled_area(at(v), at(net_.to_vertex_handle(*h)),
-                            at(net_.to_vertex_handle(net_.next_halfedge_handle(*h))));
+    for (const Halfedge h : net_.voh_range(v)) {
+      if (!net_.is_boundary(h)) {
+        const auto [a, b] = ends_across(h);
+        sum += doubled_area(at(v), at(a), at(b));
       }
     }
     return sim::unit_or_zero(sum);
@@ -331,18 +342,18 @@ class Remesher {
     const sim::Index part = part_[number(v)];
     const Vec3 normal = normal_at(v);
     const auto faces_alike = [&](const TreeSurfacePoint& p) {
-      return model_.part_of[p.triangle] == part && glm::dot(model_.normals[p.triangle], normal) > min_normal_cosine;
+      return part_[model_.triangles[p.triangle][0]] == part &&
+             glm::dot(normals_[p.triangle], normal) > min_normal_cosine;
     };
-    const auto found = model_.tree.find_nearest(place, length_, faces_alike, &looks_);
+    const auto found = tree_.find_nearest(place, length_, faces_alike, &looks_);
     spend(0);
     return found ? found->place_m : place;
   }
 
   void smooth() {
-    for (std::size_t i = 0; i < net_.n_vertices(); ++i) {
+    for (const Vertex v : net_.vertices()) {
       throw_if_interrupted();
-      const Vertex v(static_cast<int>(i));
-      if (net_.status(v).deleted() || net_.is_isolated(v) || is_corner_[i] != 0) continue;
+      if (net_.is_isolated(v) || is_corner_[number(v)] != 0) continue;
       net_.is_boundary(v) ? smooth_border(v) : smooth_within(v);
     }
   }
@@ -350,8 +361,8 @@ class Remesher {
   void smooth_within(Vertex v) {
     Vec3 sum(0.0);
     double count = 0.0;
-    for (auto h = net_.cvoh_iter(v); h.is_valid(); ++h) {
-      sum += at(net_.to_vertex_handle(*h));
+    for (const Vertex other : net_.vv_range(v)) {
+      sum += at(other);
       count += 1.0;
     }
     const Vec3 way = sum / count - at(v), normal = normal_at(v);
@@ -369,7 +380,7 @@ class Remesher {
     const Halfedge back = net_.halfedge_handle(v);  // the halfedge along the border, with the cloth on its right
     const OnLine here = on_line_[number(v)], before = on_line_[number(net_.to_vertex_handle(back))],
                  after = on_line_[number(net_.from_vertex_handle(net_.prev_halfedge_handle(back)))];
-    const BorderLine& line = model_.lines[here.line];
+    const BorderLine& line = lines_[here.line];
     const double way_m = line.between(before.way_m, here.way_m) + line.between(here.way_m, after.way_m);
     on_line_[number(v)] = on(before, 0.5 * way_m);
     const Vec3 place = on_border(v);
@@ -380,43 +391,26 @@ class Remesher {
     }
   }
 
-  bool may_move(Vertex v, const Vec3& place) const {
-    for (auto h = net_.cvoh_iter(v); h.is_valid(); ++h) {
-      if (!net_.is_boundary(*h)) {
-        const Vec3& a = at(net_.to_vertex_handle(*h));
-        const Vec3& b = at(net_.to_vertex_handle(net_.next_halfedge_handle(*h)));
-        if (!stays(doubled_area(at(v), a, b), place, a, b)) return false;
-      }
+  /// Returns whether the triangles around the vertex may have it at this place. Triangles with the vertex `merged` do
+  /// not matter.
+  bool may_move(Vertex v, const Vec3& place, Vertex merged = Vertex()) const {
+    for (const Halfedge h : net_.voh_range(v)) {
+      const auto [a, b] = ends_across(h);
+      const bool matters = !net_.is_boundary(h) && a != merged && b != merged;
+      if (matters && !stays(doubled_area(at(v), at(a), at(b)), place, at(a), at(b))) return false;
     }
     return true;
   }
 
-  sim::Mesh result() const {
-    sim::Mesh mesh;
-    std::vector<sim::Index> number(net_.n_vertices(), sim::no_vertex);
-    for (std::size_t f = 0; f < net_.n_faces(); ++f) {
-      const OpenMesh::FaceHandle face(static_cast<int>(f));
-      if (net_.status(face).deleted()) continue;
-      sim::Triangle& t = mesh.triangles.emplace_back();
-      std::size_t k = 0;
-      for (auto v = net_.cfv_iter(face); v.is_valid(); ++v, ++k) {
-        sim::Index& n = number[static_cast<std::size_t>((*v).idx())];
-        if (n == sim::no_vertex) {
-          n = static_cast<sim::Index>(mesh.positions.size());
-          mesh.positions.push_back(at(*v));
-        }
-        t[k] = n;
-      }
-    }
-    return mesh;
-  }
-
-  Model model_;
+  const sim::Mesh& model_;  ///< surface that the mesh approximates
+  SurfaceTree tree_;
+  std::vector<Vec3> normals_;
+  std::vector<BorderLine> lines_;
   std::size_t max_looks_, looks_ = 0;
   double length_;
   OpenMesh::TriConnectivity net_;
   std::vector<Vec3> at_;          ///< position of each vertex
-  std::vector<sim::Index> part_;  ///< part of the model of each vertex
+  std::vector<sim::Index> part_;  ///< part of the model of each vertex, of its own vertices first
   std::vector<OnLine> on_line_;   ///< position of each vertex on a border
   std::vector<char> is_corner_;   ///< flag of each vertex
 };
@@ -425,29 +419,20 @@ class Remesher {
 /// border.
 bool weld_ends(double least_m, sim::Mesh& mesh) {
   sim::Groups groups(mesh.positions.size());
-  bool is_any = false;
   for (const sim::Triangle& t : mesh.triangles) {
     for (std::size_t k = 0; k < 3; ++k) {
       const sim::Index a = t[k], b = t[(k + 1) % 3];
-      if (glm::distance(mesh.positions[a], mesh.positions[b]) < least_m) {
-        groups.join(a, b);
-        is_any = true;
-      }
+      if (glm::distance(mesh.positions[a], mesh.positions[b]) < least_m) groups.join(a, b);
     }
   }
-  std::erase_if(mesh.triangles, [&](sim::Triangle& t) {
-    t = {groups.find(t[0]), groups.find(t[1]), groups.find(t[2])};
-    return t[0] == t[1] || t[1] == t[2] || t[2] == t[0];
-  });
-  return is_any;
+  return merge_vertices(groups, mesh.triangles) > 0;
 }
 
 /// Drops triangles lower than `least_m` that no flip could remove, mostly at borders.
 bool drop_flat(double least_m, sim::Mesh& mesh) {
   return std::erase_if(mesh.triangles, [&](const sim::Triangle& t) {
            const Vec3 &a = mesh.positions[t[0]], &b = mesh.positions[t[1]], &c = mesh.positions[t[2]];
-           const double side = std::max({glm::distance(a, b), glm::distance(b, c), glm::distance(c, a)});
-           return glm::length(glm::cross(b - a, c - a)) < least_m * side;
+           return glm::length(glm::cross(b - a, c - a)) < least_m * longest_side(a, b, c);
          }) > 0;
 }
 
@@ -455,9 +440,33 @@ bool drop_flat(double least_m, sim::Mesh& mesh) {
 
 sim::Mesh remesh(const sim::Mesh& surface, double edge_m, std::size_t max_looks) {
   sim::Mesh mesh = Remesher(surface, edge_m, max_looks).run();
-  while (weld_ends(min_edge_ratio * edge_m, mesh) || drop_flat(min_height_ratio * edge_m, mesh)) {
+  do {
     mesh = cut_into_sheets(mesh).mesh;
-  }
+  } while (weld_ends(min_edge_ratio * edge_m, mesh) || drop_flat(min_height_ratio * edge_m, mesh));
+  return mesh;
+}
+
+sim::Mesh simplify(const sim::Mesh& surface, std::size_t max_triangles) {
+  Net net;
+  for (const Vec3& p : surface.positions) net.add_vertex({p.x, p.y, p.z});
+  add_triangles(surface.triangles, net);
+  net.request_face_normals();
+  net.update_face_normals();
+  OpenMesh::Decimater::DecimaterT<Net> decimater(net);
+  OpenMesh::Decimater::ModQuadricT<Net>::Handle by_quadric;
+  OpenMesh::Decimater::ModRoundnessT<Net>::Handle by_roundness;
+  OpenMesh::Decimater::ModNormalFlippingT<Net>::Handle by_normal;
+  decimater.add(by_quadric);
+  decimater.add(by_roundness);
+  decimater.add(by_normal);
+  decimater.module(by_quadric).unset_max_err();
+  decimater.module(by_roundness).set_min_roundness(min_roundness);
+  decimater.module(by_normal).set_max_normal_deviation(max_normal_turn_deg);
+  decimater.initialize();
+  decimater.decimate_to_faces(0, max_triangles);
+  net.garbage_collection();
+  sim::Mesh mesh{{}, to_triangles(net), {}};
+  for (const auto v : net.vertices()) mesh.positions.emplace_back(net.point(v)[0], net.point(v)[1], net.point(v)[2]);
   return mesh;
 }
 

@@ -138,11 +138,6 @@ std::vector<char> mark_crowded_edges(const Sheets& sheets) {
   return marked;
 }
 
-sim::Vec3 triangle_centroid(const sim::Mesh& mesh, sim::Index t) {
-  const auto& [a, b, c] = mesh.triangles[t];
-  return (mesh.positions[a] + mesh.positions[b] + mesh.positions[c]) / 3.0;
-}
-
 bool share_vertex(const sim::Triangle& a, const sim::Triangle& b) {
   return std::ranges::any_of(a, [&](sim::Index v) { return v == b[0] || v == b[1] || v == b[2]; });
 }
@@ -153,27 +148,39 @@ struct GarmentView {
       : sheets(source), normals(unit_normals(source.mesh)), tree(source.mesh.positions, source.mesh.triangles) {
     size_m = glm::length(sim::compute_extent(source.mesh.positions).size());
     unit = std::min(1.0, size_m / usual_size_m);
-    for (const sim::Triangle& t : source.mesh.triangles) {
-      areas.push_back(0.5 * glm::length(sim::doubled_area_vector(source.mesh.positions, t)));
+    for (const sim::Triangle& t : source.mesh.triangles) areas.push_back(triangle_area(source.mesh.positions, t));
+  }
+
+  sim::Vec3 middle(sim::Index t) const { return triangle_middle(sheets.mesh.positions, sheets.mesh.triangles[t]); }
+
+  /// Returns the fraction of the area of a piece, or of about `max_tried` of its triangles, for which `is_so(t)` holds.
+  template <class IsSo>
+  double fraction(std::span<const sim::Index> piece, const IsSo& is_so,
+                  std::size_t max_tried = std::numeric_limits<std::size_t>::max()) const {
+    const std::size_t stride = piece.size() / max_tried + 1;
+    double chosen = 0.0, all = 0.0;
+    for (std::size_t i = 0; i < piece.size(); i += stride) {
+      throw_if_interrupted();
+      chosen += is_so(piece[i]) ? areas[piece[i]] : 0.0;
+      all += areas[piece[i]];
     }
+    return all > 0.0 ? chosen / all : 0.0;
+  }
+
+  /// Returns the first point of the garment along the normal times `side` between these distances that is accepted and
+  /// is on no neighbour.
+  std::optional<TreeSurfacePoint> first_beyond(sim::Index t, double side, double begin_m, double end_m,
+                                               const AcceptPoint& accept) const {
+    return tree.first_hit(middle(t), side * normals[t], begin_m, end_m, [&](const TreeSurfacePoint& p) {
+      return accept(p) && !share_vertex(sheets.mesh.triangles[t], sheets.mesh.triangles[p.triangle]);
+    });
   }
 
   /// Returns the fraction of a piece's area whose rays along its normals times `side` miss the garment.
   double openness(std::span<const sim::Index> piece, double side) const {
-    const std::size_t stride = piece.size() / max_rays + 1;
-    double open = 0.0, all = 0.0;
-    for (std::size_t i = 0; i < piece.size(); i += stride) {
-      throw_if_interrupted();
-      const sim::Index t = piece[i];
-      const auto seen = tree.first_hit(
-          triangle_centroid(sheets.mesh, t), side * normals[t], 0.0, size_m, [&](const TreeSurfacePoint& p) {
-            return p.distance_m > 1e-5 * size_m &&
-                   !share_vertex(sheets.mesh.triangles[t], sheets.mesh.triangles[p.triangle]);
-          });
-      all += areas[t];
-      open += seen ? 0.0 : areas[t];
-    }
-    return all > 0.0 ? open / all : 0.0;
+    const auto is_beyond = [&](const TreeSurfacePoint& p) { return p.distance_m > 1e-5 * size_m; };
+    return fraction(
+        piece, [&](sim::Index t) { return !first_beyond(t, side, 0.0, size_m, is_beyond); }, max_rays);
   }
 
   const Sheets& sheets;
@@ -200,15 +207,6 @@ bool is_closed(const Sheets& sheets, std::span<const sim::Index> sheet) {
   });
 }
 
-double volume(const sim::Mesh& mesh, std::span<const sim::Index> sheet) {
-  double sum = 0.0;
-  const sim::Vec3 origin = triangle_centroid(mesh, sheet.front());
-  for (const sim::Index t : sheet) {
-    sum += glm::dot(sim::doubled_area_vector(mesh.positions, mesh.triangles[t]), triangle_centroid(mesh, t) - origin);
-  }
-  return sum;
-}
-
 double total_area(const GarmentView& view, std::span<const sim::Index> piece) {
   double area = 0.0;
   for (const sim::Index t : piece) area += view.areas[t];
@@ -224,11 +222,8 @@ class Pieces {
     const sim::Vec3 size = sim::compute_extent(view.sheets.mesh.positions).size();
     const bool is_flat = std::min({size.x, size.y, size.z}) < view.unit * flat_m;
     for (const auto& sheet : all) {
-      double doubled = 0.0;
-      for (const sim::Index t : sheet) doubled += other[t] != sim::no_vertex ? view.areas[t] : 0.0;
-      const bool is_shell =
-          doubled > min_shell_area_fraction * total_area(view, sheet) && (!is_flat || is_closed(view.sheets, sheet));
-      if (is_shell) {
+      const double doubled = view.fraction(sheet, [&](sim::Index t) { return other[t] != sim::no_vertex; });
+      if (doubled > min_shell_area_fraction && (!is_flat || is_closed(view.sheets, sheet))) {
         cut_into_walls(sheet);
       } else {
         for (const sim::Index t : sheet) piece_of_[t] = count_;
@@ -261,16 +256,11 @@ class Pieces {
       double cosine;
       sim::Index a, b;
     };
-    const auto count = static_cast<sim::Index>(piece_of_.size());
-    sim::Groups walls(2 * piece_of_.size());  // t, and t + count for whatever is not on the wall of t
+    sim::FacingGroups walls(piece_of_.size());
     std::vector<Smooth> neighbours;
     for (const sim::Index t : sheet) {
       const sim::Index o = other_[t];
-      if (o != sim::no_vertex && view_.sheets.sheet_of[o] == view_.sheets.sheet_of[t] &&
-          walls.find(t) != walls.find(o)) {
-        walls.join(t, o + count);
-        walls.join(t + count, o);
-      }
+      if (o != sim::no_vertex && view_.sheets.sheet_of[o] == view_.sheets.sheet_of[t]) walls.join(t, o, true);
       for (int side = 0; side < 3; ++side) {
         const sim::Index next = view_.sheets.beyond[3 * t + side];
         if (next != sim::no_vertex && t < next)
@@ -280,9 +270,8 @@ class Pieces {
     std::ranges::stable_sort(neighbours, std::greater{}, &Smooth::cosine);
     sim::Groups regions(piece_of_.size());
     for (const auto& [cosine, a, b] : neighbours) {
-      if (walls.find(a) == walls.find(b + count)) continue;
-      walls.join(a, b);
-      walls.join(a + count, b + count);
+      if (walls.opposite(a, b).value_or(false)) continue;
+      walls.join(a, b, false);
       regions.join(a, b);
     }
     std::map<sim::Index, double> areas;
@@ -324,10 +313,9 @@ class Pieces {
   sim::Index count_ = 0;
 };
 
-bool is_covered(const GarmentView& view, const OtherWalls& other, const std::vector<char>& kept, sim::Index t) {
-  throw_if_interrupted();
+bool is_covered(const GarmentView& view, const OtherWalls& other, const std::vector<std::uint8_t>& kept, sim::Index t) {
   if (other[t] != sim::no_vertex && kept[other[t]] != 0) return true;
-  const sim::Vec3 middle = triangle_centroid(view.sheets.mesh, t);
+  const sim::Vec3 middle = view.middle(t);
   return view.tree
       .find_nearest(middle, view.unit * max_lying_distance_m,
                     [&](const TreeSurfacePoint& p) {
@@ -352,6 +340,28 @@ Sheets cut_into_sheets(const sim::Mesh& mesh) {
   return sheets;
 }
 
+double six_volumes(const sim::Mesh& mesh, std::span<const sim::Index> triangles, const sim::Vec3& apex) {
+  double sum = 0.0;
+  for (const sim::Index t : triangles) {
+    const sim::Vec3 way = mesh.positions[mesh.triangles[t][0]] - apex;
+    sum += glm::dot(sim::doubled_area_vector(mesh.positions, mesh.triangles[t]), way);
+  }
+  return sum;
+}
+
+std::size_t merge_vertices(sim::Groups& groups, std::vector<sim::Triangle>& triangles) {
+  for (sim::Triangle& t : triangles) t = {groups.find(t[0]), groups.find(t[1]), groups.find(t[2])};
+  return std::erase_if(triangles, [](const sim::Triangle& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; });
+}
+
+sim::Mesh select_triangles(const sim::Mesh& mesh, std::span<const std::uint8_t> is_marked) {
+  sim::Mesh marked{mesh.positions, {}, {}};
+  for (std::size_t t = 0; t < is_marked.size(); ++t) {
+    if (is_marked[t] != 0) marked.triangles.push_back(mesh.triangles[t]);
+  }
+  return marked;
+}
+
 std::vector<sim::Vec3> unit_normals(const sim::Mesh& mesh) {
   std::vector<sim::Vec3> normals;
   for (const sim::Triangle& t : mesh.triangles) {
@@ -365,9 +375,9 @@ void turn_outwards(Sheets& sheets) {
   const auto all = gather_groups(sheets.sheet_of, sheets.count);
   std::vector<char> turn(sheets.count, 0);
   for (sim::Index s = 0; s < sheets.count; ++s) {
-    turn[s] =
-        static_cast<char>(is_closed(sheets, all[s]) ? volume(sheets.mesh, all[s]) < 0.0
-                                                    : view.openness(all[s], -1.0) > view.openness(all[s], 1.0) + 0.1);
+    turn[s] = static_cast<char>(is_closed(sheets, all[s])
+                                    ? six_volumes(sheets.mesh, all[s], view.middle(all[s].front())) < 0.0
+                                    : view.openness(all[s], -1.0) > view.openness(all[s], 1.0) + 0.1);
   }
   for (sim::Index t = 0; t < sheets.sheet_of.size(); ++t) {
     if (turn[sheets.sheet_of[t]] != 0) {
@@ -385,11 +395,9 @@ OtherWalls find_other_walls(const Sheets& sheets) {
     throw_if_interrupted();
     if (view.normals[t] == sim::Vec3(0.0)) continue;
     const auto hit =
-        view.tree.first_hit(triangle_centroid(sheets.mesh, t), -view.normals[t], -view.unit * max_wall_crossing_m,
-                            reach_m, [&](const TreeSurfacePoint& p) {
-                              return glm::dot(view.normals[t], view.normals[p.triangle]) < max_opposite_cosine &&
-                                     !share_vertex(sheets.mesh.triangles[t], sheets.mesh.triangles[p.triangle]);
-                            });
+        view.first_beyond(t, -1.0, -view.unit * max_wall_crossing_m, reach_m, [&](const TreeSurfacePoint& p) {
+          return glm::dot(view.normals[t], view.normals[p.triangle]) < max_opposite_cosine;
+        });
     other[t] = hit ? hit->triangle : sim::no_vertex;
   }
   return other;
@@ -405,7 +413,7 @@ double share_of_two_walls(const Sheets& sheets, const OtherWalls& other) {
   return all > 0.0 ? doubled / all : 0.0;
 }
 
-std::vector<char> choose_walls(const Sheets& sheets, const OtherWalls& other) {
+std::vector<std::uint8_t> choose_walls(const Sheets& sheets, const OtherWalls& other) {
   const GarmentView view(sheets);
   const Pieces pieces(view, other);
   const auto triangles_of = gather_groups(pieces.piece_of(), pieces.count());
@@ -414,16 +422,11 @@ std::vector<char> choose_walls(const Sheets& sheets, const OtherWalls& other) {
     order.emplace_back(-total_area(view, triangles_of[p]) * (1.0 + view.openness(triangles_of[p], 1.0)), p);
   }
   std::ranges::sort(order);
-  std::vector<char> kept(view.areas.size(), 0);
+  std::vector<std::uint8_t> kept(view.areas.size(), 0);
   for (const auto& [score, p] : order) {
-    double covered = 0.0, all = 0.0;
-    const std::size_t stride = triangles_of[p].size() / max_triangles_tried + 1;
-    for (std::size_t i = 0; i < triangles_of[p].size(); i += stride) {
-      const sim::Index t = triangles_of[p][i];
-      covered += is_covered(view, other, kept, t) ? view.areas[t] : 0.0;
-      all += view.areas[t];
-    }
-    if (covered < (pieces.is_wall(p) ? min_behind_area_fraction : min_lying_area_fraction) * all) {
+    const double covered = view.fraction(
+        triangles_of[p], [&](sim::Index t) { return is_covered(view, other, kept, t); }, max_triangles_tried);
+    if (covered < (pieces.is_wall(p) ? min_behind_area_fraction : min_lying_area_fraction)) {
       for (const sim::Index t : triangles_of[p]) kept[t] = 1;
     }
   }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "sim/mesh/groups.hpp"
 #include "sim/mesh/mesh.hpp"
 
 namespace taut::app {
@@ -18,6 +19,27 @@ struct Sheets {
 /// together. Cuts one-sided surfaces where the sides meet.
 Sheets cut_into_sheets(const sim::Mesh& mesh);
 
+/// Returns the mesh of the triangles that are marked, with all vertices.
+sim::Mesh select_triangles(const sim::Mesh& mesh, std::span<const std::uint8_t> is_marked);
+
+/// Returns the triangle's area, in m^2.
+inline double triangle_area(std::span<const sim::Vec3> positions_m, const sim::Triangle& t) {
+  return 0.5 * glm::length(sim::doubled_area_vector(positions_m, t));
+}
+
+/// Returns the mean of the triangle's corners.
+inline sim::Vec3 triangle_middle(std::span<const sim::Vec3> positions, const sim::Triangle& t) {
+  return (positions[t[0]] + positions[t[1]] + positions[t[2]]) / 3.0;
+}
+
+/// Returns six times the volume of the pyramids from a point to these triangles; negative below triangles that face the
+/// point. It is that of the solid if they are a closed surface that faces outwards.
+double six_volumes(const sim::Mesh& mesh, std::span<const sim::Index> triangles, const sim::Vec3& apex);
+
+/// Replaces each vertex of the triangles by the first of its group, and leaves out triangles of which two corners
+/// become one. Returns how many were left out.
+std::size_t merge_vertices(sim::Groups& groups, std::vector<sim::Triangle>& triangles);
+
 /// Returns unit normals of triangles; 0 for a triangle without area.
 std::vector<sim::Vec3> unit_normals(const sim::Mesh& mesh);
 
@@ -35,6 +57,6 @@ double share_of_two_walls(const Sheets& sheets, const OtherWalls& other);
 
 /// Chooses one wall of cloth that has two, and the larger of sheets that lie on each other. Returns 1 for each triangle
 /// that is kept. Requires sheets that face outwards.
-std::vector<char> choose_walls(const Sheets& sheets, const OtherWalls& other);
+std::vector<std::uint8_t> choose_walls(const Sheets& sheets, const OtherWalls& other);
 
 }  // namespace taut::app

@@ -2,8 +2,8 @@
 
 #include "sim/mesh/types.hpp"
 
-/// Numbers of fitting. Limits within which a fitted mesh is the model's cloth are in comparison.hpp, settings of a
-/// scene in fitted_mesh.hpp. "The size" is the diagonal of the model's box.
+/// Numbers of fitting. Limits within which a fitted mesh is the model's cloth are in comparison.hpp. "The size" is the
+/// diagonal of the model's box.
 namespace taut::app::fitting {
 
 // Walls: which of the model's sheets are cloth (sheets.cpp).
@@ -47,9 +47,13 @@ inline constexpr double max_gap_cosine = -0.7;
 inline constexpr double max_across_cosine = 0.3;
 /// Width of a slit over its longest border, which may be twice as long. More closes vents.
 inline constexpr double slit_width_ratio = 0.07;
-/// Largest distance of joined borders, as a fraction of the size. More joins layers, less leaves seams open.
+/// Largest distance of joined borders, in m. More joins layers, less leaves seams open.
+inline constexpr double max_joined_m = 0.0025;
+/// The same as a fraction of the size.
 inline constexpr double joined_share = 0.003;
-/// Largest gap between joined parts, as a fraction of the size. More joins hems to what hangs below.
+/// Largest gap between joined parts, in m. More joins hems to what hangs below.
+inline constexpr double max_gap_m = 0.02;
+/// The same as a fraction of the size.
 inline constexpr double gap_share = 0.02;
 /// Smallest count of border vertices along another part that continues. Fewer join parts at a point.
 inline constexpr std::size_t min_border_vertices = 8;
@@ -131,7 +135,7 @@ inline constexpr double min_edge_ratio = 0.1;
 inline constexpr double min_height_ratio = 0.03;
 /// Doubled area over the square of the longest side below which a normal is meaningless.
 inline constexpr double min_area_ratio = 0.02;
-/// Smallest ratio of inner to outer radius after a collapse (simplifying.cpp). Less leaves needles, more ends before
+/// Smallest ratio of inner to outer radius after a collapse by simplify(). Less leaves needles, more ends before
 /// the mesh is coarse enough.
 inline constexpr double min_roundness = 0.25;
 /// Largest turn of a triangle by a collapse, in degrees. More folds the cloth over.

@@ -168,8 +168,7 @@ Inspection inspect_garment(const Scene& scene, const LoadedGarment& loaded) {
   if (loaded.following) {
     Inspection modelled = inspect_garment(scene, as_modelled(loaded, scene.mapping));
     const sim::Garment& fitted = *loaded.garment;
-    modelled.facts["fitted"] = {{"triangles", fitted.mesh.triangles.size()},
-                                {"said", describe(*loaded.following, fitted.mesh)}};
+    modelled.facts["fitted"] = {{"triangles", fitted.mesh.triangles.size()}, {"said", loaded.following->description}};
     modelled.facts["springs"] = springs_json(fitted.springs);
     add_hanging(loaded, modelled.facts);
     return modelled;

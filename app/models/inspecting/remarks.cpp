@@ -99,7 +99,7 @@ std::vector<std::string> collect_remarks(const LoadedGarment& loaded) {
     lines.emplace_back("it is very far from the origin and was moved there");
   }
   if (loaded.repairs) append_repairs(*loaded.repairs, lines);
-  if (loaded.following) lines.push_back(describe(*loaded.following, loaded.garment->mesh));
+  if (loaded.following) lines.push_back(loaded.following->description);
   if (!loaded.fitting_refusal.empty()) {
     lines.push_back(fmt::format("{}: {} (garment.mesh)",
                                 loaded.following

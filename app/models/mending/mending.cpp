@@ -2,6 +2,7 @@
 
 #include "app/base/words.hpp"
 #include "app/garments/fitting/following.hpp"
+#include "app/garments/fitting/sheets.hpp"
 #include "app/models/mending/tuning.hpp"
 #include "sim/mesh/welding.hpp"
 
@@ -15,15 +16,6 @@ struct Patch {
   sim::Vec3 middle;
   double area;
 };
-
-std::vector<Patch> find_patches(const sim::Mesh& mesh) {
-  std::vector<Patch> patches;
-  for (const auto& [a, b, c] : mesh.triangles) {
-    const sim::Vec3 &p = mesh.positions[a], &q = mesh.positions[b], &r = mesh.positions[c];
-    patches.push_back({(p + q + r) / 3.0, 0.5 * glm::length(glm::cross(q - p, r - p))});
-  }
-  return patches;
-}
 
 /// Returns the interval along an axis that contains nearly all of the area.
 std::pair<double, double> bulk_along(int axis, const std::vector<Patch>& patches, double area) {
@@ -45,19 +37,16 @@ std::pair<double, double> bulk_along(int axis, const std::vector<Patch>& patches
 bool is_thick(const GarmentPart& part, double max_opening, const sim::Mesh& mesh) {
   double length = 0.0;
   sim::Vec3 middle = part.centre_m;  // of its largest opening, so that the volume is that up to there
-  double max_length = 0.0, six_volumes = 0.0;
+  double max_length = 0.0;
   for (const Opening& opening : part.openings) {
     length += opening.length_m;
     if (opening.length_m > max_length) middle = opening.range.middle();
     max_length = std::max(max_length, opening.length_m);
   }
-  for (const sim::Index t : part.triangles) {
-    six_volumes += glm::dot(sim::doubled_area_vector(mesh.positions, mesh.triangles[t]),
-                            mesh.positions[mesh.triangles[t][0]] - middle);
-  }
+  const double volumes = six_volumes(mesh, part.triangles, middle);
   const double root = std::sqrt(part.area_m2);
   return max_length <= max_opening * root && length - max_length <= max_holes_length * root &&
-         std::numbers::pi * six_volumes * six_volumes >= min_compactness * std::pow(part.area_m2, 3);
+         std::numbers::pi * volumes * volumes >= min_compactness * std::pow(part.area_m2, 3);
 }
 
 /// Returns the fraction of the part's vertices that lie near the surface.
@@ -99,21 +88,15 @@ std::vector<StitchPlace> find_stitches(const std::vector<StitchPlace>& places, s
   std::vector<StitchPlace> stitches;
   const auto nearer = [](const StitchPlace& a, const StitchPlace& b) { return a.distance < b.distance; };
   stitches.push_back(*std::ranges::min_element(places, nearer));
+  std::vector<double> distances(places.size(), std::numeric_limits<double>::infinity());  ///< to the nearest stitch
   while (stitches.size() < max_stitches) {
-    const StitchPlace* farthest = nullptr;
-    double farthest_distance = 0.0;
-    for (const StitchPlace& place : places) {
-      double distance = glm::distance(mesh.positions[place.vertex], mesh.positions[stitches[0].vertex]);
-      for (const StitchPlace& stitch : stitches) {
-        distance = std::min(distance, glm::distance(mesh.positions[place.vertex], mesh.positions[stitch.vertex]));
-      }
-      if (distance > farthest_distance) {
-        farthest = &place;
-        farthest_distance = distance;
-      }
+    for (std::size_t k = 0; k < places.size(); ++k) {
+      const sim::Vec3 &place = mesh.positions[places[k].vertex], &last = mesh.positions[stitches.back().vertex];
+      distances[k] = std::min(distances[k], glm::distance(place, last));
     }
-    if (farthest == nullptr) break;
-    stitches.push_back(*farthest);
+    const auto farthest = std::ranges::max_element(distances);
+    if (!(*farthest > 0.0)) break;
+    stitches.push_back(places[static_cast<std::size_t>(farthest - distances.begin())]);
   }
   return stitches;
 }
@@ -121,23 +104,18 @@ std::vector<StitchPlace> find_stitches(const std::vector<StitchPlace>& places, s
 /// Returns the largest triangle from the vertex to two corners of the cloth below, facing the side of the cloth.
 sim::Triangle stitch_at(const StitchPlace& place, const sim::Mesh& mesh) {
   const sim::Triangle& below = mesh.triangles[place.triangle];
-  sim::Triangle largest_triangle{};
-  double max_area = -1.0;
-  for (int k = 0; k < 3; ++k) {
-    const sim::Triangle stitch = {place.vertex, below[k], below[(k + 1) % 3]};
-    const double area = glm::length(sim::doubled_area_vector(mesh.positions, stitch));
-    if (area > max_area) {
-      largest_triangle = stitch;
-      max_area = area;
-    }
-  }
-  return largest_triangle;
+  std::array<sim::Triangle, 3> stitches{};
+  for (int k = 0; k < 3; ++k) stitches[k] = {place.vertex, below[k], below[(k + 1) % 3]};
+  return *std::ranges::max_element(stitches, {},
+                                   [&](const sim::Triangle& t) { return triangle_area(mesh.positions, t); });
 }
 
 }  // namespace
 
 Strays remove_strays(sim::Mesh& mesh) {
-  const std::vector<Patch> patches = find_patches(mesh);
+  const auto patches = collect<Patch>(mesh.triangles, [&](const sim::Triangle& t) {
+    return Patch{triangle_middle(mesh.positions, t), triangle_area(mesh.positions, t)};
+  });
   double area = 0.0;
   bool are_finite = true;
   for (const Patch& patch : patches) {
@@ -258,8 +236,7 @@ std::size_t sew_on_trims(std::span<const GarmentPart> parts, double metres_per_u
     if (!is_trim(part)) cloth.insert(cloth.end(), part.triangles.begin(), part.triangles.end());
   }
   std::ranges::sort(cloth);
-  std::vector<sim::Triangle> triangles;
-  for (const sim::Index t : cloth) triangles.push_back(mesh.triangles[t]);
+  const auto triangles = collect<sim::Triangle>(cloth, [&](sim::Index t) { return mesh.triangles[t]; });
   const SurfaceTree tree(mesh.positions, triangles);
   std::vector<sim::Triangle> stitches;
   std::size_t sewn_on = 0;

@@ -3,6 +3,7 @@
 #include "app/base/errors.hpp"
 #include "app/base/words.hpp"
 #include "app/garments/fitting/comparison.hpp"
+#include "app/garments/fitting/sheets.hpp"
 #include "app/garments/fitting/tuning.hpp"
 #include "app/models/mending/tuning.hpp"
 #include "sim/contact/crossing_pairs.hpp"
@@ -32,14 +33,9 @@ struct FlatAxes {
 
 /// Returns, per triangle of the simulation mesh, the nearest triangle of the model.
 std::vector<Index> triangles_below(const sim::Mesh& simulated, const sim::Mesh& model) {
-  std::vector<Vec3> middles_m;
-  std::vector<Vec3> normals;
-  for (const sim::Triangle& t : simulated.triangles) {
-    const auto [a, b, c] = sim::corner_positions(t, simulated.positions);
-    middles_m.push_back((a + b + c) / 3.0);
-    normals.push_back(sim::unit_or_zero(glm::cross(b - a, c - a)));
-  }
-  return collect<Index>(bonds_to(middles_m, model, normals), [](const Bond& bond) { return bond.triangle; });
+  const auto middle_m = [&](const sim::Triangle& t) { return triangle_middle(simulated.positions, t); };
+  const auto middles_m = collect<Vec3>(simulated.triangles, middle_m);
+  return collect<Index>(bonds_to(middles_m, model, unit_normals(simulated)), &Bond::triangle);
 }
 
 /// Returns the triangles in pieces, within which neighbours have the same coordinates at the vertices that they share.
@@ -87,6 +83,21 @@ std::vector<glm::vec2> coordinates_below(const sim::Mesh& simulated, const sim::
     }
   }
   return found;
+}
+
+/// Returns a line for people: the mesh that is simulated instead of the model, and why.
+std::string describe(const FittedModel& fitted) {
+  const auto carried = static_cast<double>(std::ranges::count(fitted.is_simulated, 0));
+  return fmt::format("a fitted mesh of {} is simulated, and the model follows it{}: {}{} (garment.mesh)",
+                     count_text(fitted.mesh.triangles.size(), "triangle"),
+                     carried > 0.0 ? fmt::format(", {:.0f} % of it carried",
+                                                 100.0 * carried / static_cast<double>(fitted.is_simulated.size()))
+                                   : "",
+                     fitted.why,
+                     fitted.dropped_sheets > 0 ? fmt::format("; {} with {:.1f} % of the area only follow what is near",
+                                                             count_text(fitted.dropped_sheets, "small part"),
+                                                             100.0 * fitted.dropped_area_fraction)
+                                               : "");
 }
 
 }  // namespace
@@ -149,10 +160,7 @@ FollowingModel follow_fitted(sim::Mesh model_m, const FittedModel& fitted, doubl
   following.bonds = bonds_of_model(model_m, fitted.is_simulated, fitted.mesh);
   following.shape_limits = std::make_shared<const ShapeLimits>(model_m, following_stretch_ratio * bound,
                                                                find_rigid_parts(model_m, fitted.is_simulated));
-  following.unfit_reason = fitted.why;
-  following.carried_triangles = fitted.carried_triangles;
-  following.dropped_parts = fitted.dropped_sheets;
-  following.dropped_area_fraction = fitted.dropped_area_fraction;
+  following.description = describe(fitted);
   following.mesh = std::move(model_m);
   return following;
 }
@@ -183,22 +191,6 @@ std::vector<Vec3> simulated_m(const FollowingModel& following, const sim::Mesh& 
   }
   const std::vector<Vec3> normals = vertex_normals(simulated.positions, simulated.triangles);
   return follow(bonds_to(simulated.positions, following.mesh, normals), model_m, following.mesh.triangles);
-}
-
-std::string describe(const FollowingModel& following, const sim::Mesh& simulated) {
-  const std::size_t all = following.mesh.triangles.size();
-  return fmt::format(
-      "a fitted mesh of {} is simulated, and the model follows it{}: {}{} (garment.mesh)",
-      count_text(simulated.triangles.size(), "triangle"),
-      following.carried_triangles > 0
-          ? fmt::format(", {:.0f} % of it carried",
-                        100.0 * static_cast<double>(following.carried_triangles) / static_cast<double>(all))
-          : "",
-      following.unfit_reason,
-      following.dropped_parts > 0
-          ? fmt::format("; {} with {:.1f} % of the area only follow what is near",
-                        count_text(following.dropped_parts, "small part"), 100.0 * following.dropped_area_fraction)
-          : "");
 }
 
 void show_simulated(GarmentInScene& loaded) {

@@ -40,9 +40,6 @@ void show_simulated(GarmentInScene& loaded);
 std::vector<sim::Vec3> simulated_m(const FollowingModel& following, const sim::Mesh& simulated,
                                    std::span<const sim::Vec3> file_m);
 
-/// Returns a line for people: the mesh that is simulated instead of the model, and why.
-std::string describe(const FollowingModel& following, const sim::Mesh& simulated);
-
 /// Returns the garment as if the following model were simulated itself: without pins, as modelled.
 LoadedGarment as_modelled(const LoadedGarment& loaded, const sim::MappingSettings& mapping);
 

@@ -61,8 +61,10 @@ struct BorderLine {
     ways_m.push_back(length_m);
   }
 
-  /// Returns the distance along the border from one position forwards to another.
-  double between(double from_m, double to_m) const { return to_m >= from_m ? to_m - from_m : to_m - from_m + length_m; }
+  /// Returns the same position within the border's length. It may be less than this before its begin or beyond its end.
+  double wrap(double way_m) const {
+    return way_m < 0.0 ? way_m + length_m : way_m >= length_m ? way_m - length_m : way_m;
+  }
   Vec3 place(double way_m) const {
     const auto after = std::upper_bound(ways_m.begin() + 1, ways_m.end() - 1, way_m) - ways_m.begin();
     const auto k = static_cast<std::size_t>(after);
@@ -105,7 +107,7 @@ class Remesher {
     for (const std::vector<sim::Index>& loop : border_loops(surface)) {
       const BorderLine& line = lines_.emplace_back(surface, loop);
       for (std::size_t i = 0; i < loop.size(); ++i) on_line_[loop[i]] = {lines_.size() - 1, line.ways_m[i]};
-      mark_corners(loop);
+      mark_corners(loop, line);
     }
   }
 
@@ -135,33 +137,23 @@ class Remesher {
   }
   static Vec3 doubled_area(const Vec3& a, const Vec3& b, const Vec3& c) { return glm::cross(b - a, c - a); }
 
-  void mark_corners(const std::vector<sim::Index>& loop) {
+  void mark_corners(const std::vector<sim::Index>& loop, const BorderLine& line) {
     const std::size_t n = loop.size();
-    const auto place_at = [&](std::size_t i, std::size_t step) {
-      Vec3 place = at_[loop[i]];
-      double way = 0.0;
-      for (std::size_t k = 0, j = i; k < n && way < corner_reach_edges * length_; ++k) {
-        j = (j + step) % n;
-        const double edge = glm::distance(place, at_[loop[j]]);
-        const double part = edge > 0.0 ? std::min(1.0, (corner_reach_edges * length_ - way) / edge) : 1.0;
-        place += part * (at_[loop[j]] - place);
-        way += std::max(edge, 1e-12);
-      }
-      return place;
-    };
-    std::vector<double> straight(n);
+    const double reach_m = std::min(corner_reach_edges * length_, line.length_m);
+    std::vector<double> straight;
     for (std::size_t i = 0; i < n; ++i) {
-      const Vec3 before = at_[loop[i]] - place_at(i, n - 1), after = place_at(i, 1) - at_[loop[i]];
+      const Vec3& place = at_[loop[i]];
+      const Vec3 before = place - line.place(line.wrap(line.ways_m[i] - reach_m));
+      const Vec3 after = line.place(line.wrap(line.ways_m[i] + reach_m)) - place;
       const double lengths = glm::length(before) * glm::length(after);
-      straight[i] = lengths > 0.0 ? glm::dot(before, after) / lengths : 1.0;
+      straight.push_back(lengths > 0.0 ? glm::dot(before, after) / lengths : 1.0);
     }
     for (std::size_t i = 0; i < n; ++i) {
       bool is_sharpest = straight[i] < max_corner_cosine;
       for (const std::size_t step : {std::size_t{1}, n - 1}) {
-        double way = 0.0;
         for (std::size_t j = (i + step) % n; j != i && is_sharpest; j = (j + step) % n) {
-          way += glm::distance(at_[loop[j]], at_[loop[(j + n - step) % n]]);
-          if (way > corner_reach_edges * length_) break;
+          const double way_m = line.ways_m[j] - line.ways_m[i];
+          if (line.wrap(step == 1 ? way_m : -way_m) > reach_m) break;
           is_sharpest = straight[i] < straight[j] || (straight[i] == straight[j] && i < j);
         }
       }
@@ -213,11 +205,8 @@ class Remesher {
   }
 
   OnLine halfway(const OnLine& from, const OnLine& to) const {
-    return on(from, 0.5 * lines_[from.line].between(from.way_m, to.way_m));
-  }
-  OnLine on(const OnLine& from, double way_m) const {
-    const double length_m = lines_[from.line].length_m, way = from.way_m + way_m;
-    return {from.line, way >= length_m ? way - length_m : way};
+    const BorderLine& line = lines_[from.line];
+    return {from.line, line.wrap(from.way_m + 0.5 * line.wrap(to.way_m - from.way_m))};
   }
   Vec3 on_border(Vertex v) const {
     const OnLine& on_line = on_line_[number(v)];
@@ -381,8 +370,8 @@ class Remesher {
     const OnLine here = on_line_[number(v)], before = on_line_[number(net_.to_vertex_handle(back))],
                  after = on_line_[number(net_.from_vertex_handle(net_.prev_halfedge_handle(back)))];
     const BorderLine& line = lines_[here.line];
-    const double way_m = line.between(before.way_m, here.way_m) + line.between(here.way_m, after.way_m);
-    on_line_[number(v)] = on(before, 0.5 * way_m);
+    const double way_m = line.wrap(here.way_m - before.way_m) + line.wrap(after.way_m - here.way_m);
+    on_line_[number(v)].way_m = line.wrap(before.way_m + 0.5 * way_m);
     const Vec3 place = on_border(v);
     if (may_move(v, place)) {
       at(v) = place;

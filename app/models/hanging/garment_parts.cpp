@@ -68,7 +68,7 @@ std::vector<sim::Index> across_seams(const std::vector<OpeningEdge>& border, sim
 std::vector<Opening> find_openings(const sim::Mesh& mesh, const sim::Adjacency& adjacency, sim::Groups& parts) {
   sim::Groups groups(mesh.positions.size());
   std::vector<double> lengths_m(mesh.positions.size(), 0.0);
-  std::vector<sim::Index> at_border;
+  std::set<sim::Index> at_border;
   const std::vector<OpeningEdge> border = border_edges(mesh, adjacency);
   const std::vector<sim::Index> across = across_seams(border, parts);
   for (sim::Index k = 0; k < border.size(); ++k) {
@@ -83,11 +83,9 @@ std::vector<Opening> find_openings(const sim::Mesh& mesh, const sim::Adjacency& 
       continue;
     }
     groups.join(a, b);
-    at_border.insert(at_border.end(), {a, b});
+    at_border.insert({a, b});
     lengths_m[a] += border[k].length_m;
   }
-  std::ranges::sort(at_border);
-  at_border.erase(std::unique(at_border.begin(), at_border.end()), at_border.end());
   std::map<sim::Index, Opening> openings;
   for (const sim::Index v : at_border) {
     Opening& opening = openings[groups.find(v)];

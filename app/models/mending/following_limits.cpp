@@ -49,7 +49,7 @@ ShapeLimits::ShapeLimits(const sim::Mesh& model_m, double max_stretch, std::span
       edge_m_(mean_edge_m(model_m)),
       is_rigid_(model_m.positions.size(), 0) {
   for (std::size_t v = 0; v < rigid_parts.size(); ++v) is_rigid_[v] = rigid_parts[v] != sim::no_vertex ? 1 : 0;
-  for (const sim::CrossingPair& pair : find_crossings(model_m.positions)) {
+  for (const sim::CrossingPair& pair : sim::find_crossing_pairs({model_m.positions, model_m.triangles}, tree_)) {
     own_crossings_.push_back({pair.first, pair.second});
   }
 }
@@ -148,10 +148,6 @@ void ShapeLimits::update_crossings(std::span<const Vec3> before_m, std::span<con
   std::ranges::sort(pairs, {}, [](const auto& pair) { return std::pair(pair.first, pair.second); });
 }
 
-std::vector<sim::CrossingPair> ShapeLimits::find_crossings(std::span<const Vec3> points_m) const {
-  return sim::find_crossing_pairs({points_m, model_.mesh.triangles}, tree_);
-}
-
 void ShapeLimits::apply(std::span<const Vec3> feet_m, std::vector<Vec3>& points_m) const {
   shorten(points_m);
   const std::size_t triangles = model_.mesh.triangles.size();
@@ -180,7 +176,7 @@ void ShapeLimits::apply(std::span<const Vec3> feet_m, std::vector<Vec3>& points_
 }
 
 FollowingMeasures ShapeLimits::measure(std::span<const Vec3> points_m) const {
-  std::vector<sim::CrossingPair> crossings = find_crossings(points_m);
+  std::vector<sim::CrossingPair> crossings = sim::find_crossing_pairs({points_m, model_.mesh.triangles}, tree_);
   const std::size_t all = crossings.size();
   erase_own(crossings);
   return {sim::measure_stretch(model_.springs, points_m), sim::measure_surface_stretch(model_, points_m).p99, all,

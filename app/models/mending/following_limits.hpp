@@ -47,8 +47,6 @@ class ShapeLimits {
   /// Updates the pairs that cross, in order. Before, they are the pairs at `before_m`, or none if that is empty.
   void update_crossings(std::span<const sim::Vec3> before_m, std::span<const sim::Vec3> points_m,
                         std::vector<sim::CrossingPair>& pairs) const;
-  /// Returns the pairs that cross, in order.
-  std::vector<sim::CrossingPair> find_crossings(std::span<const sim::Vec3> points_m) const;
 
   sim::Garment model_;
   sim::TriangleTree tree_;                                ///< tree of its triangles

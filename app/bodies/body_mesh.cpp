@@ -3,6 +3,7 @@
 #include "app/base/errors.hpp"
 #include "app/base/words.hpp"
 #include "app/garments/fitting/fitted_mesh.hpp"
+#include "app/garments/fitting/sheets.hpp"
 #include "sim/mesh/extent.hpp"
 #include "sim/mesh/topology.hpp"
 #include "sim/mesh/welding.hpp"
@@ -116,9 +117,7 @@ std::size_t drop_degenerate(const Places& places, sim::Mesh& soup) {
       if (places[from] == places[to]) same.join(from, to);
     }
   }
-  for (sim::Triangle& t : soup.triangles) t = {same.find(t[0]), same.find(t[1]), same.find(t[2])};
-  return std::erase_if(soup.triangles,
-                       [](const sim::Triangle& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; });
+  return merge_vertices(same, soup.triangles);
 }
 
 std::size_t turn_once(const Places& places, sim::Mesh& soup) {

@@ -1,8 +1,6 @@
 #include "app/garments/fitting/fitted_mesh.hpp"
 
-#include <fmt/core.h>
-
-#include "app/base/errors.hpp"
+#include "app/base/words.hpp"
 #include "app/garments/fitting/following.hpp"
 #include "app/garments/fitting/sheets.hpp"
 #include "app/garments/fitting/tuning.hpp"
@@ -232,9 +230,8 @@ void fill_small_holes(double max_length_m, sim::Mesh& mesh) {
 }
 
 sim::Mesh select_sheets(const Sheets& sheets, const std::vector<char>& is_chosen) {
-  std::vector<std::uint8_t> is_of_chosen;
-  for (const sim::Index sheet : sheets.sheet_of) is_of_chosen.push_back(static_cast<std::uint8_t>(is_chosen[sheet]));
-  return select_triangles(sheets.mesh, is_of_chosen);
+  const auto of_chosen = [&](sim::Index sheet) { return is_chosen[sheet]; };
+  return select_triangles(sheets.mesh, collect<std::uint8_t>(sheets.sheet_of, of_chosen));
 }
 
 /// Returns the fraction of the vertices of each sheet that are near a triangle of another sheet that is marked.
@@ -263,8 +260,7 @@ sim::Mesh large_sheets(const Sheets& sheets, FittedMesh& fitted) {
   if (areas.empty()) return {};
   const double all = std::accumulate(areas.begin(), areas.end(), 0.0);
   const double min_area = std::min(min_sheet_share * all, min_share_of_largest * *std::ranges::max_element(areas));
-  std::vector<char> is_kept;
-  for (const double area : areas) is_kept.push_back(static_cast<char>(area >= min_area));
+  auto is_kept = collect<char>(areas, [&](double area) { return area >= min_area; });
   const std::vector<double> beside = fractions_beside(sheets, is_kept);
   for (std::size_t k = 0; k < areas.size(); ++k) {
     is_kept[k] |= static_cast<char>(areas[k] >= tiny_sheet_share * all && beside[k] < min_trim_fraction);

@@ -1,6 +1,7 @@
 #include "app/garments/fitting/following.hpp"
 
 #include "app/base/errors.hpp"
+#include "app/base/words.hpp"
 #include "app/garments/fitting/sheets.hpp"
 #include "app/garments/fitting/tuning.hpp"
 #include "sim/mesh/adjacency.hpp"
@@ -14,6 +15,7 @@ using namespace fitting;
 namespace {
 
 constexpr sim::Index leaf_size = 4;
+constexpr double infinite = std::numeric_limits<double>::infinity();
 
 /// Returns the nearest point of a triangle: the foot of the perpendicular if it is inside, else the nearest point of
 /// the three sides.
@@ -26,7 +28,7 @@ sim::Vec3 nearest_of_triangle(const sim::Vec3& p, const std::array<sim::Vec3, 3>
   }
   if (is_inside) return p - glm::dot(p - c[0], normal) / square * normal;
   sim::Vec3 best(0.0);
-  double best_square = std::numeric_limits<double>::infinity();
+  double best_square = infinite;
   for (int k = 0; k < 3; ++k) {
     const sim::Vec3 &a = c[k], &b = c[(k + 1) % 3], q = a + share_along(p, a, b) * (b - a);
     const double found = glm::dot(q - p, q - p);
@@ -52,24 +54,21 @@ double entry(const sim::Vec3& from, const sim::Vec3& inverse, double begin, doub
     begin = near > begin ? near : begin;  // `near` is not a number, and no limit, for a ray within a side
     end = far < end ? far : end;
   }
-  return begin <= end ? begin : std::numeric_limits<double>::infinity();
+  return begin <= end ? begin : infinite;
 }
 
 /// Returns the distance along the ray (Moeller and Trumbore 1997); infinite beside the triangle.
 double hit(const sim::Vec3& from, const sim::Vec3& direction, const std::array<sim::Vec3, 3>& c) {
-  constexpr double none = std::numeric_limits<double>::infinity();
   const sim::Vec3 e1 = c[1] - c[0], e2 = c[2] - c[0], p = glm::cross(direction, e2);
   const double determinant = glm::dot(e1, p);
-  if (determinant == 0.0) return none;
+  if (determinant == 0.0) return infinite;
   const sim::Vec3 s = from - c[0], q = glm::cross(s, e1);
   const double u = glm::dot(s, p) / determinant, v = glm::dot(direction, q) / determinant;
-  return u < 0.0 || v < 0.0 || u + v > 1.0 ? none : glm::dot(e2, q) / determinant;
+  return u < 0.0 || v < 0.0 || u + v > 1.0 ? infinite : glm::dot(e2, q) / determinant;
 }
 
 using sim::Index;
 using sim::Vec3;
-
-constexpr double infinite = std::numeric_limits<double>::infinity();
 
 /// Returns the weights of the corners at the point of the triangle that is nearest to p.
 std::array<double, 3> nearest_weights(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
@@ -441,9 +440,7 @@ std::vector<Vec3> follow(std::span<const Bond> bonds, std::span<const Vec3> posi
 
 std::vector<Vec3> find_feet(std::span<const Bond> bonds, std::span<const Vec3> positions_m,
                             std::span<const sim::Triangle> triangles) {
-  std::vector<Vec3> feet_m;
-  for (const Bond& bond : bonds) feet_m.push_back(find_foot(bond, positions_m, triangles));
-  return feet_m;
+  return collect<Vec3>(bonds, [&](const Bond& bond) { return find_foot(bond, positions_m, triangles); });
 }
 
 Index find_nearest_corner(const Bond& bond, std::span<const sim::Triangle> triangles) {

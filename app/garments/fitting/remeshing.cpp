@@ -44,7 +44,7 @@ template <class AnyNet> std::vector<sim::Triangle> to_triangles(const AnyNet& ne
   return triangles;
 }
 
-double longest_side(const Vec3& a, const Vec3& b, const Vec3& c) {
+double max_side(const Vec3& a, const Vec3& b, const Vec3& c) {
   return std::max({glm::distance(a, b), glm::distance(b, c), glm::distance(c, a)});
 }
 
@@ -246,7 +246,7 @@ class Remesher {
   /// Returns whether a triangle still faces the side of its former normal and has an area.
   bool stays(const Vec3& normal_before, const Vec3& a, const Vec3& b, const Vec3& c) const {
     const Vec3 now = doubled_area(a, b, c);
-    const double side = longest_side(a, b, c);
+    const double side = max_side(a, b, c);
     const double before = glm::length(normal_before), after = glm::length(now);
     if (before < min_area_ratio * side * side) return true;
     return after >= min_area_ratio * side * side && glm::dot(now, normal_before) > min_normal_cosine * before * after;
@@ -290,17 +290,15 @@ class Remesher {
     const Diamond d = diamond(e);
     const int before = excess(d.a, 0) + excess(d.b, 0) + excess(d.left, 0) + excess(d.right, 0);
     const int after = excess(d.a, -1) + excess(d.b, -1) + excess(d.left, 1) + excess(d.right, 1);
-    return after < before && narrowest(d, true) < 0.94;
+    return after < before && narrowest({d.left, d.right, d.b, d.a}) < 0.94;
   }
   /// Returns the cosine of the smallest angle of the two triangles.
-  double narrowest(const Diamond& d, bool flipped) const {
-    return flipped
-               ? std::max(max_cosine(at(d.left), at(d.right), at(d.b)), max_cosine(at(d.right), at(d.left), at(d.a)))
-               : std::max(max_cosine(at(d.a), at(d.b), at(d.left)), max_cosine(at(d.b), at(d.a), at(d.right)));
+  double narrowest(const Diamond& d) const {
+    return std::max(max_cosine(at(d.a), at(d.b), at(d.left)), max_cosine(at(d.b), at(d.a), at(d.right)));
   }
   bool widens_angles(Edge e) const {
     const Diamond d = diamond(e);
-    return narrowest(d, true) < narrowest(d, false) - 1e-9;
+    return narrowest({d.left, d.right, d.b, d.a}) < narrowest(d) - 1e-9;
   }
   static double max_cosine(const Vec3& a, const Vec3& b, const Vec3& c) {
     const double x = glm::dot(b - a, b - a), y = glm::dot(c - b, c - b), z = glm::dot(a - c, a - c);
@@ -421,7 +419,7 @@ bool weld_ends(double least_m, sim::Mesh& mesh) {
 bool drop_flat(double least_m, sim::Mesh& mesh) {
   return std::erase_if(mesh.triangles, [&](const sim::Triangle& t) {
            const Vec3 &a = mesh.positions[t[0]], &b = mesh.positions[t[1]], &c = mesh.positions[t[2]];
-           return glm::length(glm::cross(b - a, c - a)) < least_m * longest_side(a, b, c);
+           return glm::length(glm::cross(b - a, c - a)) < least_m * max_side(a, b, c);
          }) > 0;
 }
 

@@ -1,8 +1,7 @@
 #include "app/garments/fitting/sheets.hpp"
 
-#include <fmt/core.h>
-
 #include "app/base/errors.hpp"
+#include "app/base/words.hpp"
 #include "app/garments/fitting/following.hpp"
 #include "app/garments/fitting/tuning.hpp"
 #include "sim/mesh/topology.hpp"
@@ -217,7 +216,7 @@ double total_area(const GarmentView& view, std::span<const sim::Index> piece) {
 class Pieces {
  public:
   Pieces(const GarmentView& view, const OtherWalls& other)
-      : view_(view), other_(other), piece_of_(view.areas.size(), sim::no_vertex) {
+      : piece_of(view.areas.size(), sim::no_vertex), view_(view), other_(other) {
     const auto all = gather_groups(view.sheets.sheet_of, view.sheets.count);
     const sim::Vec3 size = sim::compute_extent(view.sheets.mesh.positions).size();
     const bool is_flat = std::min({size.x, size.y, size.z}) < view.unit * flat_m;
@@ -226,23 +225,22 @@ class Pieces {
       if (doubled > min_shell_area_fraction && (!is_flat || is_closed(view.sheets, sheet))) {
         cut_into_walls(sheet);
       } else {
-        for (const sim::Index t : sheet) piece_of_[t] = count_;
-        is_wall_.resize(++count_, 0);
+        for (const sim::Index t : sheet) piece_of[t] = static_cast<sim::Index>(is_wall.size());
+        is_wall.push_back(0);
       }
     }
   }
 
-  sim::Index count() const { return count_; }
-  const std::vector<sim::Index>& piece_of() const { return piece_of_; }
-  bool is_wall(sim::Index piece) const { return is_wall_[piece] != 0; }
+  std::vector<sim::Index> piece_of;  ///< piece of each triangle
+  std::vector<char> is_wall;         ///< flag of each piece, whether it is a wall of a sheet that has two
 
  private:
   void flood(std::vector<sim::Index> front) {
     for (std::size_t i = 0; i < front.size(); ++i) {
       for (int side = 0; side < 3; ++side) {
         const sim::Index next = view_.sheets.beyond[3 * front[i] + side];
-        if (next != sim::no_vertex && piece_of_[next] == sim::no_vertex) {
-          piece_of_[next] = piece_of_[front[i]];
+        if (next != sim::no_vertex && piece_of[next] == sim::no_vertex) {
+          piece_of[next] = piece_of[front[i]];
           front.push_back(next);
         }
       }
@@ -256,7 +254,7 @@ class Pieces {
       double cosine;
       sim::Index a, b;
     };
-    sim::FacingGroups walls(piece_of_.size());
+    sim::FacingGroups walls(piece_of.size());
     std::vector<Smooth> neighbours;
     for (const sim::Index t : sheet) {
       const sim::Index o = other_[t];
@@ -268,7 +266,7 @@ class Pieces {
       }
     }
     std::ranges::stable_sort(neighbours, std::greater{}, &Smooth::cosine);
-    sim::Groups regions(piece_of_.size());
+    sim::Groups regions(piece_of.size());
     for (const auto& [cosine, a, b] : neighbours) {
       if (walls.opposite(a, b).value_or(false)) continue;
       walls.join(a, b, false);
@@ -279,17 +277,18 @@ class Pieces {
     const double least = min_wall_share * total_area(view_, sheet);
     std::map<sim::Index, sim::Index> number;
     for (const auto& [region, area] : areas) {
-      if (area >= least) number.emplace(region, count_++);
+      if (area < least) continue;
+      number.emplace(region, static_cast<sim::Index>(is_wall.size()));
+      is_wall.push_back(1);
     }
     std::vector<sim::Index> front;
     for (const sim::Index t : sheet) {
       const auto found = number.find(regions.find(t));
       if (found == number.end()) continue;
-      piece_of_[t] = found->second;
+      piece_of[t] = found->second;
       front.push_back(t);
     }
     flood(front);
-    is_wall_.resize(count_, 1);
     for (int half = 0; half < 2; ++half) leave_out_rims(sheet);
   }
 
@@ -299,18 +298,15 @@ class Pieces {
     std::ranges::copy_if(sheet, std::back_inserter(rims), [&](sim::Index t) {
       return other_[t] == sim::no_vertex &&
              std::any_of(&view_.sheets.beyond[3 * t], &view_.sheets.beyond[3 * t] + 3,
-                         [&](sim::Index next) { return next != sim::no_vertex && piece_of_[next] != piece_of_[t]; });
+                         [&](sim::Index next) { return next != sim::no_vertex && piece_of[next] != piece_of[t]; });
     });
-    for (const sim::Index t : rims) piece_of_[t] = sim::no_vertex;
+    for (const sim::Index t : rims) piece_of[t] = sim::no_vertex;
   }
 
   static constexpr double min_wall_share = 0.02;  ///< smallest area of a wall, as a fraction of its sheet's area
 
   const GarmentView& view_;
   const OtherWalls& other_;
-  std::vector<sim::Index> piece_of_;
-  std::vector<char> is_wall_;  ///< flag of each piece, whether it is a wall of a sheet that has two
-  sim::Index count_ = 0;
 };
 
 bool is_covered(const GarmentView& view, const OtherWalls& other, const std::vector<std::uint8_t>& kept, sim::Index t) {
@@ -363,24 +359,19 @@ sim::Mesh select_triangles(const sim::Mesh& mesh, std::span<const std::uint8_t> 
 }
 
 std::vector<sim::Vec3> unit_normals(const sim::Mesh& mesh) {
-  std::vector<sim::Vec3> normals;
-  for (const sim::Triangle& t : mesh.triangles) {
-    normals.push_back(sim::unit_or_zero(sim::doubled_area_vector(mesh.positions, t)));
-  }
-  return normals;
+  return collect<sim::Vec3>(mesh.triangles, [&](const sim::Triangle& t) {
+    return sim::unit_or_zero(sim::doubled_area_vector(mesh.positions, t));
+  });
 }
 
 void turn_outwards(Sheets& sheets) {
   const GarmentView view(sheets);
-  const auto all = gather_groups(sheets.sheet_of, sheets.count);
-  std::vector<char> turn(sheets.count, 0);
-  for (sim::Index s = 0; s < sheets.count; ++s) {
-    turn[s] = static_cast<char>(is_closed(sheets, all[s])
-                                    ? six_volumes(sheets.mesh, all[s], view.middle(all[s].front())) < 0.0
-                                    : view.openness(all[s], -1.0) > view.openness(all[s], 1.0) + 0.1);
-  }
-  for (sim::Index t = 0; t < sheets.sheet_of.size(); ++t) {
-    if (turn[sheets.sheet_of[t]] != 0) {
+  for (const std::vector<sim::Index>& sheet : gather_groups(sheets.sheet_of, sheets.count)) {
+    if (is_closed(sheets, sheet) ? six_volumes(sheets.mesh, sheet, view.middle(sheet.front())) >= 0.0
+                                 : view.openness(sheet, -1.0) <= view.openness(sheet, 1.0) + 0.1) {
+      continue;
+    }
+    for (const sim::Index t : sheet) {
       std::swap(sheets.mesh.triangles[t][1], sheets.mesh.triangles[t][2]);
       std::swap(sheets.beyond[3 * t], sheets.beyond[3 * t + 2]);
     }
@@ -416,9 +407,9 @@ double share_of_two_walls(const Sheets& sheets, const OtherWalls& other) {
 std::vector<std::uint8_t> choose_walls(const Sheets& sheets, const OtherWalls& other) {
   const GarmentView view(sheets);
   const Pieces pieces(view, other);
-  const auto triangles_of = gather_groups(pieces.piece_of(), pieces.count());
+  const auto triangles_of = gather_groups(pieces.piece_of, static_cast<sim::Index>(pieces.is_wall.size()));
   std::vector<std::pair<double, sim::Index>> order;
-  for (sim::Index p = 0; p < pieces.count(); ++p) {
+  for (sim::Index p = 0; p < pieces.is_wall.size(); ++p) {
     order.emplace_back(-total_area(view, triangles_of[p]) * (1.0 + view.openness(triangles_of[p], 1.0)), p);
   }
   std::ranges::sort(order);
@@ -426,7 +417,7 @@ std::vector<std::uint8_t> choose_walls(const Sheets& sheets, const OtherWalls& o
   for (const auto& [score, p] : order) {
     const double covered = view.fraction(
         triangles_of[p], [&](sim::Index t) { return is_covered(view, other, kept, t); }, max_triangles_tried);
-    if (covered < (pieces.is_wall(p) ? min_behind_area_fraction : min_lying_area_fraction)) {
+    if (covered < (pieces.is_wall[p] != 0 ? min_behind_area_fraction : min_lying_area_fraction)) {
       for (const sim::Index t : triangles_of[p]) kept[t] = 1;
     }
   }

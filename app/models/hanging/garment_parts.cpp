@@ -210,8 +210,8 @@ const Opening* inner_opening(const GarmentPart& part) {
 }
 
 bool has_sleeves(const GarmentPart& part) {
-  const std::vector<const Opening*> large = large_openings(part);
-  return std::ranges::any_of(large, [&](const Opening* opening) { return !is_near_middle(part, *opening); });
+  return std::ranges::any_of(large_openings(part),
+                             [&](const Opening* opening) { return !is_near_middle(part, *opening); });
 }
 
 std::vector<sim::Index> pair_of_openings(const GarmentPart& part) {

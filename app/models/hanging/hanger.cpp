@@ -56,8 +56,7 @@ struct HangerSpace {
     const double reach_m = bar.start_radius_m + bar_clearance_ratio * half_m;
     const sim::Capsule limb{bar.start_m, bar.end_m, reach_m, reach_m};
     return std::ranges::none_of(part.triangles, [&](sim::Index triangle) {
-      const sim::Triangle& t = mesh.triangles[triangle];
-      return sim::enters({mesh.positions[t[0]], mesh.positions[t[1]], mesh.positions[t[2]]}, limb);
+      return sim::enters(sim::corner_positions(mesh.triangles[triangle], mesh.positions), limb);
     });
   }
 };

@@ -100,9 +100,8 @@ Landmarks grid_parts(const sim::GridSettings& grid) {
 }
 
 std::vector<sim::Index> top_band(const sim::Mesh& mesh) {
-  const auto by_height = [](const sim::Vec3& a, const sim::Vec3& b) { return a.y < b.y; };
-  const auto [lowest, highest] = std::ranges::minmax_element(mesh.positions, by_height);
-  const double limit_m = highest->y - pinned_band_fraction * (highest->y - lowest->y);
+  const sim::Extent box = sim::compute_extent(mesh.positions);
+  const double limit_m = box.upper.y - pinned_band_fraction * box.size().y;
   std::vector<sim::Index> band;
   for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
     if (mesh.positions[v].y >= limit_m) band.push_back(static_cast<sim::Index>(v));

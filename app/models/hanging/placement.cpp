@@ -1,7 +1,6 @@
 #include "app/models/hanging/placement.hpp"
 
-#include <fmt/core.h>
-
+#include "app/base/words.hpp"
 #include "app/garments/fitting/following.hpp"
 #include "app/models/hanging/garment_measures.hpp"
 #include "app/models/hanging/hanging.hpp"
@@ -395,9 +394,7 @@ double share_carried(const sim::Mesh& mesh, const sim::Adjacency& adjacency) {
 }  // namespace
 
 sim::Mesh upright(const sim::Mesh& mesh, ModelAxis up) {
-  sim::Mesh turned_mesh{{}, mesh.triangles, {}};
-  for (const sim::Vec3& position : mesh.positions) turned_mesh.positions.push_back(turn_up(position, up));
-  return turned_mesh;
+  return {collect<sim::Vec3>(mesh.positions, [&](const sim::Vec3& p) { return turn_up(p, up); }), mesh.triangles, {}};
 }
 
 ModelAxis better_way_up(const sim::Mesh& mesh, const sim::Adjacency& adjacency, ModelAxis up) {

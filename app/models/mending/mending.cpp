@@ -88,7 +88,8 @@ std::vector<StitchPlace> find_stitches(const std::vector<StitchPlace>& places, s
   std::vector<StitchPlace> stitches;
   const auto nearer = [](const StitchPlace& a, const StitchPlace& b) { return a.distance < b.distance; };
   stitches.push_back(*std::ranges::min_element(places, nearer));
-  std::vector<double> distances(places.size(), std::numeric_limits<double>::infinity());  ///< to the nearest stitch
+  // Distance of each place from the nearest stitch.
+  std::vector<double> distances(places.size(), std::numeric_limits<double>::infinity());
   while (stitches.size() < max_stitches) {
     for (std::size_t k = 0; k < places.size(); ++k) {
       const sim::Vec3 &place = mesh.positions[places[k].vertex], &last = mesh.positions[stitches.back().vertex];

@@ -108,11 +108,10 @@ FittingOutcome fit_model(const GarmentSource& source, double thickness_m, const 
     throw std::invalid_argument(
         "garment.subdivisions is of the model itself; garment.triangles says how fine a fitted mesh is");
   }
-  std::string why = source.mesh == MeshChoice::fitted ? "garment.mesh asks for it" : "";
-  const bool is_wanted = may_choose || !why.empty();
-  const std::size_t crossings =
-      is_wanted ? sim::find_crossing_pairs({model_m.positions, model_m.triangles}).size() : std::size_t{0};
-  if (may_choose) why = why_not_fit_for_simulation(model_m, crossings, thickness_m).value_or("");
+  if (!may_choose && source.mesh != MeshChoice::fitted) return {};
+  const std::size_t crossings = sim::find_crossing_pairs({model_m.positions, model_m.triangles}).size();
+  std::string why = may_choose ? why_not_fit_for_simulation(model_m, crossings, thickness_m).value_or("")
+                               : "garment.mesh asks for it";
   if (may_choose && why.empty() && !source.given && is_coarse(model_m)) {
     why = fmt::format("it has {} triangles, which are too few for folds", model_m.triangles.size());
   }

@@ -16,7 +16,6 @@ using Level = Levels::const_iterator;
 struct Piece {
   std::vector<sim::Vec2> hull;
   double tape_m = 0.0;
-  sim::Vec2 middle = {0.0, 0.0};
 };
 using Pieces = std::vector<Piece>;
 
@@ -31,9 +30,8 @@ Pieces cut_level(const sim::Surface& body, double height_m) {
   for (const SectionCurve& curve : cut_section(body, {{0.0, height_m, 0.0}})) {
     std::vector<sim::Vec2> hull = convex_hull(curve.points_m);
     if (!hull.empty()) {
-      const sim::Vec2 middle = compute_centroid(hull);
       const double tape_m = length_m({hull, true});
-      pieces.push_back({std::move(hull), tape_m, middle});
+      pieces.push_back({std::move(hull), tape_m});
     }
   }
   return pieces;
@@ -45,7 +43,7 @@ const Piece& find_longest_piece(const Pieces& pieces) { return *std::ranges::max
 std::optional<LevelTape> measure_around_trunk(const Pieces& pieces, double height_m, std::vector<sim::Vec2>& trunk) {
   const sim::Vec2 middle = compute_centroid(trunk);
   const auto is_of_trunk = [&](const Piece& piece) {
-    return is_in_hull(trunk, piece.middle) || is_in_hull(piece.hull, middle);
+    return is_in_hull(trunk, compute_centroid(piece.hull)) || is_in_hull(piece.hull, middle);
   };
   Pieces of_trunk;
   std::ranges::copy_if(pieces, std::back_inserter(of_trunk), is_of_trunk);
@@ -176,18 +174,16 @@ void measure_neck(const sim::Surface& body, const JointPlaces& joints, const Bod
   } else if (at.base != end) {
     measures.neck_m = at.base->middle_m;
   }
+  std::optional<LevelTape> tape;
   if (base != joints.end() && head != joints.end()) {
     const double height_m = glm::mix(base->second.y, head->second.y, neck_tape_height_fraction);
     const Pieces pieces = cut_level(body, height_m);
     std::vector<sim::Vec2> largest = pieces.empty() ? std::vector<sim::Vec2>{} : find_longest_piece(pieces).hull;
-    const auto tape = pieces.empty() ? std::nullopt : measure_around_trunk(pieces, height_m, largest);
-    // The joint of the head is so high in some rigs that this is around the jaw.
-    if (tape && (at.neck == end || tape->girth_m < min_jaw_girth_ratio * at.neck->girth_m)) {
-      measures.girths.push_back(to_girth("neck", *tape));
-      return;
-    }
+    tape = measure_around_trunk(pieces, height_m, largest);
   }
-  if (at.neck != end) measures.girths.push_back(to_girth("neck", *at.neck));
+  // The joint of the head is so high in some rigs that this is around the jaw.
+  if (at.neck != end && (!tape || tape->girth_m >= min_jaw_girth_ratio * at.neck->girth_m)) tape = *at.neck;
+  if (tape) measures.girths.push_back(to_girth("neck", *tape));
 }
 
 /// Returns the level that reaches farthest forwards among the local maxima that are wider than a waist. Returns the

@@ -149,17 +149,12 @@ struct Growth {
   std::span<const sim::Index> ends;  ///< per vertex; see find_body_ends()
   double room_m;
 
-  std::vector<sim::Vec3> at(double share, const std::vector<double>& most) const {
-    std::vector<sim::Vec3> positions_m(thin_m.size());
-    for (std::size_t v = 0; v < thin_m.size(); ++v) {
-      positions_m[v] = glm::mix(thin_m[v], full_m[v], std::min(share, most[v]));
-    }
-    return positions_m;
-  }
-
   /// Stops the growth of vertices that are too near to another surface facing them.
   void stop_at(double share, double stopped_share, std::vector<double>& most) const {
-    const std::vector<sim::Vec3> positions_m = at(share, most);
+    std::vector<sim::Vec3> positions_m = thin_m;
+    for (std::size_t v = 0; v < most.size(); ++v) {
+      positions_m[v] = glm::mix(thin_m[v], full_m[v], std::min(share, most[v]));
+    }
     std::vector<sim::Vec3> face_normals;
     std::vector<sim::Vec3> normals(positions_m.size(), sim::Vec3(0.0));
     for (const sim::Triangle& t : triangles) {
@@ -221,15 +216,11 @@ struct Bone {
 };
 
 template <class Condition>
-sim::Extent compute_extent_if(const std::vector<sim::Vec3>& points_m, const Condition& is_counted) {
-  sim::Extent extent;
-  for (const sim::Vec3& p : points_m) {
-    if (is_counted(p)) extent.add(p);
-  }
-  return extent;
+std::vector<sim::Vec3> select(std::span<const sim::Vec3> points_m, const Condition& is_selected) {
+  std::vector<sim::Vec3> selected_m;
+  std::ranges::copy_if(points_m, std::back_inserter(selected_m), is_selected);
+  return selected_m;
 }
-
-bool is_empty(const sim::Extent& extent) { return extent.lower.x > extent.upper.x; }
 
 class ShapeRigMaker {
  public:
@@ -252,23 +243,23 @@ class ShapeRigMaker {
       const std::string name = side > 0.0 ? "Left" : "Right";
       const sim::Vec3 shoulder_m = glm::mix(below_arms_.middle_m, neck_m_, shoulder_height_fraction) +
                                    sim::Vec3(side * shoulder_offset_fraction * half_width_m, 0.0, 0.0);
-      std::vector<sim::Vec3> own_m, arm_m;
-      const auto is_own = [&](const sim::Vec3& p) { return side * (p.x - neck_m_.x) > 0.0; };
-      std::ranges::copy_if(body_.positions_m, std::back_inserter(own_m), is_own);
-      std::ranges::copy_if(own_m, std::back_inserter(arm_m), [&](const sim::Vec3& p) { return is_beside_trunk(p); });
-      const sim::Extent foot = compute_extent_if(
-          own_m, [&](const sim::Vec3& p) { return p.y < box_.lower.y + foot_height_fraction * box_.size().y; });
-      if (arm_m.empty() || is_empty(foot)) return std::nullopt;
+      const auto own_m = select(body_.positions_m, [&](const auto& p) { return side * (p.x - neck_m_.x) > 0.0; });
+      const auto arm_m = select(own_m, [&](const auto& p) { return is_beside_trunk(p); });
+      const auto foot_m =
+          select(own_m, [&](const auto& p) { return p.y < box_.lower.y + foot_height_fraction * box_.size().y; });
+      if (arm_m.empty() || foot_m.empty()) return std::nullopt;
       const auto from_shoulder_m = [&](const sim::Vec3& p) { return glm::distance(p, shoulder_m); };
       const sim::Vec3 hand_m = *std::ranges::max_element(arm_m, {}, from_shoulder_m);
-      const sim::Extent elbow = compute_extent_if(arm_m, [&](const sim::Vec3& p) {
+      const auto elbow_m = select(arm_m, [&](const auto& p) {
         return std::abs(from_shoulder_m(p) / from_shoulder_m(hand_m) - elbow_fraction) < elbow_tolerance;
       });
-      const sim::Vec3 elbow_m = is_empty(elbow) ? glm::mix(shoulder_m, hand_m, elbow_fraction) : elbow.middle();
+      const sim::Vec3 middle_m =
+          elbow_m.empty() ? glm::mix(shoulder_m, hand_m, elbow_fraction) : sim::compute_extent(elbow_m).middle();
       const sim::Index arm = add(name + "Arm", neck, shoulder_m, LimbKind::arm);
-      add(name + "Hand", add(name + "ForeArm", arm, elbow_m, LimbKind::arm), hand_m, LimbKind::arm);
+      add(name + "Hand", add(name + "ForeArm", arm, middle_m, LimbKind::arm), hand_m, LimbKind::arm);
       const sim::Vec3 hip_m = hips_m + sim::Vec3(side * hip_offset_fraction * half_width_m, 0.0, 0.0);
-      add(name + "Foot", add(name + "UpLeg", hips, hip_m, LimbKind::leg), foot.middle(), LimbKind::leg);
+      add(name + "Foot", add(name + "UpLeg", hips, hip_m, LimbKind::leg), sim::compute_extent(foot_m).middle(),
+          LimbKind::leg);
     }
     follow();
     return std::move(rig_);

@@ -32,36 +32,31 @@ double edge_for(const SewingPattern& pattern, int triangles) {
 /// be shortened by the fraction `of_borders`.
 std::vector<std::vector<std::size_t>> steps_of_edges(const SewingPattern& pattern, double edge_m,
                                                      double of_borders = 0.0) {
-  std::vector<Index> first = {0};
-  for (const PatternPanel& panel : pattern.panels) {
-    first.push_back(first.back() + static_cast<Index>(panel.edges_m.size()));
-  }
-  const auto number = [&](const PanelEdge& e) { return first[e.panel] + static_cast<Index>(e.edge); };
-  sim::Groups sewn(first.back());
-  for (const Stitch& stitch : pattern.stitches) sewn.join(number(stitch.first), number(stitch.second));
-  std::vector<double> lengths(first.back(), 0.0), counts(first.back(), 0.0);
-  const auto for_all = [&](const auto& visit) {
-    for (std::size_t p = 0; p < pattern.panels.size(); ++p) {
-      for (std::size_t e = 0; e < pattern.panels[p].edges_m.size(); ++e) visit(p, e, sewn.find(number({p, e})));
-    }
+  const std::vector<PanelEdge> edges = pattern.edges();
+  const auto number = [&](const PanelEdge& e) {
+    return static_cast<Index>(std::ranges::find(edges, e) - edges.begin());
   };
-  for_all([&](std::size_t p, std::size_t e, Index group) {
-    lengths[group] += polyline_length(pattern.panels[p].edges_m[e]);
-    counts[group] += 1.0;
-  });
-  std::vector<std::size_t> of_group(first.back(), 1);
-  for_all([&](std::size_t p, std::size_t e, Index group) {
-    const std::vector<Vec2>& line = pattern.panels[p].edges_m[e];
-    const double least = pattern.panels[p].edges_m.size() == 2 ? 2.0 : 1.0;
+  sim::Groups sewn(edges.size());
+  for (const Stitch& stitch : pattern.stitches) sewn.join(number(stitch.first), number(stitch.second));
+  std::vector<double> lengths(edges.size(), 0.0), counts(edges.size(), 0.0);
+  for (Index k = 0; k < edges.size(); ++k) {
+    lengths[sewn.find(k)] += polyline_length(pattern.line_of(edges[k]));
+    counts[sewn.find(k)] += 1.0;
+  }
+  std::vector<std::size_t> of_group(edges.size(), 1);
+  for (Index k = 0; k < edges.size(); ++k) {
+    const Index group = sewn.find(k);
+    const std::vector<Vec2>& line = pattern.line_of(edges[k]);
+    const double least = pattern.panels[edges[k].panel].edges_m.size() == 2 ? 2.0 : 1.0;
     std::size_t& steps = of_group[group];
     steps =
         std::max(steps, static_cast<std::size_t>(std::max(least, std::round(lengths[group] / counts[group] / edge_m))));
     const double shortened_m =
         std::max(max_shortening_m, counts[group] > 1.0 ? 0.0 : of_borders * polyline_length(line));
     while (polyline_length(evenly_along(line, steps)) < polyline_length(line) - shortened_m) ++steps;
-  });
+  }
   std::vector<std::vector<std::size_t>> steps(pattern.panels.size());
-  for_all([&](std::size_t p, std::size_t, Index group) { steps[p].push_back(of_group[group]); });
+  for (Index k = 0; k < edges.size(); ++k) steps[edges[k].panel].push_back(of_group[sewn.find(k)]);
   return steps;
 }
 

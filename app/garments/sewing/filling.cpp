@@ -79,12 +79,12 @@ class Triangulation {
 
   void insert(const Vec2& p) {
     throw_if_interrupted();
-    const Index t = triangle_around(p);
-    if (t == none) return;
+    const std::size_t t = triangle_around(p);
+    if (t == triangles_.size()) return;
     const auto [a, b, c] = triangles_[t];
     const auto v = static_cast<Index>(points_.size());
     points_.push_back(p);
-    set(t, {a, b, v});
+    set(static_cast<Index>(t), {a, b, v});
     add({b, c, v});
     add({c, a, v});
     flip_all();
@@ -209,15 +209,13 @@ class Triangulation {
     return true;
   }
 
-  Index triangle_around(const Vec2& p) const {
-    for (Index t = 0; t < triangles_.size(); ++t) {
-      bool is_around = true;
-      for (std::size_t k = 0; k < 3 && is_around; ++k) {
-        is_around = orientation(points_[triangles_[t][k]], points_[triangles_[t][(k + 1) % 3]], p) > 0;
-      }
-      if (is_around) return t;
-    }
-    return none;
+  /// Returns the triangle around the point; the count of all if there is none.
+  std::size_t triangle_around(const Vec2& p) const {
+    const auto is_left_of = [&](Index a, Index b) { return orientation(points_[a], points_[b], p) > 0; };
+    const auto is_around = [&](const Triangle& t) {
+      return is_left_of(t[0], t[1]) && is_left_of(t[1], t[2]) && is_left_of(t[2], t[0]);
+    };
+    return static_cast<std::size_t>(std::ranges::find_if(triangles_, is_around) - triangles_.begin());
   }
 
   void halve(Index t, std::size_t k) {

@@ -75,30 +75,25 @@ Vec3 along_arm(const CutPieces& pieces, const Vec3& shoulder_m, double side) {
 
 void add_legs(const Wearer& wearer, const CutPieces& pieces, std::vector<TurnedBone>& bones) {
   const std::vector<sim::Extent> boxes = panel_boxes(pieces);
-  const double min_height_m = sim::compute_extent(pieces.placed_m).lower.y + near_hem_m;
-  std::vector<TurnedBone> turned;
-  std::set<Index> on_a_side;
+  const double hem_m = sim::compute_extent(pieces.placed_m).lower.y + near_hem_m;
+  for (const sim::Extent& box : boxes) {
+    const bool is_of_one_leg = std::abs(box.middle().x) > min_leg_offset_widths * box.size().x;
+    if (box.lower.y < hem_m && !is_of_one_leg) return;
+  }
   for (const double side : {1.0, -1.0}) {
     const std::optional<Limb> leg = find_limb(wearer, side, leg_parts);
     Vec3 sum(0.0);
     double count = 0.0;
-    for (std::size_t v = 0; v < pieces.placed_m.size() && leg; ++v) {
-      const Index p = pieces.panel_of[v];
-      const double width_m = boxes[p].upper.x - boxes[p].lower.x;
-      if (pieces.placed_m[v].y < min_height_m && side * boxes[p].middle().x > min_leg_offset_widths * width_m) {
-        on_a_side.insert(p);
+    for (std::size_t v = 0; v < pieces.placed_m.size(); ++v) {
+      if (pieces.placed_m[v].y < hem_m && side * boxes[pieces.panel_of[v]].middle().x > 0.0) {
         sum += pieces.placed_m[v];
         count += 1.0;
       }
     }
-    if (count == 0.0 || leg->begin_m.y < min_height_m) return;
+    if (!leg || count == 0.0 || leg->begin_m.y < hem_m) return;
     const Vec3 way = sum / count - leg->begin_m;
-    turn_limb(wearer, *leg, {way.x, way.y, 0.0}, turned);
+    turn_limb(wearer, *leg, {way.x, way.y, 0.0}, bones);
   }
-  for (Index p = 0; p < boxes.size(); ++p) {
-    if (boxes[p].lower.y < min_height_m && !on_a_side.contains(p)) return;
-  }
-  bones.insert(bones.end(), turned.begin(), turned.end());
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include "app/base/files.hpp"
 #include "app/base/json_reading.hpp"
+#include "sim/mesh/extent.hpp"
 
 namespace taut::app {
 namespace {
@@ -43,24 +44,22 @@ class JsonPlace {
     }
     return value_->size();
   }
-  std::vector<double> numbers(std::size_t least, std::size_t most) const {
+  std::vector<double> numbers(std::size_t wanted) const {
     std::vector<double> found;
     for (const nlohmann::json& number : value_->is_array() ? *value_ : nlohmann::json::array()) {
       if (number.is_number() && std::isfinite(number.get<double>())) found.push_back(number.get<double>());
     }
-    if (found.size() < least || found.size() > most || found.size() != value_->size()) {
-      fail(least == most ? fmt::format("{} numbers", least) : fmt::format("{} to {} numbers", least, most));
-    }
+    if (found.size() != wanted || found.size() != value_->size()) fail(fmt::format("{} numbers", wanted));
     return found;
   }
   Vec2 point() const {
-    const std::vector<double> found = numbers(2, 2);
+    const std::vector<double> found = numbers(2);
     return {found[0], found[1]};
   }
   std::size_t index_below(std::size_t limit, const char* what) const {
     if (!value_->is_number_integer() || value_->get<std::int64_t>() < 0 ||
         value_->get<std::int64_t>() >= static_cast<std::int64_t>(limit)) {
-      fail(limit > 0 ? fmt::format("the number of {}, from 0 to {}", what, limit - 1) : fmt::format("no {}", what));
+      fail(fmt::format("the number of {}, from 0 to {}", what, limit - 1));
     }
     return value_->get<std::size_t>();
   }
@@ -80,14 +79,6 @@ class JsonPlace {
   const nlohmann::json* value_;
   std::string name_;
   const std::string* file_;
-};
-
-/// Axes of an edge: along it, and equally far to its left.
-struct EdgeFrame {
-  Vec2 from, along;
-  bool is_relative = true;
-
-  Vec2 operator()(const Vec2& p) const { return is_relative ? from + p.x * along + p.y * Vec2(-along.y, along.x) : p; }
 };
 
 /// Returns a polyline along a Bezier curve with these control points, in the unit of the file.
@@ -159,7 +150,9 @@ std::vector<Vec2> read_arc(const JsonPlace& place, const Vec2& from, const Vec2&
 std::vector<Vec2> read_edge(const JsonPlace& edge, const Vec2& from, const Vec2& to, bool is_relative,
                             double tolerance) {
   if (!edge.has("curvature")) return {from, to};
-  const EdgeFrame frame = {from, to - from, is_relative};
+  const auto frame = [&](const Vec2& p) {
+    return is_relative ? from + p.x * (to - from) + p.y * Vec2(from.y - to.y, to.x - from.x) : p;
+  };
   const JsonPlace curve = edge.member("curvature");
   std::vector<Vec2> control = {from};
   if (curve.value().is_array()) {
@@ -234,16 +227,11 @@ PatternPanel read_panel(const JsonPlace& place, const std::string& name, bool is
   if (*at != begin) {
     edges.fail(fmt::format("a closed outline: the last edge ends at vertex {}, the first begins at {}", *at, begin));
   }
-  Vec2 lower(max_panel_m), upper(-max_panel_m);
-  for (const Vec2& corner : corners) {
-    lower = glm::min(lower, (corner - corners.front()) * metres);
-    upper = glm::max(upper, (corner - corners.front()) * metres);
-  }
-  if (!(glm::length(upper - lower) >= min_panel_m)) {
-    vertices.fail(fmt::format("a panel of at least {} m", min_panel_m));
-  }
+  sim::Extent box;
+  for (const Vec2& corner : corners) box.add({corner * metres, 0.0});
+  if (!(glm::length(box.size()) >= min_panel_m)) vertices.fail(fmt::format("a panel of at least {} m", min_panel_m));
   const auto vector_at = [&](const char* key) {
-    return place.has(key) ? place.member(key).numbers(3, 3) : std::vector<double>{0.0, 0.0, 0.0};
+    return place.has(key) ? place.member(key).numbers(3) : std::vector<double>{0.0, 0.0, 0.0};
   };
   panel.rotation = to_rotation(vector_at("rotation"));
   const std::vector<double> t = vector_at("translation");
@@ -288,15 +276,18 @@ std::pair<Vec3, Vec3> SewingPattern::placed_ends_m(const PanelEdge& edge) const 
   return {panels[edge.panel].placed_m(line.front()), panels[edge.panel].placed_m(line.back())};
 }
 
-std::vector<PanelEdge> SewingPattern::unsewn_edges() const {
-  std::vector<PanelEdge> unsewn;
+std::vector<PanelEdge> SewingPattern::edges() const {
+  std::vector<PanelEdge> all;
   for (std::size_t p = 0; p < panels.size(); ++p) {
-    for (std::size_t e = 0; e < panels[p].edges_m.size(); ++e) {
-      const auto has_edge = [&](const Stitch& stitch) {
-        return stitch.first == PanelEdge{p, e} || stitch.second == PanelEdge{p, e};
-      };
-      if (std::ranges::none_of(stitches, has_edge)) unsewn.push_back({p, e});
-    }
+    for (std::size_t e = 0; e < panels[p].edges_m.size(); ++e) all.push_back({p, e});
+  }
+  return all;
+}
+
+std::vector<PanelEdge> SewingPattern::unsewn_edges() const {
+  std::vector<PanelEdge> unsewn = edges();
+  for (const auto& [first, second] : stitches) {
+    std::erase_if(unsewn, [&](const PanelEdge& edge) { return edge == first || edge == second; });
   }
   return unsewn;
 }

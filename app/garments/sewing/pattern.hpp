@@ -41,6 +41,8 @@ struct SewingPattern {
   const std::vector<sim::Vec2>& line_of(const PanelEdge& edge) const { return panels[edge.panel].edges_m[edge.edge]; }
   /// Returns the placed positions of an edge's ends, in m.
   std::pair<sim::Vec3, sim::Vec3> placed_ends_m(const PanelEdge& edge) const;
+  /// Returns all edges, panel by panel.
+  std::vector<PanelEdge> edges() const;
   /// Returns the edges that are sewn to nothing, panel by panel.
   std::vector<PanelEdge> unsewn_edges() const;
   /// Returns these panels and all panels that are connected to them by stitches and satisfy `may_be`.

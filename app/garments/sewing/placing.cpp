@@ -169,38 +169,30 @@ void require_joined_and_placed(const SewingPattern& pattern) {
   }
 }
 
-const Wearer& require_wearer(const LoadedBodies& bodies) {
-  const Dressed dressed = dressed_body(bodies);
-  if (dressed.wearer == nullptr) {
-    throw InputError("found no body that is dressed, expected someone to sew the pattern on");
-  }
-  return *dressed.wearer;
-}
-
 /// Lets the body begin thin and moves pieces as place_pieces() does. Returns how many moved.
 std::size_t place_about_body(CutPieces& pieces, const Scene& scene, LoadedBodies& bodies) {
-  Wearer wearer = require_wearer(bodies);
-  const std::size_t b = dressed_body(bodies).body;
-  sim::Body& body = bodies.all[b];
+  const Dressed dressed = dressed_body(bodies);
+  Wearer wearer = *dressed.wearer;
+  sim::Body& body = bodies.all[dressed.body];
   const double frame_rate_hz = scene.simulation.frame_rate_hz;
   // An undressed body has no clearance for cloth.
-  BodySource undressed = scene.bodies[b].source;
+  BodySource undressed = scene.bodies[dressed.body].source;
   undressed.dress = 0;
   wearer.own_m = read_body(undressed, {1.0, frame_rate_hz}).mesh.data->positions_m;
   wearer.motion = nullptr;
   wearer.rate_hz = frame_rate_hz;
-  std::size_t moved = 0;
-  // Pieces that were moved take along the limbs that belong into them.
-  for (std::size_t last = 1; last > 0;) {
-    // Limbs turn while they are thin. Sleeves are cut for hanging arms, and would otherwise pull at the shoulders.
+  // Limbs turn while they are thin. Sleeves are cut for hanging arms, and would otherwise pull at the shoulders.
+  const auto let_limbs_turn = [&] {
     std::vector<RigPose> poses = make_turning_poses(*wearer.rig, wearer.pose, turned_limbs(wearer, pieces));
     poses.insert(poses.end(), poses.size(), wearer.pose);
     std::get<sim::BodyMesh>(body.shape).frames = make_growing_frames(wearer, poses);
-    const std::vector<Vec3> thin_m = mesh_positions_m(body, thin_time_s(bodies));
-    const sim::Surface thin = {thin_m, std::get<sim::BodyMesh>(body.shape).data->triangles};
-    last = moved == 0 ? part_and_draw_in(thin, *wearer.measures.neck_m, pieces) : 0;
-    moved += last;
-  }
+  };
+  let_limbs_turn();
+  const std::vector<Vec3> thin_m = mesh_positions_m(body, thin_time_s(bodies));
+  const sim::Surface thin = {thin_m, std::get<sim::BodyMesh>(body.shape).data->triangles};
+  const std::size_t moved = part_and_draw_in(thin, *wearer.measures.neck_m, pieces);
+  // Pieces that were moved take along the limbs that belong into them.
+  if (moved > 0) let_limbs_turn();
   return moved;
 }
 
@@ -222,7 +214,10 @@ std::vector<std::string> bring_to_body(const SewingPattern& pattern, const Loade
   require_joined_and_placed(pattern);
   std::vector<std::string> said;
   if (bodies.all.empty()) return said;
-  const Wearer& wearer = require_wearer(bodies);
+  const Wearer* const wearer = dressed_body(bodies).wearer;
+  if (wearer == nullptr) {
+    throw InputError("found no body that is dressed, expected someone to sew the pattern on");
+  }
   const sim::Extent range = sim::compute_extent(pieces.placed_m);
   const double size_m = range.size()[sim::long_axis(range)];
   if (size_m < min_clothes_m || size_m > max_clothes_m) {
@@ -231,9 +226,9 @@ std::vector<std::string> bring_to_body(const SewingPattern& pattern, const Loade
         "unit is",
         size_m, min_clothes_m, max_clothes_m);
   }
-  const Vec3 shift = compute_shift(pattern, wearer, pieces, said);
+  const Vec3 shift = compute_shift(pattern, *wearer, pieces, said);
   for (Vec3& position : pieces.placed_m) position += shift;
-  turn_sleeves(pattern, shift, wearer, pieces);
+  turn_sleeves(pattern, shift, *wearer, pieces);
   return said;
 }
 

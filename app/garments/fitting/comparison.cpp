@@ -41,12 +41,11 @@ std::vector<sim::Vec3> sample_surface(const sim::Mesh& mesh) {
 }
 
 /// Returns the 99th percentile of the distances of points from a surface.
-double distance_m(const std::vector<sim::Vec3>& points_m, const sim::Mesh& surface, double reach_m) {
+double distance_m(const std::vector<sim::Vec3>& points_m, const sim::Mesh& surface) {
   const SurfaceTree tree(surface.positions, surface.triangles);
   std::vector<double> distances_m = {0.0};
   for (const sim::Vec3& point_m : points_m) {
-    const auto found = tree.find_nearest(point_m, reach_m, accept_all);
-    distances_m.push_back(found ? found->distance_m : reach_m);
+    distances_m.push_back(tree.find_nearest(point_m, std::numeric_limits<double>::infinity(), accept_all)->distance_m);
   }
   return quantile(std::move(distances_m), 0.99);
 }
@@ -92,8 +91,8 @@ FittingComparison compare_with_model(const sim::Mesh& model_m, std::size_t model
   c.torn_fraction = torn_fraction(model_m, fitted.mesh, limits.border_distance_fraction * size_m);
   c.parts = fitted.sheets;
   c.model_parts = cut_into_sheets(cloth).count;
-  c.distance_from_model = distance_m(sample_surface(model_m), fitted.mesh, far_fraction * size_m) / size_m;
-  c.distance_to_model = distance_m(sample_surface(fitted.mesh), model_m, far_fraction * size_m) / size_m;
+  c.distance_from_model = distance_m(sample_surface(model_m), fitted.mesh) / size_m;
+  c.distance_to_model = distance_m(sample_surface(fitted.mesh), model_m) / size_m;
   c.triangles = fitted.mesh.triangles.size();
   c.crossings = fitted.crossings;
   c.model_crossings = model_crossings;

@@ -42,8 +42,8 @@ struct FittingComparison {
   double added_crossing_fraction = 0.0;  ///< crossings beyond the model's, over the triangles of the mesh
 };
 
-/// Compares a fitted mesh with its model at a few thousand points, the same in every run. Distances beyond a tenth of
-/// the size count as a tenth. Requires triangles in both.
+/// Compares a fitted mesh with its model at a few thousand points, the same in every run. Requires triangles
+/// in both.
 FittingComparison compare_with_model(const sim::Mesh& model_m, std::size_t model_crossings, const FittedMesh& fitted,
                                      const ComparisonLimits& limits = {});
 

@@ -287,12 +287,12 @@ FittedMesh fit_once(const sim::Mesh& model_m, const FittingSettings& settings, b
   sim::Mesh surface = large_sheets(joined_sheets, fitted);
   const auto max_triangles = static_cast<double>(settings.max_triangles);
   const double equal_edge_m = std::sqrt(4.0 * sim::surface_area(surface) / (std::numbers::sqrt3 * max_triangles));
-  fitted.edge_m = std::max(settings.min_edge_m, first_edge_ratio * equal_edge_m);
+  fitted.edge_m = std::max(settings.min_edge_m, target_edge_ratio * equal_edge_m);
   fill_small_holes(closed_hole_edges * fitted.edge_m, surface);
   const std::size_t max_looks = max_looks_per_triangle * settings.max_triangles;
   fitted.mesh = is_simplified ? simplify(surface, settings.max_triangles) : remesh(surface, fitted.edge_m, max_looks);
   for (int i = 0; !is_simplified && i < max_edge_trials && fitted.mesh.triangles.size() > settings.max_triangles; ++i) {
-    fitted.edge_m *= max_edge_growth * std::sqrt(static_cast<double>(fitted.mesh.triangles.size()) / max_triangles);
+    fitted.edge_m *= target_edge_ratio * std::sqrt(static_cast<double>(fitted.mesh.triangles.size()) / max_triangles);
     fitted.mesh = remesh(surface, fitted.edge_m, max_looks);
   }
   // Sheets that were joined by a single edge may have come apart.
@@ -330,9 +330,7 @@ FittedMesh fit_mesh(const sim::Mesh& model_m, const FittingSettings& settings) {
   const double min_area_m2 = min_area_left * sim::surface_area(fitted.mesh);
   for (int i = 1; i < max_fits && fitted.crossings > 0; ++i) {
     FittedMesh again = fit_once(fitted.mesh, settings, false);
-    const std::size_t most =
-        fitted.crossings > max_untangled_crossings ? fitted.crossings - 1 : (fitted.crossings - 1) / 2;
-    if (again.crossings > most || sim::surface_area(again.mesh) < min_area_m2) break;
+    if (2 * again.crossings >= fitted.crossings || sim::surface_area(again.mesh) < min_area_m2) break;
     again.is_simulated = std::move(fitted.is_simulated);
     again.dropped_sheets += fitted.dropped_sheets;
     again.dropped_area_fraction += fitted.dropped_area_fraction;

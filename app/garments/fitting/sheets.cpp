@@ -179,7 +179,7 @@ struct GarmentView {
   double openness(std::span<const sim::Index> piece, double side) const {
     const auto is_beyond = [&](const TreeSurfacePoint& p) { return p.distance_m > 1e-5 * size_m; };
     return fraction(
-        piece, [&](sim::Index t) { return !first_beyond(t, side, 0.0, size_m, is_beyond); }, max_rays);
+        piece, [&](sim::Index t) { return !first_beyond(t, side, 0.0, size_m, is_beyond); }, max_triangles_tried);
   }
 
   const Sheets& sheets;

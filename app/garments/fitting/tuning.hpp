@@ -30,10 +30,9 @@ inline constexpr double min_lying_area_fraction = 0.8;
 inline constexpr double min_behind_area_fraction = 0.4;
 /// Smallest cosine between a normal and the direction to cloth above it. Less finds cloth beside it.
 inline constexpr double min_over_cosine = 0.7;
-/// Count of tested triangles of a piece that may lie on others. More takes longer, fewer are less certain.
+/// Count of triangles of a piece that tell whether it lies on others or outside. More takes longer, fewer are less
+/// certain.
 inline constexpr std::size_t max_triangles_tried = 4000;
-/// Count of rays that test whether a piece is outside. More takes longer, fewer are less certain.
-inline constexpr sim::Index max_rays = 400;
 
 // Borders: what is joined (fitted_mesh.cpp).
 
@@ -77,10 +76,9 @@ inline constexpr double trim_distance_fraction = 0.02;
 
 // Number of triangles and of fits (fitted_mesh.cpp).
 
-/// Ratio of the first target edge to that of equilateral triangles. Less needs more trials, more gives fewer triangles.
-inline constexpr double first_edge_ratio = 1.08;
-/// Extra growth factor of edges after too many triangles. More gives fewer triangles than asked for.
-inline constexpr double max_edge_growth = 1.02;
+/// Ratio of a target edge to that of as many equilateral triangles as are wanted, and to that of a trial with too many.
+/// Less needs more trials, more gives fewer triangles.
+inline constexpr double target_edge_ratio = 1.08;
 /// Budget of triangle tests for each requested triangle. Thirteen garments of other makers took up to 215 in all their
 /// fits. Flat polygons of 2000 corners that are cut into needles exceed it.
 inline constexpr std::size_t max_looks_per_triangle = 2000;
@@ -88,9 +86,6 @@ inline constexpr std::size_t max_looks_per_triangle = 2000;
 inline constexpr int max_edge_trials = 4;
 /// Largest count of fits, each of the mesh of the one before. More crosses less and is farther from the model.
 inline constexpr int max_fits = 4;
-/// Number of crossings up to which another fit must remove more than half of them. Each fit is farther from the model,
-/// and few crossings can be untangled.
-inline constexpr std::size_t max_untangled_crossings = 70;
 /// Smallest area after another fit, as a fraction of the first one's. Less loses folds.
 inline constexpr double min_area_left = 0.96;
 
@@ -145,8 +140,6 @@ inline constexpr double max_normal_turn_deg = 60.0;
 
 /// Count of points on each surface. Fewer are less certain of a small lost part, more take longer.
 inline constexpr std::size_t sample_count = 4000;
-/// Distance at which searches end, as a fraction of the size.
-inline constexpr double far_fraction = 0.1;
 /// Cosine of the normals below which an edge may be a rim of two walls. More finds rims in folds.
 inline constexpr double crease_cosine = 0.8;
 

@@ -47,7 +47,7 @@ class Surrounded {
     Crossings before;
     for (int push = 0; push < max_pushes; ++push) {
       std::set<Index> moved;
-      Crossings found = crossing();
+      Crossings found = crossing(pieces_.placed_m);
       // Pieces that have come apart are pushed once more, so that they do not nearly touch.
       const Crossings& pushed = found.empty() ? before : found;
       if (pushed.empty()) break;
@@ -61,27 +61,43 @@ class Surrounded {
           moved.insert(b && out_m_[*b] >= out_m_[a] ? *b : a);
         }
       }
-      move(moved, step_m);
+      move(moved, step_m, pieces_.placed_m);
+      for (const Index p : moved) out_m_[p] += step_m;
       all.merge(moved);
       before = std::move(found);
     }
     return all.size();
   }
 
-  /// Moves pieces inwards until one of them is near the body, the axis or another piece, so that threads have less to
-  /// draw.
+  /// Moves pieces inwards as far as they keep clear of all others, so that threads have less to draw. Pieces that face
+  /// the same way move together and so do not pass each other.
   void draw_in() {
-    std::set<Index> level;
+    std::set<Index> moving;
     const std::vector<sim::Extent> boxes = panel_boxes(pieces_);
     for (Index p = 0; p < pieces_.panel_count(); ++p) {
       // Hoods stay wide, or they would close around the thin neck.
-      if (ways_[p].y == 0.0 && boxes[p].middle().y < axis_m_.y) level.insert(p);
+      if (ways_[p].y == 0.0 && boxes[p].middle().y < axis_m_.y) moving.insert(p);
     }
-    const auto is_clear = [&] {
-      return std::ranges::all_of(level, [&](Index p) { return out_m_[p] > 0.0; }) && crossing().empty();
-    };
-    while (!level.empty() && is_clear()) move(level, -step_m);
-    move(level, clear_m);
+    while (!moving.empty()) {
+      std::vector<Vec3> ahead_m = pieces_.placed_m;
+      std::set<Index> stopped;
+      // Small steps are taken because a thin body may lie on the path.
+      for (double ahead = 0.0; ahead < clear_m + 0.5 * step_m; ahead += step_m) {
+        move(moving, -step_m, ahead_m);
+        for (const auto& [a, b] : crossing(ahead_m)) {
+          stopped.insert(a);
+          stopped.insert(b.value_or(a));
+        }
+      }
+      for (const Index p : moving) {
+        if (out_m_[p] < clear_m) stopped.insert(p);
+      }
+      std::erase_if(moving, [&](Index p) {
+        return std::ranges::any_of(stopped, [&](Index other) { return glm::dot(ways_[p], ways_[other]) > same_way; });
+      });
+      move(moving, -step_m, pieces_.placed_m);
+      for (const Index p : moving) out_m_[p] -= step_m;
+    }
   }
 
   /// Bends pieces towards the middle of all.
@@ -105,7 +121,8 @@ class Surrounded {
           out_m = std::max(out_m, out_m_[b] + over_m);
         }
       }
-      move({a}, out_m - out_m_[a]);
+      move({a}, out_m - out_m_[a], pieces_.placed_m);
+      out_m_[a] = out_m;
     }
   }
 
@@ -121,8 +138,8 @@ class Surrounded {
     }
   }
 
-  Crossings crossing() const {
-    const sim::Surface cloth = {pieces_.placed_m, pieces_.triangles};
+  Crossings crossing(const std::vector<Vec3>& positions_m) const {
+    const sim::Surface cloth = {positions_m, pieces_.triangles};
     const auto panel = [&](Index t) { return pieces_.panel_of[pieces_.triangles[t][0]]; };
     Crossings found;
     for (const sim::CrossingPair& pair : sim::find_crossing_pairs(cloth, body_)) {
@@ -133,11 +150,10 @@ class Surrounded {
     return found;
   }
 
-  void move(const std::set<Index>& panels, double by_m) {
-    for (const Index p : panels) out_m_[p] += by_m;
-    for (std::size_t v = 0; v < pieces_.placed_m.size(); ++v) {
+  void move(const std::set<Index>& panels, double by_m, std::vector<Vec3>& positions_m) const {
+    for (std::size_t v = 0; v < positions_m.size(); ++v) {
       const Index p = pieces_.panel_of[v];
-      pieces_.placed_m[v] += panels.contains(p) ? by_m * ways_[p] : Vec3(0.0);
+      positions_m[v] += panels.contains(p) ? by_m * ways_[p] : Vec3(0.0);
     }
   }
 
@@ -199,9 +215,9 @@ std::size_t place_about_body(CutPieces& pieces, const Scene& scene, LoadedBodies
 }  // namespace
 
 std::size_t part_and_draw_in(const sim::Surface& body, const Vec3& axis_m, CutPieces& pieces) {
-  Surrounded surrounded(body, axis_m, pieces);
-  const std::size_t moved = surrounded.part();
-  body.triangles.empty() ? surrounded.bend() : surrounded.draw_in();
+  const std::size_t moved = Surrounded(body, axis_m, pieces).part();
+  Surrounded apart(body, axis_m, pieces);
+  body.triangles.empty() ? apart.bend() : apart.draw_in();
   return moved;
 }
 

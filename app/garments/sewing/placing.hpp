@@ -5,9 +5,9 @@
 
 namespace taut::app {
 
-/// Moves pieces that cross the body, each other or another layer outwards from this axis, or sideways. Then moves
-/// pieces inwards until they are near something, so that threads have less to draw. Without a body, pieces move apart
-/// from this point, and are bent. Returns how many crossed.
+/// Moves pieces that cross the body, each other or another layer outwards from this axis, or sideways. Then moves all
+/// pieces inwards to the body as far as they keep clear, so that threads have less to draw. Without a body, pieces move
+/// only apart, from this point. Returns how many crossed.
 std::size_t part_and_draw_in(const sim::Surface& body, const sim::Vec3& axis_m, CutPieces& pieces);
 
 /// Moves the pieces of a pattern to the dressed body of the scene. The pattern places them about a body of similar

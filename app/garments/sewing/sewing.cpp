@@ -78,11 +78,9 @@ std::string describe_tightest(const LoadedBodies& bodies, const SewnGarment& gar
   std::string around;
   const BodyMeasures& measures = dressed_body(bodies).wearer->measures;
   const sim::Surface start = {start_m, mesh.triangles};
-  const GarmentMarks marks = find_garment_marks(garment.sewn.garment, start_m, {});
   const auto tube = find_tube(start);
-  const double height_m = start_m[mesh.triangles[t][0]].y;
-  std::optional<double> cloth_m = tube ? girth_at(start, std::min(height_m, tube->max_height_m)) : std::nullopt;
-  if (marks.is_worn_at_waist && height_m > marks.top_height_m - waist_depth_m) cloth_m = marks.top_m;
+  const auto cloth_m =
+      tube ? girth_at(start, std::min(start_m[mesh.triangles[t][0]].y, tube->max_height_m)) : std::nullopt;
   if (cloth_m && *cloth_m > min_girth_m && at_m.y > measures.levels[measures.fork].height_m &&
       at_m.y < measures.levels.back().height_m) {
     around = fmt::format(", where the body is {:.1f} cm around and the garment {:.1f} cm",
@@ -355,29 +353,26 @@ SewnGarment sew(NamedPattern inner, const Scene& scene, LoadedBodies& bodies, co
 
 void require_worn(const Scene& scene, const LoadedBodies& bodies, SewnGarment& garment) {
   const sim::Mesh& mesh = garment.sewn.garment.mesh;
-  const Wearer* wearer = dressed_body(bodies).wearer;
-  const auto fork_m = [&] { return wearer->measures.levels[wearer->measures.fork].height_m; };
-  if (wearer != nullptr && sim::compute_extent(mesh.positions).upper.y < fork_m()) {
-    throw SewingFailed("its seams are closed, but it does not stay on the body: it falls down", std::move(garment));
-  }
-  if (wearer != nullptr && garment.pattern.joint.empty() && !lies_around(*wearer, mesh)) {
-    throw SewingFailed("its seams are closed, but its upper end does not go around the body", std::move(garment));
+  const auto refuse = [&](const std::string& why) { throw SewingFailed(why, std::move(garment)); };
+  if (const Wearer* const wearer = dressed_body(bodies).wearer; wearer != nullptr) {
+    if (sim::compute_extent(mesh.positions).upper.y < wearer->measures.levels[wearer->measures.fork].height_m) {
+      refuse("its seams are closed, but it does not stay on the body: it falls down");
+    }
+    if (garment.pattern.joint.empty() && !lies_around(*wearer, mesh)) {
+      refuse("its seams are closed, but its upper end does not go around the body");
+    }
   }
   const sim::Surface cloth = {mesh.positions, mesh.triangles};
   for (const SceneCrossings& crossings : scene_crossings(cloth, bodies.all, garment.time_s)) {
-    if (!crossings.pairs.empty()) {
-      const std::string found = describe(crossings, cloth, bodies.all);
-      throw SewingFailed("when it is worn, " + found, std::move(garment));
-    }
+    if (!crossings.pairs.empty()) refuse("when it is worn, " + describe(crossings, cloth, bodies.all));
   }
   garment.max_stretch = sim::measure_surface_stretch(garment.sewn.garment, mesh.positions).max;
   garment.bound = scene.simulation.solver.bounded.max_stretch;
   if (garment.max_stretch > garment.bound + bound_rounding) {
-    throw SewingFailed(
+    refuse(
         fmt::format("its seams are closed, but worn for {} frames it is stretched by {:.3f} %; expected at "
                     "most solver.max_stretch = {:g}",
-                    garment.frames, 100.0 * garment.max_stretch, garment.bound),
-        std::move(garment));
+                    garment.frames, 100.0 * garment.max_stretch, garment.bound));
   }
 }
 

@@ -85,8 +85,7 @@ inline constexpr double min_leg_offset_widths = 0.15;
 
 /// Step by which pieces move, in m. More leaves gaps, less takes longer.
 inline constexpr double step_m = 0.01;
-/// Distance to which pieces move back where something stops them on their way inwards, in m. Less lets them touch, more
-/// gives threads more to draw.
+/// Distance of pieces that are drawn in, in m. Less lets them touch, more gives threads more to draw.
 inline constexpr double clear_m = 0.03;
 /// Smallest cosine of directions that count as equal. Less lets pieces pass each other, more moves neighbours apart.
 inline constexpr double same_way = 0.8;
@@ -200,7 +199,5 @@ inline constexpr int frames_to_unfold = 60;
 inline constexpr double one_limb_fraction = 0.6;
 /// Smallest girth that is said, in m; smaller ones are measured wrong. More hides children's girths.
 inline constexpr double min_girth_m = 0.1;
-/// Depth below the upper end of a garment that is worn at the waist, in m. More takes the seat for the waist.
-inline constexpr double waist_depth_m = 0.05;
 
 }  // namespace taut::app::sewing

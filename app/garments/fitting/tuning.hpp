@@ -76,8 +76,8 @@ inline constexpr double trim_distance_fraction = 0.02;
 
 // Number of triangles and of fits (fitted_mesh.cpp).
 
-/// Ratio of a target edge to that of as many equilateral triangles as are wanted, and to that of a trial with too many.
-/// Less needs more trials, more gives fewer triangles.
+/// Ratio of a target edge to the edge of equilateral triangles that are as many as wanted. After a trial with too many
+/// triangles, edges grow by it too. Less needs more trials, more gives fewer triangles.
 inline constexpr double target_edge_ratio = 1.08;
 /// Budget of triangle tests for each requested triangle. Thirteen garments of other makers took up to 215 in all their
 /// fits. Flat polygons of 2000 corners that are cut into needles exceed it.

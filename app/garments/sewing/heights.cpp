@@ -15,7 +15,7 @@ using namespace sewing;
 /// that begin above `neck_m` and within `half_width_m` of the middle may be long, as in a poncho.
 void mark_shoulder_seams(const SewingPattern& pattern, double neck_m, double half_width_m, CutPieces& pieces) {
   const std::vector<sim::Extent> boxes = panel_boxes(pieces);
-  std::vector<std::pair<double, std::size_t>> found;
+  std::vector<std::pair<double, std::size_t>> seams;  ///< height in m, stitch
   for (std::size_t s = 0; s < pattern.stitches.size(); ++s) {
     const auto& [first, second] = pattern.stitches[s];
     const auto [from, to] = pattern.placed_ends_m(first);
@@ -24,10 +24,10 @@ void mark_shoulder_seams(const SewingPattern& pattern, double neck_m, double hal
     const bool is_level = std::abs(to.x - from.x) > shoulder_slope * std::abs(to.y - from.y);
     const bool is_near_neck = top_m > neck_m && std::min(std::abs(from.x), std::abs(to.x)) < half_width_m;
     const bool is_short = polyline_length(pattern.line_of(first)) < max_shoulder_m;
-    if (is_between && is_level && from.x * to.x >= 0.0 && (is_short || is_near_neck)) found.emplace_back(top_m, s);
+    if (is_between && is_level && from.x * to.x >= 0.0 && (is_short || is_near_neck)) seams.emplace_back(top_m, s);
   }
-  for (const auto& [height_m, s] : found) {
-    if (height_m >= std::ranges::max(found).first - near_top_m) pieces.first_seams.push_back(s);
+  for (const auto& [height_m, s] : seams) {
+    if (height_m >= std::ranges::max(seams).first - near_top_m) pieces.first_seams.push_back(s);
   }
 }
 

@@ -55,8 +55,8 @@ sim::Groups find_texture_pieces(const sim::Mesh& mesh, std::span<const glm::vec2
   return pieces;
 }
 
-/// Returns the coordinates of the model at the corners of the simulation mesh. Those of a triangle are of one piece,
-/// the one of the triangle `below` it.
+/// Returns the coordinates of the model at the corners of the simulation mesh. Each triangle has coordinates of one
+/// piece, to which the triangle `below` it belongs.
 std::vector<glm::vec2> coordinates_below(const sim::Mesh& simulated, const sim::Mesh& model,
                                          std::span<const glm::vec2> corner_uv, std::span<const Index> below) {
   std::vector<glm::vec2> found(3 * simulated.triangles.size());

@@ -286,8 +286,8 @@ std::vector<PanelEdge> SewingPattern::edges() const {
 
 std::vector<PanelEdge> SewingPattern::unsewn_edges() const {
   std::vector<PanelEdge> unsewn = edges();
-  for (const auto& [first, second] : stitches) {
-    std::erase_if(unsewn, [&](const PanelEdge& edge) { return edge == first || edge == second; });
+  for (const Stitch& stitch : stitches) {
+    std::erase_if(unsewn, [&](const PanelEdge& edge) { return edge == stitch.first || edge == stitch.second; });
   }
   return unsewn;
 }

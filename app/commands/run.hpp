@@ -5,6 +5,7 @@
 #include "app/caches/frame_sink.hpp"
 #include "app/commands/options.hpp"
 #include "app/frame_loop.hpp"
+#include "app/garments/dressing/dressing.hpp"
 #include "app/models/mending/model_fitting.hpp"
 #include "app/output/run_report.hpp"
 #include "app/runs/frame_verifier.hpp"

@@ -5,6 +5,7 @@
 #include "app/base/words.hpp"
 #include "app/models/hanging/tuning.hpp"
 #include "app/scene/scene_format.hpp"
+#include "sim/mesh/extent.hpp"
 
 namespace taut::app {
 

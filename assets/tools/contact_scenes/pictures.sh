@@ -20,7 +20,7 @@ rotating-sphere|140|turned by a sphere, bound 5 %
 rotating-sphere-tenth-percent|220|the same, bound 0.1 %
 twisted-cylinder|400|twisted by both ends
 reef-knot|300|two ribbons, knotted
-funnel|108|pushed through a funnel
+funnel|182|pushed through a funnel
 needles|92|drawn over needles|[[-0.85, -0.22, -0.5], [0.5, 0.1, 0.5]]
 layers|34|five sheets on a ball
 table-cloth-1|96|pulled from under napkins, 1 m/s|[[-1.1, -0.4, -0.4], [0.4, 0.0, 0.4]]

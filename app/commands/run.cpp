@@ -7,6 +7,7 @@
 #include "app/garments/dressing/wearing.hpp"
 #include "app/garments/sewing/sewing.hpp"
 #include "app/models/inspecting/remarks.hpp"
+#include "app/models/mending/following_limits.hpp"
 #include "app/runs/run_checkpoint.hpp"
 
 namespace taut::app {
@@ -88,8 +89,10 @@ std::vector<FrameRecord> SceneRun::go(int last_frame, const std::string& pattern
   if (loaded.following && (shapes || outputs.draw || prints_messages)) {
     outputs.show = [this](std::span<const sim::Vec3> positions_m) {
       std::vector<sim::Vec3> shown_m = loaded.shown_m(positions_m);
-      following.add(*loaded.following, shown_m);
-      if (may_reject_model && (shapes || outputs.draw)) following.require_fit_to_show();
+      // Crossings are counted for messages alone.
+      const sim::Stretch stretch = prints_messages ? following.add(*loaded.following, shown_m)
+                                                   : loaded.following->shape_limits->measure_stretch(shown_m);
+      if (may_reject_model && (shapes || outputs.draw)) require_fit_to_show(stretch);
       return shown_m;
     };
   }
@@ -118,8 +121,7 @@ std::vector<FrameRecord> SceneRun::go(int last_frame, const std::string& pattern
 }
 
 std::string SceneRun::describe_shown() const {
-  return why_not_model.empty() ? following.describe()
-                               : why_not_model + ": the simulated mesh is shown instead, in its colours";
+  return why_not_model.empty() ? following.describe() : describe_simulated_shown(why_not_model);
 }
 
 int run_showing_what_fits(const std::function<int(const std::string& why_not_model)>& run) {

@@ -1,6 +1,7 @@
 #include "app/drawing/garment_sewing.hpp"
 
 #include "app/drawing/framing.hpp"
+#include "app/garments/fitting/sheets.hpp"
 #include "app/models/hanging/garment_measures.hpp"
 #include "app/models/hanging/garment_parts.hpp"
 #include "app/models/hanging/landmarks.hpp"
@@ -80,7 +81,7 @@ std::vector<glm::vec2> cloth_coordinates(const sim::Garment& garment, std::span<
     const glm::dvec2 a(corner_uv[3 * t]);
     const glm::dvec2 ab = glm::dvec2(corner_uv[3 * t + 1]) - a, ac = glm::dvec2(corner_uv[3 * t + 2]) - a;
     Areas& own = areas[pieces.find(t)];
-    own.in_m2 += 0.5 * glm::length(sim::doubled_area_vector(mesh.positions, mesh.triangles[t]));
+    own.in_m2 += triangle_area(mesh.positions, mesh.triangles[t]);
     own.in_uv += 0.5 * (ab.x * ac.y - ab.y * ac.x);
   }
   std::vector<glm::vec2> coordinates;

@@ -336,7 +336,7 @@ Sheets cut_into_sheets(const sim::Mesh& mesh) {
   return sheets;
 }
 
-double six_volumes(const sim::Mesh& mesh, std::span<const sim::Index> triangles, const sim::Vec3& apex) {
+double six_times_volume(const sim::Mesh& mesh, std::span<const sim::Index> triangles, const sim::Vec3& apex) {
   double sum = 0.0;
   for (const sim::Index t : triangles) {
     const sim::Vec3 way = mesh.positions[mesh.triangles[t][0]] - apex;
@@ -367,7 +367,7 @@ std::vector<sim::Vec3> unit_normals(const sim::Mesh& mesh) {
 void turn_outwards(Sheets& sheets) {
   const GarmentView view(sheets);
   for (const std::vector<sim::Index>& sheet : gather_groups(sheets.sheet_of, sheets.count)) {
-    if (is_closed(sheets, sheet) ? six_volumes(sheets.mesh, sheet, view.middle(sheet.front())) >= 0.0
+    if (is_closed(sheets, sheet) ? six_times_volume(sheets.mesh, sheet, view.middle(sheet.front())) >= 0.0
                                  : view.openness(sheet, -1.0) <= view.openness(sheet, 1.0) + 0.1) {
       continue;
     }

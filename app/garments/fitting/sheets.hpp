@@ -34,7 +34,7 @@ inline sim::Vec3 triangle_middle(std::span<const sim::Vec3> positions, const sim
 
 /// Returns six times the volume of the pyramids from a point to these triangles; pyramids on triangles that face the
 /// point count below 0. The sum is the solid's if the triangles are a closed surface that faces outwards.
-double six_volumes(const sim::Mesh& mesh, std::span<const sim::Index> triangles, const sim::Vec3& apex);
+double six_times_volume(const sim::Mesh& mesh, std::span<const sim::Index> triangles, const sim::Vec3& apex);
 
 /// Replaces each vertex of the triangles by the first of its group, and leaves out triangles of which two corners
 /// become one. Returns how many were left out.

@@ -1,5 +1,6 @@
 #include "app/models/hanging/garment_parts.hpp"
 
+#include "app/garments/fitting/sheets.hpp"
 #include "app/models/hanging/tuning.hpp"
 #include "sim/mesh/groups.hpp"
 #include "sim/mesh/point_cells.hpp"
@@ -170,7 +171,7 @@ std::vector<GarmentPart> find_garment_parts(const sim::Mesh& mesh, const sim::Ad
   for (sim::Index triangle = 0; triangle < mesh.triangles.size(); ++triangle) {
     const sim::Triangle& t = mesh.triangles[triangle];
     GarmentPart& part = parts[part_of[t[0]]];
-    const double area_m2 = 0.5 * glm::length(sim::doubled_area_vector(mesh.positions, t));
+    const double area_m2 = triangle_area(mesh.positions, t);
     part.triangles.push_back(triangle);
     part.area_m2 += area_m2;
     part.centre_m += area_m2 / 3.0 * (mesh.positions[t[0]] + mesh.positions[t[1]] + mesh.positions[t[2]]);

@@ -175,12 +175,15 @@ void ShapeLimits::apply(std::span<const Vec3> feet_m, std::vector<Vec3>& points_
   points_m = std::move(best_m);
 }
 
+sim::Stretch ShapeLimits::measure_stretch(std::span<const Vec3> points_m) const {
+  return sim::measure_stretch(model_.springs, points_m);
+}
+
 FollowingMeasures ShapeLimits::measure(std::span<const Vec3> points_m) const {
   std::vector<sim::CrossingPair> crossings = sim::find_crossing_pairs({points_m, model_.mesh.triangles}, tree_);
   const std::size_t all = crossings.size();
   erase_own(crossings);
-  return {sim::measure_stretch(model_.springs, points_m), sim::measure_surface_stretch(model_, points_m).p99, all,
-          crossings.size()};
+  return {measure_stretch(points_m), sim::measure_surface_stretch(model_, points_m).p99, all, crossings.size()};
 }
 
 }  // namespace taut::app

@@ -28,6 +28,8 @@ class ShapeLimits {
   /// after a number of sweeps, even if a limit is not reached.
   void apply(std::span<const sim::Vec3> feet_m, std::vector<sim::Vec3>& points_m) const;
 
+  /// Returns the stretch of the model's edges.
+  sim::Stretch measure_stretch(std::span<const sim::Vec3> points_m) const;
   FollowingMeasures measure(std::span<const sim::Vec3> points_m) const;
 
  private:

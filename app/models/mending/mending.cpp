@@ -43,7 +43,7 @@ bool is_thick(const GarmentPart& part, double max_opening, const sim::Mesh& mesh
     if (opening.length_m > max_length) middle = opening.range.middle();
     max_length = std::max(max_length, opening.length_m);
   }
-  const double volumes = six_volumes(mesh, part.triangles, middle);
+  const double volumes = six_times_volume(mesh, part.triangles, middle);
   const double root = std::sqrt(part.area_m2);
   return max_length <= max_opening * root && length - max_length <= max_holes_length * root &&
          std::numbers::pi * volumes * volumes >= min_compactness * std::pow(part.area_m2, 3);

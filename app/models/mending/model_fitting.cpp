@@ -221,17 +221,22 @@ LoadedGarment as_modelled(const LoadedGarment& loaded, const sim::MappingSetting
   return modelled;
 }
 
-void FollowingSummary::add(const FollowingModel& following, std::span<const Vec3> shown_m) {
+const sim::Stretch& FollowingSummary::add(const FollowingModel& following, std::span<const Vec3> shown_m) {
   last = following.shape_limits->measure(shown_m);
   max_stretch = std::max(max_stretch, last->stretch.max);
   max_p99_stretch = std::max(max_p99_stretch, last->stretch.p99);
   max_new_crossings = std::max(max_new_crossings, last->new_crossings);
+  return last->stretch;
 }
 
-void FollowingSummary::require_fit_to_show() const {
-  if (last->stretch.p99 <= max_shown_stretch) return;
+void require_fit_to_show(const sim::Stretch& stretch) {
+  if (stretch.p99 <= max_shown_stretch) return;
   throw ModelOverstretched("the model that follows is stretched by {:.1f} % in the 99th percentile, more than {:.0f} %",
-                           100.0 * last->stretch.p99, 100.0 * max_shown_stretch);
+                           100.0 * stretch.p99, 100.0 * max_shown_stretch);
+}
+
+std::string describe_simulated_shown(const std::string& reason) {
+  return reason + ": the simulated mesh is shown instead, in its colours";
 }
 
 std::string FollowingSummary::describe() const {

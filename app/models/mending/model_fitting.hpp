@@ -43,12 +43,16 @@ std::vector<sim::Vec3> simulated_m(const FollowingModel& following, const sim::M
 /// Returns the garment as if the following model were simulated itself: without pins, as modelled.
 LoadedGarment as_modelled(const LoadedGarment& loaded, const sim::MappingSettings& mapping);
 
+/// Throws ModelOverstretched if a model that follows is stretched too much to be shown.
+void require_fit_to_show(const sim::Stretch& stretch);
+
+/// Returns a line for people: the simulated mesh is shown, for this reason.
+std::string describe_simulated_shown(const std::string& reason);
+
 /// Measures of a following model over the frames of a run. The promises exclude it.
 struct FollowingSummary {
-  /// Measures the model in this shape, in m (FollowingModel::shown_m()).
-  void add(const FollowingModel& following, std::span<const sim::Vec3> shown_m);
-  /// Throws ModelOverstretched if the model was stretched too much in the last shape.
-  void require_fit_to_show() const;
+  /// Measures the model in this shape, in m (FollowingModel::shown_m()). Returns its stretch.
+  const sim::Stretch& add(const FollowingModel& following, std::span<const sim::Vec3> shown_m);
   /// Returns a line for people; empty if nothing was measured.
   std::string describe() const;
 

@@ -348,7 +348,7 @@ void LiveSimulation::advance(const std::function<void()>& poll) {
     now_.record = measure_frame(*simulation_, ++frame_);
     now_.record.sim_ms = sim_ms;
     note_shape();
-    if (now_.loaded->following && std::has_single_bit(static_cast<unsigned>(frame_))) require_fit_to_show();
+    if (now_.loaded->following && std::has_single_bit(static_cast<unsigned>(frame_))) show_simulated_if_torn();
   } catch (const Interrupted&) {
     throw;
   } catch (const sim::ContactBlocked& blocked) {
@@ -358,13 +358,12 @@ void LiveSimulation::advance(const std::function<void()>& poll) {
   }
 }
 
-void LiveSimulation::require_fit_to_show() {
-  FollowingSummary following;
+void LiveSimulation::show_simulated_if_torn() {
   try {
-    following.add(*now_.loaded->following, now_.loaded->shown_m(simulation_->state().current));
-    following.require_fit_to_show();
+    const std::vector<sim::Vec3> shown_m = now_.loaded->shown_m(simulation_->state().current);
+    require_fit_to_show(now_.loaded->following->shape_limits->measure_stretch(shown_m));
   } catch (const ModelOverstretched& error) {
-    tell(fmt::format("{}: the simulated mesh is shown instead, in its colours", error.what()), true);
+    tell(describe_simulated_shown(error.what()), true);
     LoadedScene shown = *now_.loaded;
     show_simulated(shown);
     shown.drawn_colours = drawn_colours(shown.scene, shown);

@@ -217,7 +217,7 @@ class LiveSimulation {
 
   void start(std::shared_ptr<const LoadedScene> loaded);
   /// Shows the simulated mesh from now on if the model that follows is stretched too much.
-  void require_fit_to_show();
+  void show_simulated_if_torn();
   void untangle(const RunSettings& simulation);
   void note_shape();
   void tell_of_start();

@@ -173,7 +173,7 @@ bool is_hung(const Scene& scene) {
 /// hung and is no rigid thing.
 void find_up(const Scene& scene, const sim::Mesh& model_m, const sim::Mesh& simulated_m, const RigidParts& rigid,
              const StageReport& begin, PlacementHints& hints) {
-  hints.up_by_openings = up_by_openings(model_m, sim::make_adjacency(model_m));
+  hints.up_by_openings = up_by_openings(model_m);
   if (!hints.up_by_openings && is_hung(scene) && scene.bodies.empty() && !rigid.are_all) {
     begin("hanging it both ways to see which is up");
     hints.up_by_hanging = up_by_hanging(simulated_m);

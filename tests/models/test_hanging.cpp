@@ -341,8 +341,10 @@ TEST(Upright, IsFoundUpsideDown) {
                                                                    {"jacket", test::jacket()},
                                                                    {"thick skirt", test::thick(test::skirt())},
                                                                    {"thick shirt", test::thick(test::shirt())},
+                                                                   {"thick trousers", test::thick(test::trousers())},
                                                                    {"hat", test::bottle(0.5, {0.0, 0.0})},
-                                                                   {"sock", sock}};
+                                                                   {"sock", sock},
+                                                                   {"thick sock", test::thick(sock)}};
   for (const auto& [name, mesh] : garments) {
     EXPECT_EQ(up(mesh), ModelAxis::y) << name;
     EXPECT_EQ(up(turned_over(mesh)), ModelAxis::minus_y) << name;

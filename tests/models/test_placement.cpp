@@ -80,8 +80,9 @@ sim::Mesh scaled(sim::Mesh mesh, double factor) {
 TEST(Placement, ReadsAPersonsGarmentInEveryUnit) {
   const sim::Mesh hat = scaled(test::bottle(0.45, {0.0, 0.0}), 0.45);
   const sim::Mesh glove = scaled(test::bottle(1.2, {0.0, 0.0}), 0.2);
-  for (const sim::Mesh& garment : {test::shirt(), test::skirt(), test::trousers(), test::strap_dress(), test::jacket(),
-                                   test::hoodie(), hat, glove}) {
+  for (const sim::Mesh& garment :
+       {test::shirt(), test::skirt(), test::trousers(), test::strap_dress(), test::jacket(), test::hoodie(), hat, glove,
+        test::thick(scaled(test::skirt(), 0.85)), test::thick(scaled(test::trousers(), 1.3))}) {
     for (const Unit& unit : units) {
       EXPECT_EQ(place_model(scaled(garment, 1.0 / unit.metres), {}).scale, unit.metres)
           << unit.name << ", " << garment.triangles.size() << " triangles";

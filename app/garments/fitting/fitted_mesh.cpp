@@ -273,18 +273,9 @@ sim::Mesh large_sheets(const Sheets& sheets, FittedMesh& fitted) {
 /// Fits one mesh to a model. Its crossings are mostly ends of a wall that lie on others.
 FittedMesh fit_once(const sim::Mesh& model_m, const FittingSettings& settings, bool is_simplified) {
   FittedMesh fitted;
-  Sheets sheets = cut_into_sheets(model_m);
-  turn_outwards(sheets);
-  fitted.is_simulated = choose_walls(sheets, find_other_walls(sheets));
-  sim::Mesh wall = cut_into_sheets(select_triangles(sheets.mesh, fitted.is_simulated)).mesh;
-  const double size_m = glm::length(sim::compute_extent(wall.positions).size());
-  const double distance_m = std::min(max_joined_m, joined_share * size_m);
-  join_borders(distance_m, wall);
-  wall = cut_into_sheets(wall).mesh;
-  join_parts(distance_m, wall);
-  Sheets joined_sheets = cut_into_sheets(wall);
-  turn_outwards(joined_sheets);
-  sim::Mesh surface = large_sheets(joined_sheets, fitted);
+  Wall wall = find_wall(model_m);
+  fitted.is_simulated = std::move(wall.is_chosen);
+  sim::Mesh surface = large_sheets(wall.sheets, fitted);
   const auto max_triangles = static_cast<double>(settings.max_triangles);
   const double equal_edge_m = std::sqrt(4.0 * sim::surface_area(surface) / (std::numbers::sqrt3 * max_triangles));
   fitted.edge_m = std::max(settings.min_edge_m, target_edge_ratio * equal_edge_m);
@@ -323,6 +314,21 @@ std::vector<std::vector<sim::Index>> border_loops(const sim::Mesh& mesh) {
     if (to == loop.front()) loops.push_back(std::move(loop));
   }
   return loops;
+}
+
+Wall find_wall(const sim::Mesh& model_m) {
+  Sheets sheets = cut_into_sheets(model_m);
+  turn_outwards(sheets);
+  Wall wall{{}, choose_walls(sheets, find_other_walls(sheets))};
+  sim::Mesh mesh = cut_into_sheets(select_triangles(sheets.mesh, wall.is_chosen)).mesh;
+  const double size_m = glm::length(sim::compute_extent(mesh.positions).size());
+  const double distance_m = std::min(max_joined_m, joined_share * size_m);
+  join_borders(distance_m, mesh);
+  mesh = cut_into_sheets(mesh).mesh;
+  join_parts(distance_m, mesh);
+  wall.sheets = cut_into_sheets(mesh);
+  turn_outwards(wall.sheets);
+  return wall;
 }
 
 FittedMesh fit_mesh(const sim::Mesh& model_m, const FittingSettings& settings) {

@@ -1,12 +1,21 @@
 #pragma once
 
-#include "sim/mesh/mesh.hpp"
+#include "app/garments/fitting/sheets.hpp"
 
 namespace taut::app {
 
 /// Returns the closed borders as vertices in order, with the cloth on the left as seen from outside. Borders that touch
 /// are left out.
 std::vector<std::vector<sim::Index>> border_loops(const sim::Mesh& mesh);
+
+/// One wall of the cloth of a model.
+struct Wall {
+  Sheets sheets;                        ///< its sheets, facing outwards and joined where their borders meet
+  std::vector<std::uint8_t> is_chosen;  ///< per triangle of the model, whether it is of this wall
+};
+
+/// Finds the wall of a model. Requires a welded mesh in metres.
+Wall find_wall(const sim::Mesh& model_m);
 
 /// Settings of a mesh that is fitted to a model.
 struct FittingSettings {

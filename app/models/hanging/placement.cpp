@@ -1,6 +1,7 @@
 #include "app/models/hanging/placement.hpp"
 
 #include "app/base/words.hpp"
+#include "app/garments/fitting/fitted_mesh.hpp"
 #include "app/garments/fitting/following.hpp"
 #include "app/models/hanging/garment_measures.hpp"
 #include "app/models/hanging/hanging.hpp"
@@ -62,11 +63,27 @@ double bag_area(const GarmentPart& bag, const Opening& opening) {
   return bag.area_m2 / (girth(opening) * girth(opening));
 }
 
+GarmentPart largest_part_of(const sim::Mesh& mesh) {
+  return largest_part(find_garment_parts(mesh, sim::make_adjacency(mesh)));
+}
+
+/// Returns the outer wall of cloth that is modelled with two, at whose openings the walls meet. Returns the mesh if it
+/// has openings, or if its wall comes apart.
+sim::Mesh outer_wall(const sim::Mesh& mesh) {
+  const GarmentPart part = largest_part_of(mesh);
+  if (!part.openings.empty()) return mesh;
+  sim::Mesh scaled = mesh;
+  for (sim::Vec3& position : scaled.positions) position /= part.size_m();
+  sim::Mesh wall = find_wall(scaled).sheets.mesh;
+  for (sim::Vec3& position : wall.positions) position *= part.size_m();
+  return largest_part_of(wall).area_m2 < min_telling_area * part.area_m2 ? mesh : wall;
+}
+
 /// Measures of a model in its file's unit, compared with a person's garments.
 class PersonalSize {
  public:
   PersonalSize(const sim::Mesh& soup, double size) : sizes_{size, size} {
-    const sim::Mesh mesh = sim::weld_and_validate(soup).mesh;
+    const sim::Mesh mesh = outer_wall(sim::weld_and_validate(soup).mesh);
     const std::vector<GarmentPart> parts = find_garment_parts(mesh, sim::make_adjacency(mesh));
     const GarmentPart& part = largest_part(parts);
     double area = 0.0;
@@ -413,7 +430,9 @@ ModelAxis better_way_up(const sim::Mesh& mesh, const sim::Adjacency& adjacency, 
   return side < 0 ? down : up;
 }
 
-std::optional<ModelAxis> up_by_openings(const sim::Mesh& mesh, const sim::Adjacency& adjacency) {
+std::optional<ModelAxis> up_by_openings(const sim::Mesh& model) {
+  const sim::Mesh mesh = outer_wall(model);
+  const sim::Adjacency adjacency = sim::make_adjacency(mesh);
   if (const auto up = up_of_bag(largest_part(find_garment_parts(mesh, adjacency)))) return up;
   const auto can_hang = [&](ModelAxis up) {
     return share_carried(upright(mesh, up), adjacency) >= min_carried_area_fraction;

@@ -52,7 +52,7 @@ ModelAxis better_way_up(const sim::Mesh& mesh, const sim::Adjacency& adjacency, 
 /// Returns the axis along which the model stands upright, by its openings: that of a hat, which is open below, and of a
 /// sock, which is open above and bent; y or z if only one of them has an opening at its top that carries most of the
 /// model; -z for a model that lies on its back with its narrower opening at that end. Empty if the openings do not say.
-/// Requires the adjacency of this mesh.
-std::optional<ModelAxis> up_by_openings(const sim::Mesh& mesh, const sim::Adjacency& adjacency);
+/// Of cloth that is modelled with two walls, the outer one counts.
+std::optional<ModelAxis> up_by_openings(const sim::Mesh& model);
 
 }  // namespace taut::app

@@ -140,7 +140,7 @@ inline constexpr double max_garment_m = 2.5;
 inline constexpr double side_by_side_fraction = 0.3;
 /// Likelihood, over the first unit's, from which a second is said. Less says it of all.
 inline constexpr double min_second_likelihood = 0.1;
-/// Smallest area fraction of a part whose openings show what the garment is: one of a pair of socks.
+/// Smallest area fraction of a part whose openings show what the garment is: one of a pair of socks, or a wall of two.
 inline constexpr double min_telling_area = 0.4;
 /// Median size of garments of grown-ups, in m. More takes decimetres for feet.
 inline constexpr double median_size_m = 0.85;

@@ -135,6 +135,12 @@ TEST_F(ModelFitting, OfTwoWallsOneIsSimulatedAndBothFollow) {
   EXPECT_CONTAINS(test::remarks(loaded), "is simulated, and the model follows it");
 }
 
+TEST_F(ModelFitting, FrontAndBackOfThickClothesStayTogether) {
+  for (const sim::Mesh& model : {test::thick(test::shirt()), test::thick(test::strap_dress())}) {
+    EXPECT_EQ(fit_mesh(model).sheets, 1U);
+  }
+}
+
 TEST_F(ModelFitting, AModelThatIsFitIsSimulatedAndOneIsWhereThatIsAskedFor) {
   Scene scene = lined();
   scene.garment.mesh = MeshChoice::model;

@@ -251,7 +251,7 @@ class Pieces {
   /// that does not contradict, the smoothest first. Small regions then join the large regions around them.
   void cut_into_walls(std::span<const sim::Index> sheet) {
     struct Smooth {
-      double cosine;
+      double smoothness;
       sim::Index a, b;
     };
     sim::FacingGroups walls(piece_of.size());
@@ -261,13 +261,17 @@ class Pieces {
       if (o != sim::no_vertex && view_.sheets.sheet_of[o] == view_.sheets.sheet_of[t]) walls.join(t, o, true);
       for (int side = 0; side < 3; ++side) {
         const sim::Index next = view_.sheets.beyond[3 * t + side];
-        if (next != sim::no_vertex && t < next)
-          neighbours.push_back({glm::dot(view_.normals[t], view_.normals[next]), t, next});
+        if (next == sim::no_vertex || t > next) continue;
+        // The crease at a rim, which has no other wall, comes after sharp seams: it would join the front's outer wall
+        // to the back's inner one.
+        const double cosine = glm::dot(view_.normals[t], view_.normals[next]);
+        const bool is_at_rim = (o == sim::no_vertex || other_[next] == sim::no_vertex) && cosine < crease_cosine;
+        neighbours.push_back({cosine - (is_at_rim ? 1.0 : 0.0), t, next});
       }
     }
-    std::ranges::stable_sort(neighbours, std::greater{}, &Smooth::cosine);
+    std::ranges::stable_sort(neighbours, std::greater{}, &Smooth::smoothness);
     sim::Groups regions(piece_of.size());
-    for (const auto& [cosine, a, b] : neighbours) {
+    for (const auto& [smoothness, a, b] : neighbours) {
       if (walls.opposite(a, b).value_or(false)) continue;
       walls.join(a, b, false);
       regions.join(a, b);

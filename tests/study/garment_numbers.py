@@ -174,13 +174,14 @@ class Taut:
         command = [self.program, "fit" if words[0] == "table" else words[0], *words[1:], *more]
         # Progress, which depends on time, goes to standard error as well.
         errors = open(self.folder / "errors.txt", "w+", encoding="utf-8")
-        process = subprocess.Popen(command, env={**os.environ, **environment}, stdout=subprocess.PIPE,
+        # Some numbers let a loop run for ever.
+        process = subprocess.Popen(["timeout", "-k", "1", "120", *command], env={**os.environ, **environment}, stdout=subprocess.PIPE,
                                    stderr=errors, text=True, cwd=self.folder)
         said = ""
         for line in process.stdout:
             said += line
             if words[0] == "table" and re.match("(leg )?hem ", line):
-                process.kill()
+                process.terminate()
                 break
         code = process.wait() if words[0] != "table" else 0
         errors.seek(0)

@@ -113,44 +113,23 @@ class Closing {
   }
 
   SewnPieces run(const SewingReport& report) {
-    double max_gap_m = std::numeric_limits<double>::infinity();
-    int since = 0, blocked = 0;
     const int budget = max_steps * static_cast<int>(pieces_.layer_of.back() + 1);
     if (report) report(share_joined(), sewn_.garment, now_m());
     int next_join = first_join, between_joins = frames_between_joins;
-    for (int frame = 1; steps_ <= budget && since < max_frames_without_progress && share_joined() < 1.0;
-         ++frame, ++since) {
+    for (int frame = 1; steps_ <= budget && share_joined() < 1.0; ++frame) {
       throw_if_interrupted();
       const std::vector<std::size_t> seams = pulled_seams(frame);
       pull(seams);
-      if (!advance()) {
-        // Sewing may continue from rest with a weaker pull.
-        if (++blocked > max_blocked_frames) break;
-        strength_ *= strength_reduction;
-        keep_shape();
-        begin(std::move(sewn_));
-        continue;
-      }
+      if (!advance()) break;
       if (frame >= next_join) {
         const double before = share_joined();
         const bool any_joined = join_what_met(seams);
-        since = any_joined ? 0 : since;
         between_joins = any_joined ? frames_between_joins : std::min(2 * between_joins, max_frames_between_joins);
         next_join = frame + between_joins;
-        if (!any_joined && find_gap() < reach_m_) {
-          // All that is open has met: a weaker pull lets layers part that are too near to be joined.
-          strength_ *= release_factor;
-        } else if (share_joined() - before < min_pass_fraction * (1.0 - before)) {
+        if (share_joined() - before < min_pass_fraction * (1.0 - before)) {
           // Cloth that a strong pull has crumpled comes loose in a weak one.
-          const bool is_strongest = strength_ * strength_growth > max_strength;
-          strength_ = is_strongest ? 1.0 : strength_growth * strength_;
-          reach_m_ = std::min(max_reach_fraction * pieces_.edge_m, (is_strongest ? reach_growth : 1.0) * reach_m_);
+          strength_ = strength_ * strength_growth > max_strength ? 1.0 : strength_growth * strength_;
         }
-      }
-      const double gap_m = find_gap();
-      if (gap_m < progress_gap_ratio * max_gap_m) {
-        max_gap_m = gap_m;
-        since = 0;
       }
       if (report) report(share_joined(), sewn_.garment, now_m());
     }
@@ -175,7 +154,6 @@ class Closing {
     simulation_.emplace(sim::share(sewn_.garment), std::vector<Index>{}, simulation_settings(scene_.simulation),
                         std::move(surroundings), start_m);
     simulation_->set_time(time_s_);
-    steps_ += steps_to_begin;
   }
 
   void keep_shape() { sewn_.garment.mesh.positions = now_m(); }
@@ -313,13 +291,13 @@ class Closing {
     std::vector<std::pair<Index, Index>> met;
     for (const std::size_t s : seams) {
       for (const auto& [a, b] : pieces_.seams[s]) {
-        if (!is_joined({a, b}) && glm::distance(at(a), at(b)) < reach_m_) met.emplace_back(a, b);
+        if (!is_joined({a, b}) && glm::distance(at(a), at(b)) < reach_fraction * pieces_.edge_m) met.emplace_back(a, b);
       }
     }
     keep_shape();
     const SewnPieces before = sewn_;
     const auto of_pieces_m = collect<Vec3>(sewn_.vertex_of, [&](Index n) { return now_m()[n]; });
-    for (std::size_t trial = 0; trial < max_trials && !met.empty(); ++trial) {
+    while (!met.empty()) {
       sim::Groups joined = joined_;
       for (const auto& [a, b] : met) joined.join(a, b);
       begin(join_pieces(pieces_, joined, of_pieces_m, scene_));
@@ -403,12 +381,11 @@ class Closing {
   SurfaceTree body_tree_;
   sim::Groups joined_;  ///< sets of joined vertices of the pieces
   std::vector<double> panel_masses_kg_;
-  double strength_ = 1.0;                                   ///< factor of the pull of all threads
-  double reach_m_ = first_reach_fraction * pieces_.edge_m;  ///< distance within which vertices are joined
-  int steps_ = 0;                                           ///< count of time steps made
-  std::size_t layer_ = 0;                                   ///< layer that is sewn
-  bool is_carried_ = false;                                 ///< true once the seams that carry the layer are closed
-  int layer_began_ = 0;                                     ///< frame in which the layer began
+  double strength_ = 1.0;    ///< factor of the pull of all threads
+  int steps_ = 0;            ///< count of time steps made
+  std::size_t layer_ = 0;    ///< layer that is sewn
+  bool is_carried_ = false;  ///< true once the seams that carry the layer are closed
+  int layer_began_ = 0;      ///< frame in which the layer began
   SewnPieces sewn_;
   std::optional<sim::Simulation> simulation_;
 };

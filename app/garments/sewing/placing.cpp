@@ -139,6 +139,7 @@ class Surrounded {
   }
 
   Crossings crossing(const std::vector<Vec3>& positions_m) const {
+    throw_if_interrupted();
     const sim::Surface cloth = {positions_m, pieces_.triangles};
     const auto panel = [&](Index t) { return pieces_.panel_of[pieces_.triangles[t][0]]; };
     Crossings found;

@@ -119,12 +119,6 @@ inline constexpr double inwards_from_m = 0.05;
 inline constexpr double slack_m = 0.001;
 /// Growth factor of the pull after a pass that closed too little. More crumples cloth, less takes longer.
 inline constexpr double strength_growth = 1.4;
-/// Factor of the pull after a blocked frame. More blocks again, less takes longer.
-inline constexpr double strength_reduction = 0.5;
-/// Factor of the pull after a pass that met everything and joined nothing. More leaves layers pressed together.
-inline constexpr double release_factor = 0.1;
-/// Count of blocked frames. More takes longer, less gives up.
-inline constexpr int max_blocked_frames = 8;
 /// Fraction of the open part that a pass has to close. More strengthens the pull earlier.
 inline constexpr double min_pass_fraction = 0.05;
 /// Largest pull, as a multiple of the first. More crumples cloth, less leaves thick seams open.
@@ -136,12 +130,9 @@ inline constexpr double closing_drag_per_s = 10.0;
 inline constexpr double thickest_m = 3e-4;
 /// Upper limit of the bending rigidity during closing, in N m. More resists threads, less crumples.
 inline constexpr double max_bending_rigidity_n_m = 2e-6;
-/// First distance within which vertices are joined, as a fraction of the edge length. More stretches cloth at joins.
-inline constexpr double first_reach_fraction = 0.1;
-/// Growth factor of this distance when the strongest pull joins nothing. More stretches cloth at joins.
-inline constexpr double reach_growth = 1.3;
-/// Largest such distance, as a fraction of the edge length. More stretches cloth at joins, less leaves seams open.
-inline constexpr double max_reach_fraction = 0.35;
+/// Distance within which vertices are joined, as a fraction of the edge length. More stretches cloth at joins, less
+/// leaves seams open.
+inline constexpr double reach_fraction = 0.1;
 /// Count of frames before the first try to join. Less tries in vain.
 inline constexpr int first_join = 12;
 /// Count of frames between tries. Less tries in vain, more takes longer.
@@ -152,16 +143,8 @@ inline constexpr int max_frames_between_joins = 16;
 inline constexpr int max_frames_for_first = 60;
 /// Budget of time steps for a layer, on average. More takes longer, less gives up.
 inline constexpr int max_steps = 4000;
-/// Cost of a new simulation, in time steps. More counts joins as work.
-inline constexpr int steps_to_begin = 20;
-/// Count of frames without progress after which closing ends. More takes longer, less gives up. A join is progress.
-inline constexpr int max_frames_without_progress = 120;
-/// Fraction to which the widest gap has to shrink for progress. More counts less as progress.
-inline constexpr double progress_gap_ratio = 0.9;
 /// Count of frames in which joined cloth has to come apart. Less takes back good joins.
 inline constexpr int frames_to_part = 5;
-/// Count of tries of a join, each without the pairs that crossed before. Less joins fewer pairs at once.
-inline constexpr std::size_t max_trials = 6;
 /// Distance of the body from a gap within which it is said to be in the way, in m. More blames it wrongly.
 inline constexpr double blocking_distance_m = 0.03;
 

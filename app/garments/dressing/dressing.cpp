@@ -155,17 +155,12 @@ struct Growth {
     for (std::size_t v = 0; v < most.size(); ++v) {
       positions_m[v] = glm::mix(thin_m[v], full_m[v], std::min(share, most[v]));
     }
-    std::vector<sim::Vec3> face_normals;
-    std::vector<sim::Vec3> normals(positions_m.size(), sim::Vec3(0.0));
-    for (const sim::Triangle& t : triangles) {
-      face_normals.push_back(sim::doubled_area_vector(positions_m, t));
-      for (const sim::Index v : t) normals[v] += face_normals.back();
-    }
+    const std::vector<sim::Vec3> normals = vertex_normals(positions_m, triangles);
     const SurfaceTree tree(positions_m, triangles);
     for (std::size_t v = 0; v < positions_m.size(); ++v) {
-      const sim::Vec3 normal = normals[v];
+      const sim::Vec3& normal = normals[v];
       const auto is_before = [&](const TreeSurfacePoint& point) {
-        const sim::Vec3& other = face_normals[point.triangle];
+        const sim::Vec3 other = sim::doubled_area_vector(positions_m, triangles[point.triangle]);
         const bool is_in_end = ends[v] != no_node && ends[triangles[point.triangle][0]] == ends[v];
         return !is_in_end && glm::dot(point.place_m - positions_m[v], normal) > 0.0 &&
                glm::dot(other, normal) < max_facing_cosine * glm::length(other) * glm::length(normal);

@@ -4,6 +4,7 @@
 #include "app/base/words.hpp"
 #include "app/garments/dressing/tuning.hpp"
 #include "app/garments/dressing/wearing.hpp"
+#include "app/garments/fitting/sheets.hpp"
 
 namespace taut::app {
 namespace {
@@ -176,8 +177,7 @@ std::string describe_tightness(const LoadedBodies& bodies, const sim::Garment& g
     std::vector<std::pair<double, sim::Vec3>> near;
     sim::Extent level;
     for (std::size_t t = 0; t < stretch.size(); ++t) {
-      const auto& [a, b, c] = garment.mesh.triangles[t];
-      const sim::Vec3 middle_m = (worn_m[a] + worn_m[b] + worn_m[c]) / 3.0;
+      const sim::Vec3 middle_m = triangle_middle(worn_m, garment.mesh.triangles[t]);
       if (middle_m.y > from_m && middle_m.y < to_m) {
         near.emplace_back(stretch[t], middle_m);
         level.add(middle_m);

@@ -17,27 +17,30 @@ namespace {
 constexpr sim::Index leaf_size = 4;
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-/// Returns the nearest point of a triangle: the foot of the perpendicular if it is inside, else the nearest point of
-/// the three sides.
-sim::Vec3 nearest_of_triangle(const sim::Vec3& p, const std::array<sim::Vec3, 3>& c) {
-  const sim::Vec3 normal = glm::cross(c[1] - c[0], c[2] - c[0]);
-  const double square = glm::dot(normal, normal);
-  bool is_inside = square > 0.0;
-  for (int k = 0; k < 3 && is_inside; ++k) {
-    is_inside = glm::dot(glm::cross(c[(k + 1) % 3] - c[k], p - c[k]), normal) >= 0.0;
+using sim::Index;
+using sim::Vec3;
+
+/// Returns the weights of the corners at the point of the triangle that is nearest to p.
+std::array<double, 3> nearest_weights(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
+  const Vec3 ab = b - a, ac = c - a;
+  const Vec3 normal = glm::cross(ab, ac);
+  const double squared = glm::dot(normal, normal);
+  if (squared > 0.0) {
+    const double v = glm::dot(glm::cross(p - a, ac), normal) / squared;
+    const double w = glm::dot(glm::cross(ab, p - a), normal) / squared;
+    if (v >= 0.0 && w >= 0.0 && v + w <= 1.0) return {1.0 - v - w, v, w};
   }
-  if (is_inside) return p - glm::dot(p - c[0], normal) / square * normal;
-  sim::Vec3 best(0.0);
-  double best_square = infinite;
-  for (int k = 0; k < 3; ++k) {
-    const sim::Vec3 &a = c[k], &b = c[(k + 1) % 3], q = a + share_along(p, a, b) * (b - a);
-    const double found = glm::dot(q - p, q - p);
-    if (found < best_square) {
-      best = q;
-      best_square = found;
-    }
-  }
-  return best;
+  const double s = share_along(p, a, b), t = share_along(p, b, c), u = share_along(p, c, a);
+  const std::array<std::array<double, 3>, 3> edges = {{{1.0 - s, s, 0.0}, {0.0, 1.0 - t, t}, {u, 0.0, 1.0 - u}}};
+  const auto distance = [&](const std::array<double, 3>& at) {
+    return glm::length(at[0] * a + at[1] * b + at[2] * c - p);
+  };
+  return *std::ranges::min_element(edges, [&](const auto& x, const auto& y) { return distance(x) < distance(y); });
+}
+
+Vec3 nearest_of_triangle(const Vec3& p, const std::array<Vec3, 3>& c) {
+  const auto [u, v, w] = nearest_weights(p, c[0], c[1], c[2]);
+  return u * c[0] + v * c[1] + w * c[2];
 }
 
 double square_distance(const sim::Vec3& p, const sim::Extent& box) {
@@ -65,27 +68,6 @@ double hit(const sim::Vec3& from, const sim::Vec3& direction, const std::array<s
   const sim::Vec3 s = from - c[0], q = glm::cross(s, e1);
   const double u = glm::dot(s, p) / determinant, v = glm::dot(direction, q) / determinant;
   return u < 0.0 || v < 0.0 || u + v > 1.0 ? infinite : glm::dot(e2, q) / determinant;
-}
-
-using sim::Index;
-using sim::Vec3;
-
-/// Returns the weights of the corners at the point of the triangle that is nearest to p.
-std::array<double, 3> nearest_weights(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
-  const Vec3 ab = b - a, ac = c - a;
-  const Vec3 normal = glm::cross(ab, ac);
-  const double squared = glm::dot(normal, normal);
-  if (squared > 0.0) {
-    const double v = glm::dot(glm::cross(p - a, ac), normal) / squared;
-    const double w = glm::dot(glm::cross(ab, p - a), normal) / squared;
-    if (v >= 0.0 && w >= 0.0 && v + w <= 1.0) return {1.0 - v - w, v, w};
-  }
-  const double s = share_along(p, a, b), t = share_along(p, b, c), u = share_along(p, c, a);
-  const std::array<std::array<double, 3>, 3> edges = {{{1.0 - s, s, 0.0}, {0.0, 1.0 - t, t}, {u, 0.0, 1.0 - u}}};
-  const auto distance = [&](const std::array<double, 3>& at) {
-    return glm::length(at[0] * a + at[1] * b + at[2] * c - p);
-  };
-  return *std::ranges::min_element(edges, [&](const auto& x, const auto& y) { return distance(x) < distance(y); });
 }
 
 /// Returns the nearest triangle that faces along the normal; any triangle for a normal of 0.
@@ -201,10 +183,8 @@ class Binder {
   }
 
   bool try_nearer(Index t, Index vertex, TreeSurfacePoint& best) const {
-    const auto& [a, b, c] = mesh_.triangles[t];
-    const auto& at = mesh_.positions;
-    const auto [u, v, w] = nearest_weights(model_.positions[vertex], at[a], at[b], at[c]);
-    const Vec3 place_m = u * at[a] + v * at[b] + w * at[c];
+    const Vec3 place_m =
+        nearest_of_triangle(model_.positions[vertex], sim::corner_positions(mesh_.triangles[t], mesh_.positions));
     const double distance_m = glm::distance(place_m, model_.positions[vertex]);
     if (distance_m < best.distance_m) {
       best = {distance_m, t, place_m};

@@ -8,6 +8,7 @@
 #include "app/garments/fitting/fitted_mesh.hpp"
 #include "app/garments/fitting/following.hpp"
 #include "app/garments/fitting/sheets.hpp"
+#include "app/garments/fitting/triangle_net.hpp"
 #include "app/garments/fitting/tuning.hpp"
 #include "sim/mesh/groups.hpp"
 #include "sim/mesh/welding.hpp"
@@ -19,30 +20,11 @@ using namespace fitting;
 namespace {
 
 using sim::Vec3;
-using Vertex = OpenMesh::VertexHandle;
-using Edge = OpenMesh::EdgeHandle;
-using Halfedge = OpenMesh::HalfedgeHandle;
-
 struct DoubleTraits : OpenMesh::DefaultTraits {
   using Point = OpenMesh::Vec3d;
   using Normal = OpenMesh::Vec3d;
 };
 using Net = OpenMesh::TriMesh_ArrayKernelT<DoubleTraits>;
-
-template <class AnyNet> void add_triangles(const std::vector<sim::Triangle>& triangles, AnyNet& net) {
-  const auto vertex = [](sim::Index v) { return Vertex(static_cast<int>(v)); };
-  for (const auto& [a, b, c] : triangles) net.add_face(vertex(a), vertex(b), vertex(c));
-}
-
-template <class AnyNet> std::vector<sim::Triangle> to_triangles(const AnyNet& net) {
-  std::vector<sim::Triangle> triangles;
-  for (const auto f : net.faces()) {
-    sim::Triangle& t = triangles.emplace_back();
-    std::size_t k = 0;
-    for (const auto v : net.fv_range(f)) t[k++] = static_cast<sim::Index>(v.idx());
-  }
-  return triangles;
-}
 
 double max_side(const Vec3& a, const Vec3& b, const Vec3& c) {
   return std::max({glm::distance(a, b), glm::distance(b, c), glm::distance(c, a)});
@@ -128,7 +110,6 @@ class Remesher {
   }
 
  private:
-  static std::size_t number(Vertex v) { return static_cast<std::size_t>(v.idx()); }
   const Vec3& at(Vertex v) const { return at_[number(v)]; }
   Vec3& at(Vertex v) { return at_[number(v)]; }
   double length(Edge e) const {
@@ -252,15 +233,6 @@ class Remesher {
     return after >= min_area_ratio * side * side && glm::dot(now, normal_before) > min_normal_cosine * before * after;
   }
 
-  struct Diamond {
-    Vertex a, b, left, right;  ///< ends of the edge, and the corners opposite it
-  };
-  Diamond diamond(Edge e) const {
-    const Halfedge h = net_.halfedge_handle(e, 0), o = net_.halfedge_handle(e, 1);
-    return {net_.from_vertex_handle(h), net_.to_vertex_handle(h), net_.to_vertex_handle(net_.next_halfedge_handle(h)),
-            net_.to_vertex_handle(net_.next_halfedge_handle(o))};
-  }
-
   template <class Wanted> void flip(const Wanted& wanted) {
     bool changed = true;
     for (int sweep = 0; changed && sweep < max_collapse_sweeps; ++sweep) {
@@ -276,7 +248,7 @@ class Remesher {
   }
 
   bool may_flip(Edge e) const {
-    const Diamond d = diamond(e);
+    const Diamond d = diamond(net_, e);
     const Vec3 before = doubled_area(at(d.a), at(d.b), at(d.left)) + doubled_area(at(d.b), at(d.a), at(d.right));
     return stays(before, at(d.left), at(d.right), at(d.b)) && stays(before, at(d.right), at(d.left), at(d.a));
   }
@@ -287,7 +259,7 @@ class Remesher {
     return off * off;
   }
   bool evens_valences(Edge e) const {
-    const Diamond d = diamond(e);
+    const Diamond d = diamond(net_, e);
     const int before = excess(d.a, 0) + excess(d.b, 0) + excess(d.left, 0) + excess(d.right, 0);
     const int after = excess(d.a, -1) + excess(d.b, -1) + excess(d.left, 1) + excess(d.right, 1);
     return after < before && narrowest({d.left, d.right, d.b, d.a}) < 0.94;
@@ -297,7 +269,7 @@ class Remesher {
     return std::max(max_cosine(at(d.a), at(d.b), at(d.left)), max_cosine(at(d.b), at(d.a), at(d.right)));
   }
   bool widens_angles(Edge e) const {
-    const Diamond d = diamond(e);
+    const Diamond d = diamond(net_, e);
     return narrowest({d.left, d.right, d.b, d.a}) < narrowest(d) - 1e-9;
   }
   static double max_cosine(const Vec3& a, const Vec3& b, const Vec3& c) {

@@ -2,6 +2,7 @@
 
 #include "app/base/errors.hpp"
 #include "app/base/words.hpp"
+#include "app/garments/fitting/triangle_net.hpp"
 #include "app/garments/sewing/tuning.hpp"
 #include "app/verify/orientation.hpp"
 #include "sim/mesh/polygons.hpp"
@@ -10,12 +11,9 @@ namespace taut::app {
 namespace {
 
 using sim::Index;
-using sim::Triangle;
 using sim::Vec2;
 using sim::Vec3;
 using namespace sewing;
-
-constexpr Index none = static_cast<Index>(-1);
 
 bool is_inside(const std::vector<Vec2>& outline, const Vec2& p) {
   bool inside = false;
@@ -66,176 +64,143 @@ std::vector<Vec2> points_within(const std::vector<Vec2>& outline, double edge, d
 /// A Delaunay triangulation that keeps the edges of the outline (Lawson 1977).
 class Triangulation {
  public:
-  explicit Triangulation(std::vector<Vec2> outline) : points_(std::move(outline)), outline_(points_.size()) {
-    const auto corners_m = collect<Vec3>(points_, [](const Vec2& p) { return Vec3(p, 0.0); });
+  explicit Triangulation(const std::vector<Vec2>& outline) : outline_(outline.size()) {
+    const auto corners_m = collect<Vec3>(outline, [](const Vec2& p) { return Vec3(p, 0.0); });
     std::vector<Index> corners(outline_);
     std::iota(corners.begin(), corners.end(), Index{0});
     const std::uint32_t count = static_cast<std::uint32_t>(corners.size());
-    triangles_ = sim::cut_into_triangles({corners_m, std::span(&count, 1), corners});
-    require_simple();
-    for (Index t = 0; t < triangles_.size(); ++t) set(t, triangles_[t]);
+    for (const Vec2& p : outline) add(p);
+    const std::vector<sim::Triangle> triangles = sim::cut_into_triangles({corners_m, std::span(&count, 1), corners});
+    add_triangles(triangles, net_);
+    require_simple(triangles.size());
     flip_all();
   }
 
   void insert(const Vec2& p) {
     throw_if_interrupted();
-    const std::size_t t = triangle_around(p);
-    if (t == triangles_.size()) return;
-    const auto [a, b, c] = triangles_[t];
-    const auto v = static_cast<Index>(points_.size());
-    points_.push_back(p);
-    set(static_cast<Index>(t), {a, b, v});
-    add({b, c, v});
-    add({c, a, v});
-    flip_all();
+    for (const Face f : net_.faces()) {
+      if (!is_around(f, p)) continue;
+      net_.split(f, add(p));
+      std::vector<Edge> opposite;
+      for (const Halfedge h : net_.voh_range(Vertex(static_cast<int>(points_.size() - 1)))) {
+        opposite.push_back(net_.edge_handle(net_.next_halfedge_handle(h)));
+      }
+      return flip(std::move(opposite));
+    }
   }
 
   /// Adds a point in the middle of the largest triangle.
   void insert() {
-    const auto t = std::ranges::max_element(triangles_, {}, [&](const Triangle& triangle) { return area(triangle); });
-    insert((points_[(*t)[0]] + points_[(*t)[1]] + points_[(*t)[2]]) / 3.0);
+    const std::vector<sim::Triangle> triangles = to_triangles(net_);
+    const auto [a, b, c] = *std::ranges::max_element(
+        triangles, {}, [&](const auto& t) { return sim::doubled_area(points_[t[0]], points_[t[1]], points_[t[2]]); });
+    insert((points_[a] + points_[b] + points_[c]) / 3.0);
   }
 
   /// Moves inner points to the means of their neighbours unless a triangle turns over.
   void smooth() {
-    std::vector<Vec2> sums(points_.size(), Vec2(0.0));
-    std::vector<std::vector<Index>> around(points_.size());
-    for (Index t = 0; t < triangles_.size(); ++t) {
-      for (std::size_t k = 0; k < 3; ++k) {
-        sums[triangles_[t][k]] += points_[triangles_[t][(k + 1) % 3]];
-        around[triangles_[t][k]].push_back(t);
-      }
-    }
-    for (std::size_t v = outline_; v < points_.size(); ++v) {
-      const auto areas = [&] { return collect<double>(around[v], [&](Index t) { return area(triangles_[t]); }); };
-      const std::vector<double> areas_before = areas();
-      const Vec2 before = std::exchange(points_[v], sums[v] / static_cast<double>(around[v].size()));
+    for (std::size_t n = outline_; n < points_.size(); ++n) {
+      const Vertex v(static_cast<int>(n));
+      Vec2 sum(0.0);
+      for (const Vertex other : net_.vv_range(v)) sum += at(other);
+      const std::vector<double> areas_before = areas_around(v);
+      const Vec2 before = std::exchange(points_[n], sum / static_cast<double>(net_.valence(v)));
       const auto is_kept = [](double now, double then) { return now > 0.1 * then; };
-      if (!std::ranges::equal(areas(), areas_before, is_kept)) points_[v] = before;
+      if (!std::ranges::equal(areas_around(v), areas_before, is_kept)) points_[n] = before;
     }
-    waiting_.resize(triangles_.size());
-    std::iota(waiting_.begin(), waiting_.end(), Index{0});
     flip_all();
   }
 
   /// Halves inner edges with both ends on the outline. They could meet others where the outline is sewn.
   void halve_across() {
-    for (Index t = 0; t < triangles_.size(); ++t) {
-      for (std::size_t k = 0; k < 3; ++k) {
-        if (beyond(t, k) != none && triangles_[t][k] < outline_ && triangles_[t][(k + 1) % 3] < outline_) halve(t, k);
+    for (const Edge e : all_edges()) {
+      const Diamond d = diamond(net_, e);
+      if (!net_.is_boundary(e) && std::max(number(d.a), number(d.b)) < outline_) {
+        net_.split(e, add(0.5 * (at(d.a) + at(d.b))));
       }
     }
   }
 
   void require_areas() const {
-    if (std::ranges::any_of(triangles_, [&](const Triangle& t) { return !(area(t) > 0.0); })) {
-      throw std::invalid_argument("it is too narrow to be filled with triangles");
+    for (const Face f : net_.faces()) {
+      if (!(area(f) > 0.0)) throw std::invalid_argument("it is too narrow to be filled with triangles");
     }
   }
 
-  FilledOutline take() { return {std::move(points_), std::move(triangles_)}; }
+  FilledOutline take() { return {std::move(points_), to_triangles(net_)}; }
 
  private:
-  double area(const Triangle& t) const { return sim::doubled_area(points_[t[0]], points_[t[1]], points_[t[2]]); }
+  const Vec2& at(Vertex v) const { return points_[number(v)]; }
+  double area(Face f) const {
+    const auto [a, b, c] = corners_of(net_, f);
+    return sim::doubled_area(points_[a], points_[b], points_[c]);
+  }
+  std::vector<double> areas_around(Vertex v) const {
+    std::vector<double> areas;
+    for (const Face f : net_.vf_range(v)) areas.push_back(area(f));
+    return areas;
+  }
 
-  void require_simple() const {
-    double sum = 0.0;
-    for (const Triangle& t : triangles_) sum += std::abs(area(t));
+  void require_simple(std::size_t triangles) const {
+    double sum = 0.0, least = 0.0;
+    for (const Face f : net_.faces()) {
+      sum += std::abs(area(f));
+      least = std::min(least, area(f));
+    }
     // Triangles along straight borders have no area until they are flipped.
-    const bool is_turned = std::ranges::any_of(triangles_, [&](const Triangle& t) { return area(t) < -1e-9 * sum; });
-    if (is_turned || triangles_.size() + 2 != outline_ || std::abs(sum - 2.0 * polygon_area(points_)) > 1e-6 * sum) {
+    const bool is_whole = triangles + 2 == outline_ && net_.n_faces() == triangles;
+    if (!is_whole || least < -1e-9 * sum || std::abs(sum - 2.0 * polygon_area(points_)) > 1e-6 * sum) {
       throw std::invalid_argument("its outline crosses or touches itself");
     }
   }
 
-  /// Puts a triangle in this place, and lets its sides be flipped.
-  void set(Index t, const Triangle& triangle) {
-    triangles_[t] = triangle;
-    for (std::size_t k = 0; k < 3; ++k) triangle_along_[{triangle[k], triangle[(k + 1) % 3]}] = t;
-    waiting_.push_back(t);
-  }
-  void add(const Triangle& triangle) {
-    triangles_.emplace_back();
-    set(static_cast<Index>(triangles_.size() - 1), triangle);
+  Vertex add(const Vec2& p) {
+    points_.push_back(p);
+    return net_.new_vertex();
   }
 
-  /// Returns the triangle beyond a side; none at the outline.
-  Index beyond(Index t, std::size_t k) const {
-    const auto found = triangle_along_.find({triangles_[t][(k + 1) % 3], triangles_[t][k]});
-    return found == triangle_along_.end() ? none : found->second;
+  std::vector<Edge> all_edges() const {
+    std::vector<Edge> edges;
+    for (const Edge e : net_.edges()) edges.push_back(e);
+    return edges;
   }
-  /// Returns the corner of the triangle that the edge from a to b does not have.
-  Index corner_beside(Index t, Index a, Index b) const {
-    return *std::ranges::find_if(triangles_[t], [&](Index v) { return v != a && v != b; });
-  }
-  void forget_edge(Index a, Index b) {
-    triangle_along_.erase({a, b});
-    triangle_along_.erase({b, a});
-  }
+  void flip_all() { flip(all_edges()); }
 
-  void flip_all() {
-    for (std::size_t flips = 0; !waiting_.empty() && flips < max_flips * triangles_.size();) {
-      const Index t = waiting_.back();
-      waiting_.pop_back();
-      for (std::size_t k = 0; k < 3; ++k) {
-        if (beyond(t, k) != none && flip(t, k)) {
-          ++flips;
-          break;
-        }
+  /// Flips edges until all are Delaunay. `waiting` are those that may not be.
+  void flip(std::vector<Edge> waiting) {
+    while (!waiting.empty()) {
+      const Edge e = waiting.back();
+      waiting.pop_back();
+      if (net_.is_boundary(e) || !may_flip(diamond(net_, e))) continue;
+      net_.flip(e);
+      for (const unsigned side : {0U, 1U}) {
+        const Halfedge h = net_.halfedge_handle(e, side);
+        waiting.push_back(net_.edge_handle(net_.next_halfedge_handle(h)));
+        waiting.push_back(net_.edge_handle(net_.prev_halfedge_handle(h)));
       }
     }
-    waiting_.clear();
   }
 
-  /// Returns whether d is within the circle through the other three, by more than rounding.
-  bool is_within_circle(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) const {
-    // The angles at c and d over the edge from a to b then add up to more than half a turn.
-    const double at_c = glm::dot(a - c, b - c), at_d = glm::dot(a - d, b - d);
-    const double sine_c = sim::doubled_area(c, a, b), sine_d = sim::doubled_area(d, b, a);
-    const double size = (std::abs(at_c) + sine_c) * (std::abs(at_d) + std::abs(sine_d));
-    return at_c * sine_d + at_d * sine_c < -1e-10 * size;
+  /// Returns whether the other diagonal is inside the diamond and makes its angles wider, by more than rounding.
+  bool may_flip(const Diamond& d) const {
+    const Vec2 &a = at(d.a), &b = at(d.b), &c = at(d.left), &e = at(d.right);
+    if (orientation(a, e, c) <= 0 || orientation(e, b, c) <= 0) return false;
+    // The angles at c and e over the edge from a to b then add up to more than half a turn.
+    const double at_c = glm::dot(a - c, b - c), at_e = glm::dot(a - e, b - e);
+    const double sine_c = sim::doubled_area(c, a, b), sine_e = sim::doubled_area(e, b, a);
+    const double size = (std::abs(at_c) + sine_c) * (std::abs(at_e) + std::abs(sine_e));
+    return at_c * sine_e + at_e * sine_c < -1e-10 * size;
   }
 
-  bool flip(Index t, std::size_t k) {
-    const Index u = beyond(t, k);
-    const Index a = triangles_[t][k], b = triangles_[t][(k + 1) % 3];
-    const Index c = triangles_[t][(k + 2) % 3], d = corner_beside(u, a, b);
-    const bool is_convex =
-        orientation(points_[a], points_[d], points_[c]) > 0 && orientation(points_[d], points_[b], points_[c]) > 0;
-    if (!is_convex || !is_within_circle(points_[a], points_[b], points_[c], points_[d])) return false;
-    forget_edge(a, b);
-    set(t, {a, d, c});
-    set(u, {d, b, c});
-    return true;
-  }
-
-  /// Returns the triangle around the point; the count of all if there is none.
-  std::size_t triangle_around(const Vec2& p) const {
-    const auto is_left_of = [&](Index a, Index b) { return orientation(points_[a], points_[b], p) > 0; };
-    const auto is_around = [&](const Triangle& t) {
-      return is_left_of(t[0], t[1]) && is_left_of(t[1], t[2]) && is_left_of(t[2], t[0]);
-    };
-    return static_cast<std::size_t>(std::ranges::find_if(triangles_, is_around) - triangles_.begin());
-  }
-
-  void halve(Index t, std::size_t k) {
-    const Index u = beyond(t, k);
-    const Index a = triangles_[t][k], b = triangles_[t][(k + 1) % 3];
-    const Index c = triangles_[t][(k + 2) % 3], d = corner_beside(u, a, b);
-    const auto v = static_cast<Index>(points_.size());
-    points_.push_back(0.5 * (points_[a] + points_[b]));
-    forget_edge(a, b);
-    set(t, {a, v, c});
-    add({v, b, c});
-    set(u, {a, d, v});
-    add({v, d, b});
+  bool is_around(Face f, const Vec2& p) const {
+    const auto [a, b, c] = corners_of(net_, f);
+    const auto is_left_of = [&](Index i, Index k) { return orientation(points_[i], points_[k], p) > 0; };
+    return is_left_of(a, b) && is_left_of(b, c) && is_left_of(c, a);
   }
 
   std::vector<Vec2> points_;
-  std::size_t outline_;
-  std::vector<Triangle> triangles_;
-  std::map<std::pair<Index, Index>, Index> triangle_along_;  ///< by the ends of its sides, counter-clockwise
-  std::vector<Index> waiting_;                               ///< triangles whose sides may have to be flipped
+  std::size_t outline_;  ///< count of points of the outline, which come first
+  OpenMesh::TriConnectivity net_;
 };
 
 }  // namespace

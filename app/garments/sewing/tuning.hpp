@@ -33,8 +33,6 @@ inline constexpr double exact_shortened = 0.005;
 inline constexpr double clearance_fraction = 0.6;
 /// Rounds of smoothing of the inner points. More changes little, less leaves uneven triangles.
 inline constexpr int smoothing_rounds = 8;
-/// Flips for each triangle. Only four points on a circle, which flip back and forth, need more.
-inline constexpr std::size_t max_flips = 100;
 
 // Heights: where a pattern lies about its body (heights.cpp).
 

@@ -162,9 +162,9 @@ inline constexpr double over_correction = 1.7;
 /// Stretch beyond the limit, as a fraction of the length at rest, that is left. Less needs more sweeps.
 inline constexpr double stretch_tolerance = 0.003;
 /// Largest count of rounds in which triangles that cross are parted. More removes more crossings and takes longer.
-inline constexpr int max_parting_rounds = 8;
+inline constexpr int max_parting_rounds = 16;
 /// Largest work of these rounds for a shape, in triangles. More removes crossings of larger models and takes longer.
-inline constexpr std::size_t max_parting_work = 300000;
+inline constexpr std::size_t max_parting_work = 1000000;
 /// Largest number of crossings as modelled for each triangle of a model whose crossings are parted. More takes longer
 /// on tangled models, whose crossings only change their places.
 inline constexpr double max_own_crossing_fraction = 0.1;

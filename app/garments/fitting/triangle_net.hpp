@@ -19,7 +19,7 @@ inline void add_triangles(const std::vector<sim::Triangle>& triangles, OpenMesh:
   for (const auto& [a, b, c] : triangles) net.add_face(vertex(a), vertex(b), vertex(c));
 }
 
-inline sim::Triangle corners_of(const OpenMesh::TriConnectivity& net, Face f) {
+inline sim::Triangle to_triangle(const OpenMesh::TriConnectivity& net, Face f) {
   sim::Triangle corners;
   std::size_t k = 0;
   for (const auto v : net.fv_range(f)) corners[k++] = static_cast<sim::Index>(v.idx());
@@ -28,7 +28,7 @@ inline sim::Triangle corners_of(const OpenMesh::TriConnectivity& net, Face f) {
 
 inline std::vector<sim::Triangle> to_triangles(const OpenMesh::TriConnectivity& net) {
   std::vector<sim::Triangle> triangles;
-  for (const auto f : net.faces()) triangles.push_back(corners_of(net, f));
+  for (const auto f : net.faces()) triangles.push_back(to_triangle(net, f));
   return triangles;
 }
 

@@ -132,7 +132,7 @@ class Triangulation {
  private:
   const Vec2& at(Vertex v) const { return points_[number(v)]; }
   double area(Face f) const {
-    const auto [a, b, c] = corners_of(net_, f);
+    const auto [a, b, c] = to_triangle(net_, f);
     return sim::doubled_area(points_[a], points_[b], points_[c]);
   }
   std::vector<double> areas_around(Vertex v) const {
@@ -193,7 +193,7 @@ class Triangulation {
   }
 
   bool is_around(Face f, const Vec2& p) const {
-    const auto [a, b, c] = corners_of(net_, f);
+    const auto [a, b, c] = to_triangle(net_, f);
     const auto is_left_of = [&](Index i, Index k) { return orientation(points_[i], points_[k], p) > 0; };
     return is_left_of(a, b) && is_left_of(b, c) && is_left_of(c, a);
   }

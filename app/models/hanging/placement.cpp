@@ -63,20 +63,20 @@ double bag_area(const GarmentPart& bag, const Opening& opening) {
   return bag.area_m2 / (girth(opening) * girth(opening));
 }
 
-GarmentPart largest_part_of(const sim::Mesh& mesh) {
+GarmentPart find_largest_part(const sim::Mesh& mesh) {
   return largest_part(find_garment_parts(mesh, sim::make_adjacency(mesh)));
 }
 
 /// Returns the outer wall of cloth that is modelled with two, at whose openings the walls meet. Returns the mesh if it
 /// has openings, or if its wall comes apart.
 sim::Mesh outer_wall(const sim::Mesh& mesh) {
-  const GarmentPart part = largest_part_of(mesh);
+  const GarmentPart part = find_largest_part(mesh);
   if (!part.openings.empty()) return mesh;
   sim::Mesh scaled = mesh;
   for (sim::Vec3& position : scaled.positions) position /= part.size_m();
   sim::Mesh wall = find_wall(scaled).sheets.mesh;
   for (sim::Vec3& position : wall.positions) position *= part.size_m();
-  return largest_part_of(wall).area_m2 < min_telling_area * part.area_m2 ? mesh : wall;
+  return find_largest_part(wall).area_m2 < min_telling_area * part.area_m2 ? mesh : wall;
 }
 
 /// Measures of a model in its file's unit, compared with a person's garments.

@@ -159,7 +159,7 @@ TEST_F(Sewing, ATopWithoutStrapsIsHeldUntilItRests) {
   const SewnGarment garment = sewn(scene, 800, 600);
   const sim::Extent range = sim::compute_extent(garment.sewn.garment.mesh.positions);
   EXPECT_TRUE(garment.is_at_rest);
-  EXPECT_GT(range.upper.y, 1.209);  // without hands it slides down to 1.205
+  EXPECT_GT(range.upper.y, 1.206);  // without hands it slides down to 1.203
 }
 
 TEST_F(Sewing, ComesToRestInTwoSecondsOrThree) {
@@ -183,7 +183,7 @@ TEST_F(Sewing, ComesToRestInTheAirOfTheScene) {
   sim::Simulation simulation = make_simulation(again, load_garment(again), bodies.all);
   simulation.set_time(garment.time_s);
   for (int frame = 0; frame < 60; ++frame) simulation.advance_frame();
-  EXPECT_LE(sim::rms_speed(simulation.change()), 0.02);
+  EXPECT_LE(sim::rms_speed(simulation.change()), 0.025);
   SewnGarment moving = garment;
   moving.is_at_rest = false;
   EXPECT_NE(describe_rest(moving).find("still moving at "), std::string::npos);

@@ -97,14 +97,19 @@ class Triangulation {
     insert((points_[a] + points_[b] + points_[c]) / 3.0);
   }
 
-  /// Moves inner points to the means of their neighbours unless a triangle turns over.
+  /// Moves inner points to the means of their neighbours unless a triangle turns over. Points that moved count only in
+  /// the next round: triangles would become so even that rows fold along themselves.
   void smooth() {
+    std::vector<Vec2> means = points_;
     for (std::size_t n = outline_; n < points_.size(); ++n) {
       const Vertex v(static_cast<int>(n));
-      Vec2 sum(0.0);
-      for (const Vertex other : net_.vv_range(v)) sum += at(other);
+      means[n] = Vec2(0.0);
+      for (const Vertex other : net_.vv_range(v)) means[n] += at(other) / static_cast<double>(net_.valence(v));
+    }
+    for (std::size_t n = outline_; n < points_.size(); ++n) {
+      const Vertex v(static_cast<int>(n));
       const std::vector<double> areas_before = areas_around(v);
-      const Vec2 before = std::exchange(points_[n], sum / static_cast<double>(net_.valence(v)));
+      const Vec2 before = std::exchange(points_[n], means[n]);
       const auto is_kept = [](double now, double then) { return now > 0.1 * then; };
       if (!std::ranges::equal(areas_around(v), areas_before, is_kept)) points_[n] = before;
     }

@@ -388,6 +388,9 @@ TEST(Upright, HasLegsBelowAndLeavesABagAsItStands) {
   EXPECT_EQ(up(test::with_z_up(close)), ModelAxis::z);
   EXPECT_EQ(up(turned_over(test::bottle(1.0, {0.0, 0.0}))), ModelAxis::y) << "a glove, open at its top";
   EXPECT_EQ(up(test::bottle(1.0, {0.0, 0.0})), ModelAxis::y);
+  sim::Mesh tote = turned_over(test::bottle(0.5, {0.0, 0.0}));
+  for (sim::Vec3& p : tote.positions) p.z *= 0.3;
+  EXPECT_EQ(up(tote), ModelAxis::y) << "a tote bag";
 }
 
 TEST(Upright, IsWhereMostOfTheAreaIsCarried) {

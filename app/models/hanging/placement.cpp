@@ -339,7 +339,10 @@ std::optional<ModelAxis> up_of_bag(const GarmentPart& part) {
   const double area = bag_area(part, *opening);
   sim::Vec3 aside = part.centre_m - opening->range.middle();
   aside[axis] = 0.0;
-  const bool is_hat = area < max_hat_area;
+  const sim::Vec3 size = opening->range.size();
+  const auto [narrow, wide] = std::minmax(size[(axis + 1) % 3], size[(axis + 2) % 3]);
+  // The opening of a tote bag is long and narrow.
+  const bool is_hat = area < max_hat_area && narrow > min_hat_roundness * wide;
   const bool is_sock = area > min_sock_area && glm::length(aside) > min_sock_bend * part.size_m();
   if (!is_hat && !is_sock) return std::nullopt;
   const bool is_positive = (opening->range.middle()[axis] > part.range.middle()[axis]) == is_sock;

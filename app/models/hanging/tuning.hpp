@@ -171,6 +171,8 @@ inline constexpr double max_origin_distance_ratio = 1000.0;
 inline constexpr double max_level_steepness = 0.4;
 /// Largest area of a hat, over the square of its opening's length. More takes socks for hats.
 inline constexpr double max_hat_area = 0.7;
+/// Smallest ratio of the width and the length of a hat's opening. Less takes tote bags for hats.
+inline constexpr double min_hat_roundness = 0.5;
 /// Smallest such area of a sock. Less takes hats for socks.
 inline constexpr double min_sock_area = 1.0;
 /// Smallest distance of a sock's centre from the line through its opening, in sizes. Less takes gloves for socks.

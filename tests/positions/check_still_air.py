@@ -1,6 +1,7 @@
 """Whether T-shirts in still air are asleep within 9 s: check_still_air.py TAUT SOURCE FOLDER TRIANGLES
 
-Folds are chaotic: each scene is run in air of three drags, of which one may stay awake. Also that what is said of a frame's motion is how the written positions moved since the frame before."""
+Folds are chaotic: each scene is run in air of three drags, of which one may stay awake. Also that what is said of a
+frame's motion is how the written positions moved since the frame before."""
 
 import math
 import pathlib

@@ -175,8 +175,9 @@ class Taut:
         # Progress, which depends on time, goes to standard error as well.
         errors = open(self.folder / "errors.txt", "w+", encoding="utf-8")
         # Some numbers let a loop run for ever.
-        process = subprocess.Popen(["timeout", "-k", "1", "120", *command], env={**os.environ, **environment}, stdout=subprocess.PIPE,
-                                   stderr=errors, text=True, cwd=self.folder)
+        limited = ["timeout", "-k", "1", "120", *command]
+        process = subprocess.Popen(limited, env={**os.environ, **environment}, stdout=subprocess.PIPE, stderr=errors,
+                                   text=True, cwd=self.folder)
         said = ""
         for line in process.stdout:
             said += line

@@ -197,7 +197,7 @@ sim::Mesh read_mesh(const Scene& scene, LoadedGarment& loaded, const StageReport
   try {
     // A given mesh and a sewn garment are cloth. A given mesh stays in its place.
     if (!source.given && !facts.is_cut) loaded.rigid = remove_rigid_parts(soup);
-    loaded.placement = source.given ? Placement{} : place_model(soup, hints);
+    loaded.placement = source.given ? Placement{} : choose_unit(soup, hints);
     require_size(source, *loaded.placement);
     begin("joining its vertices");
     const double scale = loaded.placement->scale;
@@ -227,8 +227,8 @@ sim::Mesh read_mesh(const Scene& scene, LoadedGarment& loaded, const StageReport
     if (!source.up && !hints.up) {
       const sim::Mesh model_m = scale_mesh(valid.mesh, scale);
       find_up(scene, model_m, fitted ? fitted->mesh : model_m, loaded.rigid, begin, hints);
-      loaded.placement = place_model(soup, hints);
     }
+    if (!source.given) choose_up(soup, hints, *loaded.placement);
     model.positions = std::move(soup.positions);
     if (source.subdivisions == 0) {
       loaded.file_faces = std::move(model.faces);

@@ -122,8 +122,8 @@ class PersonalSize {
   UsualLength usual_narrowest_ = UsualLength{median_cuff_m, cuff_spread};
 };
 
-/// Chooses the unit. Returns the size of the garment's largest part, in the file's unit.
-double choose_unit(const sim::Mesh& mesh, double size, const PlacementHints& hints, Placement& placement) {
+/// Chooses the unit for a model of this size. Returns the size of its largest part, in the file's unit.
+double choose_scale(const sim::Mesh& mesh, double size, const PlacementHints& hints, Placement& placement) {
   if (hints.asked_scale) {
     placement.scale = *hints.asked_scale;
     placement.unit_text = unit_name(placement.scale) + ", as asked for";
@@ -168,7 +168,7 @@ double choose_unit(const sim::Mesh& mesh, double size, const PlacementHints& hin
   return personal.part_size;
 }
 
-void choose_up(const sim::Vec3& size, const PlacementHints& hints, Placement& placement) {
+void choose_axis(const sim::Vec3& size, const PlacementHints& hints, Placement& placement) {
   const auto name = [](ModelAxis axis) { return std::string(axis_names[static_cast<std::size_t>(axis)]); };
   if (hints.asked_up || hints.up) {
     placement.up = hints.asked_up ? *hints.asked_up : *hints.up;
@@ -462,19 +462,27 @@ std::optional<ModelAxis> up_by_openings(const sim::Mesh& model) {
 
 sim::Vec3 Placement::operator()(const sim::Vec3& in_file) const { return turn_up(in_file * scale, up) + moved_m; }
 
-Placement place_model(const sim::Mesh& mesh, const PlacementHints& hints) {
-  const sim::Extent box = extent_of_triangles(mesh);
-  const sim::Vec3 size = box.size();
-  const double max_size = std::max({size.x, size.y, size.z});
+Placement choose_unit(const sim::Mesh& mesh, const PlacementHints& hints) {
+  const sim::Vec3 size = extent_of_triangles(mesh).size();
   Placement placement;
-  placement.extent = max_size;
-  const double part = choose_unit(mesh, max_size, hints, placement);
-  choose_up(size, hints, placement);
+  placement.extent = std::max({size.x, size.y, size.z});
+  const double part = choose_scale(mesh, placement.extent, hints, placement);
   placement.is_vast = part * placement.scale > max_garment_m;
-  const sim::Vec3 middle = box.lower + 0.5 * size;
-  if (glm::length(middle / max_size) > max_origin_distance_ratio) {
+  return placement;
+}
+
+void choose_up(const sim::Mesh& mesh, const PlacementHints& hints, Placement& placement) {
+  const sim::Extent box = extent_of_triangles(mesh);
+  choose_axis(box.size(), hints, placement);
+  const sim::Vec3 middle = box.lower + 0.5 * box.size();
+  if (glm::length(middle / placement.extent) > max_origin_distance_ratio) {
     placement.moved_m = -turn_up(middle * placement.scale, placement.up);
   }
+}
+
+Placement place_model(const sim::Mesh& mesh, const PlacementHints& hints) {
+  Placement placement = choose_unit(mesh, hints);
+  choose_up(mesh, hints, placement);
   return placement;
 }
 

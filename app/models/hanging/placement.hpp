@@ -33,12 +33,16 @@ struct PlacementHints {
 /// Chooses the unit, in this order: the user's; the file's own, if the model is then larger than a glove and smaller
 /// than a tent; the likeliest of all that give a garment of 0.1 to 2.5 m, by how many files are in it, and by how near
 /// the model's size and its narrowest opening, or the area of a hat, a sock or a glove, then are to a grown-up's garments.
-/// A second unit that is nearly as likely is named too. If there is none, the model is scaled to 1 m.
-///
+/// A second unit that is nearly as likely is named too. If there is none, the model is scaled to 1 m. Throws
+/// std::invalid_argument as sim::weld_and_validate does, if it guesses the unit.
+Placement choose_unit(const sim::Mesh& mesh, const PlacementHints& hints);
+
 /// Chooses the up axis, in this order: the user's; the file's own; the axis by its openings; the axis with which it
 /// moves less when it is hung; z if the model is far longer along z; y. A model very far from the origin is moved
-/// there, because single precision could not resolve its vertices. Throws std::invalid_argument as
-/// sim::weld_and_validate does, if it guesses the unit.
+/// there, because single precision could not resolve its vertices. Requires a placement with the unit.
+void choose_up(const sim::Mesh& mesh, const PlacementHints& hints, Placement& placement);
+
+/// Chooses the unit, then the up axis. Throws as choose_unit() does.
 Placement place_model(const sim::Mesh& mesh, const PlacementHints& hints);
 
 /// Returns the model turned so that this axis becomes y.

@@ -100,7 +100,7 @@ struct SewOptions {
   std::filesystem::path steps;    ///< PNG file; empty: none
   int triangles = 4000;           ///< approximate number of triangles
   bool is_exact = false;          ///< makes exactly `triangles` triangles
-  int frames = 600;               ///< most frames from dressing until the garment rests
+  int frames = 1500;              ///< most frames from dressing until the garment rests
   bool json = false;
   std::string backend = "auto";
 };

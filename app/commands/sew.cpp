@@ -140,9 +140,9 @@ int run(const SewOptions& asked) {
                  count_text(sewn.pieces.triangles.size(), "triangle"), measured, took_s, options.output.string());
     }
     if (!sewn.is_at_rest && options.frames > 0) {
-      throw PromiseBroken("{} is written, but it is not at rest: {}; {}", options.output.string(), describe_rest(sewn),
-                          sewn.frames < options.frames ? "it is so tight that more frames would take minutes"
-                                                       : "--frames gives it more time");
+      throw PromiseBroken(
+          "{} is written, but it is not at rest: {}; {}", options.output.string(), describe_rest(sewn),
+          sewn.frames < options.frames ? "more frames would take minutes" : "--frames gives it more time");
     }
   } catch (const SewingFailed& error) {
     progress.hide();

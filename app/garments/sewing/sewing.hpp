@@ -18,7 +18,7 @@ inline NamedPattern read_named_pattern(const std::filesystem::path& file) { retu
 /// Settings of sewing.
 struct SewingSettings {
   int triangles = 4000;                        ///< approximate count
-  int frames = 600;                            ///< largest count, from the start of wearing until rest
+  int frames = 1500;                           ///< largest count, from the start of wearing until rest
   std::vector<NamedPattern> over = {};         ///< patterns that are sewn over the first, inner ones first
   std::vector<std::string> over_fabrics = {};  ///< their fabrics (find_fabric()); empty: the scene's fabric
   bool is_exact = false;                       ///< true for the exact count of triangles, with one pattern

@@ -502,6 +502,20 @@ TEST_F(Sewing, SeamsOfTheTShirtAreAsLongAsDrafted) {
   }
 }
 
+TEST_F(Sewing, HeightsCountFromTheFeetOrFromTheChest) {
+  scene_with(folder.write("skirt.json", skirt(40.0, 60.0)));
+  const auto placed_top_m = [&](double top_m, double height_m) {
+    const SewingPattern pattern = {
+        {rectangle("front", 0.6, height_m, {0.0, top_m, 0.2}), rectangle("back", 0.6, height_m, {0.0, top_m, -0.2})},
+        {{{0, 1}, {1, 1}}, {{0, 3}, {1, 3}}}};
+    CutPieces pieces = cut_pieces(pattern, 300);
+    bring_to_body(pattern, bodies, pieces);
+    return sim::compute_extent(pieces.placed_m).upper.y;
+  };
+  EXPECT_LT(placed_top_m(0.75, 0.5), 1.0) << "shorts, from the feet";
+  EXPECT_GT(placed_top_m(0.45, 0.5), 1.0) << "a short top, about the chest";
+}
+
 TEST_F(Sewing, ShouldersAreFoundBelowAHood) {
   scene_with(folder.write("skirt.json", skirt(40.0, 60.0)));
   const SewingPattern pattern = {
@@ -513,6 +527,62 @@ TEST_F(Sewing, ShouldersAreFoundBelowAHood) {
   EXPECT_EQ(pieces.first_seams, std::vector<std::size_t>{0});
 }
 
+TEST_F(Sewing, SleevesAreBesideTheShoulderAndNearIt) {
+  scene_with(folder.write("skirt.json", skirt(40.0, 60.0)));
+  const Wearer& wearer = *dressed_body(bodies).wearer;
+  const sim::Vec3 shoulder_m = find_limb(wearer, 1.0, arm_parts)->begin_m;
+  // A panel that hangs at 45 degrees. Its middle is over the shoulder by this height.
+  const auto is_turned = [&](double beside, double over_m) {
+    const double half = 0.1 * std::numbers::sqrt2 / 2.0;
+    const sim::Vec3 top_m(beside * shoulder_m.x + half, shoulder_m.y + over_m + 2.0 * half, 0.0);
+    const SewingPattern pattern = {{rectangle("sleeve", 0.2, 0.4, top_m, std::numbers::pi / 4.0)}, {}};
+    CutPieces pieces = cut_pieces(pattern, 100);
+    const std::vector<sim::Vec3> before_m = pieces.placed_m;
+    turn_sleeves(pattern, sim::Vec3(0.0), wearer, pieces);
+    return pieces.placed_m != before_m;
+  };
+  EXPECT_TRUE(is_turned(0.9, 0.0));
+  EXPECT_FALSE(is_turned(0.45, 0.0)) << "a side panel";
+  EXPECT_TRUE(is_turned(0.9, 0.09));
+  EXPECT_FALSE(is_turned(0.9, 0.18)) << "a hood";
+  EXPECT_TRUE(is_turned(0.9, -0.35));
+  EXPECT_FALSE(is_turned(0.9, -0.5)) << "a pocket";
+}
+
+TEST_F(Sewing, ArmsAreLoweredBelowSeamsThatLieOverThem) {
+  scene_with(folder.write("skirt.json", skirt(40.0, 60.0)));
+  const Wearer& wearer = *dressed_body(bodies).wearer;
+  const sim::Vec3 shoulder_m = find_limb(wearer, 1.0, arm_parts)->begin_m;
+  CutPieces pieces = cut_pieces({{rectangle("front", 0.6, 0.9, {0.0, 1.0, 0.2})}, {}}, 300);
+  pieces.seams = {{{0, 0}, {1, 1}}};
+  pieces.first_seams = {0};
+  const auto slope = [&](double over_arm_m) {
+    pieces.placed_m[0] = shoulder_m - sim::Vec3(0.1, 0.0, 0.0);
+    pieces.placed_m[1] = shoulder_m + sim::Vec3(over_arm_m, -0.5 * over_arm_m, 0.0);
+    const sim::Vec3 way = turned_limbs(wearer, pieces).front().direction;
+    return -way.y / std::abs(way.x);
+  };
+  EXPECT_NEAR(slope(0.15), slope(0.07) + 0.5, 1e-9) << "wide shoulders end beside the joint";
+}
+
+TEST(Placing, PiecesThatLieFlatMoveUp) {
+  const double half = 0.1;
+  const std::vector<sim::Vec3> body_m = {{-half, 0.0, -half}, {half, 0.0, -half}, {0.0, 0.0, half}, {0.0, 1.5, 0.0}};
+  const std::vector<sim::Triangle> triangles = {{0, 1, 2}, {0, 3, 1}, {1, 3, 2}, {2, 3, 0}};
+  const auto find_rise_m = [&](double tilt) {
+    PatternPanel panel = rectangle("panel", 0.3, 0.3, {0.0, 1.4, -0.15});
+    panel.rotation[1] = {0.0, std::sin(tilt), std::cos(tilt)};
+    panel.rotation[2] = {0.0, -std::cos(tilt), std::sin(tilt)};
+    panel.translation_m += 0.3 * panel.rotation[1];
+    CutPieces pieces = cut_pieces({{panel}, {}}, 100);
+    const double before_m = sim::compute_extent(pieces.placed_m).middle().y;
+    part_and_draw_in({body_m, triangles}, {0.0, 1.0, 0.0}, pieces);
+    return sim::compute_extent(pieces.placed_m).middle().y - before_m;
+  };
+  EXPECT_GT(find_rise_m(0.07), 0.05);
+  EXPECT_LT(find_rise_m(0.15), 0.05) << "it moves aside";
+}
+
 TEST_F(Sewing, LegsBeginInTrousersOnly) {
   scene_with(folder.write("skirt.json", skirt(40.0, 60.0)));
   const Wearer& wearer = *dressed_body(bodies).wearer;
@@ -520,9 +590,13 @@ TEST_F(Sewing, LegsBeginInTrousersOnly) {
       {rectangle("left", 0.3, 0.9, {0.2, 1.0, 0.1}), rectangle("right", 0.3, 0.9, {-0.2, 1.0, 0.1})}, {}};
   constexpr std::size_t bones_of_arms = 4, bones_of_all = 8;
   EXPECT_EQ(turned_limbs(wearer, cut_pieces(pattern, 300)).size(), bones_of_all);
-  const SewingPattern wide = {
-      {rectangle("left", 0.6, 0.9, {0.2, 1.0, 0.1}), rectangle("right", 0.6, 0.9, {-0.2, 1.0, 0.1})}, {}};
-  EXPECT_EQ(turned_limbs(wearer, cut_pieces(wide, 300)).size(), bones_of_all);
+  const auto count_bones = [&](double offset_m) {
+    const SewingPattern wide = {
+        {rectangle("left", 0.6, 0.9, {offset_m, 1.0, 0.1}), rectangle("right", 0.6, 0.9, {-offset_m, 1.0, 0.1})}, {}};
+    return turned_limbs(wearer, cut_pieces(wide, 300)).size();
+  };
+  EXPECT_EQ(count_bones(0.12), bones_of_all) << "panels of a leg reach over the middle at the crotch";
+  EXPECT_EQ(count_bones(0.06), bones_of_arms) << "panels of a skirt need not lie in the middle";
   pattern.panels.push_back(rectangle("front", 0.6, 0.9, {0.0, 1.0, 0.2}));
   EXPECT_EQ(turned_limbs(wearer, cut_pieces(pattern, 300)).size(), bones_of_arms) << "it is a skirt";
 }

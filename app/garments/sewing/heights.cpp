@@ -98,9 +98,8 @@ Vec3 compute_shift(const SewingPattern& pattern, const Wearer& wearer, CutPieces
                      join(collect<std::string>(wearer.joints, &JointPlaces::value_type::first)));
   }
   const double feet_m = sim::compute_extent(wearer.full_m).lower.y, top_m = box.upper.y;
-  const bool stands_at_feet = box.lower.y > floor_at_m && top_m > min_top_m;
   Vec3 shift = *measures.neck_m - Vec3(0.0, measures.neck_m->y, 0.0);
-  shift.y = stands_at_feet ? feet_m : measures.neck_m->y - neck_over_chest_m;
+  shift.y = box.middle().y > min_middle_m ? feet_m : measures.neck_m->y - neck_over_chest_m;
   const std::vector<ArmJoints> arms = find_arms(wearer.joints);
   const double half_width_m = arms.empty() ? 0.0 : std::abs(arms[0].shoulder_m.x - shift.x);
   mark_shoulder_seams(pattern, 0.5 * (measures.waist_m->y + measures.neck_m->y) - shift.y, half_width_m, pieces);

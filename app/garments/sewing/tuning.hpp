@@ -36,11 +36,9 @@ inline constexpr int smoothing_rounds = 8;
 
 // Heights: where a pattern lies about its body (heights.cpp).
 
-/// Height above which the lowest point of a pattern is, in m, if the feet are at its origin. Less takes patterns about
-/// the chest for such, more refuses legs below the floor.
-inline constexpr double floor_at_m = -0.2;
-/// Smallest height of its highest point then, in m. Less takes patterns about the chest for such, more misses socks.
-inline constexpr double min_top_m = 0.5;
+/// Smallest height of its middle, in m, if the feet are at its origin. Less takes hoods about the chest for such, more
+/// misses shorts.
+inline constexpr double min_middle_m = 0.3;
 /// Height of the side of the neck above the chest, in m, which is at the origin of other patterns. More puts them
 /// lower.
 inline constexpr double neck_over_chest_m = 0.29;

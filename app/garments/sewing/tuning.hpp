@@ -161,7 +161,7 @@ inline constexpr int frames_to_thicker = 10;
 inline constexpr double resting_m_per_s = 1.5e-3;
 /// Budget of work until the garment rests, in sweeps, which searches count as too. Cloth that is nearly too small would
 /// take minutes.
-inline constexpr double max_work = 150e3;
+inline constexpr double max_work = 220e3;
 /// Height above the waist from which the upper end of a garment without shoulder seams is held until it rests in thick
 /// air, in m. Less holds skirts too.
 inline constexpr double held_above_waist_m = 0.08;

@@ -279,6 +279,7 @@ TEST_F(Wearing, WhatHasNoOpeningStaysAndSaysSo) {
   const Fitting worn = put(written(test::translate(test::cape(), {3.0, 0.0, 0.0})), "female_34");
   ASSERT_EQ(worn.said.size(), 1U);
   EXPECT_CONTAINS(worn.said[0], "it stays where it is: no neck opening and no waist was found on it");
+  for (const FitRow& row : worn.fit()) EXPECT_GT(row.garment_m, 0.0) << row.name;
 }
 
 TEST_F(Wearing, TrousersComeForkToForkAndAreMeasuredRoundBothLegs) {

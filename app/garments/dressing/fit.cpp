@@ -89,7 +89,7 @@ struct Fitting {
     const BodyMeasures& measures = wearer.measures;
     if (measures.levels.empty()) return;
     // The top of trousers and skirts may be below the body's waist.
-    if (marks.is_worn_at_waist) {
+    if (marks.is_worn_at_waist && marks.top_m > 0.0) {
       rows.push_back({"waistband", measures.level_at(marks.top_height_m - lift_m).girth_m, marks.top_m});
     }
     const Girth* const thigh = find_girth(measures, "thigh");

@@ -240,6 +240,19 @@ TEST_F(Sewing, RefusesWhatFellCrossesOrIsStretched) {
             std::string::npos);
 }
 
+TEST_F(Sewing, WhatFallsIsShownWhereItLeavesTheBody) {
+  const Scene scene = scene_with(folder.write("skirt.json", skirt(90.0, 95.0)));
+  try {
+    sewn(scene, 200, 1500);
+    FAIL() << "it stays on the body";
+  } catch (const SewingFailed& error) {
+    EXPECT_NE(std::string(error.what()).find("it falls down"), std::string::npos) << error.what();
+    const BodyMeasures& measures = dressed_body(bodies).wearer->measures;
+    EXPECT_GT(sim::compute_extent(error.garment.sewn.garment.mesh.positions).upper.y,
+              measures.levels[measures.fork].height_m - 0.1);
+  }
+}
+
 TEST_F(Sewing, ShortLevelSideSeamsAreNoShoulders) {
   // Each side of a wide tier is as level as a shoulder, and nothing of the body is below it.
   const Scene scene = scene_with(folder.write("tier.json", skirt(44.0, 80.0, 20.0, 15.0)));

@@ -157,6 +157,13 @@ void rest_freely(const Scene& scene, const SewingSettings& settings,
   }
 }
 
+/// Returns whether all cloth is below the fork of the body that is dressed.
+bool has_fallen(const LoadedBodies& bodies, std::span<const Vec3> positions_m) {
+  const Wearer* const wearer = dressed_body(bodies).wearer;
+  return wearer != nullptr &&
+         sim::compute_extent(positions_m).upper.y < wearer->measures.levels[wearer->measures.fork].height_m;
+}
+
 /// Lets the body grow into the sewn garment, which then comes to rest.
 void dress_sewn_garment(const Scene& scene, const LoadedBodies& bodies, const SewingSettings& settings,
                         const std::function<void(const std::string&)>& stage, SewnGarment& garment) {
@@ -187,7 +194,8 @@ void dress_sewn_garment(const Scene& scene, const LoadedBodies& bodies, const Se
     stage("the body grows into it");
     dress(scene, simulation);
     double work = 0.0;
-    for (; garment.frames < settings.frames && work < max_work; ++garment.frames) {
+    const auto goes_on = [&] { return work < max_work && !has_fallen(bodies, simulation.state().current); };
+    for (; garment.frames < settings.frames && goes_on(); ++garment.frames) {
       throw_if_interrupted();
       stage(fmt::format("coming to rest, {} of {} frames", garment.frames, settings.frames));
       if (simulation.state().asleep) {
@@ -355,7 +363,7 @@ void require_worn(const Scene& scene, const LoadedBodies& bodies, SewnGarment& g
   const sim::Mesh& mesh = garment.sewn.garment.mesh;
   const auto refuse = [&](const std::string& why) { throw SewingFailed(why, std::move(garment)); };
   if (const Wearer* const wearer = dressed_body(bodies).wearer; wearer != nullptr) {
-    if (sim::compute_extent(mesh.positions).upper.y < wearer->measures.levels[wearer->measures.fork].height_m) {
+    if (has_fallen(bodies, mesh.positions)) {
       refuse("its seams are closed, but it does not stay on the body: it falls down");
     }
     if (garment.pattern.joint.empty() && !lies_around(*wearer, mesh)) {

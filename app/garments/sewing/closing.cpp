@@ -166,9 +166,8 @@ class Closing {
       sewn_.reason.clear();
     } catch (const sim::ContactBlocked& error) {
       sewn_.reason = error.what();
-      return false;
     }
-    return true;
+    return sewn_.reason.empty();
   }
 
   bool is_joined(const std::pair<Index, Index>& pair) { return joined_.find(pair.first) == joined_.find(pair.second); }

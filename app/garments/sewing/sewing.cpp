@@ -362,13 +362,12 @@ SewnGarment sew(NamedPattern inner, const Scene& scene, LoadedBodies& bodies, co
 void require_worn(const Scene& scene, const LoadedBodies& bodies, SewnGarment& garment) {
   const sim::Mesh& mesh = garment.sewn.garment.mesh;
   const auto refuse = [&](const std::string& why) { throw SewingFailed(why, std::move(garment)); };
-  if (const Wearer* const wearer = dressed_body(bodies).wearer; wearer != nullptr) {
-    if (has_fallen(bodies, mesh.positions)) {
-      refuse("its seams are closed, but it does not stay on the body: it falls down");
-    }
-    if (garment.pattern.joint.empty() && !lies_around(*wearer, mesh)) {
-      refuse("its seams are closed, but its upper end does not go around the body");
-    }
+  if (has_fallen(bodies, mesh.positions)) {
+    refuse("its seams are closed, but it does not stay on the body: it falls down");
+  }
+  const Wearer* const wearer = dressed_body(bodies).wearer;
+  if (wearer != nullptr && garment.pattern.joint.empty() && !lies_around(*wearer, mesh)) {
+    refuse("its seams are closed, but its upper end does not go around the body");
   }
   const sim::Surface cloth = {mesh.positions, mesh.triangles};
   for (const SceneCrossings& crossings : scene_crossings(cloth, bodies.all, garment.time_s)) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/figures/figures.hpp"
+#include "app/garments/sewing/sewing.hpp"
 #include "renderer/context/window.hpp"
 
 namespace taut::app {
@@ -95,12 +96,12 @@ struct SewOptions {
       outer_patterns;                      ///< patterns of the garments over this one, from inside to outside
   std::vector<std::string> outer_fabrics;  ///< fabrics of `over`, one for each pattern, or none
   std::vector<Override> overrides;
-  std::filesystem::path output;   ///< OBJ file; empty: PATTERN.obj
-  std::filesystem::path picture;  ///< PNG file; empty: none, except for a picture of what cannot be sewn
-  std::filesystem::path steps;    ///< PNG file; empty: none
-  int triangles = 4000;           ///< approximate number of triangles
-  bool is_exact = false;          ///< makes exactly `triangles` triangles
-  int frames = 1500;              ///< most frames from dressing until the garment rests
+  std::filesystem::path output;                ///< OBJ file; empty: PATTERN.obj
+  std::filesystem::path picture;               ///< PNG file; empty: none, except for a picture of what cannot be sewn
+  std::filesystem::path steps;                 ///< PNG file; empty: none
+  int triangles = SewingSettings().triangles;  ///< approximate number of triangles
+  bool is_exact = false;                       ///< makes exactly `triangles` triangles
+  int frames = SewingSettings().frames;        ///< largest count, from the start of wearing until rest
   bool json = false;
   std::string backend = "auto";
 };

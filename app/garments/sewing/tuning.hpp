@@ -36,8 +36,8 @@ inline constexpr int smoothing_rounds = 8;
 
 // Heights: where a pattern lies about its body (heights.cpp).
 
-/// Smallest height of its middle, in m, if the feet are at its origin. Less takes hoods about the chest for such, more
-/// misses shorts.
+/// Smallest height of a pattern's middle, in m, if its origin is at the feet. Less takes hoods about the chest for such
+/// patterns, more misses shorts.
 inline constexpr double min_middle_m = 0.3;
 /// Height of the side of the neck above the chest, in m, which is at the origin of other patterns. More puts them
 /// lower.

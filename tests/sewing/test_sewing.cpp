@@ -253,6 +253,17 @@ TEST_F(Sewing, WhatFallsIsShownWhereItLeavesTheBody) {
   }
 }
 
+TEST_F(Sewing, ALegWarmerStaysOnItsLeg) {
+  std::string leg_warmer = skirt(19.0, 19.0, 12.0, 30.0, 10.0);
+  leg_warmer.insert(leg_warmer.size() - 1, R"(, "properties": {"joint": "left leg"})");
+  Scene scene = scene_with(folder.write("leg_warmer.json", leg_warmer));
+  scene.simulation.solver.bounded.max_stretch = 0.3;
+  const SewnGarment garment = sewn(scene, 300);
+  const sim::Mesh& mesh = garment.sewn.garment.mesh;
+  EXPECT_LT(sim::compute_extent(mesh.positions).upper.y, dressed_body(bodies).wearer->joints.at("left upleg").y);
+  EXPECT_TRUE(compute_fit(bodies, garment.sewn.garment, mesh.positions).empty()) << "girths of both legs";
+}
+
 TEST_F(Sewing, ShortLevelSideSeamsAreNoShoulders) {
   // Each side of a wide tier is as level as a shoulder, and nothing of the body is below it.
   const Scene scene = scene_with(folder.write("tier.json", skirt(44.0, 80.0, 20.0, 15.0)));

@@ -88,6 +88,8 @@ struct Fitting {
   void add_ends(std::vector<FitRow>& rows) const {
     const BodyMeasures& measures = wearer.measures;
     if (measures.levels.empty()) return;
+    // Girths of the body are those of both legs, but a leg warmer goes around one.
+    if (marks.top && marks.top_height_m - lift_m < measures.levels[measures.fork].height_m) return;
     // The top of trousers and skirts may be below the body's waist.
     if (marks.is_worn_at_waist && marks.top_m > 0.0) {
       rows.push_back({"waistband", measures.level_at(marks.top_height_m - lift_m).girth_m, marks.top_m});

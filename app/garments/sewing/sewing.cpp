@@ -157,11 +157,13 @@ void rest_freely(const Scene& scene, const SewingSettings& settings,
   }
 }
 
-/// Returns whether all cloth is below the fork of the body that is dressed.
-bool has_fallen(const LoadedBodies& bodies, std::span<const Vec3> positions_m) {
+/// Returns whether all cloth is below the fork of the body that is dressed, where `pattern` does not begin.
+bool has_fallen(const LoadedBodies& bodies, const SewingPattern& pattern, std::span<const Vec3> positions_m) {
   const Wearer* const wearer = dressed_body(bodies).wearer;
-  return wearer != nullptr &&
-         sim::compute_extent(positions_m).upper.y < wearer->measures.levels[wearer->measures.fork].height_m;
+  if (wearer == nullptr) return false;
+  const double fork_m = wearer->measures.levels[wearer->measures.fork].height_m;
+  const bool begins_below = !pattern.joint.empty() && wearer->joints.at(pattern.joint).y < fork_m;
+  return !begins_below && sim::compute_extent(positions_m).upper.y < fork_m;
 }
 
 /// Lets the body grow into the sewn garment, which then comes to rest.
@@ -194,7 +196,9 @@ void dress_sewn_garment(const Scene& scene, const LoadedBodies& bodies, const Se
     stage("the body grows into it");
     dress(scene, simulation);
     double work = 0.0;
-    const auto goes_on = [&] { return work < max_work && !has_fallen(bodies, simulation.state().current); };
+    const auto goes_on = [&] {
+      return work < max_work && !has_fallen(bodies, garment.pattern, simulation.state().current);
+    };
     for (; garment.frames < settings.frames && goes_on(); ++garment.frames) {
       throw_if_interrupted();
       stage(fmt::format("coming to rest, {} of {} frames", garment.frames, settings.frames));
@@ -362,7 +366,7 @@ SewnGarment sew(NamedPattern inner, const Scene& scene, LoadedBodies& bodies, co
 void require_worn(const Scene& scene, const LoadedBodies& bodies, SewnGarment& garment) {
   const sim::Mesh& mesh = garment.sewn.garment.mesh;
   const auto refuse = [&](const std::string& why) { throw SewingFailed(why, std::move(garment)); };
-  if (has_fallen(bodies, mesh.positions)) {
+  if (has_fallen(bodies, garment.pattern, mesh.positions)) {
     refuse("its seams are closed, but it does not stay on the body: it falls down");
   }
   const Wearer* const wearer = dressed_body(bodies).wearer;

@@ -96,10 +96,12 @@ class PersonalSize {
       sizes_.fill(std::sqrt(part.area_m2));
       usual_ = UsualLength{median_bag_m, bag_spread};
     } else if (openings.size() >= 2) {
-      narrowest_ = std::numeric_limits<double>::infinity();
-      for (const Opening* opening : openings) narrowest_ = std::min(narrowest_, girth(*opening));
+      std::vector<double> girths = collect<double>(openings, [](const Opening* opening) { return girth(*opening); });
+      std::ranges::sort(girths);
+      // Cuffs are two, and a single narrower opening is a slit.
+      narrowest_ = girths[girths.size() == 2 ? 0 : 1];
       usual_narrowest_ =
-          openings.size() == 2 ? UsualLength{median_waist_m, waist_spread} : UsualLength{median_cuff_m, cuff_spread};
+          girths.size() == 2 ? UsualLength{median_waist_m, waist_spread} : UsualLength{median_cuff_m, cuff_spread};
     }
   }
 
@@ -118,7 +120,7 @@ class PersonalSize {
  private:
   std::array<double, 2> sizes_;  ///< size of the model, and of that part
   UsualLength usual_ = UsualLength{median_size_m, size_spread};
-  double narrowest_ = 0.0;  ///< girth of its narrowest opening; 0 if it tells nothing
+  double narrowest_ = 0.0;  ///< girth of its waist or cuff; 0 if it tells nothing
   UsualLength usual_narrowest_ = UsualLength{median_cuff_m, cuff_spread};
 };
 

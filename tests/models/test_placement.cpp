@@ -90,6 +90,16 @@ TEST(Placement, ReadsAPersonsGarmentInEveryUnit) {
   }
 }
 
+TEST(Placement, ASlitIsNoCuff) {
+  sim::Mesh shirt = test::shirt();
+  const sim::Vec3 slit = {0.1, 0.3, sim::compute_extent(shirt.positions).upper.z};
+  const auto is_in_slit = [&](const sim::Triangle& t) {
+    return glm::distance(triangle_middle(shirt.positions, t), slit) < 0.03;
+  };
+  EXPECT_GT(std::erase_if(shirt.triangles, is_in_slit), 0u);
+  EXPECT_EQ(place_model(scaled(shirt, 70.0), {}).scale, 0.01) << "in inches it would be 1.6 m large";
+}
+
 TEST(Placement, TurnsTheModelUpright) {
   const sim::Vec3 p(1, 2, 3);
   const auto turned = [&](ModelAxis up) { return place_model(bounding_box(1, 1, 1), {1.0, up, {}, {}})(p); };

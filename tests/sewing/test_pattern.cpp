@@ -2,8 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <numbers>
 
 #include "app/base/errors.hpp"
 #include "app/garments/sewing/cutting.hpp"
@@ -203,7 +205,50 @@ TEST(Cutting, BothSidesOfASeamHaveTheSameNumberOfVerticesAndSpreadTheEase) {
       << "one of them is seen from behind";
 }
 
+/// Returns a panel with these corners.
+PatternPanel polygon(const std::vector<Vec2>& corners) {
+  PatternPanel panel{"panel", {}};
+  for (std::size_t k = 0; k < corners.size(); ++k)
+    panel.edges_m.push_back({corners[k], corners[(k + 1) % corners.size()]});
+  return panel;
+}
+
+TEST(Cutting, EdgesAreNeitherFinerNorCoarserThanClothNeeds) {
+  const auto count_triangles = [](double side_m, int asked) {
+    const SewingPattern square = {{polygon({{0.0, 0.0}, {side_m, 0.0}, {side_m, side_m}, {0.0, side_m}})}, {}};
+    return static_cast<double>(cut_pieces(square, asked).triangles.size());
+  };
+  EXPECT_NEAR(count_triangles(0.05, 4000), 160.0, 60.0) << "a mitten with edges of 6 mm";
+  EXPECT_NEAR(count_triangles(2.0, 50), 2566.0, 600.0) << "a tablecloth with edges of 6 cm";
+}
+
+TEST(Cutting, CurvesAreCutOffByLessThanHalfAMillimetre) {
+  constexpr double radius_m = 0.08, edge_m = 0.02;
+  PatternPanel half_disc = polygon({{radius_m, 0.0}, {-radius_m, 0.0}});
+  for (int k = 1; k < 200; ++k) {
+    const double angle = k * std::numbers::pi / 200.0;
+    half_disc.edges_m[0].insert(half_disc.edges_m[0].end() - 1, radius_m * Vec2(std::cos(angle), std::sin(angle)));
+  }
+  const double area_m2 = 0.5 * std::numbers::pi * radius_m * radius_m;
+  const CutPieces pieces = cut_pieces({{half_disc}, {}}, static_cast<int>(area_m2 / (0.433 * edge_m * edge_m)));
+  const double middle_m = sim::compute_extent(pieces.placed_m).middle().x;
+  const auto is_on_arc = [&](const Vec3& p) {
+    return std::abs(glm::length(p - Vec3(middle_m, 0.0, 0.0)) - radius_m) < 1e-4;
+  };
+  EXPECT_NEAR(static_cast<double>(std::ranges::count_if(pieces.placed_m, is_on_arc)), 18.0, 2.0)
+      << "13 are as long as edges";
+}
+
+TEST(Cutting, PanelsLieApartInTextureCoordinates) {
+  const CutPieces pieces = cut_pieces(two_squares(), 300);
+  std::array<sim::Extent, 2> boxes;
+  for (std::size_t v = 0; v < pieces.flat_m.size(); ++v) boxes[pieces.panel_of[v]].add({pieces.flat_m[v], 0.0});
+  EXPECT_NEAR(boxes[1].lower.x - boxes[0].upper.x, 0.05, 0.01);
+}
+
 TEST(Cutting, MakesExactlyAsManyTrianglesAsAreAskedFor) {
+  const SewingPattern skirt = read_sewing_pattern(TAUT_ASSETS_FOLDER "/patterns/wardrobe/skirt.json");
+  EXPECT_EQ(cut_pieces(skirt, 300, true).triangles.size(), 300u) << "the mesh is one of the last that are tried";
   for (const int triangles : {300, 301, 1028, 5280}) {
     EXPECT_EQ(cut_pieces(two_squares(), triangles, true).triangles.size(), static_cast<std::size_t>(triangles));
   }

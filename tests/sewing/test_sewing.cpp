@@ -540,6 +540,63 @@ TEST_F(Sewing, HeightsCountFromTheFeetOrFromTheChest) {
   EXPECT_GT(placed_top_m(0.45, 0.5), 1.0) << "a short top, about the chest";
 }
 
+TEST_F(Sewing, WhatLiesAboutTheChestBeginsAtTheSideOfTheNeck) {
+  scene_with(folder.write("skirt.json", skirt(40.0, 60.0)));
+  const SewingPattern pattern = {
+      {rectangle("front", 0.9, 0.5, {0.0, -0.1, 0.2}), rectangle("back", 0.9, 0.5, {0.0, -0.1, -0.2})},
+      {{{0, 1}, {1, 1}}, {{0, 3}, {1, 3}}}};
+  CutPieces pieces = cut_pieces(pattern, 300);
+  bring_to_body(pattern, bodies, pieces);
+  const double neck_m = dressed_body(bodies).wearer->measures.neck_m->y;
+  EXPECT_NEAR(sim::compute_extent(pieces.placed_m).upper.y, neck_m - 0.29 - 0.1, 0.03);
+}
+
+TEST_F(Sewing, ShouldersLieAboveTheThinBody) {
+  scene_with(folder.write("skirt.json", skirt(40.0, 60.0)));
+  const Wearer& wearer = *dressed_body(bodies).wearer;
+  // Seams are level, so that their height is above the highest bone below them.
+  const SewingPattern pattern = {
+      {rectangle("front", 0.06, 0.6, {0.08, 1.4, 0.1}), rectangle("back", 0.06, 0.6, {0.08, 1.4, -0.1})},
+      {{{0, 2}, {1, 2}}}};
+  CutPieces pieces = cut_pieces(pattern, 300);
+  bring_to_body(pattern, bodies, pieces);
+  const sim::Extent range = sim::compute_extent(pieces.placed_m);
+  double bone_m = 0.0;
+  for (const sim::Vec3& p : placed_m(wearer.places, compute_thin_shape(*wearer.rig, wearer.pose))) {
+    if (p.x > range.lower.x && p.x < range.upper.x) bone_m = std::max(bone_m, p.y);
+  }
+  EXPECT_NEAR(range.upper.y - bone_m, 0.06, 0.015);
+}
+
+TEST_F(Sewing, ShoulderSeamsAreShortAndNearlyLevelAndNearTheHighest) {
+  scene_with(folder.write("skirt.json", skirt(40.0, 60.0)));
+  const auto find_shoulders = [&](const std::vector<std::array<PatternPanel, 2>>& pairs) {
+    SewingPattern pattern;
+    for (const auto& [front, back] : pairs) {
+      const std::size_t first = pattern.panels.size();
+      pattern.panels.insert(pattern.panels.end(), {front, back});
+      pattern.stitches.push_back({{first, 2}, {first + 1, 2}});
+    }
+    CutPieces pieces = cut_pieces(pattern, 400);
+    bring_to_body(pattern, bodies, pieces);
+    return pieces.first_seams.size();
+  };
+  const auto pair = [](double width_m, sim::Vec3 top_m, double angle_rad = 0.0) {
+    PatternPanel front = rectangle("front", width_m, 0.3, top_m, angle_rad);
+    top_m.z = -top_m.z;
+    return std::array<PatternPanel, 2>{front, rectangle("back", width_m, 0.3, top_m, angle_rad)};
+  };
+  // They are low: a seam that begins near the neck may be long, as in a poncho.
+  const double shoulder_m = 0.9;
+  EXPECT_EQ(find_shoulders({pair(0.2, {0.12, shoulder_m, 0.1})}), 1u);
+  EXPECT_EQ(find_shoulders({pair(0.45, {0.23, shoulder_m, 0.1})}), 0u) << "a long one";
+  EXPECT_EQ(find_shoulders({pair(0.2, {0.12, shoulder_m, 0.1}, -0.8)}), 1u) << "nearly 45 degrees";
+  EXPECT_EQ(find_shoulders({pair(0.2, {0.12, shoulder_m, 0.1}, -1.0)}), 0u) << "a steep one";
+  EXPECT_EQ(find_shoulders({pair(0.1, {0.06, shoulder_m, 0.1}), pair(0.1, {-0.06, shoulder_m - 0.15, 0.1})}), 2u);
+  EXPECT_EQ(find_shoulders({pair(0.1, {0.06, shoulder_m, 0.1}), pair(0.1, {-0.06, shoulder_m - 0.3, 0.1})}), 1u)
+      << "a low one";
+}
+
 TEST_F(Sewing, ShouldersAreFoundBelowAHood) {
   scene_with(folder.write("skirt.json", skirt(40.0, 60.0)));
   const SewingPattern pattern = {
@@ -586,7 +643,100 @@ TEST_F(Sewing, ArmsAreLoweredBelowSeamsThatLieOverThem) {
     const sim::Vec3 way = turned_limbs(wearer, pieces).front().direction;
     return -way.y / std::abs(way.x);
   };
+  EXPECT_NEAR(slope(0.07), 0.2, 0.05) << "arms are nearly level";
   EXPECT_NEAR(slope(0.15), slope(0.07) + 0.5, 1e-9) << "wide shoulders end beside the joint";
+}
+
+/// Returns the surface of a box about the middle, with these half sizes.
+sim::Mesh box(const sim::Vec3& half_m) {
+  sim::Mesh mesh;
+  for (int k = 0; k < 8; ++k)
+    mesh.positions.push_back(half_m * sim::Vec3(k & 1 ? 1 : -1, k & 2 ? 1 : -1, k & 4 ? 1 : -1));
+  mesh.triangles = {{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6}, {0, 1, 4}, {1, 5, 4},
+                    {2, 6, 3}, {3, 6, 7}, {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5}};
+  return mesh;
+}
+
+/// Returns the rectangle turned about the y axis, so that it faces this way from +z.
+PatternPanel turned(PatternPanel panel, double angle_rad) {
+  panel.rotation[0] = {std::cos(angle_rad), 0.0, -std::sin(angle_rad)};
+  panel.rotation[2] = {std::sin(angle_rad), 0.0, std::cos(angle_rad)};
+  return panel;
+}
+
+/// Returns the extent of a panel.
+sim::Extent extent_of_panel(const CutPieces& pieces, sim::Index panel) { return panel_boxes(pieces)[panel]; }
+
+constexpr double body_half_m = 0.1;
+
+/// Places panels about a box. Layers are given per panel.
+CutPieces placed_about_box(std::vector<PatternPanel> panels, std::vector<std::size_t> layers = {},
+                           double half_m = body_half_m) {
+  CutPieces pieces = cut_pieces({std::move(panels), {}}, 100);
+  if (!layers.empty()) pieces.layer_of = std::move(layers);
+  const sim::Mesh body = box({half_m, 1.0, half_m});
+  part_and_draw_in({body.positions, body.triangles}, {0.0, 1.0, 0.0}, pieces);
+  return pieces;
+}
+
+TEST(Placing, PiecesAreDrawnInToThreeCentimetres) {
+  const CutPieces pieces = placed_about_box({rectangle("front", 0.15, 0.3, {0.0, 0.2, 0.5})});
+  EXPECT_NEAR(extent_of_panel(pieces, 0).lower.z - body_half_m, 0.035, 0.01);
+}
+
+TEST(Placing, PiecesThatCrossTheBodyMoveJustOutOfIt) {
+  const CutPieces pieces =
+      placed_about_box({turned(rectangle("front", 0.3, 0.3, {0.0, 0.2, body_half_m - 0.036}), 0.01)});
+  EXPECT_NEAR(extent_of_panel(pieces, 0).middle().z - body_half_m, 0.015, 0.004) << "by steps of a centimetre";
+  constexpr double wide_m = 0.6;
+  const CutPieces deep = placed_about_box({rectangle("front", 1.5, 0.3, {0.0, 0.2, 0.1})}, {}, wide_m);
+  EXPECT_GT(extent_of_panel(deep, 0).lower.z, wide_m) << "it begins half a metre within";
+}
+
+TEST(Placing, OuterLayersLieOverInnerOnesThatFaceTheirWay) {
+  // The outer one lies above the head of the inner one, 10 cm further in.
+  const auto find_rise_m = [](double angle_deg) {
+    const double angle = angle_deg / 180.0 * std::numbers::pi;
+    const sim::Vec3 way = {std::sin(angle), 0.0, std::cos(angle)};
+    CutPieces pieces = cut_pieces({{rectangle("inner", 0.1, 0.3, {0.0, 0.15, 0.3}),
+                                    turned(rectangle("outer", 0.1, 0.3, 0.2 * way + sim::Vec3(0.0, 0.65, 0.0)), angle)},
+                                   {}},
+                                  100);
+    pieces.layer_of = {0, 1};
+    part_and_draw_in({}, sim::Vec3(0.0), pieces);
+    return glm::dot(extent_of_panel(pieces, 1).middle(), way) - 0.2;
+  };
+  EXPECT_NEAR(find_rise_m(0.0), 0.1 + 0.04, 0.01);
+  EXPECT_NEAR(find_rise_m(50.0), 0.1 + 0.04, 0.01);
+  EXPECT_NEAR(find_rise_m(70.0), 0.0, 0.01) << "they lie beside each other";
+}
+
+TEST(Placing, PiecesThatFaceTheSameWayMoveAside) {
+  const auto is_moved_aside = [](double angle_rad) {
+    const sim::Vec3 at = {0.05, 0.2, 0.5};
+    CutPieces pieces =
+        cut_pieces({{rectangle("one", 0.3, 0.3, at), turned(rectangle("other", 0.3, 0.3, at), angle_rad)}, {}}, 100);
+    const sim::Extent before = extent_of_panel(pieces, 1);
+    part_and_draw_in({}, {0.0, 1.0, 0.0}, pieces);
+    const sim::Vec3 way = extent_of_panel(pieces, 1).middle() - before.middle();
+    return glm::length(way) > 0.05 &&
+           std::abs(glm::dot(glm::normalize(way), sim::Vec3(std::sin(angle_rad), 0.0, std::cos(angle_rad)))) < 0.7;
+  };
+  EXPECT_TRUE(is_moved_aside(25.0 / 180.0 * std::numbers::pi));
+  EXPECT_FALSE(is_moved_aside(55.0 / 180.0 * std::numbers::pi));
+}
+
+TEST(Placing, APieceWithoutABodyIsBowed) {
+  CutPieces pieces = cut_pieces({{rectangle("square", 0.3, 0.3, {0.0, 0.15, 0.0})}, {}}, 100);
+  part_and_draw_in({}, sim::Vec3(0.0), pieces);
+  EXPECT_NEAR(sim::compute_extent(pieces.placed_m).size().z, 0.0021, 0.0005);
+}
+
+TEST(Placing, OuterShouldersLieOverInnerOnes) {
+  CutPieces inner = cut_pieces({{rectangle("inner", 0.3, 0.3, {0.0, 1.4, 0.1})}, {}}, 100), outer = inner;
+  outer.first_seams = {0};
+  add_over(outer, inner);
+  EXPECT_NEAR(extent_of_panel(inner, 1).upper.y - extent_of_panel(inner, 0).upper.y, 0.03, 0.01);
 }
 
 TEST(Placing, PiecesThatLieFlatMoveUp) {
@@ -623,6 +773,10 @@ TEST_F(Sewing, LegsBeginInTrousersOnly) {
   EXPECT_EQ(count_bones(0.06), bones_of_arms) << "panels of a skirt need not lie in the middle";
   pattern.panels.push_back(rectangle("front", 0.6, 0.9, {0.0, 1.0, 0.2}));
   EXPECT_EQ(turned_limbs(wearer, cut_pieces(pattern, 300)).size(), bones_of_arms) << "it is a skirt";
+  pattern.panels.back() = rectangle("front", 0.6, 0.87, {0.0, 1.0, 0.2});
+  EXPECT_EQ(turned_limbs(wearer, cut_pieces(pattern, 300)).size(), bones_of_arms) << "its hem is not level";
+  pattern.panels.back() = rectangle("lining", 0.6, 0.82, {0.0, 1.0, 0.2});
+  EXPECT_EQ(turned_limbs(wearer, cut_pieces(pattern, 300)).size(), bones_of_all);
 }
 
 TEST_F(Sewing, WhatIsSewnForASceneStaysWhereNobodyElseWrites) {

@@ -126,8 +126,7 @@ std::vector<Seam> find_seams(const SewingPattern& pattern, const Borders& border
     const auto& [a, b] = pattern.stitches[s];
     // Borders of panels that face the same side run in opposite directions.
     const std::optional<bool> opposite = facing.opposite(a.panel, b.panel);
-    const bool is_told = opposite && std::abs(shorter) < certain_direction_ratio;
-    const bool runs_back = is_told ? !*opposite : shorter > 0.0;
+    const bool runs_back = opposite ? !*opposite : shorter > 0.0;
     facing.join(a.panel, b.panel, !runs_back);
     std::vector<Index> second = borders[b.panel][b.edge];
     if (runs_back) std::ranges::reverse(second);

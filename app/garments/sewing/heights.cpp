@@ -111,9 +111,7 @@ Vec3 compute_shift(const SewingPattern& pattern, const Wearer& wearer, CutPieces
     shift.y =
         level_for(measures, upper_border_m(pattern, top_m), top_m + shift.y).value_or(measures.waist_m->y) - top_m;
   }
-  if (glm::length(shift) > hardly_moved_m) {
-    said.push_back(fmt::format("its pieces are moved by {} m to be about the body", describe_point(shift)));
-  }
+  said.push_back(fmt::format("its pieces are moved by {} m to be about the body", describe_point(shift)));
   return shift;
 }
 

@@ -15,7 +15,7 @@ struct Sleeve {
 };
 
 /// Returns the sleeve on one side: panels beside the trunk that are sewn together, one of them near the shoulder, with
-/// an unsewn border far out. Empty if there is none.
+/// an unsewn border beyond it. Empty if there is none.
 Sleeve find_sleeve(const SewingPattern& pattern, const CutPieces& pieces, const Vec3& shift, const Vec3& shoulder_m,
                    double side) {
   const std::vector<sim::Extent> boxes = panel_boxes(pieces);
@@ -30,16 +30,11 @@ Sleeve find_sleeve(const SewingPattern& pattern, const CutPieces& pieces, const 
     }
   }
   std::vector<Vec3> ends;
-  double max_distance_m = beside_shoulder * side * shoulder_m.x;
   for (const PanelEdge& edge : pattern.unsewn_edges()) {
     const auto [from, to] = pattern.placed_ends_m(edge);
     const double offset_m = std::min(side * (from + shift).x, side * (to + shift).x);
-    if (sleeve.panels.contains(edge.panel) && offset_m > beside_shoulder * side * shoulder_m.x) {
-      ends.push_back(0.5 * (from + to) + shift);
-      max_distance_m = std::max(max_distance_m, side * ends.back().x);
-    }
+    if (sleeve.panels.contains(edge.panel) && offset_m > side * shoulder_m.x) ends.push_back(0.5 * (from + to) + shift);
   }
-  std::erase_if(ends, [&](const Vec3& end) { return side * end.x < outermost_fraction * max_distance_m; });
   if (ends.empty()) return {};
   for (const Vec3& end : ends) sleeve.cuff_m += end / static_cast<double>(ends.size());
   return sleeve;

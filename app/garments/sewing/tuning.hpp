@@ -15,9 +15,6 @@ inline constexpr double coarsest_edge_m = 0.06;
 inline constexpr double max_shortening_m = 4e-4;
 /// Distance between panels in texture coordinates, in m. Less lets them touch in pictures, more wastes an image.
 inline constexpr double between_panels_m = 0.05;
-/// Difference of the distances in both directions over a seam's length, above which the shorter one counts. Less trusts
-/// distances of panels far apart, more trusts corners that meet by chance.
-inline constexpr double certain_direction_ratio = 0.7;
 /// Count of meshes tried for an exact number of triangles. More takes longer, less gives up.
 inline constexpr int max_meshes = 40;
 /// Growth factor of the edge length from mesh to mesh. More makes larger steps, less tries similar meshes.
@@ -52,21 +49,15 @@ inline constexpr double shoulder_slope = 0.9;
 inline constexpr double max_shoulder_m = 0.3;
 /// Depth below the highest shoulder seam, or below the top, that is near it, in m. More takes lower seams too.
 inline constexpr double near_top_m = 0.2;
-/// Distance from which it is said that a pattern is moved, in m. Less says it of all.
-inline constexpr double hardly_moved_m = 0.01;
 
 // Limbs: sleeves, arms and legs (limbs.cpp).
 
-/// Offset of an unsewn edge from which it is a cuff, as a multiple of the shoulder joint's. Less takes hems for cuffs.
-inline constexpr double beside_shoulder = 1.1;
 /// Smallest offset of a sleeve's panel, as a multiple of the joint's. Less takes side panels for sleeves.
 inline constexpr double beside_trunk = 0.6;
 /// Largest depth of a sleeve's top below the shoulder, in m. More takes pockets for sleeves.
 inline constexpr double below_shoulder_m = 0.2;
 /// Largest height of a sleeve panel's middle above the shoulder, in m. More takes hoods for sleeves.
 inline constexpr double over_shoulder_m = 0.12;
-/// Smallest offset of a cuff, as a fraction of the outermost one. Less takes unsewn edges on the way for cuffs.
-inline constexpr double outermost_fraction = 0.85;
 /// Slope of the arms, also below a seam over them. More pulls sleeves down at the shoulders, less lets arms cross
 /// seams.
 inline constexpr double arms_down = 0.2;

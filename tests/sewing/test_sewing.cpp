@@ -219,6 +219,25 @@ TEST_F(Sewing, KeepsTheBoundInEveryFrameInWhichPiecesAreJoined) {
   EXPECT_LE(max_stretch, 0.01 + 1e-6);
 }
 
+TEST_F(Sewing, ADressIsClosedAfterFortyFrames) {
+  Scene scene = scene_with(assets / "patterns/wardrobe/dress.json");
+  scene.simulation.solver.bounded.max_stretch = 0.05;
+  scene.material = find_fabric_material("jersey", "--fabric");
+  const SewingPattern pattern = read_sewing_pattern(scene.garment.file);
+  CutPieces pieces = cut_pieces(pattern, 700);
+  bring_to_body(pattern, bodies, pieces);
+  place_pieces(pieces, scene, bodies);
+  int frames = -1, first_join = 0;
+  const SewnPieces sewn =
+      close_seams(pieces, scene, bodies, thin_time_s(bodies), [&](double share, const sim::Garment&, const auto&) {
+        ++frames;
+        if (first_join == 0 && share > 0.0) first_join = frames;
+      });
+  EXPECT_EQ(sewn.gap_m, 0.0);
+  EXPECT_EQ(first_join, 12) << "what is nearly closed waits, or what is far from closed is tried";
+  EXPECT_NEAR(frames, 40, 2) << "fewer: it was pulled harder or joined from farther away; more: it takes longer";
+}
+
 TEST_F(Sewing, RefusesWhatFellCrossesOrIsStretched) {
   const Scene scene = scene_with(folder.write("skirt.json", skirt(40.0, 60.0)));
   const SewnGarment garment = sewn(scene, 400, 1);
@@ -308,6 +327,21 @@ TEST_F(Sewing, SaysThatAPatternHasTheWrongUnit) {
     const std::string message = test::error_message<InputError>([&] { sewn(scene, 200); });
     EXPECT_NE(message.find("m; properties.units_in_meter says what a unit is"), std::string::npos) << message;
   }
+}
+
+TEST_F(Sewing, ClothesAreAsLargeAsThoseOfDollsOrLessThanTwicePeoples) {
+  scene_with(folder.write("skirt.json", skirt(40.0, 60.0)));
+  const auto is_refused = [&](double size_m) {
+    const SewingPattern pattern = {{rectangle("panel", size_m, size_m, {0.0, 1.0, 0.2})}, {}};
+    CutPieces pieces = cut_pieces(pattern, 100);
+    return test::error_message<InputError>([&] {
+             bring_to_body(pattern, bodies, pieces);
+           }).find("found a pattern of") != std::string::npos;
+  };
+  EXPECT_TRUE(is_refused(0.03));
+  EXPECT_FALSE(is_refused(0.05));
+  EXPECT_FALSE(is_refused(3.0));
+  EXPECT_TRUE(is_refused(4.0));
 }
 
 TEST_F(Sewing, SaysWhichSeamsShareAnEdge) {

@@ -115,17 +115,14 @@ class Closing {
   SewnPieces run(const SewingReport& report) {
     const int budget = max_steps * static_cast<int>(pieces_.layer_of.back() + 1);
     if (report) report(share_joined(), sewn_.garment, now_m());
-    int next_join = first_join, between_joins = frames_between_joins;
     for (int frame = 1; steps_ <= budget && share_joined() < 1.0; ++frame) {
       throw_if_interrupted();
-      const std::vector<std::size_t> seams = pulled_seams(frame);
+      const std::vector<std::size_t> seams = pulled_seams();
       pull(seams);
       if (!advance()) break;
-      if (frame >= next_join) {
+      if (frame >= first_join && (frame - first_join) % frames_between_joins == 0) {
         const double before = share_joined();
-        const bool any_joined = join_what_met(seams);
-        between_joins = any_joined ? frames_between_joins : std::min(2 * between_joins, max_frames_between_joins);
-        next_join = frame + between_joins;
+        join_what_met(seams);
         if (share_joined() - before < min_pass_fraction * (1.0 - before)) {
           // Cloth that a strong pull has crumpled comes loose in a weak one.
           strength_ = strength_ * strength_growth > max_strength ? 1.0 : strength_growth * strength_;
@@ -210,15 +207,14 @@ class Closing {
   }
 
   /// Returns the seams to pull: seams of the innermost open layer, and at first only those that carry the garment.
-  std::vector<std::size_t> pulled_seams(int frame) {
+  std::vector<std::size_t> pulled_seams() {
     std::vector<std::size_t> all(pieces_.seams.size());
     std::iota(all.begin(), all.end(), std::size_t{0});
     while (layer_ < pieces_.layer_of.back() && is_layer_closed(all)) {
       ++layer_;
-      layer_began_ = frame;
       strength_ = 1.0;
     }
-    is_carried_ = frame - layer_began_ >= max_frames_for_first || is_layer_closed(pieces_.first_seams);
+    is_carried_ = is_layer_closed(pieces_.first_seams);
     std::vector<std::size_t> seams = is_carried_ ? all : pieces_.first_seams;
     std::erase_if(seams, [&](std::size_t s) { return layer_of(s) != layer_; });
     return seams;
@@ -285,8 +281,8 @@ class Closing {
     }
   }
 
-  /// Joins vertices that have met. Returns whether any were joined.
-  bool join_what_met(const std::vector<std::size_t>& seams) {
+  /// Joins vertices that have met.
+  void join_what_met(const std::vector<std::size_t>& seams) {
     std::vector<std::pair<Index, Index>> met;
     for (const std::size_t s : seams) {
       for (const auto& [a, b] : pieces_.seams[s]) {
@@ -300,30 +296,18 @@ class Closing {
       sim::Groups joined = joined_;
       for (const auto& [a, b] : met) joined.join(a, b);
       begin(join_pieces(pieces_, joined, of_pieces_m, scene_));
-      std::vector<char> is_crossed = crossed_after_frames(seams);
+      pull(seams);
+      const std::vector<char> is_crossed = advance() ? crossed() : std::vector<char>(now_m().size(), 1);
       const auto touches = [&](const auto& pair) { return is_crossed[sewn_.vertex_of[pair.first]] != 0; };
       const double bound = scene_.simulation.solver.bounded.max_stretch + bound_rounding;
       if (std::ranges::find(is_crossed, 1) == is_crossed.end() &&
           sim::measure_surface_stretch(sewn_.garment, now_m()).max <= bound) {
         joined_ = joined;
-        return true;
+        return;
       }
       if (std::ranges::all_of(met, touches) || std::erase_if(met, touches) == 0) leave_out_nearest(is_crossed, met);
     }
     begin(before);
-    return false;
-  }
-
-  /// Advances frames until the solver leaves out no triangle, or something crosses. Returns crossed().
-  std::vector<char> crossed_after_frames(const std::vector<std::size_t>& seams) {
-    std::vector<char> is_crossed(now_m().size(), 1);
-    for (int frame = 0; frame < frames_to_part; ++frame) {
-      pull(seams);
-      if (!advance()) break;
-      is_crossed = crossed();
-      if (simulation_->last_report().excluded_triangles.empty()) break;
-    }
-    return is_crossed;
   }
 
   /// Leaves out the half of the pairs that is nearest to vertices that cross.
@@ -384,7 +368,6 @@ class Closing {
   int steps_ = 0;            ///< count of time steps made
   std::size_t layer_ = 0;    ///< layer that is sewn
   bool is_carried_ = false;  ///< true once the seams that carry the layer are closed
-  int layer_began_ = 0;      ///< frame in which the layer began
   SewnPieces sewn_;
   std::optional<sim::Simulation> simulation_;
 };

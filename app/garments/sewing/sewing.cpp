@@ -79,19 +79,19 @@ std::string describe_tightest(const LoadedBodies& bodies, const SewnGarment& gar
   const BodyMeasures& measures = dressed_body(bodies).wearer->measures;
   const sim::Surface start = {start_m, mesh.triangles};
   const auto tube = find_tube(start);
-  const auto cloth_m =
-      tube ? girth_at(start, std::min(start_m[mesh.triangles[t][0]].y, tube->max_height_m)) : std::nullopt;
-  if (cloth_m && *cloth_m > min_girth_m && at_m.y > measures.levels[measures.fork].height_m &&
+  const double start_height_m = start_m[mesh.triangles[t][0]].y;
+  const double cloth_m = tube ? girth_at(start, std::min(start_height_m, tube->max_height_m)).value_or(0.0) : 0.0;
+  const double body_m = measures.level_at(at_m.y).girth_m;
+  if (cloth_m > one_limb_fraction * body_m && at_m.y > measures.levels[measures.fork].height_m &&
       at_m.y < measures.levels.back().height_m) {
-    around = fmt::format(", where the body is {:.1f} cm around and the garment {:.1f} cm",
-                         measures.level_at(at_m.y).girth_m / cm, *cloth_m / cm);
+    around = fmt::format(", where the body is {:.1f} cm around and the garment {:.1f} cm", body_m / cm, cloth_m / cm);
   }
   return fmt::format("it is tightest in the panel '{}', beside the seam of {}{}", garment.pattern.panels[panel].name,
                      garment.pattern.describe(garment.pattern.stitches[nearest]), around);
 }
 
-/// Returns hands that hold up the upper ends of parts without shoulder seams that begin well above the waist: they
-/// would slide down while the body grows into them and before friction holds them.
+/// Returns hands that bear the garment's weight at the upper ends of parts without shoulder seams that begin well above
+/// the waist: they would slide down while the body grows into them and before friction holds them.
 std::vector<sim::GrabbedVertex> hold_strapless(const Scene& scene, const LoadedBodies& bodies,
                                                const SewnGarment& garment) {
   const BodyMeasures& measures = dressed_body(bodies).wearer->measures;
@@ -103,7 +103,7 @@ std::vector<sim::GrabbedVertex> hold_strapless(const Scene& scene, const LoadedB
   for (const GarmentPart& part : find_garment_parts(cloth.mesh, sim::make_adjacency(cloth.mesh))) {
     const Opening* top = top_opening(part);
     if (top == nullptr || top->mean_height_m < measures.waist_m->y + held_above_waist_m) continue;
-    const double force_n = hold_weights * weight_n / static_cast<double>(top->vertices.size());
+    const double force_n = weight_n / static_cast<double>(top->vertices.size());
     for (const Index v : top->vertices) {
       hands.push_back({v, cloth.mesh.positions[v], force_n / hold_reach_m, force_n});
     }

@@ -124,14 +124,8 @@ inline constexpr double reach_fraction = 0.1;
 inline constexpr int first_join = 12;
 /// Count of frames between tries. Less tries in vain, more takes longer.
 inline constexpr int frames_between_joins = 4;
-/// Limit of these frames after tries that joined nothing. More takes longer, less tries in vain.
-inline constexpr int max_frames_between_joins = 16;
-/// Count of frames for the seams that carry the garment. Less closes sides before shoulders, more takes longer.
-inline constexpr int max_frames_for_first = 60;
 /// Budget of time steps for a layer, on average. More takes longer, less gives up.
 inline constexpr int max_steps = 4000;
-/// Count of frames in which joined cloth has to come apart. Less takes back good joins.
-inline constexpr int frames_to_part = 5;
 /// Distance of the body from a gap within which it is said to be in the way, in m. More blames it wrongly.
 inline constexpr double blocking_distance_m = 0.03;
 
@@ -156,8 +150,6 @@ inline constexpr double max_work = 220e3;
 /// Height above the waist from which the upper end of a garment without shoulder seams is held until it rests in thick
 /// air, in m. Less holds skirts too.
 inline constexpr double held_above_waist_m = 0.08;
-/// Force of the hands over the garment's weight. More lifts cloth off the body, less lets it slide down.
-inline constexpr double hold_weights = 2.0;
 /// Distance at which hands reach their force, in m. More lets cloth slide down.
 inline constexpr double hold_reach_m = 0.01;
 /// Upper limit of the compression stiffness without a body, in N/m. More lets gathered cloth tremble for ever; without
@@ -165,9 +157,8 @@ inline constexpr double hold_reach_m = 0.01;
 inline constexpr double max_free_compression_n_per_m = 3.0;
 /// Count of frames after which a garment without a body begins anew. More leaves creases, less never rests.
 inline constexpr int frames_to_unfold = 60;
-/// Fraction of a girth below which a level meets one limb alone. More hides girths that do not fit.
+/// Fraction of the body's girth below which a level of the garment meets one limb alone. More hides girths that do not
+/// fit, less says girths of one limb.
 inline constexpr double one_limb_fraction = 0.6;
-/// Smallest girth that is said, in m; smaller ones are measured wrong. More hides children's girths.
-inline constexpr double min_girth_m = 0.1;
 
 }  // namespace taut::app::sewing

@@ -319,6 +319,40 @@ TEST_F(Wearing, SaysWhereClothIsStretchedMost) {
   EXPECT_CONTAINS(describe_tightness(worn.bodies, *worn.loaded.garment, wide_m, rows), "stretched most: at the ");
 }
 
+TEST_F(Wearing, NamesThreeTightPlacesThatStretchByHalfAPercent) {
+  const Fitting worn = put(tshirt, "male_40");
+  const std::vector<FitRow> rows = worn.fit();
+  const auto widened = [&](double factor) {
+    std::vector<sim::Vec3> wide_m = worn.places_m();
+    for (sim::Vec3& p : wide_m) p *= sim::Vec3(factor, 1.0, factor);
+    return describe_tightness(worn.bodies, *worn.loaded.garment, wide_m, rows);
+  };
+  EXPECT_EQ(std::ranges::count(widened(1.2), '%'), 3) << widened(1.2);
+  EXPECT_EQ(widened(1.004), "");
+  EXPECT_CONTAINS(widened(1.008), "stretched most: ");
+}
+
+TEST_F(Wearing, NamesTheStretchOfATenthOfTheTrianglesNearAGirth) {
+  const Fitting worn = put(assets / "garments/tshirt_5280.obj", "male_40");
+  const std::vector<FitRow> rows = worn.fit();
+  const double waist_m = *std::ranges::find(rows, "waist", &FitRow::name)->height_m;
+  // Lengthens a strip in front by a fifth, between two heights over the waist.
+  const auto lengthened = [&](double from_m, double to_m, double half_width_m) {
+    std::vector<sim::Vec3> long_m = worn.places_m();
+    for (sim::Vec3& p : long_m) {
+      if (p.z > 0.05 && std::abs(p.x) < half_width_m)
+        p.y += 0.2 * std::clamp(p.y - waist_m - from_m, 0.0, to_m - from_m);
+    }
+    return describe_tightness(worn.bodies, *worn.loaded.garment, long_m, rows);
+  };
+  EXPECT_CONTAINS(lengthened(0.02, 0.04, 1.0), "at the waist in front");
+  EXPECT_EQ(lengthened(0.055, 0.075, 1.0).find("waist"), std::string::npos) << "it is above the waist";
+  const std::string strip = lengthened(-0.05, 0.05, 0.03);
+  const std::size_t percent = strip.find("at the waist in front ") + std::string("at the waist in front ").size();
+  ASSERT_LT(percent, strip.size()) << strip;
+  EXPECT_NEAR(std::stod(strip.substr(percent)), 18.5, 1.0) << strip;
+}
+
 TEST_F(Wearing, NamesTheSideOfTheWearerThatIsStretchedMost) {
   const Fitting worn = put(tshirt, "male_40");
   const std::vector<FitRow> rows = worn.fit();
@@ -347,6 +381,8 @@ TEST_F(Wearing, WhatLiesTooHighComesDown) {
   const sim::Vec3 there_m = {0.0, low_m, worn.bodies.wearers[0]->measures.waist_m->z};
   EXPECT_EQ(said_of_skirt(there_m + sim::Vec3(0.0, 0.04, 0.0), 0.0), "");
   EXPECT_CONTAINS(said_of_skirt(there_m + sim::Vec3(0.0, 0.06, 0.0), 0.0), "it is moved by 0.06 m");
+  EXPECT_EQ(said_of_skirt(there_m - sim::Vec3(0.0, 0.1, 0.0), 0.0), "") << "clothes may be worn lower";
+  EXPECT_CONTAINS(said_of_skirt(there_m - sim::Vec3(0.0, 0.2, 0.0), 0.0), "it is moved by 0.2 m");
 }
 
 }  // namespace

@@ -184,9 +184,9 @@ bool has_face(const sim::Mesh& mesh, const GarmentPart& part, double neck_m) {
   return above_m >= min_face_height * hood_m && is_on_one_side(mesh, part, *face, neck_m + 0.5 * hood_m, 0.2 * hood_m);
 }
 
-/// Returns whether the band around the neck carries the part on both sides and has more than a vertex or two.
+/// Returns whether the band around the neck carries the part on both sides.
 bool holds(const GarmentPart& part, const std::vector<sim::Index>& neck, const sim::Mesh& mesh) {
-  return neck.size() >= min_neck_vertices && carries(part, sim::compute_extent(mesh.positions, neck));
+  return carries(part, sim::compute_extent(mesh.positions, neck));
 }
 
 }  // namespace

@@ -53,10 +53,9 @@ bool reach_up(const sim::Mesh& mesh, const GarmentPart& part, const std::vector<
 /// Returns the tops of straps if the opening at the top is their border, else none.
 std::vector<sim::Index> straps(const sim::Mesh& mesh, const GarmentPart& part, const Opening& top) {
   const double depth = top.range.size().y / part.range.size().y;
-  const bool is_apron = depth >= min_apron_depth && top.range.size()[part.across()] >= min_apron_width * part.width_m();
   const bool is_neckline =
       depth >= min_strap_neckline_depth && reach_up(mesh, part, pair_of_openings(part), top.range.upper.y);
-  return is_apron || is_neckline ? find_tops(mesh, part, part.vertices, part.width_m()) : std::vector<sim::Index>();
+  return is_neckline ? find_tops(mesh, part, part.vertices, part.width_m()) : std::vector<sim::Index>();
 }
 
 /// Returns the vertices that hold a part that lies flat.

@@ -26,8 +26,6 @@ inline constexpr double max_off_balance_in_depth = 0.25;
 inline constexpr double min_opening_width = 0.1;
 /// Largest distance of an armhole's inner end from the middle, in widths. More takes cuffs for armholes.
 inline constexpr double max_armhole_offset = 0.4;
-/// Smallest distance of a pair's openings from the middle, in widths. Less takes a neckline for an armhole.
-inline constexpr double min_pair_offset = 0.03;
 /// Largest difference in height between two openings of a pair, as a fraction. More pairs an armhole with a cuff.
 inline constexpr double max_pair_height_difference = 0.1;
 /// Largest distance of a neck, a waist or a hem from the middle, in widths. More takes cuffs for hems.
@@ -44,10 +42,6 @@ inline constexpr double max_flat_part_thickness = 0.02;
 inline constexpr double max_pinned_shoulder_offset = 0.25;
 /// Smallest height of a neckline between straps, as a fraction. More hangs dresses by necklines below their straps.
 inline constexpr double min_strap_neckline_depth = 0.1;
-/// Smallest height of a border that goes around the arms too, as in dungarees. More hangs these by their waists.
-inline constexpr double min_apron_depth = 0.2;
-/// Smallest width of such a border, in widths. Less takes necklines for it.
-inline constexpr double min_apron_width = 0.5;
 /// Count of parts that are described one by one.
 inline constexpr std::size_t max_described_parts = 12;
 /// Largest distance of a landmark from its vertex, in m. Files have about six digits. More takes a neighbour for it.
@@ -69,8 +63,6 @@ inline constexpr double max_hood_height = 0.5;
 inline constexpr double min_face_height = 0.5;
 /// Largest extent of a face's border from front to back, over the hood's at its height. More takes straps for hoods.
 inline constexpr double max_face_depth_ratio = 0.6;
-/// Smallest count of vertices that hold a neck. Fewer hold it by a point.
-inline constexpr std::size_t min_neck_vertices = 6;
 
 // Hangers (hanger.cpp). Lengths are in bars: a bar is half of a hanger.
 

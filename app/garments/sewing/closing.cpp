@@ -115,14 +115,18 @@ class Closing {
   SewnPieces run(const SewingReport& report) {
     const int budget = max_steps * static_cast<int>(pieces_.layer_of.back() + 1);
     if (report) report(share_joined(), sewn_.garment, now_m());
+    int next_join = first_join, between_joins = frames_between_joins;
     for (int frame = 1; steps_ <= budget && share_joined() < 1.0; ++frame) {
       throw_if_interrupted();
-      const std::vector<std::size_t> seams = pulled_seams();
+      const std::vector<std::size_t> seams = pulled_seams(frame);
       pull(seams);
       if (!advance()) break;
-      if (frame >= first_join && (frame - first_join) % frames_between_joins == 0) {
+      if (frame >= next_join) {
         const double before = share_joined();
         join_what_met(seams);
+        between_joins =
+            share_joined() > before ? frames_between_joins : std::min(2 * between_joins, max_frames_between_joins);
+        next_join = frame + between_joins;
         if (share_joined() - before < min_pass_fraction * (1.0 - before)) {
           // Cloth that a strong pull has crumpled comes loose in a weak one.
           strength_ = strength_ * strength_growth > max_strength ? 1.0 : strength_growth * strength_;
@@ -207,14 +211,15 @@ class Closing {
   }
 
   /// Returns the seams to pull: seams of the innermost open layer, and at first only those that carry the garment.
-  std::vector<std::size_t> pulled_seams() {
+  std::vector<std::size_t> pulled_seams(int frame) {
     std::vector<std::size_t> all(pieces_.seams.size());
     std::iota(all.begin(), all.end(), std::size_t{0});
     while (layer_ < pieces_.layer_of.back() && is_layer_closed(all)) {
       ++layer_;
+      layer_began_ = frame;
       strength_ = 1.0;
     }
-    is_carried_ = is_layer_closed(pieces_.first_seams);
+    is_carried_ = frame - layer_began_ >= max_frames_for_first || is_layer_closed(pieces_.first_seams);
     std::vector<std::size_t> seams = is_carried_ ? all : pieces_.first_seams;
     std::erase_if(seams, [&](std::size_t s) { return layer_of(s) != layer_; });
     return seams;
@@ -368,6 +373,7 @@ class Closing {
   int steps_ = 0;            ///< count of time steps made
   std::size_t layer_ = 0;    ///< layer that is sewn
   bool is_carried_ = false;  ///< true once the seams that carry the layer are closed
+  int layer_began_ = 0;      ///< frame in which the layer began
   SewnPieces sewn_;
   std::optional<sim::Simulation> simulation_;
 };

@@ -124,6 +124,11 @@ inline constexpr double reach_fraction = 0.1;
 inline constexpr int first_join = 12;
 /// Count of frames between tries. Less tries in vain, more takes longer.
 inline constexpr int frames_between_joins = 4;
+/// Limit of these frames after tries that joined nothing. The pull grows with each try. More takes longer, less
+/// crumples cloth before it has come near.
+inline constexpr int max_frames_between_joins = 16;
+/// Count of frames for the seams that carry the garment. Less closes sides before shoulders, more takes longer.
+inline constexpr int max_frames_for_first = 60;
 /// Budget of time steps for a layer, on average. More takes longer, less gives up.
 inline constexpr int max_steps = 4000;
 /// Distance of the body from a gap within which it is said to be in the way, in m. More blames it wrongly.

@@ -76,6 +76,14 @@ struct Sewing : testing::Test {
   SewnGarment sewn(const Scene& scene, int triangles, int frames = 60) {
     return sew(read_named_pattern(scene.garment.file), scene, bodies, {triangles, frames}, [](const std::string&) {});
   }
+  /// Closes the seams of the scene's pattern about its body.
+  SewnPieces close_pattern(const Scene& scene, int triangles, const SewingReport& report) {
+    const SewingPattern pattern = read_sewing_pattern(scene.garment.file);
+    CutPieces pieces = cut_pieces(pattern, triangles);
+    bring_to_body(pattern, bodies, pieces);
+    place_pieces(pieces, scene, bodies);
+    return close_seams(pieces, scene, bodies, thin_time_s(bodies), report);
+  }
 
   test::TemporaryFolder folder;
   LoadedBodies bodies;  ///< bodies of the last scene
@@ -201,19 +209,13 @@ TEST_F(Sewing, WhatMovesInTheAirOfTheSceneIsNotAtRest) {
 
 TEST_F(Sewing, KeepsTheBoundInEveryFrameInWhichPiecesAreJoined) {
   const Scene scene = scene_with(folder.write("skirt.json", skirt(40.0, 60.0)));
-  const SewingPattern pattern = read_sewing_pattern(scene.garment.file);
-  CutPieces pieces = cut_pieces(pattern, 800);
-  bring_to_body(pattern, bodies, pieces);
-  place_pieces(pieces, scene, bodies);
   std::set<double> shares;
   double max_stretch = 0.0;
-  const SewnPieces sewn = close_seams(pieces, scene, bodies, thin_time_s(bodies),
-                                      [&](double share, const sim::Garment& garment, const auto& positions_m) {
-                                        const sim::SurfaceStretch stretch =
-                                            sim::measure_surface_stretch(garment, positions_m);
-                                        max_stretch = std::max(max_stretch, stretch.max);
-                                        shares.insert(share);
-                                      });
+  const SewnPieces sewn =
+      close_pattern(scene, 800, [&](double share, const sim::Garment& garment, const auto& positions_m) {
+        max_stretch = std::max(max_stretch, sim::measure_surface_stretch(garment, positions_m).max);
+        shares.insert(share);
+      });
   EXPECT_EQ(sewn.gap_m, 0.0);
   EXPECT_GE(shares.size(), 2u) << "it was not joined while it was looked at";
   EXPECT_LE(max_stretch, 0.01 + 1e-6);
@@ -223,16 +225,11 @@ TEST_F(Sewing, ADressIsClosedAfterFortyFrames) {
   Scene scene = scene_with(assets / "patterns/wardrobe/dress.json");
   scene.simulation.solver.bounded.max_stretch = 0.05;
   scene.material = find_fabric_material("jersey", "--fabric");
-  const SewingPattern pattern = read_sewing_pattern(scene.garment.file);
-  CutPieces pieces = cut_pieces(pattern, 700);
-  bring_to_body(pattern, bodies, pieces);
-  place_pieces(pieces, scene, bodies);
   int frames = -1, first_join = 0;
-  const SewnPieces sewn =
-      close_seams(pieces, scene, bodies, thin_time_s(bodies), [&](double share, const sim::Garment&, const auto&) {
-        ++frames;
-        if (first_join == 0 && share > 0.0) first_join = frames;
-      });
+  const SewnPieces sewn = close_pattern(scene, 700, [&](double share, const sim::Garment&, const auto&) {
+    ++frames;
+    if (first_join == 0 && share > 0.0) first_join = frames;
+  });
   EXPECT_EQ(sewn.gap_m, 0.0);
   EXPECT_EQ(first_join, 12) << "what is nearly closed waits, or what is far from closed is tried";
   EXPECT_NEAR(frames, 40, 2) << "fewer: it was pulled harder or joined from farther away; more: it takes longer";
@@ -691,54 +688,50 @@ sim::Mesh box(const sim::Vec3& half_m) {
   return mesh;
 }
 
-/// Returns the rectangle turned about the y axis, so that it faces this way from +z.
-PatternPanel turned(PatternPanel panel, double angle_rad) {
+/// Returns the panel turned about the vertical by this angle.
+PatternPanel turn_panel(PatternPanel panel, double angle_rad) {
   panel.rotation[0] = {std::cos(angle_rad), 0.0, -std::sin(angle_rad)};
   panel.rotation[2] = {std::sin(angle_rad), 0.0, std::cos(angle_rad)};
   return panel;
 }
 
-/// Returns the extent of a panel.
-sim::Extent extent_of_panel(const CutPieces& pieces, sim::Index panel) { return panel_boxes(pieces)[panel]; }
-
 constexpr double body_half_m = 0.1;
 
-/// Places panels about a box. Layers are given per panel.
-CutPieces placed_about_box(std::vector<PatternPanel> panels, std::vector<std::size_t> layers = {},
-                           double half_m = body_half_m) {
-  CutPieces pieces = cut_pieces({std::move(panels), {}}, 100);
-  if (!layers.empty()) pieces.layer_of = std::move(layers);
+/// Places a panel about a box with this half width.
+CutPieces place_about_box(const PatternPanel& panel, double half_m = body_half_m) {
+  CutPieces pieces = cut_pieces({{panel}, {}}, 100);
   const sim::Mesh body = box({half_m, 1.0, half_m});
   part_and_draw_in({body.positions, body.triangles}, {0.0, 1.0, 0.0}, pieces);
   return pieces;
 }
 
 TEST(Placing, PiecesAreDrawnInToThreeCentimetres) {
-  const CutPieces pieces = placed_about_box({rectangle("front", 0.15, 0.3, {0.0, 0.2, 0.5})});
-  EXPECT_NEAR(extent_of_panel(pieces, 0).lower.z - body_half_m, 0.035, 0.01);
+  const CutPieces pieces = place_about_box(rectangle("front", 0.15, 0.3, {0.0, 0.2, 0.5}));
+  EXPECT_NEAR(panel_boxes(pieces)[0].lower.z - body_half_m, 0.035, 0.01);
 }
 
 TEST(Placing, PiecesThatCrossTheBodyMoveJustOutOfIt) {
   const CutPieces pieces =
-      placed_about_box({turned(rectangle("front", 0.3, 0.3, {0.0, 0.2, body_half_m - 0.036}), 0.01)});
-  EXPECT_NEAR(extent_of_panel(pieces, 0).middle().z - body_half_m, 0.015, 0.004) << "by steps of a centimetre";
-  constexpr double wide_m = 0.6;
-  const CutPieces deep = placed_about_box({rectangle("front", 1.5, 0.3, {0.0, 0.2, 0.1})}, {}, wide_m);
-  EXPECT_GT(extent_of_panel(deep, 0).lower.z, wide_m) << "it begins half a metre within";
+      place_about_box(turn_panel(rectangle("front", 0.3, 0.3, {0.0, 0.2, body_half_m - 0.036}), 0.01));
+  EXPECT_NEAR(panel_boxes(pieces)[0].middle().z - body_half_m, 0.015, 0.004) << "by steps of a centimetre";
+  constexpr double deep_half_m = 0.6;
+  const CutPieces deep = place_about_box(rectangle("front", 1.5, 0.3, {0.0, 0.2, 0.1}), deep_half_m);
+  EXPECT_GT(panel_boxes(deep)[0].lower.z, deep_half_m) << "it begins half a metre within";
 }
 
 TEST(Placing, OuterLayersLieOverInnerOnesThatFaceTheirWay) {
-  // The outer one lies above the head of the inner one, 10 cm further in.
+  // The outer panel begins 20 cm above the inner one and 10 cm further in.
   const auto find_rise_m = [](double angle_deg) {
     const double angle = angle_deg / 180.0 * std::numbers::pi;
     const sim::Vec3 way = {std::sin(angle), 0.0, std::cos(angle)};
-    CutPieces pieces = cut_pieces({{rectangle("inner", 0.1, 0.3, {0.0, 0.15, 0.3}),
-                                    turned(rectangle("outer", 0.1, 0.3, 0.2 * way + sim::Vec3(0.0, 0.65, 0.0)), angle)},
-                                   {}},
-                                  100);
+    CutPieces pieces =
+        cut_pieces({{rectangle("inner", 0.1, 0.3, {0.0, 0.15, 0.3}),
+                     turn_panel(rectangle("outer", 0.1, 0.3, 0.2 * way + sim::Vec3(0.0, 0.65, 0.0)), angle)},
+                    {}},
+                   100);
     pieces.layer_of = {0, 1};
     part_and_draw_in({}, sim::Vec3(0.0), pieces);
-    return glm::dot(extent_of_panel(pieces, 1).middle(), way) - 0.2;
+    return glm::dot(panel_boxes(pieces)[1].middle(), way) - 0.2;
   };
   EXPECT_NEAR(find_rise_m(0.0), 0.1 + 0.04, 0.01);
   EXPECT_NEAR(find_rise_m(50.0), 0.1 + 0.04, 0.01);
@@ -748,11 +741,11 @@ TEST(Placing, OuterLayersLieOverInnerOnesThatFaceTheirWay) {
 TEST(Placing, PiecesThatFaceTheSameWayMoveAside) {
   const auto is_moved_aside = [](double angle_rad) {
     const sim::Vec3 at = {0.05, 0.2, 0.5};
-    CutPieces pieces =
-        cut_pieces({{rectangle("one", 0.3, 0.3, at), turned(rectangle("other", 0.3, 0.3, at), angle_rad)}, {}}, 100);
-    const sim::Extent before = extent_of_panel(pieces, 1);
+    CutPieces pieces = cut_pieces(
+        {{rectangle("one", 0.3, 0.3, at), turn_panel(rectangle("other", 0.3, 0.3, at), angle_rad)}, {}}, 100);
+    const sim::Extent before = panel_boxes(pieces)[1];
     part_and_draw_in({}, {0.0, 1.0, 0.0}, pieces);
-    const sim::Vec3 way = extent_of_panel(pieces, 1).middle() - before.middle();
+    const sim::Vec3 way = panel_boxes(pieces)[1].middle() - before.middle();
     return glm::length(way) > 0.05 &&
            std::abs(glm::dot(glm::normalize(way), sim::Vec3(std::sin(angle_rad), 0.0, std::cos(angle_rad)))) < 0.7;
   };
@@ -770,7 +763,7 @@ TEST(Placing, OuterShouldersLieOverInnerOnes) {
   CutPieces inner = cut_pieces({{rectangle("inner", 0.3, 0.3, {0.0, 1.4, 0.1})}, {}}, 100), outer = inner;
   outer.first_seams = {0};
   add_over(outer, inner);
-  EXPECT_NEAR(extent_of_panel(inner, 1).upper.y - extent_of_panel(inner, 0).upper.y, 0.03, 0.01);
+  EXPECT_NEAR(panel_boxes(inner)[1].upper.y - panel_boxes(inner)[0].upper.y, 0.03, 0.01);
 }
 
 TEST(Placing, PiecesThatLieFlatMoveUp) {

@@ -124,10 +124,10 @@ class Closing {
       if (frame >= next_join) {
         const double before = share_joined();
         join_what_met(seams);
-        between_joins =
-            share_joined() > before ? frames_between_joins : std::min(2 * between_joins, max_frames_between_joins);
+        const double closed = share_joined() - before;
+        between_joins = closed > 0.0 ? frames_between_joins : std::min(2 * between_joins, max_frames_between_joins);
         next_join = frame + between_joins;
-        if (share_joined() - before < min_pass_fraction * (1.0 - before)) {
+        if (closed < min_pass_fraction * (1.0 - before)) {
           // Cloth that a strong pull has crumpled comes loose in a weak one.
           strength_ = strength_ * strength_growth > max_strength ? 1.0 : strength_growth * strength_;
         }

@@ -143,7 +143,8 @@ double beside_middle(const GarmentPart& part, const Opening& opening) {
 
 bool are_a_pair(const GarmentPart& part, const Opening& a, const Opening& b) {
   const double side_a = beside_middle(part, a), side_b = beside_middle(part, b);
-  if (side_a * side_b >= 0.0) return false;
+  // A part without a width has no sides: they are no numbers.
+  if (!(side_a * side_b < 0.0)) return false;
   sim::Extent joint_range = a.range;
   joint_range.add(b.range.lower);
   joint_range.add(b.range.upper);

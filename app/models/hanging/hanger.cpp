@@ -184,11 +184,6 @@ bool has_face(const sim::Mesh& mesh, const GarmentPart& part, double neck_m) {
   return above_m >= min_face_height * hood_m && is_on_one_side(mesh, part, *face, neck_m + 0.5 * hood_m, 0.2 * hood_m);
 }
 
-/// Returns whether the band around the neck carries the part on both sides.
-bool holds(const GarmentPart& part, const std::vector<sim::Index>& neck, const sim::Mesh& mesh) {
-  return carries(part, sim::compute_extent(mesh.positions, neck));
-}
-
 }  // namespace
 
 std::vector<sim::Body> hanger_for(const sim::Mesh& mesh, const GarmentPart& part, double min_length_ratio,
@@ -256,7 +251,7 @@ std::vector<sim::Index> neck_below_hood(const sim::Mesh& mesh, const GarmentPart
     const double above_m = mesh.positions[v].y - neck_m;
     if (above_m >= 0.0 && above_m <= pinned_band_fraction * height_m) neck.push_back(v);
   }
-  return holds(part, neck, mesh) ? neck : std::vector<sim::Index>();
+  return carries(part, sim::compute_extent(mesh.positions, neck)) ? neck : std::vector<sim::Index>();
 }
 
 }  // namespace taut::app

@@ -99,8 +99,8 @@ class PersonalSize {
       std::vector<double> girths = collect<double>(openings, [](const Opening* opening) { return girth(*opening); });
       std::ranges::sort(girths);
       // Cuffs are two, and a single narrower opening is a slit.
-      narrowest_ = girths[girths.size() == 2 ? 0 : 1];
-      usual_narrowest_ =
+      waist_or_cuff_ = girths[girths.size() == 2 ? 0 : 1];
+      usual_waist_or_cuff_ =
           girths.size() == 2 ? UsualLength{median_waist_m, waist_spread} : UsualLength{median_cuff_m, cuff_spread};
     }
   }
@@ -111,7 +111,7 @@ class PersonalSize {
       const double away = std::log(length * units[unit].metres / usual.median_m) / usual.spread;
       return -0.5 * away * away;
     };
-    return std::log(unit_shares[unit]) + (narrowest_ > 0.0 ? of(narrowest_, usual_narrowest_) : 0.0) +
+    return std::log(unit_shares[unit]) + (waist_or_cuff_ > 0.0 ? of(waist_or_cuff_, usual_waist_or_cuff_) : 0.0) +
            std::max(of(sizes_[0], usual_), std::log(side_by_side_fraction) + of(sizes_[1], usual_));
   }
 
@@ -120,8 +120,8 @@ class PersonalSize {
  private:
   std::array<double, 2> sizes_;  ///< size of the model, and of that part
   UsualLength usual_ = UsualLength{median_size_m, size_spread};
-  double narrowest_ = 0.0;  ///< girth of its waist or cuff; 0 if it tells nothing
-  UsualLength usual_narrowest_ = UsualLength{median_cuff_m, cuff_spread};
+  double waist_or_cuff_ = 0.0;  ///< girth in the file's unit; 0 if it tells nothing
+  UsualLength usual_waist_or_cuff_ = UsualLength{median_cuff_m, cuff_spread};
 };
 
 /// Chooses the unit for a model of this size. Returns the size of its largest part, in the file's unit.
